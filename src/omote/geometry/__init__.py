@@ -1,0 +1,1 @@
+"""Meshes and the mathematics on them; knows nothing of faces."""

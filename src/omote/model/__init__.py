@@ -1,0 +1,1 @@
+"""The paper's nouns: frozen, checked once when they are made."""

@@ -1,0 +1,1 @@
+"""The live engine: state, commands and time in, state out."""

@@ -1,0 +1,1 @@
+"""A show without input or output: messages and a time in, messages out."""
