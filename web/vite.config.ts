@@ -1,0 +1,17 @@
+import { resolve } from "node:path";
+import { defineConfig } from "vite";
+
+/** Pages and their files; "/assets/" belongs to the cast, so the bundle's own files live under "/static/". */
+const page = (name: string): string => resolve(import.meta.dirname, `${name}.html`);
+
+export default defineConfig({
+  base: "/",
+  build: {
+    target: "chrome120", // OBS embeds an old Chromium
+    outDir: resolve(import.meta.dirname, "../src/omote/server/web"),
+    emptyOutDir: true,
+    assetsDir: "static",
+    chunkSizeWarningLimit: 900,
+    rolldownOptions: { input: { index: page("index"), stage: page("stage"), console: page("console") } },
+  },
+});
