@@ -1,0 +1,94 @@
+"""The browser that the browser tests drive: one already here, else Debian's, else Playwright's own download.
+
+`find_browser()` looks and changes nothing; `python tools/browser.py` also installs (the Makefile calls it once).
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Mapping
+from ctypes.util import find_library
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+DOWNLOADS = ROOT / ".venv" / "browsers"
+COMMANDS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+MAC_APPLICATION = Path("/Applications/Google Chrome.app/Contents/MacOS/Google Chrome")
+DOWNLOADED = ("chromium-*/chrome-linux*/chrome", "chromium-*/chrome-mac*/*.app/Contents/MacOS/*")
+
+# Without the last three Chromium falls back to a renderer that is three times slower.
+DEBIAN_RENDERER = ("libegl1", "libegl-mesa0", "libgl1-mesa-dri")
+SENTENCE = (
+    "No browser for the browser tests: none is installed and none could be fetched. Install Chromium "
+    "(Debian, Ubuntu: sudo apt-get install chromium " + " ".join(DEBIAN_RENDERER) + ") "
+    "or set OMOTE_BROWSER to the path of a Chromium or Chrome, then run the command again."
+)
+
+
+def find_browser(environment: Mapping[str, str] = os.environ, downloads: Path = DOWNLOADS) -> Path | None:
+    """The path of a Chromium or Chrome: OMOTE_BROWSER, the PATH, or an earlier download; None where there is none.
+
+    Raises FileNotFoundError where OMOTE_BROWSER names no file: a wish that cannot be met is not silently replaced.
+    """
+    wish = environment.get("OMOTE_BROWSER")
+    if wish:
+        if not Path(wish).is_file():
+            raise FileNotFoundError(f"OMOTE_BROWSER is {wish!r}, which is no file; give the path of a Chromium or Chrome.")
+        return Path(wish)
+    found = (shutil.which(command, path=environment.get("PATH", os.defpath)) for command in COMMANDS)
+    downloaded = (path for pattern in DOWNLOADED for path in sorted(downloads.glob(pattern), reverse=True))
+    candidates = [*(Path(path) for path in found if path), *([MAC_APPLICATION] if MAC_APPLICATION.is_file() else []), *downloaded]
+    return candidates[0] if candidates else None
+
+
+def can_use_apt() -> bool:
+    """Whether this user may install Debian packages here."""
+    return hasattr(os, "geteuid") and os.geteuid() == 0 and shutil.which("apt-get") is not None
+
+
+def install_debian(*packages: str) -> bool:
+    """Install Debian packages; says whether it worked."""
+    print("  apt-get install", *packages, flush=True)
+    environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
+    for command in (["update"], ["install", "--yes", "--no-install-recommends", *packages]):
+        run = subprocess.run(["apt-get", "-qq", *command], env=environment, stdout=subprocess.DEVNULL, check=False)
+        if run.returncode:
+            return False
+    return True
+
+
+def install_playwright() -> bool:
+    """Let Playwright download its own Chromium into .venv/browsers; says whether it worked."""
+    print("  Playwright downloads its own Chromium", flush=True)
+    environment = {**os.environ, "PLAYWRIGHT_BROWSERS_PATH": str(DOWNLOADS)}
+    command = [sys.executable, "-m", "playwright", "install", "chromium"]
+    return subprocess.run(command, env=environment, check=False).returncode == 0
+
+
+def provide_browser() -> Path | None:
+    """A browser, installed where none was; None where that was not possible."""
+    browser = find_browser()
+    if browser is None and can_use_apt():
+        install_debian("chromium", *DEBIAN_RENDERER)
+        browser = find_browser()
+    elif browser is not None and can_use_apt() and find_library("EGL") is None:
+        install_debian(*DEBIAN_RENDERER)
+    if browser is None and install_playwright():
+        browser = find_browser()
+    return browser
+
+
+def main() -> int:
+    """Provide the browser and print its path; on failure one sentence on stderr."""
+    try:
+        browser = provide_browser()
+    except FileNotFoundError as error:
+        print(error, file=sys.stderr)
+        return 1
+    print(SENTENCE if browser is None else f"  browser for the tests: {browser}", file=sys.stderr if browser is None else sys.stdout)
+    return 1 if browser is None else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
