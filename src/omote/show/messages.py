@@ -1,0 +1,272 @@
+"""Every message on the wire, once: `tools/messages.py` writes the TypeScript mirror `web/src/link/messages.ts` from here.
+
+Messages are MessagePack maps with a `type` tag. Numbers keep their plain types here and pass `show/door.py` when they are used.
+Documents (manifest, face asset, compound) travel over HTTP, as MessagePack maps without a tag.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated, Literal, get_args
+
+import msgspec
+
+PROTOCOL_VERSION = 1
+LINK_PATH = "/link"
+MESSAGE_LIMIT = 4096
+"""Bytes; no message of a client is longer."""
+STATE_RATE = 60.0
+"""States per second."""
+
+Name = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
+CallId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
+Role = Literal["stage", "console"]
+Kind = Literal["neutral", "performed", "arkit", "makehuman"]
+
+
+def snake_case(name: str) -> str:
+    """The tag of a message class: `CallFace` gives `call_face`."""
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
+
+
+class Message(msgspec.Struct, frozen=True, tag_field="type", tag=snake_case):
+    """A message with its tag."""
+
+
+# --- client to server -------------------------------------------------------------------------------------------------
+
+
+class Hello(Message, frozen=True):
+    """Opens a link; nothing else is heard before it."""
+
+    role: Role
+    version: int
+
+
+class CallFace(Message, frozen=True):
+    """Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). The same `id` executes once."""
+
+    id: CallId
+    name: Name
+    seconds: float | None
+    easing: Name
+
+
+class CallExpression(Message, frozen=True):
+    """Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). The same `id` executes once."""
+
+    id: CallId
+    name: Name
+    seconds: float | None
+    easing: Name
+
+
+class FadeFace(Message, frozen=True):
+    """The position of the face T-bar, 0..1."""
+
+    value: float
+
+
+class ReleaseFace(Message, frozen=True):
+    """The hand leaves the face T-bar."""
+
+
+class FadeExpression(Message, frozen=True):
+    """The position of the expression T-bar, 0..1."""
+
+    value: float
+
+
+class ReleaseExpression(Message, frozen=True):
+    """The hand leaves the expression T-bar."""
+
+
+class SetChannel(Message, frozen=True):
+    """The weight of one channel, -0.5..1.5."""
+
+    name: Name
+    value: float
+
+
+class SetHead(Message, frozen=True):
+    """The head's direction in radians: + is the character's left, up, tilt to its left."""
+
+    yaw: float
+    pitch: float
+    roll: float
+
+
+class SetGaze(Message, frozen=True):
+    """The gaze relative to the head in radians: + is the character's left, up."""
+
+    yaw: float
+    pitch: float
+
+
+class Panic(Message, frozen=True):
+    """Neutral, now."""
+
+
+class Ping(Message, frozen=True):
+    """Asks for a pong; `sent` is the client's own clock and comes back untouched."""
+
+    sent: float
+
+
+class Drawing(Message, frozen=True):
+    """A stage's heartbeat, once a second, from frames it really drew."""
+
+    fps: float
+
+
+# --- server to client -------------------------------------------------------------------------------------------------
+
+
+class Welcome(Message, frozen=True):
+    """Answers hello: `epoch` rises with each server start, `revision` with each change of the documents."""
+
+    version: int
+    epoch: int
+    revision: int
+    digest: str
+
+
+class CallState(msgspec.Struct, frozen=True):
+    """A running call: `progress` 0..1, `remaining` seconds (`None`: as long as the hand wants), `fader` of a T-bar."""
+
+    target: str
+    progress: float
+    remaining: float | None
+    by_hand: bool
+    fader: float | None
+
+
+class State(Message, frozen=True):
+    """All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost."""
+
+    epoch: int
+    number: int
+    time: float
+    revision: int
+    faces: dict[str, float]
+    expressions: dict[str, float]
+    channels: dict[str, float]
+    head: tuple[float, float, float]
+    gaze: tuple[float, float]
+    eyes: tuple[float, float, float, float]
+    lids: dict[str, float]
+    face_call: CallState | None
+    expression_call: CallState | None
+
+
+class Pong(Message, frozen=True):
+    """Answers ping: `time` is the server's monotonic clock in seconds."""
+
+    sent: float
+    time: float
+
+
+class Refused(Message, frozen=True):
+    """A message was not obeyed, and why, in one sentence for the operator."""
+
+    reason: str
+
+
+class Crew(Message, frozen=True):
+    """Who is connected, once a second: for each stage the frames it draws per second (`None`: it does not say)."""
+
+    stages: list[float | None]
+    consoles: int
+
+
+FromClient = (
+    Hello
+    | CallFace
+    | CallExpression
+    | FadeFace
+    | ReleaseFace
+    | FadeExpression
+    | ReleaseExpression
+    | SetChannel
+    | SetHead
+    | SetGaze
+    | Panic
+    | Ping
+    | Drawing
+)
+FromServer = Welcome | State | Pong | Refused | Crew
+
+
+# --- documents over HTTP ----------------------------------------------------------------------------------------------
+
+
+class Look(msgspec.Struct, frozen=True):
+    """Colours of a face, each `#rrggbb`."""
+
+    skin: str
+    lip: str
+    brow: str
+    blush: str
+    iris: str
+
+
+class MeshDocument(msgspec.Struct, frozen=True):
+    """One drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32."""
+
+    name: str
+    source: bytes
+    uv: bytes
+    triangles: bytes
+
+
+class FaceDocument(msgspec.Struct, frozen=True):
+    """A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours."""
+
+    name: str
+    label: str
+    url: str
+    centres: tuple[tuple[float, float, float], tuple[float, float, float]]
+    eye_radius: float
+    look: Look
+
+
+class ExpressionDocument(msgspec.Struct, frozen=True):
+    """An expression: its palette, its region, and its eyeball angles in radians (yaw, pitch of the left, of the right)."""
+
+    name: str
+    label: str
+    kind: Kind
+    region: str
+    eyes: tuple[float, float, float, float]
+
+
+class Manifest(msgspec.Struct, frozen=True):
+    """All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes."""
+
+    version: int
+    digest: str
+    vertices: int
+    skin: int
+    meshes: list[MeshDocument]
+    mask: str
+    faces: list[FaceDocument]
+    expressions: list[ExpressionDocument]
+
+
+class FaceAsset(msgspec.Struct, frozen=True):
+    """The positions of a face, (vertices, 3) f32 little-endian, metres."""
+
+    positions: bytes
+
+
+class CompoundAsset(msgspec.Struct, frozen=True):
+    """A compound as moves from its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16."""
+
+    scale: float
+    indices: bytes
+    deltas: bytes
+
+
+CLIENT_MESSAGES: tuple[type[Message], ...] = get_args(FromClient)
+SERVER_MESSAGES: tuple[type[Message], ...] = get_args(FromServer)
+DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, CompoundAsset)

@@ -1,0 +1,97 @@
+"""Writes `web/src/link/messages.ts` from `omote.show.messages`: `python tools/messages.py [--check]`."""
+
+from __future__ import annotations
+
+import sys
+import types
+import typing
+from pathlib import Path
+
+import msgspec
+
+from omote.show import messages
+
+TARGET = Path(__file__).parent.parent / "web" / "src" / "link" / "messages.ts"
+HEAD = "// Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.\n"
+PLAIN = {float: "number", int: "number", str: "string", bool: "boolean", bytes: "Uint8Array", type(None): "null"}
+
+
+def type_script(annotation: object) -> str:
+    """The TypeScript type of a Python annotation; TypeError for one the wire does not know."""
+    if isinstance(annotation, type) and annotation in PLAIN:
+        return PLAIN[annotation]
+    if isinstance(annotation, type) and issubclass(annotation, msgspec.Struct):
+        return annotation.__name__
+    return _generic(typing.get_origin(annotation), typing.get_args(annotation), annotation)
+
+
+def interface(struct: type[msgspec.Struct]) -> str:
+    """One exported interface, with the docstring as its comment."""
+    config = struct.__struct_config__
+    hints = typing.get_type_hints(struct)
+    fields = [f"  {config.tag_field}: {_quoted(config.tag)};"] if config.tag is not None else []
+    fields += [f"  {field.name}: {type_script(hints[field.name])};" for field in msgspec.structs.fields(struct)]
+    return (
+        f"/** {(struct.__doc__ or '').strip()} */\nexport interface {struct.__name__} {{\n"
+        + "\n".join(fields)
+        + "\n}\n"
+    )
+
+
+def module() -> str:
+    """The whole TypeScript module, the same text for the same messages."""
+    structs = [value for value in vars(messages).values() if _is_message(value)]
+    constants = [
+        f"export const PROTOCOL_VERSION = {messages.PROTOCOL_VERSION};",
+        f"export const LINK_PATH = {_quoted(messages.LINK_PATH)};",
+        f"/** States per second. */\nexport const STATE_RATE = {messages.STATE_RATE:g};",
+    ]
+    unions = [_union("FromClient", messages.CLIENT_MESSAGES), _union("FromServer", messages.SERVER_MESSAGES)]
+    return "\n".join([HEAD, "\n".join(constants) + "\n", *map(interface, structs), *unions])
+
+
+def main(arguments: list[str]) -> int:
+    """Writes the mirror; with `--check` only says whether it is stale (exit status 1)."""
+    text = module()
+    if "--check" in arguments:
+        return 0 if TARGET.exists() and TARGET.read_text() == text else 1
+    TARGET.parent.mkdir(parents=True, exist_ok=True)
+    TARGET.write_text(text)
+    return 0
+
+
+def _generic(origin: object, arguments: tuple[object, ...], annotation: object) -> str:
+    if origin is typing.Literal:
+        return " | ".join(map(_quoted, arguments))
+    if origin in (typing.Union, types.UnionType):
+        return " | ".join(map(type_script, arguments))
+    if origin is list:
+        inner = type_script(arguments[0])
+        return f"({inner})[]" if " " in inner else f"{inner}[]"
+    if origin is tuple:
+        return f"[{', '.join(map(type_script, arguments))}]"
+    if origin is dict and arguments[0] is str:
+        return f"Record<string, {type_script(arguments[1])}>"
+    raise TypeError(
+        f"no TypeScript for {annotation!r}: use float, int, str, bool, bytes, None, list, tuple, dict or a struct"
+    )
+
+
+def _is_message(value: object) -> bool:
+    return isinstance(value, type) and issubclass(value, msgspec.Struct) and value is not messages.Message
+
+
+def _union(name: str, members: tuple[type[msgspec.Struct], ...]) -> str:
+    names = [member.__name__ for member in members]
+    line = f"export type {name} = {' | '.join(names)};\n"
+    return (
+        line if len(line) <= 120 else f"export type {name} =\n" + "\n".join(f"  | {member}" for member in names) + ";\n"
+    )
+
+
+def _quoted(value: object) -> str:
+    return f'"{value}"'
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

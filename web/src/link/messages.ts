@@ -1,0 +1,225 @@
+// Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
+
+export const PROTOCOL_VERSION = 1;
+export const LINK_PATH = "/link";
+/** States per second. */
+export const STATE_RATE = 60;
+
+/** Opens a link; nothing else is heard before it. */
+export interface Hello {
+  type: "hello";
+  role: "stage" | "console";
+  version: number;
+}
+
+/** Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). The same `id` executes once. */
+export interface CallFace {
+  type: "call_face";
+  id: string;
+  name: string;
+  seconds: number | null;
+  easing: string;
+}
+
+/** Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). The same `id` executes once. */
+export interface CallExpression {
+  type: "call_expression";
+  id: string;
+  name: string;
+  seconds: number | null;
+  easing: string;
+}
+
+/** The position of the face T-bar, 0..1. */
+export interface FadeFace {
+  type: "fade_face";
+  value: number;
+}
+
+/** The hand leaves the face T-bar. */
+export interface ReleaseFace {
+  type: "release_face";
+}
+
+/** The position of the expression T-bar, 0..1. */
+export interface FadeExpression {
+  type: "fade_expression";
+  value: number;
+}
+
+/** The hand leaves the expression T-bar. */
+export interface ReleaseExpression {
+  type: "release_expression";
+}
+
+/** The weight of one channel, -0.5..1.5. */
+export interface SetChannel {
+  type: "set_channel";
+  name: string;
+  value: number;
+}
+
+/** The head's direction in radians: + is the character's left, up, tilt to its left. */
+export interface SetHead {
+  type: "set_head";
+  yaw: number;
+  pitch: number;
+  roll: number;
+}
+
+/** The gaze relative to the head in radians: + is the character's left, up. */
+export interface SetGaze {
+  type: "set_gaze";
+  yaw: number;
+  pitch: number;
+}
+
+/** Neutral, now. */
+export interface Panic {
+  type: "panic";
+}
+
+/** Asks for a pong; `sent` is the client's own clock and comes back untouched. */
+export interface Ping {
+  type: "ping";
+  sent: number;
+}
+
+/** A stage's heartbeat, once a second, from frames it really drew. */
+export interface Drawing {
+  type: "drawing";
+  fps: number;
+}
+
+/** Answers hello: `epoch` rises with each server start, `revision` with each change of the documents. */
+export interface Welcome {
+  type: "welcome";
+  version: number;
+  epoch: number;
+  revision: number;
+  digest: string;
+}
+
+/** A running call: `progress` 0..1, `remaining` seconds (`None`: as long as the hand wants), `fader` of a T-bar. */
+export interface CallState {
+  target: string;
+  progress: number;
+  remaining: number | null;
+  by_hand: boolean;
+  fader: number | null;
+}
+
+/** All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost. */
+export interface State {
+  type: "state";
+  epoch: number;
+  number: number;
+  time: number;
+  revision: number;
+  faces: Record<string, number>;
+  expressions: Record<string, number>;
+  channels: Record<string, number>;
+  head: [number, number, number];
+  gaze: [number, number];
+  eyes: [number, number, number, number];
+  lids: Record<string, number>;
+  face_call: CallState | null;
+  expression_call: CallState | null;
+}
+
+/** Answers ping: `time` is the server's monotonic clock in seconds. */
+export interface Pong {
+  type: "pong";
+  sent: number;
+  time: number;
+}
+
+/** A message was not obeyed, and why, in one sentence for the operator. */
+export interface Refused {
+  type: "refused";
+  reason: string;
+}
+
+/** Who is connected, once a second: for each stage the frames it draws per second (`None`: it does not say). */
+export interface Crew {
+  type: "crew";
+  stages: (number | null)[];
+  consoles: number;
+}
+
+/** Colours of a face, each `#rrggbb`. */
+export interface Look {
+  skin: string;
+  lip: string;
+  brow: string;
+  blush: string;
+  iris: string;
+}
+
+/** One drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32. */
+export interface MeshDocument {
+  name: string;
+  source: Uint8Array;
+  uv: Uint8Array;
+  triangles: Uint8Array;
+}
+
+/** A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours. */
+export interface FaceDocument {
+  name: string;
+  label: string;
+  url: string;
+  centres: [[number, number, number], [number, number, number]];
+  eye_radius: number;
+  look: Look;
+}
+
+/** An expression: its palette, its region, and its eyeball angles in radians (yaw, pitch of the left, of the right). */
+export interface ExpressionDocument {
+  name: string;
+  label: string;
+  kind: "neutral" | "performed" | "arkit" | "makehuman";
+  region: string;
+  eyes: [number, number, number, number];
+}
+
+/** All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes. */
+export interface Manifest {
+  version: number;
+  digest: string;
+  vertices: number;
+  skin: number;
+  meshes: MeshDocument[];
+  mask: string;
+  faces: FaceDocument[];
+  expressions: ExpressionDocument[];
+}
+
+/** The positions of a face, (vertices, 3) f32 little-endian, metres. */
+export interface FaceAsset {
+  positions: Uint8Array;
+}
+
+/** A compound as moves from its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16. */
+export interface CompoundAsset {
+  scale: number;
+  indices: Uint8Array;
+  deltas: Uint8Array;
+}
+
+export type FromClient =
+  | Hello
+  | CallFace
+  | CallExpression
+  | FadeFace
+  | ReleaseFace
+  | FadeExpression
+  | ReleaseExpression
+  | SetChannel
+  | SetHead
+  | SetGaze
+  | Panic
+  | Ping
+  | Drawing;
+
+export type FromServer = Welcome | State | Pong | Refused | Crew;
