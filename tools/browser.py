@@ -34,12 +34,12 @@ def find_browser(environment: Mapping[str, str] = os.environ, downloads: Path = 
     wish = environment.get("OMOTE_BROWSER")
     if wish:
         if not Path(wish).is_file():
-            raise FileNotFoundError(f"OMOTE_BROWSER is {wish!r}, which is no file; give the path of a Chromium or Chrome.")
+            raise FileNotFoundError(f"OMOTE_BROWSER is {wish!r}, which is no file; give the path of a Chromium.")
         return Path(wish)
     found = (shutil.which(command, path=environment.get("PATH", os.defpath)) for command in COMMANDS)
-    downloaded = (path for pattern in DOWNLOADED for path in sorted(downloads.glob(pattern), reverse=True))
-    candidates = [*(Path(path) for path in found if path), *([MAC_APPLICATION] if MAC_APPLICATION.is_file() else []), *downloaded]
-    return candidates[0] if candidates else None
+    installed = [*(Path(path) for path in found if path), MAC_APPLICATION]
+    downloaded = [path for pattern in DOWNLOADED for path in sorted(downloads.glob(pattern), reverse=True)]
+    return next((path for path in (*installed, *downloaded) if path.is_file()), None)
 
 
 def can_use_apt() -> bool:
@@ -62,7 +62,7 @@ def install_playwright() -> bool:
     """Let Playwright download its own Chromium into .venv/browsers; says whether it worked."""
     print("  Playwright downloads its own Chromium", flush=True)
     environment = {**os.environ, "PLAYWRIGHT_BROWSERS_PATH": str(DOWNLOADS)}
-    command = [sys.executable, "-m", "playwright", "install", "chromium"]
+    command = [sys.executable, "-m", "playwright", "install", "--no-shell", "chromium"]
     return subprocess.run(command, env=environment, check=False).returncode == 0
 
 
@@ -86,8 +86,11 @@ def main() -> int:
     except FileNotFoundError as error:
         print(error, file=sys.stderr)
         return 1
-    print(SENTENCE if browser is None else f"  browser for the tests: {browser}", file=sys.stderr if browser is None else sys.stdout)
-    return 1 if browser is None else 0
+    if browser is None:
+        print(SENTENCE, file=sys.stderr)
+        return 1
+    print(f"  browser for the tests: {browser}")
+    return 0
 
 
 if __name__ == "__main__":

@@ -1,0 +1,106 @@
+# Two commands matter: `make demo` opens the show, `make test` passes everything. Both first set up what they need,
+# and what is there and fresh is not made again. Paths are relative, so the folder's own name may hold spaces.
+
+PYTHON ?= python3
+RUN := .venv/bin/python
+NODE := $(RUN) tools/node.py web
+export OPENBLAS_NUM_THREADS := 1
+MAKEFLAGS += --no-print-directory
+
+PACKAGES := .venv/installed.stamp
+MODULES := web/node_modules/installed.stamp
+PAGES := src/omote/server/web/stage.html
+CAST := src/omote/builtin/cast.npz
+
+PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
+CAST_FROM := $(wildcard tools/bake.py tools/baking/*.py src/omote/geometry/*.py src/omote/model/*.py)
+
+.PHONY: help demo test setup bake web check check-python check-web tests browser-tests wheel-test format bench wheel clean
+.DELETE_ON_ERROR:
+
+help:
+	@echo "make demo    set up and open the show"
+	@echo "make test    set up and pass every check and test"
+	@echo "make setup   .venv, pages and cast      make check   format, lint, types, imports, pages; no tests"
+	@echo "make web     the pages                  make bench   every figure of the README and the docs"
+	@echo "make bake    the cast                   make wheel   dist/*.whl with pages and cast inside"
+	@echo "make format  rewrite in house style     make clean   remove everything that was made here"
+
+demo: setup
+	@.venv/bin/omote show --open
+
+# ---- set-up
+
+setup: $(PACKAGES) $(PAGES) $(CAST)
+
+bake: $(CAST)
+
+web: $(PAGES)
+
+$(PACKAGES): pyproject.toml constraints.txt hatch_build.py tools/environment.py
+	@echo "== Python environment (.venv)"
+	@$(PYTHON) tools/environment.py
+	@touch $@
+
+$(MODULES): web/package.json web/package-lock.json web/.npmrc tools/node.py | $(PACKAGES)
+	@echo "== Web packages (web/node_modules)"
+	@$(NODE) npm ci --silent
+	@touch $@
+
+$(PAGES): $(PAGES_FROM) $(MODULES)
+	@echo "== Pages of stage and console (src/omote/server/web)"
+	@$(NODE) npm run --silent build -- --logLevel warn
+	@touch $@
+
+$(CAST): $(CAST_FROM) | $(PACKAGES)
+	@echo "== Cast (src/omote/builtin/cast.npz)"
+	@$(RUN) tools/bake.py
+	@touch $@
+
+# ---- checks and tests
+
+test: setup check tests browser-tests wheel-test
+	@echo "== All checks and tests passed"
+
+check: check-python check-web
+
+check-python: $(PACKAGES)
+	@echo "== Format, lint, types, imports"
+	@$(RUN) -m ruff format --check --quiet .
+	@$(RUN) -m ruff check --quiet .
+	@$(RUN) -m mypy
+	@.venv/bin/lint-imports --no-logo
+
+check-web: $(MODULES)
+	@echo "== Pages: types, lint, tests"
+	@$(NODE) npm run --silent check
+	@$(NODE) npm test --silent
+
+tests: setup
+	@echo "== Tests"
+	@$(RUN) -m pytest
+
+browser-tests: setup
+	@echo "== Tests in a browser"
+	@$(RUN) tools/browser.py
+	@$(RUN) -m pytest tests/browser
+
+wheel-test: setup
+	@echo "== Test of the wheel"
+	@$(RUN) -m pytest tests/wheel
+
+format: $(PACKAGES) $(MODULES)
+	@$(RUN) -m ruff check --fix --quiet . || true
+	@$(RUN) -m ruff format .
+	@$(NODE) npm run --silent format
+
+bench: setup
+	@for claim in benchmarks/*.py; do echo "== $$claim"; $(RUN) "$$claim" || exit 1; done
+
+wheel: setup
+	@echo "== Wheel (dist)"
+	@$(RUN) -m hatchling build --target wheel
+
+clean:
+	rm -rf .venv build dist web/node_modules src/omote/server/web .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf .hypothesis src/omote/builtin/cast.npz src/omote/builtin/mask.png src/omote/builtin/NOTICE-CC0.md
