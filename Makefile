@@ -44,7 +44,7 @@ $(PACKAGES): pyproject.toml constraints.txt hatch_build.py tools/environment.py
 
 $(MODULES): web/package.json web/package-lock.json web/.npmrc tools/node.py | $(PACKAGES)
 	@echo "== Web packages (web/node_modules)"
-	@$(NODE) npm ci --silent
+	@$(NODE) npm ci --loglevel=error
 	@touch $@
 
 $(PAGES): $(PAGES_FROM) $(MODULES)
