@@ -1,7 +1,7 @@
-"""Every message on the wire, once: `tools/messages.py` writes the TypeScript mirror `web/src/link/messages.ts` from here.
+"""Every message on the wire, once; `tools/messages.py` writes its TypeScript mirror, `web/src/link/messages.ts`.
 
-Messages are MessagePack maps with a `type` tag. Numbers keep their plain types here and pass `show/door.py` when they are used.
-Documents (manifest, face asset, compound) travel over HTTP, as MessagePack maps without a tag.
+Messages are MessagePack maps with a `type` tag. Numbers keep plain types here and pass `show/door.py` when they are
+used. Documents (manifest, face asset, compound) travel over HTTP, as MessagePack maps without a tag.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Hello(Message, frozen=True):
 
 
 class CallFace(Message, frozen=True):
-    """Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). The same `id` executes once."""
+    """Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once."""
 
     id: CallId
     name: Name
@@ -53,7 +53,7 @@ class CallFace(Message, frozen=True):
 
 
 class CallExpression(Message, frozen=True):
-    """Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). The same `id` executes once."""
+    """Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once."""
 
     id: CallId
     name: Name
@@ -132,17 +132,24 @@ class Welcome(Message, frozen=True):
 
 
 class CallState(msgspec.Struct, frozen=True):
-    """A running call: `progress` 0..1, `remaining` seconds (`None`: as long as the hand wants), `fader` of a T-bar."""
+    """A running call: `progress` 0..1, `remaining` seconds (`None`: as long as the hand wants).
+
+    `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1.
+    """
 
     target: str
     progress: float
     remaining: float | None
     by_hand: bool
-    fader: float | None
+    fader: float
+    pickup: float
 
 
 class State(Message, frozen=True):
-    """All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost."""
+    """All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
+
+    `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call.
+    """
 
     epoch: int
     number: int
@@ -157,10 +164,12 @@ class State(Message, frozen=True):
     lids: dict[str, float]
     face_call: CallState | None
     expression_call: CallState | None
+    face_fader: float
+    expression_fader: float
 
 
 class Pong(Message, frozen=True):
-    """Answers ping: `time` is the server's monotonic clock in seconds."""
+    """Answers ping: `time` is the show's clock at that moment, as in `State.time`."""
 
     sent: float
     time: float
@@ -211,7 +220,7 @@ class Look(msgspec.Struct, frozen=True):
 
 
 class MeshDocument(msgspec.Struct, frozen=True):
-    """One drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32."""
+    """A drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32."""
 
     name: str
     source: bytes
@@ -231,7 +240,7 @@ class FaceDocument(msgspec.Struct, frozen=True):
 
 
 class ExpressionDocument(msgspec.Struct, frozen=True):
-    """An expression: its palette, its region, and its eyeball angles in radians (yaw, pitch of the left, of the right)."""
+    """An expression: its palette, its region, and its eyeball angles in radians (left yaw, pitch, right yaw, pitch)."""
 
     name: str
     label: str
@@ -260,7 +269,7 @@ class FaceAsset(msgspec.Struct, frozen=True):
 
 
 class CompoundAsset(msgspec.Struct, frozen=True):
-    """A compound as moves from its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16."""
+    """A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16."""
 
     scale: float
     indices: bytes

@@ -12,7 +12,7 @@ export interface Hello {
   version: number;
 }
 
-/** Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). The same `id` executes once. */
+/** Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once. */
 export interface CallFace {
   type: "call_face";
   id: string;
@@ -21,7 +21,7 @@ export interface CallFace {
   easing: string;
 }
 
-/** Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). The same `id` executes once. */
+/** Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once. */
 export interface CallExpression {
   type: "call_expression";
   id: string;
@@ -100,16 +100,21 @@ export interface Welcome {
   digest: string;
 }
 
-/** A running call: `progress` 0..1, `remaining` seconds (`None`: as long as the hand wants), `fader` of a T-bar. */
+/** A running call: `progress` 0..1, `remaining` seconds (`None`: as long as the hand wants).
+
+    `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1. */
 export interface CallState {
   target: string;
   progress: number;
   remaining: number | null;
   by_hand: boolean;
-  fader: number | null;
+  fader: number;
+  pickup: number;
 }
 
-/** All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost. */
+/** All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
+
+    `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call. */
 export interface State {
   type: "state";
   epoch: number;
@@ -125,9 +130,11 @@ export interface State {
   lids: Record<string, number>;
   face_call: CallState | null;
   expression_call: CallState | null;
+  face_fader: number;
+  expression_fader: number;
 }
 
-/** Answers ping: `time` is the server's monotonic clock in seconds. */
+/** Answers ping: `time` is the show's clock at that moment, as in `State.time`. */
 export interface Pong {
   type: "pong";
   sent: number;
@@ -156,7 +163,7 @@ export interface Look {
   iris: string;
 }
 
-/** One drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32. */
+/** A drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32. */
 export interface MeshDocument {
   name: string;
   source: Uint8Array;
@@ -174,7 +181,7 @@ export interface FaceDocument {
   look: Look;
 }
 
-/** An expression: its palette, its region, and its eyeball angles in radians (yaw, pitch of the left, of the right). */
+/** An expression: its palette, its region, and its eyeball angles in radians (left yaw, pitch, right yaw, pitch). */
 export interface ExpressionDocument {
   name: string;
   label: string;
@@ -200,7 +207,7 @@ export interface FaceAsset {
   positions: Uint8Array;
 }
 
-/** A compound as moves from its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16. */
+/** A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16. */
 export interface CompoundAsset {
   scale: number;
   indices: Uint8Array;
