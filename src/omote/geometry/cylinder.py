@@ -1,0 +1,37 @@
+"""The cylinder about a vertical axis: theta, h, r and back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Values = NDArray[np.float64]
+
+
+def wrap(angle: Values, /) -> Values:
+    """Angles brought into [-pi, pi)."""
+    result: Values = (angle + np.pi) % (2 * np.pi) - np.pi
+    return result
+
+
+@dataclass(frozen=True, slots=True)
+class Cylinder:
+    """A vertical axis through (x, z), metres; theta = atan2(dx, dz), 0 straight ahead (method.md, section 2)."""
+
+    x: float
+    z: float
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.x) and np.isfinite(self.z)):
+            raise ValueError(f"the axis is at x = {self.x}, z = {self.z}; expected finite metres")
+
+    def unroll(self, points: Values, /) -> tuple[Values, Values, Values]:
+        """(theta, h, r) of points (..., 3): radians in [-pi, pi), metres, metres."""
+        dx, dz = points[..., 0] - self.x, points[..., 2] - self.z
+        return wrap(np.arctan2(dx, dz)), points[..., 1], np.hypot(dx, dz)
+
+    def roll(self, theta: Values, h: Values, r: Values, /) -> Values:
+        """Points (..., 3) in metres at (theta, h, r), the inverse of `unroll`."""
+        return np.stack([self.x + r * np.sin(theta), np.broadcast_to(h, np.shape(theta)), self.z + r * np.cos(theta)], axis=-1)

@@ -1,0 +1,192 @@
+"""Triangle meshes: checks, neighbours across edges, boundary loops, components, subdivision."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Points = NDArray[np.float64]
+Triangles = NDArray[np.int32]
+
+
+def checked_points(points: ArrayLike, /, *, name: str = "points") -> Points:
+    """Points as float64.
+
+    points (V, 3), metres. Raises ValueError on another shape and on values that are not finite.
+    """
+    result = np.array(points, dtype=np.float64)
+    if result.ndim != 2 or result.shape[1] != 3 or len(result) == 0:
+        raise ValueError(f"{name} has shape {result.shape}; expected (V, 3), one row of x, y, z per vertex")
+    bad = np.flatnonzero(~np.isfinite(result).all(axis=1))
+    if len(bad):
+        raise ValueError(f"{name}[{bad[0]}] is {result[bad[0]]}; expected finite numbers in every one of its {len(result)} rows")
+    return result
+
+
+def checked_triangles(triangles: ArrayLike, vertex_count: int, /) -> Triangles:
+    """Triangles as int32.
+
+    triangles (F, 3), vertex indices counter-clockwise from outside. Raises ValueError on another shape, on indices
+    outside 0..vertex_count-1 and on a triangle that names a vertex twice.
+    """
+    result = np.asarray(triangles)
+    if result.ndim != 2 or result.shape[1] != 3 or len(result) == 0:
+        raise ValueError(f"triangles has shape {result.shape}; expected (F, 3), three vertex indices per triangle")
+    if not np.issubdtype(result.dtype, np.integer):
+        raise ValueError(f"triangles has dtype {result.dtype}; expected integers")
+    bad = np.flatnonzero(((result < 0) | (result >= vertex_count)).any(axis=1))
+    if len(bad):
+        raise ValueError(f"triangle {bad[0]} is {result[bad[0]]}; expected indices from 0 to {vertex_count - 1}")
+    twice = np.flatnonzero((result == np.roll(result, 1, axis=1)).any(axis=1))
+    if len(twice):
+        raise ValueError(f"triangle {twice[0]} is {result[twice[0]]}; expected three different vertices (degenerate triangle)")
+    return result.astype(np.int32)
+
+
+def weld(points: Points, /) -> NDArray[np.int32]:
+    """For each vertex, the first vertex at exactly the same place (texture seams double vertices).
+
+    points (V, 3) -> (V,).
+    """
+    _, first, inverse = np.unique(points, axis=0, return_index=True, return_inverse=True)
+    return first[inverse.reshape(-1)].astype(np.int32)
+
+
+def neighbours(triangles: Triangles, /) -> Triangles:
+    """For each corner, the triangle across the opposite edge, or -1.
+
+    triangles (F, 3) -> (F, 3). An edge of more than two triangles, or of two that disagree in winding, has no neighbours.
+    """
+    a, b = np.roll(triangles, -1, axis=1).ravel(), np.roll(triangles, -2, axis=1).ravel()
+    size = np.int64(triangles.max()) + 1
+    forward, backward = a.astype(np.int64) * size + b, b.astype(np.int64) * size + a
+    order = np.argsort(forward, kind="stable")
+    found = np.searchsorted(forward[order], backward)
+    inside = found < len(order)
+    other = order[np.minimum(found, len(order) - 1)]
+    inside &= forward[other] == backward
+    unique = _occurs_once(forward)
+    inside &= unique & unique[other]
+    result: Triangles = np.where(inside, other // 3, -1).astype(np.int32).reshape(-1, 3)
+    return result
+
+
+def _occurs_once(keys: NDArray[np.int64], /) -> NDArray[np.bool_]:
+    _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
+    once: NDArray[np.bool_] = counts[inverse] == 1
+    return once
+
+
+def edge_lengths(points: Points, triangles: Triangles, /) -> NDArray[np.float64]:
+    """Length of the edge opposite to each corner: (F, 3), metres."""
+    corners = points[triangles]
+    result: NDArray[np.float64] = np.linalg.norm(np.roll(corners, -1, axis=1) - np.roll(corners, -2, axis=1), axis=2)
+    return result
+
+
+def areas(points: Points, triangles: Triangles, /) -> NDArray[np.float64]:
+    """Area of each triangle: (F,), square metres."""
+    a, b, c = points[triangles].transpose(1, 0, 2)
+    result: NDArray[np.float64] = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    return result
+
+
+def normals(points: Points, triangles: Triangles, /) -> Points:
+    """Area-weighted unit normal of each vertex: (V, 3); a vertex without area gets (0, 0, 1)."""
+    a, b, c = points[triangles].transpose(1, 0, 2)
+    faces = np.cross(b - a, c - a)
+    total = np.zeros_like(points)
+    for corner in range(3):
+        np.add.at(total, triangles[:, corner], faces)
+    length = np.linalg.norm(total, axis=1, keepdims=True)
+    result: Points = np.where(length > 0, total / np.where(length > 0, length, 1.0), [0.0, 0.0, 1.0])
+    return result
+
+
+def boundary_edges(triangles: Triangles, /) -> Triangles:
+    """The directed edges with a triangle on the left only: (E, 2)."""
+    across = neighbours(triangles)
+    rows, corners = np.nonzero(across < 0)
+    return np.stack([triangles[rows, (corners + 1) % 3], triangles[rows, (corners + 2) % 3]], axis=1)
+
+
+def boundary_loops(
+    triangles: Triangles, plane: NDArray[np.float64], /, *, period: float = np.inf
+) -> list[NDArray[np.int32]]:  # fmt: skip
+    """The closed boundary lines, mesh on the left; a vertex where two holes touch splits them.
+
+    triangles (F, 3), plane (V, 2): a picture of the mesh in which angles at such a vertex are measured, its first column
+    periodic. Returns one index array per loop.
+    """
+    edges = boundary_edges(triangles)
+    leaving: dict[int, list[int]] = {}
+    for start, end in edges.tolist():
+        leaving.setdefault(start, []).append(end)
+    loops = []
+    while leaving:
+        loops.append(_trace(leaving, plane, period))
+    return loops
+
+
+def _trace(leaving: dict[int, list[int]], plane: NDArray[np.float64], period: float) -> NDArray[np.int32]:
+    start = next(iter(leaving))
+    before, here = start, leaving[start][0]
+    _take(leaving, start, here)
+    loop = [start]
+    while here != start:
+        loop.append(here)
+        onward = _next_around_hole(before, here, leaving[here], plane, period)
+        _take(leaving, here, onward)
+        before, here = here, onward
+    return np.array(loop, dtype=np.int32)
+
+
+def _take(leaving: dict[int, list[int]], start: int, end: int) -> None:
+    leaving[start].remove(end)
+    if not leaving[start]:
+        del leaving[start]
+
+
+def _next_around_hole(
+    before: int, here: int, candidates: list[int], plane: NDArray[np.float64], period: float
+) -> int:  # fmt: skip
+    # The hole lies on the right of the boundary: sweep counter-clockwise from where we came.
+    if len(candidates) == 1:
+        return candidates[0]
+
+    def turn(candidate: int) -> float:
+        a, b = plane[before] - plane[here], plane[candidate] - plane[here]
+        if np.isfinite(period):
+            a[0], b[0] = (side - period * np.round(side / period) for side in (a[0], b[0]))
+        return float(np.arctan2(a[0] * b[1] - a[1] * b[0], a @ b) % (2 * np.pi))
+
+    return min(candidates, key=turn)
+
+
+def components(triangles: Triangles, vertex_count: int, /) -> NDArray[np.int32]:
+    """Connected component of each vertex, numbered from 0 in order of size, largest first: (V,); a lone vertex is one too."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    rows, cols = triangles.ravel(), np.roll(triangles, 1, axis=1).ravel()
+    graph = coo_array((np.ones(len(rows), dtype=np.int8), (rows, cols)), shape=(vertex_count, vertex_count))
+    count, label = connected_components(graph, directed=False)
+    order = np.argsort(-np.bincount(label, minlength=count), kind="stable")
+    rank = np.empty(count, dtype=np.int32)
+    rank[order] = np.arange(count, dtype=np.int32)
+    result: NDArray[np.int32] = rank[label]
+    return result
+
+
+def subdivide(triangles: Triangles, vertex_count: int, /) -> tuple[Triangles, NDArray[np.int32]]:
+    """Each triangle cut into four at its edge midpoints.
+
+    Returns the new triangles (4F, 3) and the edges (E, 2) whose midpoints are the new vertices, from vertex_count on.
+    """
+    edges = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+    unique, inverse = np.unique(edges, axis=0, return_inverse=True)
+    middle = (inverse.reshape(-1, 3) + vertex_count).astype(np.int32)
+    a, b, c = triangles.T
+    ab, bc, ca = middle.T
+    parts = [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
+    return np.concatenate([np.stack(part, axis=1) for part in parts]).astype(np.int32), unique.astype(np.int32)

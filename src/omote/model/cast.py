@@ -1,0 +1,97 @@
+"""The cast: every face and every expression of a show (the dataclass; the built-in one is loaded by omote.builtin)."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from types import MappingProxyType
+
+import numpy as np
+
+from omote.model.expression import Expression
+from omote.model.face import Face
+from omote.model.space import ParameterSpace
+from omote.model.transfer import compile_expression, fit
+
+GENERIC, NEUTRAL = "generic", "neutral"
+
+
+@dataclass(frozen=True)
+class Look:
+    """The colours of a face, "#rrggbb" each."""
+
+    skin: str = "#d9a98c"
+    lip: str = "#b5645c"
+    brow: str = "#3a2a20"
+    blush: str = "#d98a7a"
+    iris: str = "#5a4632"
+
+    def __post_init__(self) -> None:
+        for name, colour in vars(self).items():
+            digits = colour[1:] if isinstance(colour, str) else ""
+            if len(digits) != 6 or colour[0] != "#" or not all(digit in "0123456789abcdefABCDEF" for digit in digits):
+                raise ValueError(f"{name} of a look is {colour!r}; expected a colour such as '#c08a70'")
+
+
+@dataclass(frozen=True)
+class Title:
+    """What people read of an expression: label, kind ("neutral", "performed", "arkit", "makehuman", "own") and region."""
+
+    label: str
+    kind: str = "own"
+    region: str = "whole"
+
+
+@dataclass(frozen=True, eq=False)
+class Cast:
+    """Faces and expressions by name, on one space; "generic" is M0 itself and "neutral" the field at rest.
+
+    looks and titles by name; faces and expressions without one get a plain one. Raises ValueError where a face or an
+    expression does not belong to the space.
+    """
+
+    space: ParameterSpace
+    faces: Mapping[str, Face]
+    expressions: Mapping[str, Expression]
+    looks: Mapping[str, Look] = field(default_factory=dict)
+    titles: Mapping[str, Title] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name, face in self.faces.items():
+            if name != face.name:
+                raise ValueError(f"the face under {name!r} is named {face.name!r}; expected one name for both")
+            fit(self.space, face)
+        if NEUTRAL not in self.expressions:
+            raise ValueError(f"the cast has no expression {NEUTRAL!r}; expected the field at rest under that name")
+        looks = {name: self.looks.get(name, Look()) for name in self.faces}
+        titles = {name: self.titles.get(name, Title(name.replace("_", " "))) for name in self.expressions}
+        for attribute, value in (("faces", self.faces), ("expressions", self.expressions), ("looks", looks), ("titles", titles)):
+            object.__setattr__(self, attribute, MappingProxyType(dict(value)))
+
+    def with_faces(self, *faces: Face, looks: Mapping[str, Look] | None = None) -> Cast:
+        """A new cast with these faces added (or, by name, replaced)."""
+        return replace(self, faces={**self.faces, **{face.name: face for face in faces}}, looks={**self.looks, **(looks or {})})
+
+    def with_expressions(self, **expressions: Expression) -> Cast:
+        """A new cast with these expressions added (or, by name, replaced)."""
+        for expression in expressions.values():
+            compile_expression(self.space, expression)
+        return replace(self, expressions={**self.expressions, **expressions})
+
+    @cached_property
+    def digest(self) -> str:
+        """A name for exactly this content, hexadecimal: what is computed from the cast may be kept under it for ever."""
+        state = hashlib.blake2b(digest_size=12)
+        arrays: list[np.ndarray] = [self.space.points, self.space.triangles, self.space.membranes]
+        for part in self.space.parts.values():
+            arrays += [part.points, part.triangles, part.anchors, part.weights]
+        for face in self.faces.values():
+            arrays += [face.positions, *face.parts.values()]
+        for expression in self.expressions.values():
+            arrays += [expression.dtheta, expression.dh, expression.ratio, expression.residual, expression.eyes, *expression.parts.values()]
+        for array in arrays:
+            state.update(np.ascontiguousarray(array).data)
+        state.update(repr((*self.faces, *self.expressions, *self.looks.values(), *self.titles.values(), self.space.radius)).encode())
+        return state.hexdigest()

@@ -1,0 +1,54 @@
+"""Expressions: local deformation data, fields on S that belong to no face (paper, section 2.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Values = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Expression:
+    """A field (dtheta, dh, R) on S with what the sheet cannot say: inner skin, parts, eyes.
+
+    dtheta (V,) radians, dh (V,) metres, ratio (V,) of radii (zero, zero, one where nothing moves and off the sheet);
+    residual (inner, 3) and parts (n, 3) by name: metres on the generic face over what the bindings predict;
+    eyes (2, 2): yaw and pitch of the left and the right eyeball, radians; radius: the rule under which R was taken.
+    Raises ValueError on other shapes, values that are not finite and ratios that are not positive.
+    """
+
+    dtheta: Values
+    dh: Values
+    ratio: Values
+    residual: Values
+    parts: Mapping[str, Values] = field(default_factory=lambda: MappingProxyType({}))
+    eyes: Values = field(default_factory=lambda: np.zeros((2, 2)))
+    radius: str = "origin"
+
+    def __post_init__(self) -> None:
+        count = np.shape(self.dtheta)
+        for name, shape in (("dtheta", count), ("dh", count), ("ratio", count), ("residual", (len(self.residual), 3)), ("eyes", (2, 2))):
+            object.__setattr__(self, name, _checked(getattr(self, name), name, shape))
+        if len(count) != 1:
+            raise ValueError(f"dtheta has shape {count}; expected (V,), one angle per vertex")
+        low = int(self.ratio.argmin()) if len(self.ratio) else 0
+        if len(self.ratio) and self.ratio[low] <= 0:
+            raise ValueError(f"ratio[{low}] is {self.ratio[low]}; expected a positive ratio of radii")
+        parts = {name: _checked(value, f"part {name!r}", (len(value), 3)) for name, value in self.parts.items()}
+        object.__setattr__(self, "parts", MappingProxyType(parts))
+
+
+def _checked(value: ArrayLike, name: str, shape: tuple[int, ...]) -> Values:
+    result = np.array(value, dtype=np.float64)
+    if result.shape != shape:
+        raise ValueError(f"{name} of an expression has shape {result.shape}; expected {shape}")
+    if not np.isfinite(result).all():
+        row = int(np.flatnonzero(~np.isfinite(result).reshape(len(result), -1).all(axis=1))[0])
+        raise ValueError(f"{name}[{row}] of an expression is {result[row]}; expected finite numbers")
+    result.setflags(write=False)
+    return result
