@@ -1,0 +1,194 @@
+"""One axis of the mix: the faces, or the expressions. Who is on air, the call that runs, and the T-bar.
+
+An axis is a value; every function here gives another one. A call moves the weights along
+(1 - y) start + y target + velocity term; its progress y follows the easing, or the hand on the T-bar.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+from omote.perform.frame import CallStatus
+from omote.perform.mix import alone, combined, share_in_range
+from omote.perform.transition import (
+    HAND_SECONDS,
+    Glide,
+    bump,
+    bump_rate,
+    decay_seconds,
+    easing_named,
+    glide,
+    glide_after,
+    glided,
+    is_over,
+)
+
+
+@dataclass(frozen=True)
+class Call:
+    """A call on its way: from the mix `start`, moving at `velocity` per second, to `target` alone.
+
+    `seconds` None: only the T-bar moves it. `way` is the way of the T-bar, or the rest of the way after its release;
+    without it the easing decides. `held`: the T-bar has picked it up.
+    """
+
+    target: str
+    start: Mapping[str, float]
+    velocity: Mapping[str, float]
+    decay: float
+    easing: str
+    seconds: float | None
+    elapsed: float = 0.0
+    way: Glide | None = None
+    held: bool = False
+
+
+@dataclass(frozen=True)
+class Axis:
+    """What one axis shows: `on_air` alone, or a call on its way from there; `hand` is where its T-bar stands, 0..1."""
+
+    on_air: str
+    call: Call | None = None
+    hand: float = 0.0
+    flipped: bool = field(default=False)
+
+
+class Slots(NamedTuple):
+    """The weights of a call's start, target and velocity; the paper's s (or t), with the velocity as third slot."""
+
+    start: float
+    target: float
+    velocity: float
+
+
+REST = Slots(0.0, 1.0, 0.0)
+
+
+def progress(call: Call) -> tuple[float, float]:
+    """How far a call is, 0..1, and its rate per second."""
+    if call.way is not None:
+        return glided(call.way)
+    if call.seconds is None:
+        return 0.0, 0.0
+    x = min(1.0, call.elapsed / call.seconds)
+    easing = easing_named(call.easing)
+    return easing.value(x), easing.rate(x) / call.seconds
+
+
+def slots(axis: Axis) -> Slots:
+    """The slot weights now: start and target sum to one, the velocity's names sum to nothing."""
+    call = axis.call
+    if call is None:
+        return REST
+    y, _ = progress(call)
+    return Slots(1.0 - y, y, call.decay * bump(call.elapsed / call.decay) * _share(call) if call.decay else 0.0)
+
+
+def slot_rates(axis: Axis) -> Slots:
+    """The change of the slot weights per second."""
+    call = axis.call
+    if call is None:
+        return Slots(0.0, 0.0, 0.0)
+    _, rate = progress(call)
+    return Slots(-rate, rate, bump_rate(call.elapsed / call.decay) * _share(call) if call.decay else 0.0)
+
+
+def weights(axis: Axis) -> dict[str, float]:
+    """The mix on air; it sums to one."""
+    return alone(axis.on_air) if axis.call is None else _mixed(axis.call, slots(axis))
+
+
+def rates(axis: Axis) -> dict[str, float]:
+    """The change of the mix per second; it sums to nothing."""
+    return {} if axis.call is None else _mixed(axis.call, slot_rates(axis))
+
+
+def called(axis: Axis, target: str, seconds: float | None, easing: str) -> Axis:
+    """The axis with a call to `target` from whatever is showing: 0 seconds cut, None wait for the T-bar.
+
+    The end nearest to the hand becomes the start of the call, so a T-bar left at either end picks up at once.
+    """
+    if axis.call is None and axis.on_air == target:
+        return axis
+    if seconds == 0.0:
+        return replace(axis, on_air=target, call=None)
+    start, velocity = weights(axis), rates(axis)
+    decay = decay_seconds(start, velocity, target, seconds, easing_named(easing))
+    call = Call(target, start, velocity, decay, easing, seconds)
+    return replace(axis, call=call, flipped=axis.hand > 0.5)
+
+
+def faded(axis: Axis, hand: float) -> Axis:
+    """The axis with its T-bar moved to `hand`, 0..1: a call follows once the hand has passed its progress."""
+    moved = replace(axis, hand=hand)
+    call = axis.call
+    if call is None:
+        return moved
+    y, rate = progress(call)
+    before, now = _along(axis, axis.hand), _along(axis, hand)
+    if not call.held and (before - y) * (now - y) > 0.0:
+        return moved
+    return replace(moved, call=replace(call, held=True, way=glide(y, rate, now, HAND_SECONDS)))
+
+
+def released(axis: Axis) -> Axis:
+    """The axis let go by the hand: a timed call goes on over the remaining share of its time, one by hand stays."""
+    call = axis.call
+    if call is None or not call.held:
+        return axis
+    call = replace(call, held=False)
+    if call.seconds is not None:
+        y, rate = progress(call)
+        call = replace(call, way=glide(y, rate, 1.0, (1.0 - y) * call.seconds))
+    return replace(axis, call=call)
+
+
+def advanced(axis: Axis, dt: float) -> Axis:
+    """The axis `dt` seconds later; a call that has arrived leaves its target alone on air."""
+    if axis.call is None:
+        return axis
+    way = None if axis.call.way is None else glide_after(axis.call.way, dt)
+    call = replace(axis.call, elapsed=axis.call.elapsed + dt, way=way)
+    return replace(axis, on_air=call.target, call=None) if _has_arrived(call) else replace(axis, call=call)
+
+
+def status(axis: Axis) -> CallStatus | None:
+    """What runs, for the operator; None at rest."""
+    call = axis.call
+    if call is None:
+        return None
+    y, _ = progress(call)
+    by_hand = call.held or call.seconds is None
+    return CallStatus(call.target, y, None if by_hand else _remaining(call), by_hand, axis.hand, _along(axis, y))
+
+
+def _mixed(call: Call, share: Slots) -> dict[str, float]:
+    return combined(((share.start, call.start), (share.target, alone(call.target)), (share.velocity, call.velocity)))
+
+
+def _share(call: Call) -> float:
+    """The last wall: a T-bar pushed at once after an interruption may outrun the decay that was planned."""
+    y, _ = progress(call)
+    base = combined(((1.0 - y, call.start), (y, alone(call.target))))
+    return share_in_range(base, combined(((call.decay * bump(call.elapsed / call.decay), call.velocity),)))
+
+
+def _along(axis: Axis, position: float) -> float:
+    """A T-bar position as progress of the call, and back."""
+    return 1.0 - position if axis.flipped else position
+
+
+def _remaining(call: Call) -> float:
+    if call.way is not None:
+        return max(0.0, call.way.seconds - call.way.elapsed)
+    return 0.0 if call.seconds is None else max(0.0, call.seconds - call.elapsed)
+
+
+def _has_arrived(call: Call) -> bool:
+    if not is_over(call.elapsed, call.decay):
+        return False
+    if call.way is not None:
+        return call.way.goal == 1.0 and is_over(call.way.elapsed, call.way.seconds)
+    return call.seconds is not None and is_over(call.elapsed, call.seconds)

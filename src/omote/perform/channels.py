@@ -1,0 +1,73 @@
+"""Channels: expressions driven continuously beside the mix, and the eyes and lids that follow the gaze."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.perform.frame import Gaze
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, known, within
+
+if TYPE_CHECKING:
+    from omote.model.expression import Expression
+
+NEUTRAL = "neutral"
+LEFT, RIGHT = 0, 1
+YAW, PITCH = 0, 1
+GAZE_UNITS: Mapping[str, tuple[int, int]] = {
+    "eyeLookOutLeft": (LEFT, YAW),
+    "eyeLookInLeft": (LEFT, YAW),
+    "eyeLookUpLeft": (LEFT, PITCH),
+    "eyeLookDownLeft": (LEFT, PITCH),
+    "eyeLookOutRight": (RIGHT, YAW),
+    "eyeLookInRight": (RIGHT, YAW),
+    "eyeLookUpRight": (RIGHT, PITCH),
+    "eyeLookDownRight": (RIGHT, PITCH),
+}
+"""The units that turn an eyeball, and which angle of which eye each one turns; its sign is the unit's own."""
+
+
+def with_channel(
+    channels: Mapping[str, float], expressions: Mapping[str, Expression], name: str, value: float
+) -> dict[str, float]:
+    """The channels with one of them set; zero takes it out. Refuses unknown names, `neutral` and values out of range."""
+    known(name, (unit for unit in expressions if unit != NEUTRAL), "channel")
+    value = within(value, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {name}")
+    kept = {**channels, name: value}
+    return {unit: kept[unit] for unit in sorted(kept) if kept[unit]}
+
+
+def gaze_channels(expressions: Mapping[str, Expression], gaze: Gaze) -> dict[str, float]:
+    """The `eyeLook*` weights that turn both eyeballs by the gaze: its angle over the unit's own."""
+    angles = {YAW: gaze.yaw, PITCH: gaze.pitch}
+    turned: dict[str, float] = {}
+    for name, (eye, direction) in GAZE_UNITS.items():
+        own = float(expressions[name].eyes[eye, direction]) if name in expressions else 0.0
+        if own * angles[direction] > 0.0:
+            turned[name] = angles[direction] / own
+    return turned
+
+
+def effective_channels(
+    expressions: Mapping[str, Expression], channels: Mapping[str, float], gaze: Gaze
+) -> dict[str, float]:
+    """What is added to the mix: the channels, and the gaze's; where both drive a unit the larger one, never the sum."""
+    merged = dict(channels)
+    for name, weight in gaze_channels(expressions, gaze).items():
+        if abs(weight) > abs(merged.get(name, 0.0)):
+            merged[name] = weight
+    return merged
+
+
+def eye_angles(
+    expressions: Mapping[str, Expression], mix: Mapping[str, float], channels: Mapping[str, float]
+) -> NDArray[np.float64]:
+    """Yaw and pitch (radians) of the left and the right eyeball, (2, 2): those of the mix and of the channels added."""
+    total = np.zeros((2, 2))
+    for weights in (mix, channels):
+        for name, weight in weights.items():
+            total += weight * expressions[name].eyes
+    return total

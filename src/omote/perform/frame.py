@@ -1,0 +1,71 @@
+"""What the performer gives: everything that is on air at one instant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from omote.perform.limits import GAZE_LIMIT, HEAD_LIMIT, within
+
+
+@dataclass(frozen=True)
+class Head:
+    """The head's direction in radians: + is the character's left, up, tilt to its left."""
+
+    yaw: float = 0.0
+    pitch: float = 0.0
+    roll: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Refuse what is no direction of a head."""
+        for name in ("yaw", "pitch", "roll"):
+            value = within(getattr(self, name), -HEAD_LIMIT, HEAD_LIMIT, f"the head's {name} (radians)")
+            object.__setattr__(self, name, value)
+
+
+@dataclass(frozen=True)
+class Gaze:
+    """The gaze relative to the head in radians: + is the character's left, up."""
+
+    yaw: float = 0.0
+    pitch: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Refuse what no eye can do."""
+        for name in ("yaw", "pitch"):
+            value = within(getattr(self, name), -GAZE_LIMIT, GAZE_LIMIT, f"the gaze's {name} (radians)")
+            object.__setattr__(self, name, value)
+
+
+@dataclass(frozen=True)
+class CallStatus:
+    """A running call: its target, its progress 0..1, the seconds that remain (None: the T-bar decides).
+
+    `by_hand`: only the T-bar moves it. `fader`: where the T-bar stands; `pickup`: where it takes over.
+    """
+
+    target: str
+    progress: float
+    remaining: float | None
+    by_hand: bool
+    fader: float
+    pickup: float
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The mix of faces and of expressions (each sums to one), the channels, head and gaze, at `time` seconds.
+
+    Names that weigh nothing are absent. `face_fader`, `expression_fader`: where the T-bars stand, 0..1.
+    """
+
+    faces: Mapping[str, float]
+    expressions: Mapping[str, float]
+    channels: Mapping[str, float] = field(default_factory=dict)
+    head: Head = field(default_factory=Head)
+    gaze: Gaze = field(default_factory=Gaze)
+    time: float = 0.0
+    face_call: CallStatus | None = None
+    expression_call: CallStatus | None = None
+    face_fader: float = 0.0
+    expression_fader: float = 0.0

@@ -1,0 +1,45 @@
+"""The ranges of everything that can be played, and the one check that numbers pass on their way in."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Iterable
+from numbers import Real
+
+CHANNEL_LOWEST, CHANNEL_HIGHEST = -0.5, 1.5
+"""Trackers send up to 1.08, artists exaggerate; beyond this a face breaks."""
+HEAD_LIMIT = math.pi / 2
+GAZE_LIMIT = math.pi / 2
+"""Radians either way."""
+LONGEST_CALL = 3600.0
+"""Seconds; whoever wants longer wants the T-bar."""
+SHORTEST_CALL = 1e-3
+"""Seconds; what is shorter is a cut."""
+FOREVER = 1e9
+"""Seconds; more than any show."""
+
+
+def within(value: object, low: float, high: float, what: str) -> float:
+    """`value` as a float where it is a real number from `low` to `high`; else a refusal that names `what`."""
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise TypeError(f"{what} must be a number, not {value!r}; give {low:g} to {high:g}")
+    if not low <= value <= high:  # also catches NaN
+        raise ValueError(f"{what} is {_shown(value)}; give a number from {low:.4g} to {high:.4g}")
+    return float(value)
+
+
+def known(name: object, names: Iterable[str], what: str) -> str:
+    """`name` where it is one of `names`; else a refusal that names the nearest ones."""
+    choices = list(names)
+    if isinstance(name, str) and name in choices:
+        return name
+    near = difflib.get_close_matches(str(name), choices, n=3, cutoff=0.4) or sorted(choices)[:3]
+    raise ValueError(f"there is no {what} {str(name)[:80]!r} in this cast; near are {', '.join(near)}")
+
+
+def _shown(value: Real) -> str:
+    try:
+        return repr(float(value))
+    except OverflowError:  # an integer of more digits than a message wants
+        return "far too large"

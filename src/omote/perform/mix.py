@@ -1,0 +1,36 @@
+"""A mix: weights over names, as a vector whose absent names weigh nothing (method.md, section 5)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+Weights = Mapping[str, float]
+
+LOWEST, HIGHEST = -0.1, 1.1
+"""A weight on air never leaves this range: a velocity taken over may carry it past 0 or 1, but not far."""
+
+
+def alone(name: str) -> dict[str, float]:
+    """The mix of one name."""
+    return {name: 1.0}
+
+
+def combined(terms: Iterable[tuple[float, Weights]]) -> dict[str, float]:
+    """The sum of factor times mix over the terms, without the names that weigh exactly nothing."""
+    total: dict[str, float] = {}
+    for factor, weights in terms:
+        if factor:
+            for name, weight in weights.items():
+                total[name] = total.get(name, 0.0) + factor * weight
+    return {name: weight for name, weight in total.items() if weight}
+
+
+def share_in_range(base: Weights, offset: Weights) -> float:
+    """The largest share 0..1 of `offset` that keeps every weight of base + share * offset in range."""
+    share = 1.0
+    for name, change in offset.items():
+        weight = base.get(name, 0.0)
+        room = (HIGHEST - weight) if change > 0 else (LOWEST - weight)
+        if abs(change) > abs(room):
+            share = min(share, max(0.0, room / change))
+    return share

@@ -1,0 +1,81 @@
+"""Everything a performer knows beside its cast, and the check of one that comes from a file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from omote.perform.axis import Axis, Call
+from omote.perform.channels import with_channel
+from omote.perform.frame import Gaze, Head
+from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
+from omote.perform.mix import HIGHEST, LOWEST, Weights
+from omote.perform.transition import DECAY_SECONDS, Glide, easing_named
+
+if TYPE_CHECKING:
+    from omote.model.cast import Cast
+
+ROUNDING = 1e-6
+"""How far sums and ranges may be off after a long show."""
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """The state of a performer: plain values, so msgspec writes and reads it exactly."""
+
+    face: Axis
+    expression: Axis
+    channels: Mapping[str, float] = field(default_factory=dict)
+    head: Head = field(default_factory=Head)
+    gaze: Gaze = field(default_factory=Gaze)
+    time: float = 0.0
+
+
+def checked(snapshot: Snapshot, cast: Cast) -> Snapshot:
+    """The same snapshot; refuses one that the cast cannot play, or that no performer can have written."""
+    _check_axis(snapshot.face, cast.faces, "face")
+    _check_axis(snapshot.expression, cast.expressions, "expression")
+    for name, value in snapshot.channels.items():
+        with_channel({}, cast.expressions, name, value)
+    within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
+    return snapshot
+
+
+def _check_axis(axis: Axis, names: Mapping[str, object], what: str) -> None:
+    known(axis.on_air, names, what)
+    within(axis.hand, 0.0, 1.0, f"the {what} T-bar")
+    if axis.call is not None:
+        _check_call(axis.call, names, what)
+
+
+def _check_call(call: Call, names: Mapping[str, object], what: str) -> None:
+    for name in (call.target, *call.start, *call.velocity):
+        known(name, names, what)
+    easing_named(call.easing)
+    for weight in call.start.values():
+        within(weight, LOWEST - ROUNDING, HIGHEST + ROUNDING, f"the weight of a {what}")
+    _check_sum(call.start, 1.0, f"the weights of the {what}s")
+    _check_sum(call.velocity, 0.0, f"the velocities of the {what}s")
+    within(call.decay, 0.0, DECAY_SECONDS, "the decay of a call (seconds)")
+    within(call.elapsed, 0.0, FOREVER, "the elapsed time of a call (seconds)")
+    if call.seconds is not None:
+        within(call.seconds, SHORTEST_CALL, LONGEST_CALL, "the time of a call (seconds)")
+    if call.way is not None:
+        _check_way(call.way)
+
+
+def _check_way(way: Glide) -> None:
+    within(way.origin, -ROUNDING, 1.0 + ROUNDING, "the origin of a T-bar's way")
+    within(way.goal, 0.0, 1.0, "the goal of a T-bar's way")
+    within(way.rate, -FOREVER, FOREVER, "the rate of a T-bar (per second)")
+    within(way.seconds, 0.0, LONGEST_CALL, "the time of a T-bar's way (seconds)")
+    within(way.elapsed, 0.0, FOREVER, "the elapsed time of a T-bar's way (seconds)")
+
+
+def _check_sum(weights: Weights, expected: float, what: str) -> None:
+    total = math.fsum(weights.values())
+    slack = ROUNDING * (1.0 + math.fsum(abs(weight) for weight in weights.values()))
+    if not abs(total - expected) <= slack:
+        raise ValueError(f"{what} in the snapshot sum to {total!r}; they must sum to {expected:g}")
