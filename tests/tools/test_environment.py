@@ -1,0 +1,18 @@
+"""Which Python is good enough to set up with."""
+
+import pytest
+
+from tools.environment import refusal
+
+
+@pytest.mark.parametrize("version", [(3, 11), (3, 13), (4, 0)])
+def test_a_new_python_is_taken(version: tuple[int, int]) -> None:
+    assert refusal(version) is None
+
+
+@pytest.mark.parametrize("version", [(2, 7), (3, 10)])
+def test_an_old_python_is_refused_with_what_to_do(version: tuple[int, int]) -> None:
+    sentence = refusal(version)
+    assert sentence is not None
+    assert f"{version[0]}.{version[1]}" in sentence
+    assert "make PYTHON=" in sentence
