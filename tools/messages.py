@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import sys
 import types
 import typing
@@ -31,11 +32,9 @@ def interface(struct: type[msgspec.Struct]) -> str:
     hints = typing.get_type_hints(struct)
     fields = [f"  {config.tag_field}: {_quoted(config.tag)};"] if config.tag is not None else []
     fields += [f"  {field.name}: {type_script(hints[field.name])};" for field in msgspec.structs.fields(struct)]
-    return (
-        f"/** {(struct.__doc__ or '').strip()} */\nexport interface {struct.__name__} {{\n"
-        + "\n".join(fields)
-        + "\n}\n"
-    )
+    lines = inspect.cleandoc(struct.__doc__ or "").replace("\n\n", "\n").splitlines()
+    comment = f"/** {lines[0]} */" if len(lines) == 1 else "/**\n" + "".join(f" * {line}\n" for line in lines) + " */"
+    return f"{comment}\nexport interface {struct.__name__} {{\n" + "\n".join(fields) + "\n}\n"
 
 
 def module() -> str:

@@ -21,7 +21,7 @@ STATE_RATE = 60.0
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 CallId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
 Role = Literal["stage", "console"]
-Kind = Literal["neutral", "performed", "arkit", "makehuman"]
+Kind = Literal["neutral", "performed", "arkit", "makehuman", "own"]
 
 
 def snake_case(name: str) -> str:
@@ -82,7 +82,7 @@ class ReleaseExpression(Message, frozen=True):
 
 
 class SetChannel(Message, frozen=True):
-    """The weight of one channel, -0.5..1.5."""
+    """The weight of one channel (any expression's name), -0.5..1.5."""
 
     name: Name
     value: float
@@ -148,6 +148,8 @@ class CallState(msgspec.Struct, frozen=True):
 class State(Message, frozen=True):
     """All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
 
+    `time`: the show's clock, seconds. `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw,
+    pitch (radians), as the eyeballs stand. `lids`: what the gaze adds to the channels.
     `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call.
     """
 

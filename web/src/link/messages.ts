@@ -52,7 +52,7 @@ export interface ReleaseExpression {
   type: "release_expression";
 }
 
-/** The weight of one channel, -0.5..1.5. */
+/** The weight of one channel (any expression's name), -0.5..1.5. */
 export interface SetChannel {
   type: "set_channel";
   name: string;
@@ -100,9 +100,10 @@ export interface Welcome {
   digest: string;
 }
 
-/** A running call: `progress` 0..1, `remaining` seconds (`None`: as long as the hand wants).
-
-    `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1. */
+/**
+ * A running call: `progress` 0..1, `remaining` seconds (`None`: as long as the hand wants).
+ * `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1.
+ */
 export interface CallState {
   target: string;
   progress: number;
@@ -112,9 +113,12 @@ export interface CallState {
   pickup: number;
 }
 
-/** All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
-
-    `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call. */
+/**
+ * All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
+ * `time`: the show's clock, seconds. `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw,
+ * pitch (radians), as the eyeballs stand. `lids`: what the gaze adds to the channels.
+ * `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call.
+ */
 export interface State {
   type: "state";
   epoch: number;
@@ -185,7 +189,7 @@ export interface FaceDocument {
 export interface ExpressionDocument {
   name: string;
   label: string;
-  kind: "neutral" | "performed" | "arkit" | "makehuman";
+  kind: "neutral" | "performed" | "arkit" | "makehuman" | "own";
   region: string;
   eyes: [number, number, number, number];
 }

@@ -1,0 +1,162 @@
+"""The cast as documents for the pages: manifest, face assets, compounds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from hashlib import blake2b
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.cast import Cast
+from omote.model.face import Face
+from omote.model.transfer import compile_expression, fit, moved_parts, wear
+from omote.show.messages import (
+    PROTOCOL_VERSION,
+    CompoundAsset,
+    ExpressionDocument,
+    FaceAsset,
+    FaceDocument,
+    Look,
+    Manifest,
+    MeshDocument,
+)
+
+FINEST_STEP = 1e-6
+"""Metres per count at least: what moves less than half of it rests, so that compounds stay sparse."""
+MOST_COUNTS = 32767
+SKIN = "skin"
+
+Points = NDArray[np.float32]
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnMesh:
+    """A mesh as it is drawn, its vertices split where the texture has a seam.
+
+    source (n,) rows of the mesh's own vertices; uv (n, 2), (0, 0) the upper left corner; triangles (t, 3) drawn vertices.
+    """
+
+    name: str
+    source: NDArray[np.integer]
+    uv: NDArray[np.floating]
+    triangles: NDArray[np.integer]
+
+    def __post_init__(self) -> None:
+        count = len(self.source)
+        if self.source.shape != (count,) or self.uv.shape != (count, 2) or self.triangles.shape[1:] != (3,):
+            shapes = f"source {self.source.shape}, uv {self.uv.shape}, triangles {self.triangles.shape}"
+            raise ValueError(f"the drawn mesh {self.name!r} has {shapes}; expected (n,), (n, 2), (t, 3)")
+        if len(self.triangles) and not 0 <= self.triangles.min() <= self.triangles.max() < count:
+            raise ValueError(f"a triangle of the drawn mesh {self.name!r} names a vertex outside 0..{count - 1}")
+
+
+@dataclass(frozen=True)
+class Documents:
+    """What the pages load: the manifest, and every face asset by its address."""
+
+    manifest: Manifest
+    faces: dict[str, FaceAsset]
+
+
+def documents(cast: Cast, meshes: Sequence[DrawnMesh], *, mask: str) -> Documents:
+    """The manifest of a cast and its face assets; mask: where the mask picture is. ValueError for a mesh of no part."""
+    rests = {name: rest_positions(cast, face) for name, face in cast.faces.items()}
+    urls = {name: f"/assets/{content_name(rest.tobytes())}" for name, rest in rests.items()}
+    starts = first_rows(cast)
+    manifest = Manifest(
+        version=PROTOCOL_VERSION,
+        digest=cast.digest,
+        vertices=sum(len(part.points) for part in cast.space.parts.values()) + cast.space.vertex_count,
+        skin=cast.space.vertex_count,
+        meshes=[_mesh_document(mesh, starts) for mesh in meshes],
+        mask=mask,
+        faces=[_face_document(cast, face, urls[name]) for name, face in cast.faces.items()],
+        expressions=[_expression_document(cast, name) for name in cast.expressions],
+    )
+    return Documents(manifest, {urls[name]: FaceAsset(_little(rest, "<f4")) for name, rest in rests.items()})
+
+
+def content_name(data: bytes) -> str:
+    """The name of exactly these bytes, hexadecimal."""
+    return blake2b(data, digest_size=12).hexdigest()
+
+
+def first_rows(cast: Cast) -> dict[str, int]:
+    """The first row of the skin and of each part among all positions: skin, then the parts in the order of the space."""
+    rows, row = {SKIN: 0}, cast.space.vertex_count
+    for name, part in cast.space.parts.items():
+        rows[name] = row
+        row += len(part.points)
+    return rows
+
+
+def rest_positions(cast: Cast, face: Face) -> Points:
+    """The positions of a face without expression, (vertices, 3) metres: skin, then the parts."""
+    fitted = fit(cast.space, face)
+    return np.concatenate([fitted.positions, *(fitted.parts[name] for name in cast.space.parts)])
+
+
+def compound_positions(cast: Cast, face: Face, expression: str) -> Points:
+    """The positions of a face wearing an expression, (vertices, 3) metres; eyeballs before their turn."""
+    fitted, compiled = fit(cast.space, face), compile_expression(cast.space, cast.expressions[expression])
+    worn = wear(cast.space, fitted, compiled)
+    parts = moved_parts(cast.space, fitted, worn, compiled.parts)
+    return np.concatenate([worn, *(parts[name] for name in cast.space.parts)])
+
+
+def compound_asset(cast: Cast, face: Face, expression: str) -> CompoundAsset:
+    """The compound less its face, quantised: no vertex is further off than half of `scale` along each axis."""
+    return quantised(compound_positions(cast, face, expression).astype(np.float64) - rest_positions(cast, face))
+
+
+def quantised(moves: NDArray[np.float64]) -> CompoundAsset:
+    """Moves (n, 3) in metres as whole counts of one scale, only those vertices that move at all."""
+    scale = float(max(np.abs(moves).max(initial=0.0) / MOST_COUNTS, FINEST_STEP))
+    counts = np.rint(moves / scale).astype(np.int16)
+    moved = np.flatnonzero(counts.any(axis=1))
+    return CompoundAsset(scale=scale, indices=_little(moved, "<u4"), deltas=_little(counts[moved], "<i2"))
+
+
+def unpacked(asset: CompoundAsset, count: int) -> NDArray[np.float64]:
+    """The moves (count, 3) in metres that a page reads from a compound."""
+    moves = np.zeros((count, 3))
+    moves[np.frombuffer(asset.indices, "<u4")] = np.frombuffer(asset.deltas, "<i2").reshape(-1, 3) * asset.scale
+    return moves
+
+
+def _mesh_document(mesh: DrawnMesh, starts: dict[str, int]) -> MeshDocument:
+    if mesh.name not in starts:
+        raise ValueError(f"there is no part {mesh.name!r} to draw; the space has {', '.join(starts)}")
+    source = np.asarray(mesh.source, np.int64) + starts[mesh.name]
+    return MeshDocument(mesh.name, _little(source, "<u4"), _little(mesh.uv, "<f4"), _little(mesh.triangles, "<u4"))
+
+
+def _face_document(cast: Cast, face: Face, url: str) -> FaceDocument:
+    fitted = fit(cast.space, face)
+    eyes = {part.eye: name for name, part in cast.space.parts.items() if part.eye}
+    centres = {eye: fitted.centres[name] for eye, name in eyes.items()}
+    spans = [np.linalg.norm(fitted.parts[name] - centres[eye], axis=1).max() for eye, name in eyes.items()]
+    return FaceDocument(
+        name=face.name,
+        label=face.name.replace("_", " ").capitalize(),
+        url=url,
+        centres=(_vector(centres.get("left")), _vector(centres.get("right"))),
+        eye_radius=float(np.mean(spans)) if spans else 0.0,
+        look=Look(**asdict(cast.looks[face.name])),
+    )
+
+
+def _expression_document(cast: Cast, name: str) -> ExpressionDocument:
+    title, eyes = cast.titles[name], cast.expressions[name].eyes.ravel().tolist()
+    return ExpressionDocument(name, title.label, title.kind, title.region, eyes=(eyes[0], eyes[1], eyes[2], eyes[3]))
+
+
+def _vector(point: NDArray[np.floating] | None) -> Vector:
+    return (0.0, 0.0, 0.0) if point is None else (float(point[0]), float(point[1]), float(point[2]))
+
+
+def _little(array: NDArray[np.generic], dtype: str) -> bytes:
+    return np.ascontiguousarray(array, dtype=dtype).tobytes()

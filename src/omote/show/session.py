@@ -1,0 +1,192 @@
+"""A show without input or output: messages and a time in, messages and states out; a list of them replays a show."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from omote.perform.performer import Performer
+from omote.perform.snapshot import Snapshot
+from omote.show import door
+from omote.show import messages as wire
+from omote.show.door import Refusal, number
+from omote.show.state import state_of
+from omote.show.wire import decode
+
+if TYPE_CHECKING:
+    from omote.model.cast import Cast
+
+REMEMBERED_CALLS = 512
+SILENCE = 3.0
+"""Seconds without a heartbeat after which a stage counts as not drawing."""
+
+
+@dataclass(frozen=True)
+class Outgoing:
+    """A message for one client."""
+
+    who: str
+    message: wire.FromServer
+
+
+@dataclass(frozen=True)
+class Member:
+    """A client that said hello: its role, and the frames per second it drew when it was last heard."""
+
+    role: wire.Role
+    fps: float = 0.0
+    heard: float = -math.inf
+
+
+class SessionSnapshot(msgspec.Struct, frozen=True):
+    """All that a restarted server needs: the performer, and the calls already executed."""
+
+    performer: Snapshot
+    calls: list[str]
+
+
+class ShowSession:
+    """A running show: who is connected, what has been called, what is on air."""
+
+    def __init__(self, cast: Cast, performer: Performer, *, epoch: int = 1, revision: int = 1) -> None:
+        self.cast, self.performer, self.epoch, self.revision = cast, performer, epoch, revision
+        self.number = 0
+        self.refused = 0
+        self.commands = 0
+        self.crew: dict[str, Member] = {}
+        self._calls: dict[str, None] = {}
+        self._now: float | None = None
+        self._time = performer.snapshot().time
+
+    @classmethod
+    def restored(cls, cast: Cast, snapshot: SessionSnapshot, *, epoch: int, revision: int = 1) -> ShowSession:
+        """The show of a snapshot, under a new epoch; ValueError when the snapshot does not fit the cast."""
+        session = cls(cast, Performer.restored(cast, snapshot.performer), epoch=epoch, revision=revision)
+        session._calls = dict.fromkeys(snapshot.calls)
+        return session
+
+    def snapshot(self) -> SessionSnapshot:
+        """The show as it is now."""
+        return SessionSnapshot(performer=self.performer.snapshot(), calls=list(self._calls))
+
+    def hear(self, who: str, data: bytes, now: float) -> list[Outgoing]:
+        """What to answer to the bytes of a client; bytes that are no message are refused and counted."""
+        try:
+            message = decode(data)
+        except Refusal as refusal:
+            return self._refuse(who, refusal)
+        return self.receive(who, message, now)
+
+    def receive(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
+        """What to answer to a message; one that cannot be obeyed is refused with a sentence and changes nothing."""
+        try:
+            return self._answer(who, message, now)
+        except Refusal as refusal:
+            return self._refuse(who, refusal)
+
+    def tick(self, now: float) -> wire.State:
+        """What is on air at `now` (seconds, monotonic); however long the pause was, it is one step to now."""
+        elapsed = 0.0 if self._now is None else max(0.0, now - self._now)
+        self._now = now
+        self.number += 1
+        frame = self.performer.advance(elapsed)
+        self._time = frame.time
+        return state_of(self.cast, frame, epoch=self.epoch, number=self.number, revision=self.revision)
+
+    def clock(self, now: float) -> float:
+        """The show's clock at `now`, as in `State.time`: it runs on through a restart of the server."""
+        return self._time if self._now is None else self._time + max(0.0, now - self._now)
+
+    def leave(self, who: str) -> None:
+        """A client is gone; what its hands held stays as it is."""
+        self.crew.pop(who, None)
+
+    def crew_now(self, now: float) -> wire.Crew:
+        """Who is connected, and what each stage draws."""
+        members = list(self.crew.values())
+        stages = [m.fps if now - m.heard <= SILENCE else None for m in members if m.role == "stage"]
+        return wire.Crew(stages=stages, consoles=sum(m.role == "console" for m in members))
+
+    def _answer(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
+        match message:
+            case wire.Hello():
+                return [Outgoing(who, self._welcome(who, message))]
+            case wire.Ping():
+                return [Outgoing(who, wire.Pong(sent=number(message.sent, door.SENT), time=self.clock(now)))]
+            case wire.Drawing():
+                self.crew[who] = Member(self._member(who).role, number(message.fps, door.FPS), heard=now)
+            case wire.CallFace() | wire.CallExpression() if message.id in self._calls:
+                pass  # a retry or a bouncing key: each call executes once
+            case _:
+                self._obey(who, message)
+        return []
+
+    def _obey(self, who: str, message: wire.FromClient) -> None:
+        if self._member(who).role != "console":
+            raise Refusal(f"{type(message).__struct_config__.tag} came from a stage, but only a console plays.")
+        try:
+            OBEY[type(message)](self.performer, message)
+        except Refusal:
+            raise
+        except (ValueError, TypeError) as error:
+            raise Refusal(f"{error}.") from error
+        self.commands += 1
+        if isinstance(message, wire.CallFace | wire.CallExpression):
+            self._calls[message.id] = None
+            if len(self._calls) > REMEMBERED_CALLS:
+                del self._calls[next(iter(self._calls))]
+
+    def _welcome(self, who: str, hello: wire.Hello) -> wire.Welcome:
+        if hello.version != wire.PROTOCOL_VERSION:
+            versions = f"version {hello.version}, the server {wire.PROTOCOL_VERSION}"
+            raise Refusal(f"the page speaks {versions}: reload the page.")
+        self.crew[who] = Member(hello.role)
+        return wire.Welcome(wire.PROTOCOL_VERSION, self.epoch, self.revision, self.cast.digest)
+
+    def _member(self, who: str) -> Member:
+        if who not in self.crew:
+            raise Refusal("nothing is heard before hello: send hello with role and version first.")
+        return self.crew[who]
+
+    def _refuse(self, who: str, refusal: Refusal) -> list[Outgoing]:
+        self.refused += 1
+        return [Outgoing(who, wire.Refused(reason=str(refusal)))]
+
+
+def _call_face(performer: Performer, call: wire.CallFace) -> None:
+    performer.call_face(call.name, seconds=_seconds(call.seconds), easing=call.easing)
+
+
+def _call_expression(performer: Performer, call: wire.CallExpression) -> None:
+    performer.call_expression(call.name, seconds=_seconds(call.seconds), easing=call.easing)
+
+
+def _set_head(performer: Performer, head: wire.SetHead) -> None:
+    performer.set_head(number(head.yaw, door.HEAD), number(head.pitch, door.HEAD), number(head.roll, door.HEAD))
+
+
+def _set_gaze(performer: Performer, gaze: wire.SetGaze) -> None:
+    performer.set_gaze(number(gaze.yaw, door.GAZE), number(gaze.pitch, door.GAZE))
+
+
+def _seconds(seconds: float | None) -> float:
+    return math.inf if seconds is None else number(seconds, door.SECONDS)
+
+
+OBEY: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
+    wire.CallFace: _call_face,
+    wire.CallExpression: _call_expression,
+    wire.FadeFace: lambda performer, bar: performer.fade_face(number(bar.value, door.FADER)),
+    wire.ReleaseFace: lambda performer, _: performer.release_face(),
+    wire.FadeExpression: lambda performer, bar: performer.fade_expression(number(bar.value, door.FADER)),
+    wire.ReleaseExpression: lambda performer, _: performer.release_expression(),
+    wire.SetChannel: lambda performer, fader: performer.set_channel(fader.name, number(fader.value, door.CHANNEL)),
+    wire.SetHead: _set_head,
+    wire.SetGaze: _set_gaze,
+    wire.Panic: lambda performer, _: performer.panic(),
+}
+"""What each command does to the performer, which itself refuses names that the cast has not."""

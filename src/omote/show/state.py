@@ -1,0 +1,56 @@
+"""A frame of the engine as a state on the wire."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from omote.perform.channels import effective_channels, eye_angles
+from omote.perform.frame import CallStatus, Frame
+from omote.show.messages import CallState, State
+
+if TYPE_CHECKING:
+    from omote.model.cast import Cast
+
+
+def state_of(cast: Cast, frame: Frame, *, epoch: int, number: int, revision: int) -> State:
+    """The complete state of a frame; `eyes` and `lids` are what the gaze makes of it."""
+    channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
+    eyes = eye_angles(cast.expressions, frame.expressions, channels).ravel().tolist()
+    return State(
+        epoch=epoch,
+        number=number,
+        time=frame.time,
+        revision=revision,
+        faces=dict(frame.faces),
+        expressions=dict(frame.expressions),
+        channels=dict(frame.channels),
+        head=(frame.head.yaw, frame.head.pitch, frame.head.roll),
+        gaze=(frame.gaze.yaw, frame.gaze.pitch),
+        eyes=(eyes[0], eyes[1], eyes[2], eyes[3]),
+        lids=lids(frame.channels, channels),
+        face_call=call_state(frame.face_call),
+        expression_call=call_state(frame.expression_call),
+        face_fader=frame.face_fader,
+        expression_fader=frame.expression_fader,
+    )
+
+
+def call_state(status: CallStatus | None) -> CallState | None:
+    """The call on the wire; None when none runs."""
+    if status is None:
+        return None
+    return CallState(
+        target=status.target,
+        progress=status.progress,
+        remaining=status.remaining,
+        by_hand=status.by_hand,
+        fader=status.fader,
+        pickup=status.pickup,
+    )
+
+
+def lids(channels: Mapping[str, float], effective: Mapping[str, float]) -> dict[str, float]:
+    """What the gaze adds to the channels, name by name."""
+    added = {name: weight - channels.get(name, 0.0) for name, weight in effective.items()}
+    return {name: weight for name, weight in added.items() if weight}

@@ -1,0 +1,32 @@
+"""Messages to bytes and back."""
+
+from __future__ import annotations
+
+import msgspec
+
+from omote.show.door import Refusal
+from omote.show.messages import MESSAGE_LIMIT, CompoundAsset, FaceAsset, FromClient, FromServer, Manifest
+
+_encoder = msgspec.msgpack.Encoder()
+_from_client: msgspec.msgpack.Decoder[FromClient] = msgspec.msgpack.Decoder(FromClient)
+_from_server: msgspec.msgpack.Decoder[FromServer] = msgspec.msgpack.Decoder(FromServer)
+
+
+def encode(message: FromClient | FromServer | Manifest | FaceAsset | CompoundAsset) -> bytes:
+    """The bytes of a message or a document."""
+    return _encoder.encode(message)
+
+
+def decode(data: bytes) -> FromClient:
+    """The client's message in `data`; Refusal for bytes that are none."""
+    if len(data) > MESSAGE_LIMIT:
+        raise Refusal(f"the message has {len(data)} bytes, but at most {MESSAGE_LIMIT} are read.")
+    try:
+        return _from_client.decode(data)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError, OverflowError) as error:
+        raise Refusal(f"the message cannot be read: {str(error)[:200]}.") from error
+
+
+def decode_answer(data: bytes) -> FromServer:
+    """The server's message in `data`, for clients written in Python; msgspec.DecodeError for bytes that are none."""
+    return _from_server.decode(data)
