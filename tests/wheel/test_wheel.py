@@ -1,0 +1,176 @@
+"""A wheel built here plays a show in an empty environment: no Node, no PyTorch, no repository.
+
+Run by itself (`pytest tests/wheel`, a part of `make test`): it builds, installs and starts a server.
+"""
+
+import asyncio
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import urllib.request
+import venv
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import aiohttp
+import msgspec
+import numpy as np
+import pytest
+
+import hatch_build
+
+ROOT = Path(__file__).parent.parent.parent
+SKIN_VERTICES = 4278  # of the CC0 head above the neck
+
+
+def build(target: str, folder: Path) -> Path:
+    """One distribution of this repository, made in `folder`."""
+    command = [sys.executable, "-m", "hatchling", "build", "--target", target, "--directory", str(folder)]
+    subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
+    (built,) = folder.iterdir()
+    return built
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel of this repository."""
+    return build("wheel", tmp_path_factory.mktemp("dist"))
+
+
+@pytest.fixture(scope="module")
+def scripts(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The programs of an environment that holds the wheel and what it needs, and nothing else."""
+    folder = tmp_path_factory.mktemp("empty")
+    venv.create(folder, symlinks=os.name != "nt")
+    scripts = folder / ("Scripts" if os.name == "nt" else "bin")
+    pip = [sys.executable, "-m", "pip", "--python", str(scripts / "python"), "install", "--quiet", "--no-compile"]
+    pins = ["--disable-pip-version-check", "--constraint", str(ROOT / "constraints.txt")]
+    subprocess.run([*pip, *pins, str(wheel)], cwd=folder, check=True)
+    return scripts
+
+
+@pytest.fixture(scope="module")
+def bare(scripts: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """An environment that knows only those programs and a home of its own."""
+    home = str(tmp_path_factory.mktemp("home"))
+    return {
+        "PATH": str(scripts),
+        "HOME": home,
+        "XDG_STATE_HOME": home,
+        "OPENBLAS_NUM_THREADS": "1",
+        "PYTHONUNBUFFERED": "1",
+    }
+
+
+@pytest.fixture(scope="module")
+def address(scripts: Path, bare: dict[str, str]) -> Iterator[str]:
+    """Where a show of the installed wheel is served; the show ends with the tests."""
+    command = [str(scripts / "omote"), "show", "--no-open", "--host", "127.0.0.1", "--port", "0"]
+    with subprocess.Popen(
+        command, cwd=bare["HOME"], env=bare, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    ) as show:
+        assert show.stdout is not None
+        said = []
+        try:
+            for line in show.stdout:
+                said.append(line)
+                if found := re.search(r"http://127\.0\.0\.1:[1-9]\d*", line):
+                    yield found[0]
+                    break
+            else:
+                pytest.fail("the show ended without an address: " + "".join(said))
+        finally:
+            show.terminate()
+
+
+def fetch(url: str) -> bytes:
+    """What the show answers."""
+    with urllib.request.urlopen(url, timeout=30) as answer:
+        body: bytes = answer.read()
+    return body
+
+
+async def first_states(address: str, count: int) -> list[dict[str, Any]]:
+    """The first messages that a stage gets, up to and including that many states."""
+    heard: list[dict[str, Any]] = []
+    async with aiohttp.ClientSession() as session, session.ws_connect(f"{address}/link") as link:
+        version = msgspec.msgpack.decode(fetch(f"{address}/manifest"))["version"]
+        await link.send_bytes(msgspec.msgpack.encode({"type": "hello", "role": "stage", "version": version}))
+        while sum(message["type"] == "state" for message in heard) < count:
+            heard.append(msgspec.msgpack.decode(await link.receive_bytes(timeout=10)))
+    return heard
+
+
+def test_the_wheel_holds_pages_cast_and_notice(wheel: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        sizes = {entry.filename: entry.file_size for entry in archive.infolist()}
+    needed = {name.removeprefix("src/") for name in hatch_build.NEEDED}
+    assert needed <= sizes.keys()
+    assert all(sizes[name] > 0 for name in needed)
+    assert any(name.startswith("omote/server/web/static/") and name.endswith(".js") for name in sizes)
+    assert any(name.endswith(".dist-info/licenses/LICENSE") for name in sizes)
+
+
+def test_the_wheel_holds_nothing_else(wheel: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        tops = {name.split("/")[0] for name in archive.namelist()}
+        assert not [name for name in archive.namelist() if "__pycache__" in name or "node_modules" in name]
+    assert {top for top in tops if not top.endswith(".dist-info")} == {"omote"}
+
+
+def test_the_source_archive_holds_pages_cast_and_notice_too(tmp_path: Path) -> None:
+    with tarfile.open(build("sdist", tmp_path)) as archive:
+        names = {name.split("/", 1)[1] for name in archive.getnames()}
+    assert set(hatch_build.NEEDED) <= names
+    assert not [name for name in names if "node_modules" in name or name.startswith(".venv")]
+
+
+def test_neither_node_nor_torch_is_there(scripts: Path, bare: dict[str, str]) -> None:
+    assert [shutil.which(program, path=bare["PATH"]) for program in ("node", "npm")] == [None, None]
+    program = "from importlib.util import find_spec as f; print([f('torch'), f('anny')], f('omote').origin)"
+    told = subprocess.run(
+        [scripts / "python", "-c", program], env=bare, cwd=bare["HOME"], capture_output=True, text=True, check=True
+    )
+    assert told.stdout.startswith("[None, None]")
+    assert str(scripts.parent) in told.stdout
+
+
+def test_the_show_serves_its_pages(address: str) -> None:
+    for page in ("", "/stage", "/console"):
+        text = fetch(f"{address}{page}").decode()
+        assert "<!doctype html>" in text.lower()
+        for script in re.findall(r'src="(/static/[^"]+)"', text):
+            assert len(fetch(f"{address}{script}")) > 0
+
+
+def test_the_show_serves_the_head(address: str) -> None:
+    manifest = msgspec.msgpack.decode(fetch(f"{address}/manifest"))
+    assert manifest["skin"] == SKIN_VERTICES
+    assert len(manifest["faces"]) >= 8
+    for face in manifest["faces"]:
+        asset = msgspec.msgpack.decode(fetch(f"{address}{face['url']}"))
+        positions = np.frombuffer(asset["positions"], np.float32).reshape(-1, 3)
+        assert len(positions) == manifest["vertices"]
+        assert np.isfinite(positions).all()
+        assert 0.2 < np.ptp(positions[:, 1]) < 0.5
+
+
+def test_the_show_plays(address: str) -> None:
+    heard = asyncio.run(first_states(address, 3))
+    states = [message for message in heard if message["type"] == "state"]
+    assert heard[0]["type"] == "welcome"
+    assert [sum(state["faces"].values()) for state in states] == pytest.approx([1.0] * 3)
+    assert [sum(state["expressions"].values()) for state in states] == pytest.approx([1.0] * 3)
+    assert states[0]["number"] < states[1]["number"] < states[2]["number"]
+
+
+def test_the_machine_is_said_to_be_able_to_play(scripts: Path, bare: dict[str, str]) -> None:
+    told = subprocess.run(
+        [scripts / "omote", "check"], env=bare, cwd=bare["HOME"], capture_output=True, text=True, check=False
+    )
+    assert (told.returncode, told.stderr) == (0, "")
