@@ -1,0 +1,146 @@
+import { decode } from "@msgpack/msgpack";
+import { Backoff } from "./backoff";
+import type { CompoundAsset, FaceAsset, Manifest, MeshDocument } from "./messages";
+
+/** A drawn mesh; `source` maps its vertices to rows of the positions, `uv` has v up. */
+export interface Mesh {
+  name: string;
+  source: Uint32Array;
+  uv: Float32Array;
+  triangles: Uint32Array;
+}
+
+/** A compound less its face: row `indices[n]` moves by `scale * deltas[3n .. 3n+2]` metres. */
+export interface Compound {
+  scale: number;
+  indices: Uint32Array;
+  deltas: Int16Array;
+}
+
+/** Reads an address's bytes; may throw. */
+export type Fetch = (address: string) => Promise<Uint8Array>;
+
+/** An answer that trying again will not change. */
+export class RefusedAddress extends Error {}
+
+const aligned = (bytes: Uint8Array): ArrayBuffer => bytes.slice().buffer as ArrayBuffer; // a view's offset may be odd
+
+/** The bytes behind an address of our server; RefusedAddress for a 4xx answer. */
+export async function fetchBytes(address: string): Promise<Uint8Array> {
+  const response = await fetch(address);
+  if (response.status >= 400 && response.status < 500)
+    throw new RefusedAddress(`The server answered ${response.status} for ${address}.`);
+  if (!response.ok) throw new Error(`The server answered ${response.status} for ${address}.`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+/** Reads an address until it comes: the server may be away for a while. */
+export async function insist(address: string, read: Fetch = fetchBytes): Promise<Uint8Array> {
+  const backoff = new Backoff();
+  for (;;) {
+    try {
+      return await read(address);
+    } catch (error) {
+      if (error instanceof RefusedAddress) throw error;
+      await new Promise((resolve) => setTimeout(resolve, backoff.next() * 1000));
+    }
+  }
+}
+
+/** A mesh of the manifest as typed arrays; an Error when an index points past the positions. */
+export function readMesh(mesh: MeshDocument, vertices: number): Mesh {
+  const source = new Uint32Array(aligned(mesh.source));
+  const triangles = new Uint32Array(aligned(mesh.triangles));
+  const uv = new Float32Array(aligned(mesh.uv));
+  if (source.some((row) => row >= vertices) || triangles.some((corner) => corner >= source.length))
+    throw new Error(`Mesh ${mesh.name} points past its ${vertices} positions; bake the cast again.`);
+  if (uv.length !== 2 * source.length || triangles.length % 3 !== 0)
+    throw new Error(`Mesh ${mesh.name} has ${source.length} vertices but ${uv.length / 2} texture coordinates.`);
+  return { name: mesh.name, source, uv, triangles };
+}
+
+/** A compound as typed arrays; an Error when it does not fit `vertices` positions. */
+export function readCompound(bytes: Uint8Array, vertices: number): Compound {
+  const asset = decode(bytes) as CompoundAsset;
+  const indices = new Uint32Array(aligned(asset.indices));
+  const deltas = new Int16Array(aligned(asset.deltas));
+  if (!Number.isFinite(asset.scale) || deltas.length !== 3 * indices.length || indices.some((row) => row >= vertices))
+    throw new Error(`A compound of ${indices.length} vertices does not fit the cast's ${vertices}.`);
+  return { scale: asset.scale, indices, deltas };
+}
+
+/** The cast as documents: the manifest, and faces and compounds that are fetched once, when first asked for. */
+export class Library {
+  readonly meshes: readonly Mesh[];
+  private readonly faceUrls: ReadonlyMap<string, string>;
+  private readonly expressions: ReadonlySet<string>;
+  private readonly faces = new Map<string, Promise<Float32Array>>();
+  private readonly compounds = new Map<string, Promise<Compound>>();
+  private picture: Promise<ImageBitmap> | undefined;
+
+  constructor(
+    readonly manifest: Manifest,
+    private readonly read: Fetch = fetchBytes,
+  ) {
+    this.meshes = manifest.meshes.map((mesh) => readMesh(mesh, manifest.vertices));
+    this.faceUrls = new Map(manifest.faces.map((face) => [face.name, face.url]));
+    this.expressions = new Set(manifest.expressions.map((expression) => expression.name));
+  }
+
+  /** The library of the server that served this page; waits until the server is there. */
+  static async open(read: Fetch = fetchBytes): Promise<Library> {
+    return new Library(decode(await insist("/manifest", read)) as Manifest, read);
+  }
+
+  hasFace(name: string): boolean {
+    return this.faceUrls.has(name);
+  }
+
+  hasExpression(name: string): boolean {
+    return this.expressions.has(name);
+  }
+
+  /** The positions of a face, (vertices, 3) metres. */
+  positions(face: string): Promise<Float32Array> {
+    return remembered(this.faces, face, async () => {
+      const url = this.faceUrls.get(face);
+      if (url === undefined) throw new Error(`There is no face "${face}" in this cast.`);
+      const asset = decode(await insist(url, this.read)) as FaceAsset;
+      const positions = new Float32Array(aligned(asset.positions));
+      if (positions.length !== 3 * this.manifest.vertices)
+        throw new Error(`Face "${face}" has ${positions.length / 3} vertices, expected ${this.manifest.vertices}.`);
+      return positions;
+    });
+  }
+
+  /** One face wearing one expression, less the face. */
+  compound(face: string, expression: string): Promise<Compound> {
+    const path = [this.manifest.digest, face, expression].map(encodeURIComponent).join("/");
+    return remembered(this.compounds, path, async () => {
+      if (!this.hasFace(face) || !this.hasExpression(expression))
+        throw new Error(`There is no compound of "${face}" and "${expression}" in this cast.`);
+      return readCompound(await insist(`/compounds/${path}`, this.read), this.manifest.vertices);
+    });
+  }
+
+  /** The skin's region mask: red lips, green brows, blue blush, alpha darkening; texture rows run bottom to top. */
+  mask(): Promise<ImageBitmap> {
+    this.picture ??= insist(this.manifest.mask, this.read).then((bytes) =>
+      createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "image/png" }), {
+        premultiplyAlpha: "none",
+        colorSpaceConversion: "none",
+        imageOrientation: "flipY",
+      }),
+    );
+    return this.picture;
+  }
+}
+
+function remembered<T>(memory: Map<string, Promise<T>>, key: string, make: () => Promise<T>): Promise<T> {
+  const known = memory.get(key);
+  if (known !== undefined) return known;
+  const made = make();
+  memory.set(key, made);
+  made.catch(() => memory.delete(key)); // a failure may be asked again
+  return made;
+}

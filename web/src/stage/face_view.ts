@@ -1,0 +1,244 @@
+import * as THREE from "three";
+import type { Library } from "../link/assets";
+import type { FaceDocument } from "../link/messages";
+import { type Anatomy, study } from "./anatomy";
+import { Blender, type Eyeballs } from "./blender";
+import { frame, portraitCamera, type Shot, tileView } from "./framing";
+import { buildBackdrop, buildHead, type EyeUniforms, eyeUniforms, type HeadUniforms, headUniforms } from "./head";
+import { Holdings, namesOf } from "./holdings";
+import type { Tile } from "./parameters";
+import { type Pose, resting } from "./pose";
+import { faceWeights } from "./weights";
+
+/** How a view draws; everything may be left out. */
+export interface FaceViewOptions {
+  /** The page shows through (premultiplied alpha), no backdrop. */
+  transparent?: boolean;
+  /** This view's place on a wall. */
+  tile?: Tile | undefined;
+  /** Device pixels per CSS pixel, at most. */
+  pixelRatio?: number;
+  antialias?: boolean;
+  shot?: Shot;
+}
+
+/** The head with its collar, as a director frames it. */
+export const PORTRAIT: Shot = { centre: [0, -0.012, 0.05], height: 0.315, width: 0.25 };
+/** Closer, for thumbnails: the face without its neck. */
+export const CLOSE: Shot = { centre: [0, -0.004, 0.05], height: 0.24, width: 0.19 };
+
+/** Nothing is coming. */
+const NOBODY: { faces: readonly string[]; expressions: readonly string[] } = { faces: [], expressions: [] };
+
+/** A drawn face on a canvas: shows any pose of the cast, blended on the GPU; survives a lost context. */
+export class FaceView {
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly camera = portraitCamera();
+  private readonly eyes: Eyeballs;
+  private readonly eyeUniforms: [EyeUniforms, EyeUniforms] = [eyeUniforms(), eyeUniforms()];
+  private readonly looks: ReadonlyMap<string, FaceLook>;
+  private readonly size = new THREE.Vector2();
+  private scene = new THREE.Scene();
+  private backdrop = buildBackdrop();
+  private shared!: HeadUniforms;
+  private blender!: Blender;
+  private holdings!: Holdings;
+  private pose: Pose;
+  private blended = "";
+  private drawnAt: number | undefined;
+  /** False while the graphics context is lost. */
+  alive = true;
+
+  private constructor(
+    readonly canvas: HTMLCanvasElement | OffscreenCanvas,
+    readonly library: Library,
+    private readonly anatomy: Anatomy,
+    private readonly mask: ImageBitmap | undefined,
+    private readonly options: FaceViewOptions,
+  ) {
+    this.renderer = createRenderer(canvas, options);
+    this.eyes = { rows: anatomy.eyeRows, centres: new Float32Array(6), turns: new Float32Array(18) };
+    this.looks = new Map(library.manifest.faces.map((face) => [face.name, readLook(face)]));
+    this.pose = resting(library.manifest.faces[0]?.name ?? "generic");
+    this.build();
+    canvas.addEventListener("webglcontextlost", this.contextLost);
+    canvas.addEventListener("webglcontextrestored", this.contextRestored);
+  }
+
+  /** A view of a library's cast; an Error with a sentence when the browser gives no WebGL2. */
+  static async load(canvas: HTMLCanvasElement | OffscreenCanvas, library: Library, options: FaceViewOptions = {}): Promise<FaceView> {
+    const [anatomy, mask] = await Promise.all([study(library), library.mask().catch(() => undefined)]);
+    return new FaceView(canvas, library, anatomy, mask, options);
+  }
+
+  /** What the next `render` draws; `coming`: names that will be needed soon and are fetched ahead. */
+  show(pose: Pose, coming = NOBODY): void {
+    this.pose = pose;
+    const { faces, expressions } = namesOf(pose);
+    this.holdings.want([...faces, ...coming.faces], [...expressions, ...coming.expressions]);
+  }
+
+  /** Sets the size in CSS pixels. */
+  resize(width: number, height: number): void {
+    this.renderer.setPixelRatio(Math.min(globalThis.devicePixelRatio ?? 1, this.options.pixelRatio ?? 2));
+    this.renderer.setSize(Math.max(1, width), Math.max(1, height), false);
+  }
+
+  /** Draws; `atOnce` shows everything that is loaded in full, without catching up. False while the context is lost. */
+  render(time = performance.now() / 1000, atOnce = false): boolean {
+    if (!this.alive) return false;
+    const seconds = Math.min(0.1, Math.max(0, time - (this.drawnAt ?? time)));
+    this.drawnAt = time;
+    this.blend(seconds, atOnce);
+    this.paint();
+    return true;
+  }
+
+  /** Fetches all that a pose needs, then draws it in full. */
+  async present(pose: Pose): Promise<void> {
+    const { faces, expressions } = namesOf(pose);
+    await this.holdings.complete(faces, expressions);
+    await Promise.resolve(); // the holdings take over what came after we did
+    this.show(pose);
+    this.render(undefined, true);
+  }
+
+  /** Whether all of the present pose shows in full. */
+  get settled(): boolean {
+    return this.alive && this.holdings.settled(this.pose, this.blender);
+  }
+
+  /** The blended positions, (vertices, 3) metres, read back from the GPU (slow: for tests). */
+  readPositions(): Float32Array {
+    return this.blender.readPositions();
+  }
+
+  /** Frees the GPU; the canvas keeps its context. */
+  dispose(): void {
+    this.alive = false;
+    this.canvas.removeEventListener("webglcontextlost", this.contextLost);
+    this.canvas.removeEventListener("webglcontextrestored", this.contextRestored);
+    this.blender.dispose();
+    this.renderer.dispose();
+  }
+
+  private build(): void {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    this.blender = new Blender(gl, this.library.manifest.vertices, this.anatomy.fans);
+    this.holdings ??= new Holdings(this.library, this.anatomy.eyeRows);
+    this.shared = headUniforms(this.blender.positions, this.blender.normals);
+    this.shared.mask.value = maskTexture(this.mask);
+    this.scene = new THREE.Scene();
+    this.backdrop = buildBackdrop();
+    if (!this.options.transparent) this.scene.add(this.backdrop);
+    this.scene.add(buildHead(this.library.meshes, this.anatomy, this.shared, this.eyeUniforms));
+    this.blended = "";
+    this.renderer.resetState();
+  }
+
+  private readonly contextLost = (event: Event): void => {
+    event.preventDefault(); // or it never comes back
+    this.alive = false;
+  };
+
+  private readonly contextRestored = (): void => {
+    this.build();
+    this.alive = true;
+    this.render(undefined, true); // all is in memory: nothing is eased
+  };
+
+  private blend(seconds: number, atOnce: boolean): void {
+    const { entries, held } = this.holdings.entries(this.pose, this.blender, seconds, atOnce);
+    if (entries.length === 0) return; // nothing loaded yet: what shows stays
+    const key = JSON.stringify([entries, this.pose.eyes]);
+    if (key === this.blended) return;
+    this.blended = key;
+    this.holdings.centres(held, this.eyes.centres);
+    writeTurn(this.pose.eyes[0], this.pose.eyes[1], this.eyes.turns, 0);
+    writeTurn(this.pose.eyes[2], this.pose.eyes[3], this.eyes.turns, 9);
+    this.blender.blend(entries, this.eyes);
+    this.renderer.resetState();
+  }
+
+  private paint(): void {
+    this.renderer.getSize(this.size);
+    const { x: width, y: height } = this.size;
+    const { tile } = this.options;
+    frame(this.camera, this.options.shot ?? PORTRAIT, width, height, tile);
+    const [fullWidth, fullHeight, left, top] = tile === undefined ? [width, height, 0, 0] : tileView(tile, width, height);
+    const backdrop = this.backdrop.material.uniforms as { window: { value: THREE.Vector4 }; aspect: { value: number } };
+    backdrop.window.value.set(left / fullWidth, 1 - (top + height) / fullHeight, width / fullWidth, height / fullHeight);
+    backdrop.aspect.value = fullWidth / fullHeight;
+    this.turnHead();
+    this.dress();
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Head: yaw, then pitch, then roll; + is the character's left, up, tilt to its left. */
+  private turnHead(): void {
+    const [yaw, pitch, roll] = this.pose.head;
+    const turn = new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(-pitch, yaw, -roll, "YXZ"));
+    this.shared.headTurn.value.setFromMatrix4(turn);
+    const pivot = this.shared.pivot.value;
+    this.eyeUniforms.forEach((eye, side) => {
+      eye.centre.value.fromArray(this.eyes.centres, 3 * side).sub(pivot).applyMatrix3(this.shared.headTurn.value).add(pivot);
+      eye.eyeTurn.value.fromArray(this.eyes.turns, 9 * side).premultiply(this.shared.headTurn.value);
+    });
+  }
+
+  /** The looks of the faces on air, mixed in linear light. */
+  private dress(): void {
+    const weights = faceWeights(this.pose, (face) => (this.looks.has(face) ? 1 : 0));
+    for (const part of ["skin", "lip", "brow", "blush", "iris"] as const) {
+      const colour = this.shared[part].value.setRGB(0, 0, 0);
+      for (const [face, weight] of weights) addScaled(colour, (this.looks.get(face) as FaceLook)[part], weight);
+    }
+    let radius = 0;
+    for (const [face, weight] of weights) radius += weight * (this.looks.get(face) as FaceLook).eyeRadius;
+    for (const eye of this.eyeUniforms) eye.radius.value = radius;
+  }
+}
+
+type FaceLook = Record<"skin" | "lip" | "brow" | "blush" | "iris", THREE.Color> & { eyeRadius: number };
+
+function readLook(face: FaceDocument): FaceLook {
+  const { skin, lip, brow, blush, iris } = face.look;
+  const colour = (hex: string) => new THREE.Color().setStyle(hex); // sRGB in, linear out
+  return { skin: colour(skin), lip: colour(lip), brow: colour(brow), blush: colour(blush), iris: colour(iris), eyeRadius: face.eye_radius };
+}
+
+function addScaled(sum: THREE.Color, colour: THREE.Color, weight: number): void {
+  sum.setRGB(sum.r + colour.r * weight, sum.g + colour.g * weight, sum.b + colour.b * weight);
+}
+
+/** The rotation that turns a gaze straight ahead to yaw (+ = +x) and pitch (+ = up), column by column. */
+function writeTurn(yaw: number, pitch: number, into: Float32Array, at: number): void {
+  const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
+  into.set([cy, 0, -sy, -sy * sp, cp, -cy * sp, sy * cp, sp, cy * cp], at);
+}
+
+function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas, options: FaceViewOptions): THREE.WebGLRenderer {
+  const context = canvas.getContext("webgl2", {
+    alpha: true,
+    antialias: options.antialias ?? true,
+    premultipliedAlpha: true,
+    powerPreference: "high-performance",
+  }) as WebGL2RenderingContext | null;
+  if (context === null)
+    throw new Error("This browser gives no WebGL2, so no face can be drawn; update the graphics driver or use another browser.");
+  const renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true, premultipliedAlpha: true });
+  renderer.setClearColor(0x000000, 0);
+  return renderer;
+}
+
+function maskTexture(mask: ImageBitmap | undefined): THREE.Texture {
+  const texture = mask === undefined ? new THREE.DataTexture(new Uint8Array(4), 1, 1) : new THREE.Texture(mask);
+  texture.flipY = false; // the bitmap already runs bottom to top
+  texture.premultiplyAlpha = false;
+  texture.generateMipmaps = mask !== undefined;
+  texture.minFilter = mask === undefined ? THREE.NearestFilter : THREE.LinearMipmapLinearFilter;
+  texture.magFilter = THREE.LinearFilter;
+  texture.anisotropy = 4;
+  texture.needsUpdate = true;
+  return texture;
+}

@@ -1,0 +1,205 @@
+import * as THREE from "three";
+import type { Mesh } from "../link/assets";
+import type { Anatomy } from "./anatomy";
+import { collar } from "./collar";
+import * as shaders from "./scene_shaders";
+
+/** Colours in linear light and the eyeballs' size: what of a face's look the shaders take. */
+export interface BlendedLook {
+  skin: THREE.Color;
+  lip: THREE.Color;
+  brow: THREE.Color;
+  blush: THREE.Color;
+  iris: THREE.Color;
+  eyeRadius: number;
+}
+
+type Uniforms = Record<string, THREE.IUniform>;
+
+/** The uniforms all materials share; written once a frame. */
+export interface HeadUniforms extends Uniforms {
+  positions: THREE.IUniform<THREE.Texture>;
+  normals: THREE.IUniform<THREE.Texture>;
+  headTurn: THREE.IUniform<THREE.Matrix3>;
+  pivot: THREE.IUniform<THREE.Vector3>;
+  mask: THREE.IUniform<THREE.Texture | null>;
+  grain: THREE.IUniform<THREE.Texture>;
+  skin: THREE.IUniform<THREE.Color>;
+  lip: THREE.IUniform<THREE.Color>;
+  brow: THREE.IUniform<THREE.Color>;
+  blush: THREE.IUniform<THREE.Color>;
+  iris: THREE.IUniform<THREE.Color>;
+}
+
+/** What differs between the two eyeballs. */
+export interface EyeUniforms extends Uniforms {
+  centre: THREE.IUniform<THREE.Vector3>;
+  radius: THREE.IUniform<number>;
+  eyeTurn: THREE.IUniform<THREE.Matrix3>;
+}
+
+/** Where the head turns: the top of the spine, metres. */
+const PIVOT = new THREE.Vector3(0, -0.075, 0.03);
+
+export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): HeadUniforms {
+  return {
+    positions: { value: new THREE.ExternalTexture(positions) },
+    normals: { value: new THREE.ExternalTexture(normals) },
+    headTurn: { value: new THREE.Matrix3() },
+    pivot: { value: PIVOT.clone() },
+    mask: { value: null },
+    grain: { value: grainTexture() },
+    skin: { value: new THREE.Color() },
+    lip: { value: new THREE.Color() },
+    brow: { value: new THREE.Color() },
+    blush: { value: new THREE.Color() },
+    iris: { value: new THREE.Color() },
+  };
+}
+
+export const eyeUniforms = (): EyeUniforms => ({
+  centre: { value: new THREE.Vector3() },
+  radius: { value: 0.015 },
+  eyeTurn: { value: new THREE.Matrix3() },
+});
+
+/** The whole head as a scene. */
+export function buildHead(meshes: readonly Mesh[], anatomy: Anatomy, shared: HeadUniforms, eyes: [EyeUniforms, EyeUniforms]): THREE.Group {
+  const head = new THREE.Group();
+  for (const mesh of meshes) head.add(drawn(mesh, anatomy, shared, eyes));
+  if (anatomy.rim.length > 0) head.add(new THREE.Mesh(collar(anatomy), material(shaders.COLLAR_VERTEX, shaders.COLLAR_FRAGMENT, shared)));
+  for (const child of head.children) child.frustumCulled = false; // the vertices are where the GPU puts them
+  return head;
+}
+
+function drawn(mesh: Mesh, anatomy: Anatomy, shared: HeadUniforms, eyes: [EyeUniforms, EyeUniforms]): THREE.Mesh {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
+  geometry.setAttribute("source", new THREE.BufferAttribute(Float32Array.from(mesh.source), 1));
+  switch (mesh.name) {
+    case "eye_left":
+    case "eye_right": {
+      const own = eyes[mesh.name === "eye_left" ? 0 : 1];
+      return new THREE.Mesh(geometry, material(shaders.EYE_VERTEX, shaders.EYE_FRAGMENT, { ...shared, ...own }));
+    }
+    case "teeth_upper":
+    case "teeth_lower":
+      return mouthPart(geometry, mesh, anatomy, { ...shared, albedo: { value: new THREE.Color(0.62, 0.56, 0.47) }, wet: { value: 0.35 } });
+    case "tongue":
+      return mouthPart(geometry, mesh, anatomy, { ...shared, albedo: { value: new THREE.Color(0.42, 0.11, 0.1) }, wet: { value: 0.22 } });
+    case "lashes":
+      return lashes(geometry, mesh, anatomy, shared);
+    default:
+      geometry.setAttribute("uv", new THREE.BufferAttribute(mesh.uv, 2));
+      geometry.setAttribute("traits", new THREE.BufferAttribute(gather(anatomy.traits, mesh.source, 4), 4));
+      return new THREE.Mesh(geometry, material(shaders.SKIN_VERTEX, shaders.SKIN_FRAGMENT, shared));
+  }
+}
+
+function gather(values: Float32Array, rows: Uint32Array, width: number): Float32Array {
+  const out = new Float32Array(width * rows.length);
+  rows.forEach((row, index) => {
+    out.set(values.subarray(width * row, width * (row + 1)), width * index);
+  });
+  return out;
+}
+
+function mouthPart(geometry: THREE.BufferGeometry, mesh: Mesh, anatomy: Anatomy, uniforms: Uniforms): THREE.Mesh {
+  const ahead = mesh.source.reduce((most, row) => Math.max(most, anatomy.positions[3 * row + 2] as number), -Infinity);
+  const depth = Float32Array.from(mesh.source, (row) => (ahead - (anatomy.positions[3 * row + 2] as number)) / 0.05);
+  geometry.setAttribute("depth", new THREE.BufferAttribute(depth, 1));
+  const part = material(shaders.MOUTH_VERTEX, shaders.MOUTH_FRAGMENT, uniforms);
+  part.side = THREE.DoubleSide;
+  return new THREE.Mesh(geometry, part);
+}
+
+/** Strands run from the eye outwards: along the lid by angle, from root to tip by distance from the eyeball. */
+function lashes(geometry: THREE.BufferGeometry, mesh: Mesh, anatomy: Anatomy, shared: HeadUniforms): THREE.Mesh {
+  const centres = [0, 1].map((side) => eyeCentre(anatomy, side));
+  const strand = new Float32Array(2 * mesh.source.length);
+  mesh.source.forEach((row, index) => {
+    const [x, y, z] = [0, 1, 2].map((axis) => anatomy.positions[3 * row + axis] as number) as [number, number, number];
+    const [cx, cy, cz] = centres[x > 0 ? 0 : 1] as [number, number, number];
+    const reach = Math.hypot(x - cx, y - cy, z - cz);
+    strand.set([Math.atan2(y - cy + 0.012 * Math.sign(cy - y), x - cx) * 22, (reach - 0.0158) / 0.0085], 2 * index);
+  });
+  geometry.setAttribute("strand", new THREE.BufferAttribute(strand, 2));
+  const hair = material(shaders.LASH_VERTEX, shaders.LASH_FRAGMENT, shared);
+  hair.side = THREE.DoubleSide;
+  hair.depthWrite = false;
+  const drawn = new THREE.Mesh(geometry, hair);
+  drawn.renderOrder = 1;
+  return drawn;
+}
+
+function eyeCentre(anatomy: Anatomy, side: number): [number, number, number] {
+  const [first, end] = [anatomy.eyeRows[2 * side] as number, anatomy.eyeRows[2 * side + 1] as number];
+  const sum: [number, number, number] = [0, 0, 0];
+  for (let row = first; row < end; row++)
+    for (const axis of [0, 1, 2] as const) sum[axis] += (anatomy.positions[3 * row + axis] as number) / (end - first);
+  return sum;
+}
+
+function material(vertexShader: string, fragmentShader: string, uniforms: Uniforms): THREE.RawShaderMaterial {
+  return new THREE.RawShaderMaterial({
+    glslVersion: THREE.GLSL3,
+    vertexShader,
+    fragmentShader,
+    uniforms,
+    blending: THREE.CustomBlending,
+    blendSrc: THREE.OneFactor,
+    blendDst: THREE.OneMinusSrcAlphaFactor,
+    transparent: false,
+  });
+}
+
+/** The backdrop of the stage; `window` is this picture's part of the wall's. */
+export function buildBackdrop(): THREE.Mesh<THREE.BufferGeometry, THREE.RawShaderMaterial> {
+  const backdrop = material(shaders.BACKDROP_VERTEX, shaders.BACKDROP_FRAGMENT, {
+    window: { value: new THREE.Vector4(0, 0, 1, 1) },
+    aspect: { value: 1 },
+  });
+  backdrop.depthTest = false;
+  backdrop.depthWrite = false;
+  const geometry = new THREE.BufferGeometry().setIndex([0, 1, 2]);
+  const drawn = new THREE.Mesh(geometry, backdrop);
+  drawn.frustumCulled = false;
+  drawn.renderOrder = -1;
+  return drawn;
+}
+
+/** Four channels of seeded noise that tile: pores, blotches, fibres. */
+function grainTexture(size = 256): THREE.DataTexture {
+  const data = new Uint8Array(4 * size * size);
+  let seed = 0x2545f491;
+  for (let index = 0; index < data.length; index++) {
+    seed ^= seed << 13;
+    seed ^= seed >>> 17;
+    seed ^= seed << 5;
+    data[index] = seed & 255;
+  }
+  const texture = new THREE.DataTexture(blurred(data, size), size, size);
+  texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
+  texture.magFilter = THREE.LinearFilter;
+  texture.minFilter = THREE.LinearMipmapLinearFilter;
+  texture.generateMipmaps = true;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** Box-blurs the channels over 1, 2, 4 and 1 texels and stretches them back to full contrast. */
+function blurred(data: Uint8Array, size: number): Uint8Array {
+  const out = new Uint8Array(data.length);
+  [1, 2, 4, 1].forEach((reach, channel) => {
+    for (let y = 0; y < size; y++)
+      for (let x = 0; x < size; x++) {
+        let sum = 0;
+        for (let dy = 0; dy < 2 * reach; dy++)
+          for (let dx = 0; dx < 2 * reach; dx++)
+            sum += data[4 * (((y + dy) % size) * size + ((x + dx) % size)) + channel] as number;
+        const mean = sum / (4 * reach * reach);
+        out[4 * (y * size + x) + channel] = Math.min(255, Math.max(0, 127.5 + (mean - 127.5) * 1.6 * reach));
+      }
+  });
+  return out;
+}

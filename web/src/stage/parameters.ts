@@ -1,0 +1,82 @@
+/** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */
+export interface Tile {
+  column: number;
+  row: number;
+  columns: number;
+  rows: number;
+  /** Width of the gap between two pictures, as a part of a picture's width and of its height. */
+  bezel: [number, number];
+}
+
+export type Quality = "low" | "mid" | "high";
+
+/** Everything a stage is told by its address. */
+export interface StageParameters {
+  transparent: boolean;
+  hud: boolean;
+  quality: Quality;
+  tile: Tile | undefined;
+}
+
+const KNOWN = ["transparent", "tile", "of", "bezel", "quality", "hud"];
+const QUALITIES: readonly string[] = ["low", "mid", "high"];
+
+/** A parameter that cannot be obeyed; its message is a sentence for the page. */
+export class ParameterError extends Error {}
+
+/** The parameters of an address, e.g. `?tile=0,1&of=3x3&bezel=2`; ParameterError when one makes no sense. */
+export function readParameters(query: string): StageParameters {
+  const given = new URLSearchParams(query);
+  for (const name of given.keys())
+    if (!KNOWN.includes(name)) throw new ParameterError(`There is no parameter "${name}"; a stage knows ${KNOWN.join(", ")}.`);
+  return {
+    transparent: readSwitch(given, "transparent"),
+    hud: readSwitch(given, "hud"),
+    quality: readQuality(given.get("quality")),
+    tile: readTile(given),
+  };
+}
+
+function readSwitch(given: URLSearchParams, name: string): boolean {
+  const value = given.get(name);
+  if (value === null || value === "0") return false;
+  if (value === "" || value === "1") return true;
+  throw new ParameterError(`${name}=${value} is neither on nor off; write ${name}=1 or leave it out.`);
+}
+
+function readQuality(value: string | null): Quality {
+  if (value === null) return "high";
+  if (!QUALITIES.includes(value)) throw new ParameterError(`quality=${value} is unknown; write low, mid or high.`);
+  return value as Quality;
+}
+
+function readTile(given: URLSearchParams): Tile | undefined {
+  const place = given.get("tile");
+  const of = given.get("of");
+  if (place === null && of === null && given.get("bezel") === null) return undefined;
+  const [column, row] = readPair(place, ",", "tile", "tile=0,1 (column, row, counted from 0 at the upper left)");
+  const [columns, rows] = readPair(of, "x", "of", "of=3x3 (columns x rows)");
+  if (columns < 1 || rows < 1 || columns > 64 || rows > 64)
+    throw new ParameterError(`of=${of} is no wall; write 1x1 to 64x64.`);
+  if (column >= columns || row >= rows)
+    throw new ParameterError(`tile=${place} lies outside a wall of ${columns}x${rows}; columns and rows count from 0.`);
+  return { column, row, columns, rows, bezel: readBezel(given.get("bezel")) };
+}
+
+function readPair(text: string | null, mark: string, name: string, example: string): [number, number] {
+  const match = text === null ? null : new RegExp(`^(\\d{1,3})${mark}(\\d{1,3})$`).exec(text);
+  if (match === null) throw new ParameterError(`${name}=${text ?? ""} is not understood; write ${example}.`);
+  return [Number(match[1]), Number(match[2])];
+}
+
+/** Per cent of a picture's width, or two values for width and height. */
+function readBezel(text: string | null): [number, number] {
+  if (text === null) return [0, 0];
+  const parts = text.split(",").map((part) => (part.trim() === "" ? Number.NaN : Number(part)));
+  const [across, down = across] = parts;
+  if (across === undefined || down === undefined || parts.length > 2 || !(inBezel(across) && inBezel(down)))
+    throw new ParameterError(`bezel=${text} is not understood; write per cent of a picture's size, 0 to 50: bezel=3 or bezel=3,4.`);
+  return [across / 100, down / 100];
+}
+
+const inBezel = (value: number): boolean => value >= 0 && value <= 50;
