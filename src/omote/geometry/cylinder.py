@@ -34,4 +34,6 @@ class Cylinder:
 
     def roll(self, theta: Values, h: Values, r: Values, /) -> Values:
         """Points (..., 3) in metres at (theta, h, r), the inverse of `unroll`."""
-        return np.stack([self.x + r * np.sin(theta), np.broadcast_to(h, np.shape(theta)), self.z + r * np.cos(theta)], axis=-1)
+        return np.stack(
+            [self.x + r * np.sin(theta), np.broadcast_to(h, np.shape(theta)), self.z + r * np.cos(theta)], axis=-1
+        )

@@ -18,7 +18,8 @@ _BLOCK = 64
 
 
 def cotangents(points: Points, triangles: Triangles, /) -> sparse.csr_array:
-    """Symmetric positive edge weights (V, V): cotangents, kept above a small share of their mean so that weights stay positive."""
+    """Symmetric positive edge weights (V, V): cotangents, kept above a small share of their mean so that weights
+    stay positive."""
     rows, cols, values = [], [], []
     for corner in range(3):
         tip, a, b = triangles[:, corner], triangles[:, (corner + 1) % 3], triangles[:, (corner + 2) % 3]
@@ -47,7 +48,8 @@ def harmonic_weights(
 ) -> tuple[Indices, Values]:  # fmt: skip
     """Extends values at anchors over the free vertices, each as an average of at most ANCHORS anchors.
 
-    free (V,) marks vertices to extend to; anchors (A,) are fixed vertices. Harmonic (cotangent) weights, cut softly: the
+    free (V,) marks vertices to extend to; anchors (A,) are fixed vertices. Harmonic (cotangent) weights, cut softly:
+    the
     next-largest weight is subtracted from those kept, so that the cut moves nothing suddenly. Returns anchors' vertex
     indices (n, ANCHORS) and weights (n, ANCHORS) for the n free vertices, rows summing to one (to zero where no anchor
     can be reached along the mesh).
@@ -61,7 +63,11 @@ def harmonic_weights(
     outer = sparse.csc_array(weights[columns][:, anchors])
     # The tiny pull to zero keeps islands without an anchor solvable; they answer zero.
     diagonal = weights[columns].sum(axis=1) + 1e-9
-    solver = splu(sparse.csc_array(sparse.diags_array(diagonal) - inner), permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
+    solver = splu(
+        sparse.csc_array(sparse.diags_array(diagonal) - inner),
+        permc_spec="MMD_AT_PLUS_A",
+        options={"SymmetricMode": True},
+    )
     best, owner = _largest(solver, outer, keep)
     return _softly_cut(best, owner, anchors)
 

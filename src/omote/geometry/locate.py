@@ -1,6 +1,7 @@
 """Finds points in a triangulation by walking from triangle to triangle.
 
-Two pictures of the same triangulation are walked: the flat one (S itself) and the one a horizontal ray sees from the axis
+Two pictures of the same triangulation are walked: the flat one (S itself) and the one a horizontal ray sees from the
+axis
 (a face in space). In both a walk leaves a triangle across the edge that the point lies farthest behind.
 """
 
@@ -17,11 +18,16 @@ Indices = NDArray[np.int32]
 
 # Barycentric slack: points on an edge belong to both triangles, whatever the last bits say.
 SLACK = 1e-9
+# Triangles searched around a vertex whose walk a fold has stopped: a patch the size of a cheek on the built-in head.
+REACH = 4000
+# Barycentric reach beyond a rim's last triangle.
+FARTHEST = 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Landing:
-    """Where points came down: triangles (N,), weights (N, 3) summing to one, inside (N,) False where a walk left the rim or gave up."""
+    """Where points came down: triangles (N,), weights (N, 3) summing to one, inside (N,) False where a walk left the
+    rim or gave up."""
 
     triangles: Indices
     weights: Values
@@ -60,8 +66,8 @@ class Strip:
 
 @njit(cache=True, inline="always")
 def _turn_to(theta: float, middle: float) -> float:
-    turned = theta - middle
-    return middle + turned - 2 * np.pi * np.round(turned / (2 * np.pi))
+    turns: float = np.round((theta - middle) / (2 * np.pi))
+    return theta - 2 * np.pi * turns
 
 
 @njit(cache=True)
@@ -84,7 +90,9 @@ def _way_out(neighbours: Indices, t: int, b: Values) -> int:
 
 
 @njit(cache=True)
-def _walk_flat(frames: Values, neighbours: Indices, theta: float, h: float, t: int, b: Values, budget: int) -> tuple[int, bool]:
+def _walk_flat(
+    frames: Values, neighbours: Indices, theta: float, h: float, t: int, b: Values, budget: int
+) -> tuple[int, bool]:
     for _ in range(budget):
         _flat(frames, t, theta, h, b)
         if b[0] >= -SLACK and b[1] >= -SLACK and b[2] >= -SLACK:
@@ -98,12 +106,24 @@ def _walk_flat(frames: Values, neighbours: Indices, theta: float, h: float, t: i
 
 @njit(cache=True)
 def _scan_flat(frames: Values, theta: float, h: float, b: Values) -> int:
-    """The triangle that holds the point, by looking at all: S has one layer, so a walk that circles may be answered so."""
+    """The triangle that holds the point, by looking at all: S has one layer, so a walk that circles may be answered
+    so."""
     for t in range(len(frames)):
         _flat(frames, t, theta, h, b)
         if b[0] >= -SLACK and b[1] >= -SLACK and b[2] >= -SLACK:
             return t
     return -1
+
+
+@njit(cache=True)
+def _rein_in(weights: Values) -> None:
+    """Pulls the weights (3,) of a missed triangle toward its centroid until none is below -FARTHEST: slivers shoot
+    far."""
+    low = min(weights[0], min(weights[1], weights[2]))
+    if low < -FARTHEST:
+        share = (FARTHEST + 1.0 / 3.0) / (1.0 / 3.0 - low)
+        for k in range(3):
+            weights[k] = 1.0 / 3.0 + share * (weights[k] - 1.0 / 3.0)
 
 
 @njit(cache=True)
@@ -124,52 +144,63 @@ def walk_strip(
                 _flat(frames, t, theta[i], h[i], b)
         triangles[i] = t
         inside[i] = found
-        for k in range(3):
-            weights[i, k] = b[k]
+        weights[i] = b
+        if not found:
+            _rein_in(weights[i])
 
 
 @njit(cache=True)
-def _seen(corners: Values, axis_x: float, axis_z: float, sine: float, cosine: float, h: float, b: Values) -> bool:
-    """Barycentric coordinates where the horizontal ray from the axis meets the triangle's plane; False where it does not."""
-    u, w = np.empty(3), np.empty(3)
-    depth = 0.0
+def _seen(points: Values, corners: Indices, ray: Values, b: Values) -> bool:
+    """Barycentric coordinates where a ray from the axis meets the triangle's plane; False where it does not.
+
+    ray: axis x, axis z, sine and cosine of theta, height.
+    """
+    u, w, depth = np.empty(3), np.empty(3), np.empty(3)
     for k in range(3):
-        dx, dz = corners[k, 0] - axis_x, corners[k, 2] - axis_z
-        u[k] = dx * cosine - dz * sine
-        w[k] = corners[k, 1] - h
-        b[k] = dx * sine + dz * cosine
-    e0, e1, e2 = u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]
-    total = e0 + e1 + e2
+        dx, dz = points[corners[k], 0] - ray[0], points[corners[k], 2] - ray[1]
+        u[k] = dx * ray[3] - dz * ray[2]
+        w[k] = points[corners[k], 1] - ray[4]
+        depth[k] = dx * ray[2] + dz * ray[3]
+    b[0] = u[1] * w[2] - u[2] * w[1]
+    b[1] = u[2] * w[0] - u[0] * w[2]
+    b[2] = u[0] * w[1] - u[1] * w[0]
+    total = b[0] + b[1] + b[2]
     if abs(total) < 1e-30:
         return False
-    depth = (e0 * b[0] + e1 * b[1] + e2 * b[2]) / total
-    b[0], b[1], b[2] = e0 / total, e1 / total, e2 / total
-    return depth > 0.0
+    b /= total
+    return bool((b * depth).sum() > 0.0)
+
+
+@njit(cache=True, inline="always")
+def _lowest(b: Values) -> float:
+    return min(b[0], min(b[1], b[2]))
+
+
+@njit(cache=True)
+def _way_on(neighbours: Indices, t: int, before: int, b: Values) -> int:
+    """Like `_way_out`, but never straight back: over a fold that would go to and fro for ever."""
+    onward, worst = -1, -SLACK
+    for k in range(3):
+        if neighbours[t, k] >= 0 and neighbours[t, k] != before and b[k] < worst:
+            onward, worst = neighbours[t, k], b[k]
+    return onward
 
 
 @njit(cache=True)
 def _walk_seen(
-    points: Values, triangles: Indices, neighbours: Indices, axis_x: float, axis_z: float,
-    sine: float, cosine: float, h: float, t: int, budget: int, b: Values, best: Values,
-) -> tuple[int, bool]:  # fmt: skip
+    points: Values, triangles: Indices, neighbours: Indices, ray: Values, t: int, budget: int, best: Values
+) -> tuple[int, bool]:
     """Walks until the ray meets a triangle; else returns the one it missed least (weights in best)."""
-    corners = np.empty((3, 3))
+    b = np.empty(3)
     nearest, miss, before = -1, -1e300, -1
     for _ in range(budget):
-        for k in range(3):
-            for c in range(3):
-                corners[k, c] = points[triangles[t, k], c]
-        ahead = _seen(corners, axis_x, axis_z, sine, cosine, h, b)
-        low = min(b[0], min(b[1], b[2]))
-        if ahead and low > miss:
-            nearest, miss = t, low
+        ahead = _seen(points, triangles[t], ray, b)
+        if ahead and _lowest(b) > miss:
+            nearest, miss = t, _lowest(b)
             best[:] = b
-        if ahead and low >= -SLACK:
+        if ahead and miss >= -SLACK:
             return t, True
-        onward, worst = -1, -SLACK
-        for k in range(3):
-            if neighbours[t, k] >= 0 and neighbours[t, k] != before and b[k] < worst:
-                onward, worst = neighbours[t, k], b[k]
+        onward = _way_on(neighbours, t, before, b)
         if onward < 0:
             break
         before, t = t, onward
@@ -177,72 +208,95 @@ def _walk_seen(
 
 
 @njit(cache=True)
-def walk_face(
-    points: Values, corners: Indices, neighbours: Indices, axis_x: float, axis_z: float, targets: Values,
-    fan_start: Indices, fan: Indices, triangles: Indices, weights: Values, inside: NDArray[np.bool_],
-) -> None:  # fmt: skip
-    """Slides targets (N, 3) along their cylinder radius onto the face with points (V, 3) (method.md, section 3, step 1).
-
-    fan[fan_start[i]:fan_start[i + 1]] are the triangles around the vertex that target i belongs to; where a fold stops the
-    walk from the first, the others are tried. Writes triangles (N,), weights (N, 3), inside (N,).
-    """
-    b, best, kept = np.empty(3), np.empty(3), np.empty(3)
-    budget = 200 + 4 * int(np.sqrt(len(corners)))
-    for i in range(len(targets)):
-        dx, dz = targets[i, 0] - axis_x, targets[i, 2] - axis_z
-        r = np.sqrt(dx * dx + dz * dz)
-        sine, cosine = dx / r, dz / r
-        answer, miss, found = -1, -1e300, False
-        for f in range(fan_start[i], fan_start[i + 1]):
-            t, found = _walk_seen(
-                points, corners, neighbours, axis_x, axis_z, sine, cosine, targets[i, 1], fan[f], budget, b, best
-            )
-            low = min(best[0], min(best[1], best[2]))
-            if t >= 0 and (found or low > miss):
-                answer, miss = t, low
-                kept[:] = best
-            if found:
-                break
-        triangles[i], inside[i] = answer, found
-        weights[i] = kept if answer >= 0 else np.array([1.0, 0.0, 0.0])
+def _search_seen(
+    points: Values, triangles: Indices, neighbours: Indices, ray: Values, start: int, stamp: int,
+    seen: Indices, queue: Indices, best: Values,
+) -> tuple[int, bool]:  # fmt: skip
+    """The triangle that the ray meets fewest steps across edges from start; else the one it missed least."""
+    b = np.empty(3)
+    nearest, miss, head, tail = -1, -1e300, 0, 1
+    queue[0], seen[start] = start, stamp
+    while head < tail and miss < -SLACK:
+        t = queue[head]
+        head += 1
+        if _seen(points, triangles[t], ray, b) and _lowest(b) > miss:
+            nearest, miss = t, _lowest(b)
+            best[:] = b
+        for k in range(3):
+            other = neighbours[t, k]
+            if other >= 0 and seen[other] != stamp and tail < len(queue):
+                seen[other] = stamp
+                queue[tail] = other
+                tail += 1
+    return nearest, miss >= -SLACK
 
 
 @njit(cache=True)
-def one_layer(theta: Values, h: Values, radius: Values, width: float, height: float, keep: NDArray[np.bool_]) -> None:
-    """Clears keep where a triangle of a periodic strip lies under one nearer to the eye that looks in along the radius.
+def walk_face(
+    points: Values, corners: Indices, neighbours: Indices, axis_x: float, axis_z: float, targets: Values,
+    start: Indices, triangles: Indices, weights: Values, inside: NDArray[np.bool_],
+) -> None:  # fmt: skip
+    """Slides targets (N, 3) along their cylinder radius onto the face with points (V, 3) (method.md, section 3, step 1).
 
-    theta, h (F, 3) unwrapped corners scaled to metres, period width; radius (F,) of each triangle; height: a cell's size.
+    start (N,): a triangle around the vertex that each target belongs to. Where folds stop the walk, the triangles around
+    are searched in order of their steps from the start, so that a neighbouring layer of skin never answers before the
+    vertex's own. Writes triangles (N,), weights (N, 3), inside (N,).
     """
-    columns = max(1, int(width / height))
-    lowest, highest = h.min(), h.max()
-    rows = max(1, int((highest - lowest) / height) + 1)
-    first = np.full((columns, rows), -1, np.int64)
-    links = np.empty((len(theta) * 16, 2), np.int64)
-    used = 0
-    order = np.argsort(-radius)
-    for t in order:
-        if not keep[t]:
-            continue
-        left, right = theta[t].min(), theta[t].max()
-        c0, c1 = int(np.floor(left / width * columns)), int(np.floor(right / width * columns))
-        r0, r1 = int((h[t].min() - lowest) / height), int((h[t].max() - lowest) / height)
+    best, ray = np.empty(3), np.empty(5)
+    budget = 200 + 4 * int(np.sqrt(len(corners)))
+    seen, queue = np.full(len(corners), -1, np.int32), np.empty(min(len(corners), REACH), np.int32)
+    for i in range(len(targets)):
+        dx, dz = targets[i, 0] - axis_x, targets[i, 2] - axis_z
+        r = np.sqrt(dx * dx + dz * dz)
+        ray[0], ray[1], ray[2], ray[3], ray[4] = axis_x, axis_z, dx / r, dz / r, targets[i, 1]
+        t, found = _walk_seen(points, corners, neighbours, ray, start[i], budget, best)
+        if not found:
+            t, found = _search_seen(points, corners, neighbours, ray, start[i], i, seen, queue, best)
+        if t < 0:
+            t = start[i]
+            best[:] = 1.0 / 3.0
+        triangles[i], inside[i] = t, found
+        weights[i] = best
+        if not found:
+            _rein_in(weights[i])
+
+
+@njit(cache=True)
+def one_layer(
+    theta: Values, h: Values, radius: Values, width: float, cell: float, keep: NDArray[np.bool_]
+) -> None:  # fmt: skip
+    """Clears keep where a triangle of a periodic strip lies under one nearer to an eye that looks in along the radius.
+
+    theta, h (F, 3) unwrapped corners scaled to metres, period width; radius (F,) of each triangle; cell: the size of a
+    cell of the grid in which neighbours are looked up.
+    """
+    columns, lowest = max(1, int(width / cell)), h.min()
+    first = np.full((columns, int((h.max() - lowest) / cell) + 1), -1, np.int64)
+    links, used = np.empty((len(theta) * 16, 2), np.int64), 0
+    for t in np.argsort(-radius):
+        c0, c1 = int(np.floor(theta[t].min() / width * columns)), int(np.floor(theta[t].max() / width * columns))
+        r0, r1 = int((h[t].min() - lowest) / cell), int((h[t].max() - lowest) / cell)
         covered = False
         for c in range(c0, c1 + 1):
             for r in range(r0, r1 + 1):
-                link = first[c % columns, r]
-                while link >= 0 and not covered:
-                    covered = _overlap(theta, h, t, links[link, 0], width)
-                    link = links[link, 1]
-        if covered:
-            keep[t] = False
-            continue
-        for c in range(c0, c1 + 1):
+                covered = covered or _covered(theta, h, t, first[c % columns, r], links, width)
+        keep[t] = not covered
+        for c in range(c0, c1 + 1 if keep[t] else c0):
             for r in range(r0, r1 + 1):
                 if used == len(links):
                     links = np.concatenate((links, np.empty_like(links)))
                 links[used, 0], links[used, 1] = t, first[c % columns, r]
                 first[c % columns, r] = used
                 used += 1
+
+
+@njit(cache=True)
+def _covered(theta: Values, h: Values, t: int, link: int, links: NDArray[np.int64], width: float) -> bool:
+    while link >= 0:
+        if _overlap(theta, h, t, links[link, 0], width):
+            return True
+        link = links[link, 1]
+    return False
 
 
 @njit(cache=True)

@@ -19,7 +19,9 @@ def checked_points(points: ArrayLike, /, *, name: str = "points") -> Points:
         raise ValueError(f"{name} has shape {result.shape}; expected (V, 3), one row of x, y, z per vertex")
     bad = np.flatnonzero(~np.isfinite(result).all(axis=1))
     if len(bad):
-        raise ValueError(f"{name}[{bad[0]}] is {result[bad[0]]}; expected finite numbers in every one of its {len(result)} rows")
+        raise ValueError(
+            f"{name}[{bad[0]}] is {result[bad[0]]}; expected finite numbers in every one of its {len(result)} rows"
+        )
     return result
 
 
@@ -39,7 +41,9 @@ def checked_triangles(triangles: ArrayLike, vertex_count: int, /) -> Triangles:
         raise ValueError(f"triangle {bad[0]} is {result[bad[0]]}; expected indices from 0 to {vertex_count - 1}")
     twice = np.flatnonzero((result == np.roll(result, 1, axis=1)).any(axis=1))
     if len(twice):
-        raise ValueError(f"triangle {twice[0]} is {result[twice[0]]}; expected three different vertices (degenerate triangle)")
+        raise ValueError(
+            f"triangle {twice[0]} is {result[twice[0]]}; expected three different vertices (degenerate triangle)"
+        )
     return result.astype(np.int32)
 
 
@@ -55,7 +59,8 @@ def weld(points: Points, /) -> NDArray[np.int32]:
 def neighbours(triangles: Triangles, /) -> Triangles:
     """For each corner, the triangle across the opposite edge, or -1.
 
-    triangles (F, 3) -> (F, 3). An edge of more than two triangles, or of two that disagree in winding, has no neighbours.
+    triangles (F, 3) -> (F, 3). An edge of more than two triangles, or of two that disagree in winding, has no
+    neighbours.
     """
     a, b = np.roll(triangles, -1, axis=1).ravel(), np.roll(triangles, -2, axis=1).ravel()
     size = np.int64(triangles.max()) + 1
@@ -115,7 +120,8 @@ def boundary_loops(
 ) -> list[NDArray[np.int32]]:  # fmt: skip
     """The closed boundary lines, mesh on the left; a vertex where two holes touch splits them.
 
-    triangles (F, 3), plane (V, 2): a picture of the mesh in which angles at such a vertex are measured, its first column
+    triangles (F, 3), plane (V, 2): a picture of the mesh in which angles at such a vertex are measured, its first
+    column
     periodic. Returns one index array per loop.
     """
     edges = boundary_edges(triangles)
@@ -164,7 +170,8 @@ def _next_around_hole(
 
 
 def components(triangles: Triangles, vertex_count: int, /) -> NDArray[np.int32]:
-    """Connected component of each vertex, numbered from 0 in order of size, largest first: (V,); a lone vertex is one too."""
+    """Connected component of each vertex, numbered from 0 in order of size, largest first: (V,); a lone vertex is
+    one too."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 

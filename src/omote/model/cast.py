@@ -37,7 +37,8 @@ class Look:
 
 @dataclass(frozen=True)
 class Title:
-    """What people read of an expression: label, kind ("neutral", "performed", "arkit", "makehuman", "own") and region."""
+    """What people read of an expression: label, kind ("neutral", "performed", "arkit", "makehuman", "own") and
+    region."""
 
     label: str
     kind: str = "own"
@@ -67,12 +68,19 @@ class Cast:
             raise ValueError(f"the cast has no expression {NEUTRAL!r}; expected the field at rest under that name")
         looks = {name: self.looks.get(name, Look()) for name in self.faces}
         titles = {name: self.titles.get(name, Title(name.replace("_", " "))) for name in self.expressions}
-        for attribute, value in (("faces", self.faces), ("expressions", self.expressions), ("looks", looks), ("titles", titles)):
+        for attribute, value in (
+            ("faces", self.faces),
+            ("expressions", self.expressions),
+            ("looks", looks),
+            ("titles", titles),
+        ):
             object.__setattr__(self, attribute, MappingProxyType(dict(value)))
 
     def with_faces(self, *faces: Face, looks: Mapping[str, Look] | None = None) -> Cast:
         """A new cast with these faces added (or, by name, replaced)."""
-        return replace(self, faces={**self.faces, **{face.name: face for face in faces}}, looks={**self.looks, **(looks or {})})
+        return replace(
+            self, faces={**self.faces, **{face.name: face for face in faces}}, looks={**self.looks, **(looks or {})}
+        )
 
     def with_expressions(self, **expressions: Expression) -> Cast:
         """A new cast with these expressions added (or, by name, replaced)."""
@@ -82,7 +90,8 @@ class Cast:
 
     @cached_property
     def digest(self) -> str:
-        """A name for exactly this content, hexadecimal: what is computed from the cast may be kept under it for ever."""
+        """A name for exactly this content, hexadecimal: what is computed from the cast may be kept under it for
+        ever."""
         state = hashlib.blake2b(digest_size=12)
         arrays: list[np.ndarray] = [self.space.points, self.space.triangles, self.space.membranes]
         for part in self.space.parts.values():
@@ -90,8 +99,19 @@ class Cast:
         for face in self.faces.values():
             arrays += [face.positions, *face.parts.values()]
         for expression in self.expressions.values():
-            arrays += [expression.dtheta, expression.dh, expression.ratio, expression.residual, expression.eyes, *expression.parts.values()]
+            arrays += [
+                expression.dtheta,
+                expression.dh,
+                expression.ratio,
+                expression.residual,
+                expression.eyes,
+                *expression.parts.values(),
+            ]
         for array in arrays:
             state.update(np.ascontiguousarray(array).data)
-        state.update(repr((*self.faces, *self.expressions, *self.looks.values(), *self.titles.values(), self.space.radius)).encode())
+        state.update(
+            repr(
+                (*self.faces, *self.expressions, *self.looks.values(), *self.titles.values(), self.space.radius)
+            ).encode()
+        )
         return state.hexdigest()

@@ -32,7 +32,13 @@ class Expression:
 
     def __post_init__(self) -> None:
         count = np.shape(self.dtheta)
-        for name, shape in (("dtheta", count), ("dh", count), ("ratio", count), ("residual", (len(self.residual), 3)), ("eyes", (2, 2))):
+        for name, shape in (
+            ("dtheta", count),
+            ("dh", count),
+            ("ratio", count),
+            ("residual", (len(self.residual), 3)),
+            ("eyes", (2, 2)),
+        ):
             object.__setattr__(self, name, _checked(getattr(self, name), name, shape))
         if len(count) != 1:
             raise ValueError(f"dtheta has shape {count}; expected (V,), one angle per vertex")

@@ -40,7 +40,9 @@ def _frozen(points: ArrayLike, name: str) -> NDArray[np.float32]:
     return result
 
 
-def aligned(points: NDArray[np.float64], generic: NDArray[np.float64], /, *, rows: NDArray[np.int32]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def aligned(
+    points: NDArray[np.float64], generic: NDArray[np.float64], /, *, rows: NDArray[np.int32]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Rotation (3, 3) and shift (3,) that bring a face nearest to the generic one, size kept (method.md, section 3).
 
     points, generic (V, 3); rows: the vertices that decide (the sheet's). Apply as `points @ rotation.T + shift`.

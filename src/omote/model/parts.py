@@ -34,18 +34,29 @@ class Part:
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "triangles", mesh.checked_triangles(self.triangles, len(points)))
         if len(self.ring) < 3:
-            raise ValueError(f"part {self.name!r} has a ring of {len(self.ring)} skin vertices; expected at least 3 to place it by")
+            raise ValueError(
+                f"part {self.name!r} has a ring of {len(self.ring)} skin vertices; expected at least 3 to place it by"
+            )
         if self.anchors.shape != self.weights.shape or len(self.anchors) != len(points):
             raise ValueError(
-                f"part {self.name!r} has anchors {self.anchors.shape} and weights {self.weights.shape} for {len(points)} vertices; "
-                "expected one row each per vertex"
+                f"part {self.name!r} has anchors {self.anchors.shape} and weights {self.weights.shape}; "
+                f"expected one row each for its {len(points)} vertices"
             )
         if self.eye not in ("", "left", "right"):
             raise ValueError(f"part {self.name!r} is the {self.eye!r} eye; expected 'left', 'right' or ''")
 
 
-def bind_to_head(name: str, points: NDArray[np.float64], triangles: NDArray[np.int32], skin: NDArray[np.float64], /,
-                 *, candidates: NDArray[np.int32], uvs: NDArray[np.float32] | None = None, eye: str = "") -> Part:  # fmt: skip
+def bind_to_head(
+    name: str,
+    points: NDArray[np.float64],
+    triangles: NDArray[np.int32],
+    skin: NDArray[np.float64],
+    /,
+    *,
+    candidates: NDArray[np.int32],
+    uvs: NDArray[np.float32] | None = None,
+    eye: str = "",
+) -> Part:
     """A part that stands still in the head (eyeballs, upper teeth).
 
     points (n, 3), triangles (f, 3), skin (V, 3) generic; candidates: skin vertices (the sheet's) that may place it.
@@ -54,22 +65,41 @@ def bind_to_head(name: str, points: NDArray[np.float64], triangles: NDArray[np.i
     return Part(name, points, triangles, _ring(points, skin, candidates), none.astype(np.int32), none, uvs, eye)
 
 
-def bind_to_jaw(name: str, points: NDArray[np.float64], triangles: NDArray[np.int32], skin: NDArray[np.float64], /,
-                *, candidates: NDArray[np.int32], chin: NDArray[np.int32], uvs: NDArray[np.float32] | None = None) -> Part:  # fmt: skip
-    """A part that goes with the jaw as one piece (lower teeth, tongue): it moves by the mean displacement of the chin's vertices."""
+def bind_to_jaw(
+    name: str,
+    points: NDArray[np.float64],
+    triangles: NDArray[np.int32],
+    skin: NDArray[np.float64],
+    /,
+    *,
+    candidates: NDArray[np.int32],
+    chin: NDArray[np.int32],
+    uvs: NDArray[np.float32] | None = None,
+) -> Part:
+    """A part that goes with the jaw as one piece (lower teeth, tongue): it moves by the chin's mean displacement."""
     anchors = np.broadcast_to(chin, (len(points), len(chin))).astype(np.int32)
     weights = np.full(anchors.shape, 1.0 / len(chin))
     return Part(name, points, triangles, _ring(points, skin, candidates), anchors, weights, uvs)
 
 
-def bind_to_skin(name: str, points: NDArray[np.float64], triangles: NDArray[np.int32], skin: NDArray[np.float64], /,
-                 *, candidates: NDArray[np.int32], uvs: NDArray[np.float32] | None = None) -> Part:  # fmt: skip
-    """A part that sticks to the skin under it (lashes, hair): each vertex moves with its three nearest skin vertices."""
+def bind_to_skin(
+    name: str,
+    points: NDArray[np.float64],
+    triangles: NDArray[np.int32],
+    skin: NDArray[np.float64],
+    /,
+    *,
+    candidates: NDArray[np.int32],
+    uvs: NDArray[np.float32] | None = None,
+) -> Part:
+    """A part that sticks to the skin under it (lashes, hair): each vertex moves with its three nearest on the skin."""
     distance = np.linalg.norm(points[:, None] - skin[candidates][None], axis=2)
     nearest = np.argsort(distance, axis=1, kind="stable")[:, :3]
     share = 1.0 / np.maximum(np.take_along_axis(distance, nearest, axis=1), 1e-6)
     anchors = candidates[nearest].astype(np.int32)
-    return Part(name, points, triangles, _ring(points, skin, candidates), anchors, share / share.sum(axis=1, keepdims=True), uvs)
+    return Part(
+        name, points, triangles, _ring(points, skin, candidates), anchors, share / share.sum(axis=1, keepdims=True), uvs
+    )
 
 
 def _ring(points: NDArray[np.float64], skin: NDArray[np.float64], candidates: NDArray[np.int32]) -> NDArray[np.int32]:
@@ -82,7 +112,9 @@ def _ring(points: NDArray[np.float64], skin: NDArray[np.float64], candidates: ND
     return np.sort(candidates[nearest]).astype(np.int32)
 
 
-def similarity(source: NDArray[np.float64], target: NDArray[np.float64], /) -> tuple[float, NDArray[np.float64], NDArray[np.float64]]:
+def similarity(
+    source: NDArray[np.float64], target: NDArray[np.float64], /
+) -> tuple[float, NDArray[np.float64], NDArray[np.float64]]:
     """Scale, rotation (3, 3) and shift (3,) that carry source (m, 3) nearest to target (m, 3) (Umeyama 1991)."""
     here, there = source.mean(axis=0), target.mean(axis=0)
     a, b = source - here, target - there
@@ -106,7 +138,8 @@ def size_ratio(part: Part, placed: NDArray[np.float64], /) -> float:
 
 
 def eye_rotation(yaw: float, pitch: float, /) -> NDArray[np.float64]:
-    """The rotation (3, 3) that turns a gaze straight ahead to yaw (+ = the character's left, +x) and pitch (+ = up), radians."""
+    """The rotation (3, 3) that turns a gaze straight ahead to yaw (+ = the character's left, +x) and pitch (+ = up),
+    radians."""
     cy, sy, cp, sp = np.cos(yaw), np.sin(yaw), np.cos(pitch), np.sin(pitch)
     return np.array([[cy, -sy * sp, sy * cp], [0.0, cp, sp], [-sy, -cy * sp, cy * cp]])
 

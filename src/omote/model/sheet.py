@@ -1,4 +1,5 @@
-"""Finds the axis of a head, its one-layered skin sheet and the membranes over the sheet's holes (method.md, section 2)."""
+"""Finds the axis of a head, its one-layered skin sheet and the membranes over the sheet's holes (method.md, section
+2)."""
 
 from __future__ import annotations
 
@@ -32,7 +33,8 @@ def refuse_degenerate(points: Points, triangles: Triangles, /) -> None:
 
 
 def find_axis(points: Points, triangles: Triangles, /) -> tuple[float, float]:
-    """(x, z) of a vertical axis inside the skull: the mean centre of slices through the upper half of the largest piece."""
+    """(x, z) of a vertical axis inside the skull: the mean centre of slices through the upper half of the largest
+    piece."""
     labels = mesh.components(mesh.weld(points)[triangles], len(points))
     head = points[labels[mesh.weld(points)] == 0]
     low, high = head[:, 1].min(), head[:, 1].max()
@@ -61,7 +63,8 @@ def refuse_axis_outside(points: Points, corners: Triangles, cylinder: Cylinder, 
 
 
 def winding_number(points: Points, triangles: Triangles, probe: NDArray[np.float64], /) -> float:
-    """How often the surface wraps around a point: 1 inside a closed surface, 0 outside (van Oosterom & Strackee 1983)."""
+    """How often the surface wraps around a point: 1 inside a closed surface, 0 outside (van Oosterom & Strackee
+    1983)."""
     a, b, c = (points[triangles[:, corner]] - probe for corner in range(3))
     la, lb, lc = (np.linalg.norm(side, axis=1) for side in (a, b, c))
     triple = (a * np.cross(b, c)).sum(axis=1)
@@ -90,7 +93,10 @@ def cut(
     metric = float(np.hypot(points[:, 0] - cylinder.x, points[:, 2] - cylinder.z)[corners[keep]].mean())
     keep = _flood(corners, _outermost(points, corners, keep, theta, h, cylinder, metric), seed)
     if keep.sum() < 16:
-        raise ValueError(f"the skin sheet has {keep.sum()} triangles; expected a head whose forehead faces +z, wound counter-clockwise")
+        raise ValueError(
+            f"the skin sheet has {keep.sum()} triangles; "
+            "expected a head whose forehead faces +z, wound counter-clockwise"
+        )
     plane = np.stack([theta * metric, h], axis=1)
     return keep, _membranes(corners[keep], theta, plane, metric)
 
@@ -163,9 +169,11 @@ def _membranes(sheet: Triangles, theta: NDArray[np.float64], plane: Points, metr
 
 
 def bind_islands(
-    points: Points, vertices: NDArray[np.int32], sheet: NDArray[np.int64], anchors: NDArray[np.int32], weights: NDArray[np.float64], /
+    points: Points, vertices: NDArray[np.int32], sheet: NDArray[np.int64], anchors: NDArray[np.int32], weights:
+    NDArray[np.float64], /
 ) -> tuple[NDArray[np.int32], NDArray[np.float64]]:  # fmt: skip
-    """Gives vertices that no path along the mesh joins to the sheet (their weights are all zero) their four nearest on it."""
+    """Gives vertices that no path along the mesh joins to the sheet (their weights are all zero) their four nearest
+    on it."""
     alone = np.flatnonzero(weights.sum(axis=1) < 0.5)
     if len(alone) == 0:
         return anchors, weights

@@ -26,7 +26,8 @@ _MOST_ANCHORS = 400
 
 @dataclass(frozen=True, slots=True, eq=False)
 class InnerSkin:
-    """The vertices that are not on the sheet and how they follow it: vertices (n,), anchors (n, k) on the sheet, weights (n, k)."""
+    """The vertices that are not on the sheet and how they follow it: vertices (n,), anchors (n, k) on the sheet,
+    weights (n, k)."""
 
     vertices: NDArray[np.int32]
     anchors: NDArray[np.int32]
@@ -45,7 +46,8 @@ class Fans:
 class ParameterSpace:
     """The generic face, its cylinder and the one-layered sheet on which expressions live; made by `build`.
 
-    points (V, 3) metres and triangles (F, 3) of the generic face; skin_triangles: the sheet; membranes: triangles over its
+    points (V, 3) metres and triangles (F, 3) of the generic face; skin_triangles: the sheet; membranes: triangles
+    over its
     holes, for location only; theta, h (V,) radians and metres; radius: which rule gives a moved point its radius.
     """
 
@@ -107,7 +109,8 @@ class ParameterSpace:
         return replace(self, parts=MappingProxyType({**self.parts, **{part.name: part for part in parts}}))
 
     def locate(self, theta: NDArray[np.float64], h: NDArray[np.float64], vertices: NDArray[np.int32], /) -> Landing:
-        """The triangles of S that hold the points (theta, h) (N,), walking from the fans of vertices (N,) on the sheet."""
+        """The triangles of S that hold the points (theta, h) (N,), walking from the fans of vertices (N,) on the
+        sheet."""
         return self.strip.locate(theta, h, self.fans.triangles[self.fans.starts[vertices]])
 
 
@@ -130,7 +133,7 @@ def _inner_skin(points: NDArray[np.float64], triangles: NDArray[np.int32], on_sh
     corners = joined[triangles]
     free = ~on_sheet
     across = np.unique(corners[free[corners].any(axis=1)])
-    anchors = _thinned(points, across[on_sheet[across]])
+    anchors = _thinned(points, across[on_sheet[across]].astype(np.int32))
     own = free & (joined == np.arange(len(points)))
     names, weights = harmonic_weights(points, corners, own, anchors)
     vertices = np.flatnonzero(free).astype(np.int32)
@@ -140,10 +143,10 @@ def _inner_skin(points: NDArray[np.float64], triangles: NDArray[np.int32], on_sh
     return InnerSkin(vertices, np.ascontiguousarray(names, np.int32), np.ascontiguousarray(weights, np.float32))
 
 
-def _thinned(points: NDArray[np.float64], anchors: NDArray[np.int64]) -> NDArray[np.int32]:
+def _thinned(points: NDArray[np.float64], anchors: NDArray[np.int32]) -> NDArray[np.int32]:
     """At most _MOST_ANCHORS of the anchors, far from each other."""
     if len(anchors) <= _MOST_ANCHORS:
-        return anchors.astype(np.int32)
+        return anchors
     distance = np.full(len(anchors), np.inf)
     chosen = np.empty(_MOST_ANCHORS, dtype=np.int64)
     here = 0
@@ -151,11 +154,14 @@ def _thinned(points: NDArray[np.float64], anchors: NDArray[np.int64]) -> NDArray
         chosen[i] = here
         distance = np.minimum(distance, ((points[anchors] - points[anchors[here]]) ** 2).sum(axis=1))
         here = int(distance.argmax())
-    return np.sort(anchors[chosen]).astype(np.int32)
+    return np.sort(anchors[chosen])
 
 
-def smoothed_scale(space: ParameterSpace, positions: NDArray[np.float64], /, *, rounds: int = 30) -> NDArray[np.float64]:
-    """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings (method.md, section 3)."""
+def smoothed_scale(
+    space: ParameterSpace, positions: NDArray[np.float64], /, *, rounds: int = 30
+) -> NDArray[np.float64]:
+    """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings (method.md,
+    section 3)."""
     average = smoothing(space.triangles, space.vertex_count)
     here, there = np.zeros(space.vertex_count), np.zeros(space.vertex_count)
     for corner in range(3):

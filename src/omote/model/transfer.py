@@ -31,7 +31,8 @@ _REST = 1e-9
 class Fitted:
     """A face checked against a space, with what every compound on it needs.
 
-    positions (V, 3), radii (V,) to the axis, scale (inner,) of the residuals; parts (n, 3) placed, their size ratios and centres.
+    positions (V, 3), radii (V,) to the axis, scale (inner,) of the residuals; parts (n, 3) placed, their size ratios
+    and centres.
     """
 
     positions: Floats
@@ -44,7 +45,8 @@ class Fitted:
 
 @dataclass(frozen=True, eq=False)
 class Compiled:
-    """An expression located once, for any face: vertex v goes to weights[v] of indices[v] (V, 3), its radius times ratios[v].
+    """An expression located once, for any face: vertex v goes to weights[v] of indices[v] (V, 3), its radius times
+    ratios[v].
 
     residual (inner, 3) and the expression's parts come weighted; inside (V,) tells which walks ended in a triangle.
     """
@@ -75,14 +77,19 @@ def fit(space: ParameterSpace, face: Face, /) -> Fitted:
 def _fit(space: ParameterSpace, face: Face) -> Fitted:
     _refuse_misfit(space, face)
     points = face.positions.astype(np.float64)
-    parts = {name: np.asarray(face.parts.get(name, place(part, space.points, points)), np.float32) for name, part in space.parts.items()}
+    parts = {
+        name: np.asarray(face.parts.get(name, place(part, space.points, points)), np.float32)
+        for name, part in space.parts.items()
+    }
     _, _, radii = space.cylinder.unroll(points)
     return Fitted(
         positions=face.positions,
         radii=radii.astype(np.float32),
         scale=smoothed_scale(space, points)[space.inner.vertices].astype(np.float32),
         parts=MappingProxyType(parts),
-        sizes=MappingProxyType({name: size_ratio(part, parts[name].astype(np.float64)) for name, part in space.parts.items()}),
+        sizes=MappingProxyType(
+            {name: size_ratio(part, parts[name].astype(np.float64)) for name, part in space.parts.items()}
+        ),
         centres=MappingProxyType({name: points.astype(np.float64).mean(axis=0) for name, points in parts.items()}),
     )
 
@@ -90,23 +97,25 @@ def _fit(space: ParameterSpace, face: Face) -> Fitted:
 def _refuse_misfit(space: ParameterSpace, face: Face) -> None:
     if len(face.positions) != space.vertex_count:
         raise ValueError(
-            f"face {face.name!r} has {len(face.positions)} vertices; expected the {space.vertex_count} of the generic face: "
-            "bring it to the same topology first"
+            f"face {face.name!r} has {len(face.positions)} vertices; "
+            f"expected the {space.vertex_count} of the generic face: bring it to the same topology first"
         )
     for name, points in face.parts.items():
         if name not in space.parts or len(points) != len(space.parts[name].points):
             known = {part: len(space.parts[part].points) for part in space.parts}
-            raise ValueError(f"face {face.name!r} has a part {name!r} of {len(points)} vertices; expected parts of {known}")
-    points = face.positions.astype(np.float64)
-    refuse_degenerate(points, space.triangles)
-    refuse_axis_outside(points, space.location_triangles, space.cylinder)
+            raise ValueError(
+                f"face {face.name!r} has a part {name!r} of {len(points)} vertices; expected parts of {known}"
+            )
+    positions = face.positions.astype(np.float64)
+    refuse_degenerate(positions, space.triangles)
+    refuse_axis_outside(positions, space.location_triangles, space.cylinder)
 
 
 def _refuse_foreign(space: ParameterSpace, expression: Expression) -> None:
     if len(expression.dtheta) != space.vertex_count or len(expression.residual) != len(space.inner.vertices):
         raise ValueError(
-            f"the expression has {len(expression.dtheta)} vertices, {len(expression.residual)} of them inner skin; expected "
-            f"{space.vertex_count} and {len(space.inner.vertices)}: it was made on another space"
+            f"the expression has {len(expression.dtheta)} vertices, {len(expression.residual)} of them inner skin; "
+            f"expected {space.vertex_count} and {len(space.inner.vertices)}: it was made on another space"
         )
     if expression.radius != space.radius:
         raise ValueError(
@@ -115,10 +124,14 @@ def _refuse_foreign(space: ParameterSpace, expression: Expression) -> None:
         )
     for name, residual in expression.parts.items():
         if name not in space.parts or len(residual) != len(space.parts[name].points):
-            raise ValueError(f"the expression moves a part {name!r} of {len(residual)} vertices; the space has {sorted(space.parts)}")
+            raise ValueError(
+                f"the expression moves a part {name!r} of {len(residual)} vertices; the space has {sorted(space.parts)}"
+            )
 
 
-def extract(space: ParameterSpace, face: Face, displacement: ArrayLike, /, *, parts: Mapping[str, ArrayLike] | None = None) -> Expression:
+def extract(
+    space: ParameterSpace, face: Face, displacement: ArrayLike, /, *, parts: Mapping[str, ArrayLike] | None = None
+) -> Expression:
     """The expression that moves a face by a displacement (paper, section 2.2, steps 1a-1d).
 
     displacement (V, 3) metres on the face; parts: displacements (n, 3) of parts by name (an eyeball's is read as a turn
@@ -127,7 +140,9 @@ def extract(space: ParameterSpace, face: Face, displacement: ArrayLike, /, *, pa
     fitted = fit(space, face)
     moved = mesh.checked_points(displacement, name="displacement")
     if len(moved) != space.vertex_count:
-        raise ValueError(f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin")
+        raise ValueError(
+            f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
+        )
     before = face.positions.astype(np.float64)
     after = before + moved
     vertices = np.flatnonzero(space.on_sheet & (np.abs(moved) > _REST).any(axis=1)).astype(np.int32)
@@ -138,7 +153,9 @@ def extract(space: ParameterSpace, face: Face, displacement: ArrayLike, /, *, pa
     theta = space.theta[corners[:, 0]] + (landing.weights * from_first).sum(axis=1)
     dtheta[vertices] = wrap(theta - space.theta[vertices])
     dh[vertices] = (landing.weights * space.h[corners]).sum(axis=1) - space.h[vertices]
-    reference = before[vertices] if space.radius == "origin" else (landing.weights[..., None] * before[corners]).sum(axis=1)
+    reference = (
+        before[vertices] if space.radius == "origin" else (landing.weights[..., None] * before[corners]).sum(axis=1)
+    )
     ratio[vertices] = _radius(space, after[vertices]) / np.maximum(_radius(space, reference), 1e-9)
     bare = Expression(dtheta, dh, ratio, np.zeros((len(space.inner.vertices), 3)), radius=space.radius)
     return _with_rest(space, face, fitted, bare, moved, parts or {})
@@ -148,25 +165,24 @@ def _radius(space: ParameterSpace, points: NDArray[np.float64]) -> NDArray[np.fl
     return space.cylinder.unroll(points)[2]
 
 
-def slide(space: ParameterSpace, points: NDArray[np.float64], targets: NDArray[np.float64], vertices: Indices, /) -> Landing:
-    """Where targets (N, 3) come down on a face with points (V, 3) along their cylinder radius, walking from vertices (N,)."""
-    starts, ends = space.fans.starts[vertices], space.fans.starts[vertices + 1]
-    sizes = ends - starts
-    offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int32)
-    fan = space.fans.triangles[np.repeat(starts - offsets[:-1], sizes) + np.arange(offsets[-1])]
+def slide(
+    space: ParameterSpace, points: NDArray[np.float64], targets: NDArray[np.float64], vertices: Indices, /
+) -> Landing:
+    """Where targets (N, 3) come down on a face with points (V, 3) along their cylinder radius, walking from vertices
+    (N,)."""
     count = len(vertices)
+    start = space.fans.triangles[space.fans.starts[vertices]]
     triangles, weights, inside = np.empty(count, np.int32), np.empty((count, 3)), np.empty(count, np.bool_)
     walk_face(
         points, space.location_triangles, space.strip.neighbours, space.cylinder.x, space.cylinder.z,
-        targets, offsets, fan, triangles, weights, inside,
+        targets, start, triangles, weights, inside,
     )  # fmt: skip
-    lost = triangles < 0
-    triangles[lost] = space.fans.triangles[starts[lost]]
     return Landing(triangles, weights, inside)
 
 
 def _with_rest(
-    space: ParameterSpace, face: Face, fitted: Fitted, bare: Expression, moved: NDArray[np.float64], parts: Mapping[str, ArrayLike]
+    space: ParameterSpace, face: Face, fitted: Fitted, bare: Expression, moved: NDArray[np.float64], parts:
+    Mapping[str, ArrayLike]
 ) -> Expression:  # fmt: skip
     """The expression with its residuals: what inner skin and parts do over what the sheet's motion predicts."""
     sheet = compound(space, face, bare).astype(np.float64) - face.positions
@@ -202,14 +218,17 @@ def predicted(space: ParameterSpace, name: str, displacement: NDArray[np.float64
 def compile_expression(space: ParameterSpace, expression: Expression, /, weight: float = 1.0) -> Compiled:
     """The expression located on S, to be worn by any face; weight scales the field: w dtheta, w dh, 1 + w (R - 1).
 
-    Raises ValueError on an expression of another space or rule and on a weight that is not finite or turns a radius over.
+    Raises ValueError on an expression of another space or rule and on a weight that is not finite or turns a radius
+    over.
     """
     _refuse_foreign(space, expression)
     if not np.isfinite(weight):
         raise ValueError(f"weight is {weight}; expected a finite number")
     ratios = 1.0 + weight * (expression.ratio - 1.0)
     if ratios.min() <= 0:
-        raise ValueError(f"weight {weight} brings a radius to {ratios.min():.3g} of itself; expected a weight that keeps it positive")
+        raise ValueError(
+            f"weight {weight} brings a radius to {ratios.min():.3g} of itself; expected a weight that keeps it positive"
+        )
     return locate_field(
         space, weight * expression.dtheta, weight * expression.dh, ratios, weight * expression.residual,
         {name: weight * rest for name, rest in expression.parts.items()},
@@ -228,16 +247,30 @@ def locate_field(
     inside = np.ones(count, np.bool_)
     moved = np.flatnonzero(space.on_sheet & ((dtheta != 0) | (dh != 0))).astype(np.int32)
     landing = space.locate(space.theta[moved] + dtheta[moved], space.h[moved] + dh[moved], moved)
-    indices[moved], weights[moved], inside[moved] = space.location_triangles[landing.triangles], landing.weights, landing.inside
+    indices[moved], weights[moved], inside[moved] = (
+        space.location_triangles[landing.triangles],
+        landing.weights,
+        landing.inside,
+    )
     return Compiled(indices, weights, ratios.astype(np.float32), residual.astype(np.float32), dict(parts), inside)
 
 
 def wear(space: ParameterSpace, fitted: Fitted, compiled: Compiled, /, out: Floats | None = None) -> Floats:
-    """The compound (V, 3) of a fitted face and a compiled expression: one gather, one rescale, the inner skin behind it."""
+    """The compound (V, 3) of a fitted face and a compiled expression: one gather, one rescale, the inner skin behind
+    it."""
     out = np.empty_like(fitted.positions) if out is None else out
     inner = space.inner
     axis = np.float32(space.cylinder.x), np.float32(space.cylinder.z)
-    gather(fitted.positions, compiled.indices, compiled.weights, compiled.ratios, fitted.radii, *axis, space.radius == "origin", out)
+    gather(
+        fitted.positions,
+        compiled.indices,
+        compiled.weights,
+        compiled.ratios,
+        fitted.radii,
+        *axis,
+        space.radius == "origin",
+        out,
+    )
     follow(fitted.positions, inner.vertices, inner.anchors, inner.weights, compiled.residual, fitted.scale, out)
     return out
 
@@ -247,7 +280,8 @@ def gather(
     positions: Floats, indices: Indices, weights: Floats, ratios: Floats, radii: Floats, x: np.float32, z: np.float32,
     origin: bool, out: Floats,
 ) -> None:  # fmt: skip
-    """Kernel of the compound on the sheet (paper, section 2.2, steps 2b, 2c); no trigonometry: theta and h are kept by scaling."""
+    """Kernel of the compound on the sheet (paper, section 2.2, steps 2b, 2c); no trigonometry: theta and h are kept
+    by scaling."""
     for v in range(len(indices)):
         i, j, k = indices[v, 0], indices[v, 1], indices[v, 2]
         a, b, c = weights[v, 0], weights[v, 1], weights[v, 2]
@@ -266,7 +300,8 @@ def gather(
 
 @njit(cache=True, fastmath={"contract"}, error_model="numpy")
 def follow(
-    positions: Floats, vertices: Indices, anchors: Indices, weights: Floats, residual: Floats, scale: Floats, out: Floats
+    positions: Floats, vertices: Indices, anchors: Indices, weights: Floats, residual: Floats, scale: Floats, out:
+    Floats
 ) -> None:  # fmt: skip
     """Moves the inner skin by its anchors' displacement and the expression's own residual; reads and writes out."""
     for n in range(len(vertices)):
@@ -293,13 +328,18 @@ def compound(space: ParameterSpace, face: Face, expression: Expression, /, weigh
     return wear(space, fit(space, face), compile_expression(space, expression, weight))
 
 
-def compound_parts(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> dict[str, Floats]:
-    """The parts of a face wearing an expression: {part: (n, 3)} metres; eyeballs before their turn (see `turned_eyes`)."""
+def compound_parts(
+    space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0
+) -> dict[str, Floats]:
+    """The parts of a face wearing an expression: {part: (n, 3)} metres; eyeballs before their turn (see
+    `turned_eyes`)."""
     fitted, compiled = fit(space, face), compile_expression(space, expression, weight)
     return moved_parts(space, fitted, wear(space, fitted, compiled), compiled.parts)
 
 
-def moved_parts(space: ParameterSpace, fitted: Fitted, worn: Floats, rest: Mapping[str, NDArray[np.float64]], /) -> dict[str, Floats]:
+def moved_parts(
+    space: ParameterSpace, fitted: Fitted, worn: Floats, rest: Mapping[str, NDArray[np.float64]], /
+) -> dict[str, Floats]:
     """The parts where the skin has gone to worn (V, 3), with the expression's own rest per part."""
     displacement = worn.astype(np.float64) - fitted.positions
     result = {}
@@ -309,7 +349,13 @@ def moved_parts(space: ParameterSpace, fitted: Fitted, worn: Floats, rest: Mappi
     return result
 
 
-def turned_eyes(space: ParameterSpace, parts: Mapping[str, Floats], centres: Mapping[str, NDArray[np.float64]], eyes: NDArray[np.float64], /) -> dict[str, Floats]:
+def turned_eyes(
+    space: ParameterSpace,
+    parts: Mapping[str, Floats],
+    centres: Mapping[str, NDArray[np.float64]],
+    eyes: NDArray[np.float64],
+    /,
+) -> dict[str, Floats]:
     """The parts with both eyeballs turned about centres (3,) by eyes (2, 2): yaw and pitch, left and right."""
     result = dict(parts)
     for name, part in space.parts.items():
