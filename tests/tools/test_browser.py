@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tools import browser
 from tools.browser import COMMANDS, SENTENCE, find_browser
 
 
@@ -29,8 +30,8 @@ def test_a_wish_that_is_no_file_is_refused_and_not_replaced(tmp_path: Path) -> N
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_an_installed_one_is_found_under_each_of_its_names(tmp_path: Path, command: str) -> None:
-    browser = executable(tmp_path / "bin" / command)
-    assert find_browser({"PATH": str(tmp_path / "bin")}, tmp_path) == browser
+    installed = executable(tmp_path / "bin" / command)
+    assert find_browser({"PATH": str(tmp_path / "bin")}, tmp_path) == installed
 
 
 @pytest.mark.parametrize("folder", ["chromium-1255/chrome-linux", "chromium-1255/chrome-linux64"])
@@ -44,3 +45,46 @@ def test_an_earlier_download_comes_last(tmp_path: Path, folder: str) -> None:
 def test_where_there_is_none_the_sentence_says_what_to_install(tmp_path: Path) -> None:
     assert find_browser({"PATH": str(tmp_path)}, tmp_path) is None
     assert "apt-get install chromium" in SENTENCE
+
+
+@pytest.fixture
+def bare_machine(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """A machine without a browser, where neither Debian nor Playwright can help; the list says who was asked."""
+    asked: list[str] = []
+    monkeypatch.setattr(browser, "find_browser", lambda: None)
+    monkeypatch.setattr(browser, "can_use_apt", lambda: True)
+    monkeypatch.setattr(browser, "install_debian", lambda *packages: asked.append("debian"))
+    monkeypatch.setattr(browser, "install_playwright", lambda: asked.append("playwright"))
+    return asked
+
+
+def test_debian_is_asked_first_then_playwright_then_one_sentence_is_said(
+    bare_machine: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert browser.main() == 1
+    assert bare_machine == ["debian", "playwright"]
+    assert capsys.readouterr().err == SENTENCE + "\n"
+
+
+def test_debian_is_not_asked_where_it_is_not_ours(bare_machine: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(browser, "can_use_apt", lambda: False)
+    assert browser.provide_browser() is None
+    assert bare_machine == ["playwright"]
+
+
+def test_nothing_is_installed_where_a_browser_is(
+    bare_machine: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(browser, "find_browser", lambda: executable(tmp_path / "chromium"))
+    monkeypatch.setattr(browser, "find_library", lambda name: "libEGL.so.1")
+    assert browser.provide_browser() == tmp_path / "chromium"
+    assert bare_machine == []
+
+
+def test_a_browser_without_its_fast_renderer_gets_it(
+    bare_machine: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(browser, "find_browser", lambda: executable(tmp_path / "chromium"))
+    monkeypatch.setattr(browser, "find_library", lambda name: None)
+    assert browser.provide_browser() == tmp_path / "chromium"
+    assert bare_machine == ["debian"]

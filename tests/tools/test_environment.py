@@ -2,6 +2,7 @@
 
 import pytest
 
+from tools import environment
 from tools.environment import refusal
 
 
@@ -16,3 +17,15 @@ def test_an_old_python_is_refused_with_what_to_do(version: tuple[int, int]) -> N
     assert sentence is not None
     assert f"{version[0]}.{version[1]}" in sentence
     assert "make PYTHON=" in sentence
+
+
+@pytest.mark.parametrize(
+    ("made", "installed", "said"), [(False, True, environment.NO_VENV), (True, False, environment.NO_PACKAGES)]
+)
+def test_what_fails_is_said_in_one_sentence(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], made: bool, installed: bool, said: str
+) -> None:
+    monkeypatch.setattr(environment, "make_environment", lambda: made)
+    monkeypatch.setattr(environment, "install_packages", lambda: installed)
+    assert environment.main() == 1
+    assert capsys.readouterr().err == said + "\n"

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+import tools.node
 from tools.node import OLDEST, has_node, major_version
 
 
@@ -31,3 +32,18 @@ def test_a_node_without_npm_is_not_taken(tmp_path: Path) -> None:
 
 def test_an_empty_path_has_none(tmp_path: Path) -> None:
     assert not has_node(str(tmp_path))
+
+
+def test_where_node_cannot_be_had_one_sentence_is_said(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(tools.node, "find_node", lambda: None)
+    assert tools.node.main("web", "npm", "ci") == 1
+    assert capsys.readouterr().err == tools.node.SENTENCE + "\n"
+
+
+def test_the_exit_status_of_the_program_is_passed_on(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    (tmp_path / "fails").write_text("#!/bin/sh\nexit 3\n")
+    (tmp_path / "fails").chmod(0o755)
+    monkeypatch.setattr(tools.node, "find_node", lambda: str(tmp_path))
+    assert tools.node.main("web", "fails") == 3
