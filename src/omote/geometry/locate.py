@@ -173,7 +173,7 @@ def _seen(points: Values, corners: Indices, ray: Values, b: Values) -> bool:
 
 @njit(cache=True, inline="always")
 def _lowest(b: Values) -> float:
-    return min(b[0], min(b[1], b[2]))
+    return float(min(b[0], min(b[1], b[2])))
 
 
 @njit(cache=True)
@@ -236,9 +236,9 @@ def walk_face(
     points: Values, corners: Indices, neighbours: Indices, axis_x: float, axis_z: float, targets: Values,
     start: Indices, triangles: Indices, weights: Values, inside: NDArray[np.bool_],
 ) -> None:  # fmt: skip
-    """Slides targets (N, 3) along their cylinder radius onto the face with points (V, 3) (method.md, section 3, step 1).
+    """Slides targets (N, 3) along their cylinder radius onto a face with points (V, 3) (method.md, section 3, step 1).
 
-    start (N,): a triangle around the vertex that each target belongs to. Where folds stop the walk, the triangles around
+    start (N,): a triangle around the vertex that each target belongs to. Where folds stop the walk, triangles around it
     are searched in order of their steps from the start, so that a neighbouring layer of skin never answers before the
     vertex's own. Writes triangles (N,), weights (N, 3), inside (N,).
     """
@@ -259,64 +259,3 @@ def walk_face(
         weights[i] = best
         if not found:
             _rein_in(weights[i])
-
-
-@njit(cache=True)
-def one_layer(
-    theta: Values, h: Values, radius: Values, width: float, cell: float, keep: NDArray[np.bool_]
-) -> None:  # fmt: skip
-    """Clears keep where a triangle of a periodic strip lies under one nearer to an eye that looks in along the radius.
-
-    theta, h (F, 3) unwrapped corners scaled to metres, period width; radius (F,) of each triangle; cell: the size of a
-    cell of the grid in which neighbours are looked up.
-    """
-    columns, lowest = max(1, int(width / cell)), h.min()
-    first = np.full((columns, int((h.max() - lowest) / cell) + 1), -1, np.int64)
-    links, used = np.empty((len(theta) * 16, 2), np.int64), 0
-    for t in np.argsort(-radius):
-        c0, c1 = int(np.floor(theta[t].min() / width * columns)), int(np.floor(theta[t].max() / width * columns))
-        r0, r1 = int((h[t].min() - lowest) / cell), int((h[t].max() - lowest) / cell)
-        covered = False
-        for c in range(c0, c1 + 1):
-            for r in range(r0, r1 + 1):
-                covered = covered or _covered(theta, h, t, first[c % columns, r], links, width)
-        keep[t] = not covered
-        for c in range(c0, c1 + 1 if keep[t] else c0):
-            for r in range(r0, r1 + 1):
-                if used == len(links):
-                    links = np.concatenate((links, np.empty_like(links)))
-                links[used, 0], links[used, 1] = t, first[c % columns, r]
-                first[c % columns, r] = used
-                used += 1
-
-
-@njit(cache=True)
-def _covered(theta: Values, h: Values, t: int, link: int, links: NDArray[np.int64], width: float) -> bool:
-    while link >= 0:
-        if _overlap(theta, h, t, links[link, 0], width):
-            return True
-        link = links[link, 1]
-    return False
-
-
-@njit(cache=True)
-def _overlap(theta: Values, h: Values, t: int, other: int, width: float) -> bool:
-    shift = np.round((theta[t].mean() - theta[other].mean()) / width) * width
-    return not (_apart(theta, h, t, other, shift) or _apart(theta, h, other, t, -shift))
-
-
-@njit(cache=True)
-def _apart(theta: Values, h: Values, t: int, other: int, shift: float) -> bool:
-    """Whether an edge of t has all of the other triangle on its outer side (touching counts as apart)."""
-    for k in range(3):
-        x0, y0 = theta[t, k], h[t, k]
-        x1, y1 = theta[t, (k + 1) % 3] - x0, h[t, (k + 1) % 3] - y0
-        length = np.sqrt(x1 * x1 + y1 * y1)
-        apart = True
-        for c in range(3):
-            x, y = theta[other, c] + shift - x0, h[other, c] - y0
-            if x1 * y - y1 * x > 1e-9 * length:
-                apart = False
-        if apart:
-            return True
-    return False

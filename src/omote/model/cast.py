@@ -12,8 +12,9 @@ import numpy as np
 
 from omote.model.expression import Expression
 from omote.model.face import Face
+from omote.model.fitted import fit
 from omote.model.space import ParameterSpace
-from omote.model.transfer import compile_expression, fit
+from omote.model.transfer import compile_expression
 
 GENERIC, NEUTRAL = "generic", "neutral"
 

@@ -14,8 +14,9 @@ from omote.geometry.cylinder import wrap
 from omote.geometry.locate import Strip
 from omote.model.expression import Expression
 from omote.model.face import Face
+from omote.model.fitted import fit
 from omote.model.space import ParameterSpace
-from omote.model.transfer import fit, slide
+from omote.model.transfer import slide
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]

@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 
 from omote.geometry import mesh
 from omote.geometry.cylinder import Cylinder, wrap
-from omote.geometry.locate import one_layer
+from omote.geometry.layer import one_layer
 from omote.geometry.membrane import close_loop
 
 Points = NDArray[np.float64]

@@ -6,18 +6,21 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from hashlib import blake2b
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
 from omote.model.face import Face
-from omote.model.transfer import compile_expression, fit, moved_parts, wear
+from omote.model.fitted import fit
+from omote.model.transfer import compile_expression, moved_parts, wear
 from omote.show.messages import (
     PROTOCOL_VERSION,
     CompoundAsset,
     ExpressionDocument,
     FaceAsset,
     FaceDocument,
+    Kind,
     Look,
     Manifest,
     MeshDocument,
@@ -36,7 +39,7 @@ Vector = tuple[float, float, float]
 class DrawnMesh:
     """A mesh as it is drawn, its vertices split where the texture has a seam.
 
-    source (n,) rows of the mesh's own vertices; uv (n, 2), (0, 0) the upper left corner; triangles (t, 3) drawn vertices.
+    source (n,) rows of the mesh's own vertices; uv (n, 2), (0, 0) the upper left; triangles (t, 3) drawn vertices.
     """
 
     name: str
@@ -85,7 +88,7 @@ def content_name(data: bytes) -> str:
 
 
 def first_rows(cast: Cast) -> dict[str, int]:
-    """The first row of the skin and of each part among all positions: skin, then the parts in the order of the space."""
+    """The first row of the skin and of each part of all positions: skin, then parts in the space's order."""
     rows, row = {SKIN: 0}, cast.space.vertex_count
     for name, part in cast.space.parts.items():
         rows[name] = row
@@ -151,7 +154,8 @@ def _face_document(cast: Cast, face: Face, url: str) -> FaceDocument:
 
 def _expression_document(cast: Cast, name: str) -> ExpressionDocument:
     title, eyes = cast.titles[name], cast.expressions[name].eyes.ravel().tolist()
-    return ExpressionDocument(name, title.label, title.kind, title.region, eyes=(eyes[0], eyes[1], eyes[2], eyes[3]))
+    kind = msgspec.convert(title.kind, Kind)
+    return ExpressionDocument(name, title.label, kind, title.region, eyes=(eyes[0], eyes[1], eyes[2], eyes[3]))
 
 
 def _vector(point: NDArray[np.floating] | None) -> Vector:

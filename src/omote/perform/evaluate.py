@@ -1,0 +1,133 @@
+"""Where everything is: the positions of a frame (method.md, section 5). The head's direction is left to the stage."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.cast import NEUTRAL, Cast
+from omote.model.fitted import Fitted, fit
+from omote.model.transfer import moved_parts, turned_eyes, wear
+from omote.perform.blend import weighted_sum
+from omote.perform.channels import effective_channels, eye_angles
+from omote.perform.compounds import compounds_of
+from omote.perform.fields import fields_of
+from omote.perform.frame import Frame
+from omote.perform.limits import known
+from omote.perform.mix import combined
+
+Floats = NDArray[np.float32]
+Mode = Literal["bilinear", "exact"]
+MODES: tuple[Mode, ...] = ("bilinear", "exact")
+
+
+def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
+    """The skin and inner skin (V, 3) of a frame, metres.
+
+    bilinear (paper, eq. 3, with channels): sum_i s_i [sum_j t_j P_ij + sum_k c_k (P_ik - M_i)];
+    exact: the face sum_i s_i M_i wears the expression sum_j t_j D_j + sum_k c_k D_k, located anew.
+    Raises ValueError on an unknown mode, on names that are not in the cast and on weights that are not finite.
+    """
+    _refuse_unplayable(cast, frame, mode)
+    channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
+    if mode == "exact":
+        return _exact(cast, frame, channels)
+    compounds = compounds_of(cast)
+    terms = [(cast.faces[face].positions, weight) for face, weight in _rests(frame, channels).items()]
+    terms += [(compounds.skin(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
+    return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
+
+
+def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
+    """The parts of a frame, {part: (n, 3)} metres, eyeballs turned about their centres; formulas and errors as `evaluate`."""
+    _refuse_unplayable(cast, frame, mode)
+    channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
+    moved = _exact_parts(cast, frame, channels) if mode == "exact" else _bilinear_parts(cast, frame, channels)
+    fitted = {face: fit(cast.space, cast.faces[face]) for face in frame.faces}
+    centres = {part: _mean(frame.faces, {face: fitted[face].centres[part] for face in fitted}) for part in cast.space.parts}
+    return turned_eyes(cast.space, moved, centres, eye_angles(cast.expressions, frame.expressions, channels))
+
+
+def warm(cast: Cast) -> None:
+    """Compiles every kernel that a frame of this cast needs, so that no frame of the show does."""
+    name = next(iter(cast.faces))
+    for mode in MODES:
+        evaluate(cast, Frame({name: 1.0}, {NEUTRAL: 1.0}), mode)
+        evaluate_parts(cast, Frame({name: 1.0}, {NEUTRAL: 1.0}), mode)
+
+
+def _pairs(frame: Frame, channels: Mapping[str, float]) -> dict[tuple[str, str], float]:
+    """The weight of every compound: s_i (t_j + c_j)."""
+    worn = combined(((1.0, frame.expressions), (1.0, channels)))
+    return {(face, name): s * weight for face, s in frame.faces.items() for name, weight in worn.items()}
+
+
+def _rests(frame: Frame, channels: Mapping[str, float]) -> dict[str, float]:
+    """The weight of every face at rest, which the channels' own compounds hold too often: -s_i sum_k c_k."""
+    doubled = math.fsum(channels.values())
+    return {face: -s * doubled for face, s in frame.faces.items()} if doubled else {}
+
+
+def _exact(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
+    worn = fields_of(cast).mixed(combined(((1.0, frame.expressions), (1.0, channels))))
+    return wear(cast.space, _mixed_face(cast, frame.faces), worn)
+
+
+def _mixed_face(cast: Cast, weights: Mapping[str, float]) -> Fitted:
+    """The face sum s_i M_i, ready to wear; sizes of residuals and parts mix like the positions."""
+    fitted = [fit(cast.space, cast.faces[face]) for face in weights]
+    factors = list(weights.values())
+    positions = weighted_sum([face.positions for face in fitted], factors)
+    cylinder = cast.space.cylinder
+    radii = np.hypot(positions[:, 0] - np.float32(cylinder.x), positions[:, 2] - np.float32(cylinder.z))
+    return Fitted(
+        positions=positions,
+        radii=radii,
+        scale=weighted_sum([face.scale for face in fitted], factors),
+        parts={part: weighted_sum([face.parts[part] for face in fitted], factors) for part in cast.space.parts},
+        sizes={part: sum(s * face.sizes[part] for s, face in zip(factors, fitted, strict=True)) for part in cast.space.parts},
+        centres={},
+    )
+
+
+def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dict[str, Floats]:
+    worn = combined(((1.0, frame.expressions), (1.0, channels)))
+    face = _mixed_face(cast, frame.faces)
+    rest = {
+        part: _mean(worn, {name: cast.expressions[name].parts.get(part, _NOTHING) for name in worn})
+        for part in cast.space.parts
+    }
+    return moved_parts(cast.space, face, wear(cast.space, face, fields_of(cast).mixed(worn)), rest)
+
+
+def _bilinear_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dict[str, Floats]:
+    compounds = compounds_of(cast)
+    terms = [(fit(cast.space, cast.faces[face]).parts, weight) for face, weight in _rests(frame, channels).items()]
+    terms += [(compounds.parts(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
+    factors = [weight for _, weight in terms]
+    return {part: weighted_sum([parts[part] for parts, _ in terms], factors) for part in cast.space.parts}
+
+
+_NOTHING = np.zeros((1, 3))
+
+
+def _mean(weights: Mapping[str, float], values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
+    """The sum of weight times value by name."""
+    return np.sum([weight * values[name] for name, weight in weights.items()], axis=0)
+
+
+def _refuse_unplayable(cast: Cast, frame: Frame, mode: str) -> None:
+    if mode not in MODES:
+        raise ValueError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}")
+    if not frame.faces or not frame.expressions:
+        raise ValueError("the frame has no face or no expression; expected weights that sum to one on both axes")
+    groups = ((frame.faces, cast.faces, "face"), (frame.expressions, cast.expressions, "expression"))
+    for weights, names, what in (*groups, (frame.channels, cast.expressions, "channel")):
+        for name, weight in weights.items():
+            known(name, names, what)
+            if not math.isfinite(weight):
+                raise ValueError(f"the {what} {name} weighs {weight!r}; expected a finite number")
