@@ -1,0 +1,75 @@
+import { css, html } from "lit";
+import { customElement } from "lit/decorators.js";
+import { RigElement } from "./element";
+import { HELP } from "./keys";
+import { base } from "./theme";
+
+/** The keys and the conventions, over everything else but panic. */
+@customElement("omote-help")
+export class Help extends RigElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        position: fixed;
+        inset: 0;
+        z-index: 9;
+        display: grid;
+        place-items: center;
+        background: #000c;
+        padding: 12px;
+      }
+      section {
+        max-width: 720px;
+        max-height: 100%;
+        overflow: auto;
+        padding: 18px 22px;
+      }
+      dl {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        gap: 5px 16px;
+        margin: 12px 0;
+      }
+      dt {
+        white-space: nowrap;
+        font-weight: 700;
+        color: var(--hand);
+      }
+      dd {
+        margin: 0;
+        color: var(--dim);
+      }
+      p {
+        margin: 8px 0;
+        color: var(--dim);
+        max-width: 66ch;
+      }
+      .air {
+        color: var(--air);
+      }
+      .coming {
+        color: var(--coming);
+      }
+      .attention {
+        color: var(--attention);
+      }
+    `,
+  ];
+
+  override firstUpdated(): void {
+    this.renderRoot.querySelector("button")?.focus();
+  }
+
+  override render() {
+    return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Keys">
+      <h2>Keys</h2>
+      <dl>${HELP.map(([keys, does]) => html`<dt>${keys}</dt><dd>${does}</dd>`)}</dl>
+      <h2>Conventions</h2>
+      <p><b class="air">Red</b> is on air, <b class="coming">green</b> is coming, white is your hand, <b class="attention">yellow</b> wants attention.</p>
+      <p>You look at the face: right on a pad is the character's left, so the face on screen turns towards your dot. R and L on faders and pads are the character's own sides.</p>
+      <p>A T-bar takes a call over when its handle meets the call's value (pick-up). Drag with Shift for fine moves; twice on a control puts it to rest; the wheel steps.</p>
+      <button @click=${() => this.dispatchEvent(new CustomEvent("close"))}>Close</button>
+    </section>`;
+  }
+}

@@ -1,0 +1,354 @@
+import { css, html, nothing } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import type { Knob } from "./desk";
+import { PaintedElement, Written } from "./element";
+import { onArrows, onDrag, onWheel } from "./gesture";
+import { fractionOf, GAZE_PITCH, GAZE_YAW, HEAD_PITCH, HEAD_ROLL, HEAD_YAW, sprung, valueAt, within } from "./scale";
+import { base } from "./theme";
+
+/** A pointer this near to the dot (of the pad's width) takes it along; elsewhere the dot comes to the pointer. */
+const NEAR = 0.12;
+const STEP = 0.05;
+
+/**
+ * A direction of the head or of the gaze. The operator looks at the face, so right on the pad is the character's left
+ * (+yaw): the face on screen turns to where the dot goes.
+ */
+@customElement("omote-pad")
+export class Pad extends PaintedElement {
+  @property() what: "head" | "gaze" = "head";
+  @state() private springs = true;
+  @query(".field") private field!: HTMLElement;
+  @query(".dot") private dot!: HTMLElement;
+  @query(".tilt") private tilt!: HTMLElement | null;
+  @query(".knob") private tiltKnob!: HTMLElement | null;
+  @query(".features") private features!: SVGElement;
+  @query(".skull") private skull!: SVGElement;
+  @query(".read") private read!: HTMLElement;
+  readonly #written = new Written();
+  #era = 0;
+  #at: [number, number] = [0, 0];
+  #roll = 0;
+  /** What is on its way back to the centre, and when it was last moved. */
+  #returning: Knob[] = [];
+  #last = 0;
+
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: flex;
+        flex-direction: column;
+        gap: 6px;
+        padding: 8px;
+        min-height: 0;
+      }
+      header {
+        display: flex;
+        align-items: center;
+        gap: 4px;
+      }
+      h2 {
+        flex: 1;
+      }
+      header button {
+        min-height: 22px;
+        padding: 0 6px;
+        font-size: 11px;
+      }
+      .well {
+        flex: 1;
+        min-height: 0;
+        display: grid;
+        place-items: center;
+        container-type: size;
+      }
+      .field {
+        position: relative;
+        width: min(100cqw, 100cqh);
+        height: min(100cqw, 100cqh);
+        border-radius: 6px;
+        border: 1px solid var(--line);
+        background:
+          linear-gradient(var(--line), var(--line)) 50% 0 / 1px 100% no-repeat,
+          linear-gradient(var(--line), var(--line)) 0 50% / 100% 1px no-repeat, #000;
+        touch-action: none;
+        cursor: crosshair;
+        overflow: hidden;
+      }
+      svg {
+        position: absolute;
+        inset: 0;
+        width: 100%;
+        height: 100%;
+        fill: none;
+        stroke: #4a5059;
+        stroke-width: 1.6;
+        pointer-events: none;
+      }
+      .carrier {
+        position: absolute;
+        inset: 0;
+        pointer-events: none;
+      }
+      .dot::after {
+        content: "";
+        position: absolute;
+        left: 50%;
+        top: 50%;
+        width: 20px;
+        height: 20px;
+        margin: -10px;
+        border-radius: 50%;
+        border: 2px solid var(--hand);
+        background: #ffffff26;
+        box-shadow: 0 0 0 2px #000;
+      }
+      .dot.air::after {
+        border-color: var(--air);
+        background: #ff5a4540;
+      }
+      .side {
+        position: absolute;
+        top: 50%;
+        margin-top: -7px;
+        font-size: 10px;
+        line-height: 14px;
+        color: var(--faint);
+        background: #000;
+        padding: 0 3px;
+        pointer-events: none;
+      }
+      .tilt {
+        position: relative;
+        height: 22px;
+        margin: 0 12px;
+        touch-action: none;
+        cursor: ew-resize;
+      }
+      .tilt::before {
+        content: "";
+        position: absolute;
+        left: -12px;
+        right: -12px;
+        top: 8px;
+        height: 6px;
+        border-radius: 3px;
+        background: linear-gradient(var(--edge), var(--edge)) 50% 0 / 1px 100% no-repeat, #000;
+        border: 1px solid var(--line);
+      }
+      .knob::after {
+        content: "";
+        position: absolute;
+        left: 50%;
+        top: 3px;
+        width: 16px;
+        height: 16px;
+        margin-left: -8px;
+        border-radius: 4px;
+        border: 1px solid #000;
+        background: linear-gradient(90deg, #565c64 0 40%, #c9ced4 40% 60%, #33383e 60%);
+      }
+      .read {
+        font-size: 11px;
+        color: var(--dim);
+        letter-spacing: 0;
+        text-transform: none;
+        font-weight: 400;
+      }
+    `,
+  ];
+
+  override render() {
+    const name = this.what === "head" ? "Head" : "Gaze";
+    return html`
+      <header>
+        <h2>${name} <span class="read"></span></h2>
+        <button
+          aria-pressed=${this.springs}
+          title="Back to the centre when the hand lets go"
+          @click=${() => {
+            this.springs = !this.springs;
+          }}
+        >
+          Spring
+        </button>
+        <button title="To the centre" @click=${() => this.#rest()}>Centre</button>
+      </header>
+      <div class="well">
+        <div
+          class="field"
+          role="slider"
+          tabindex="0"
+          aria-label="${name}: as you see the face; right on the pad is the character's left"
+          aria-valuenow="0"
+          title="As you see the face: right on the pad is the character's left"
+        >
+          ${this.what === "head" ? HEAD_FIGURE : EYES_FIGURE}
+          <span class="side" style="left:2px" title="The character's right">R</span>
+          <span class="side" style="right:2px" title="The character's left">L</span>
+          <div class="carrier dot"></div>
+        </div>
+      </div>
+      ${
+        this.what === "head"
+          ? html`<div class="tilt" role="slider" tabindex="0" aria-label="Head tilt" aria-valuenow="0" title="Tilt: drag; twice to centre">
+              <div class="carrier knob"></div>
+            </div>`
+          : nothing
+      }
+    `;
+  }
+
+  override focus(): void {
+    this.field.focus();
+  }
+
+  get #yaw(): Knob {
+    return this.what === "head" ? this.desk.head("yaw") : this.desk.gaze("yaw");
+  }
+
+  get #pitch(): Knob {
+    return this.what === "head" ? this.desk.head("pitch") : this.desk.gaze("pitch");
+  }
+
+  get #ranges() {
+    return this.what === "head" ? ([HEAD_YAW, HEAD_PITCH] as const) : ([GAZE_YAW, GAZE_PITCH] as const);
+  }
+
+  /** The dot's place, 0..1 from the left and from the bottom. */
+  #place(now: number): [number, number] {
+    const [yaw, pitch] = this.#ranges;
+    return [fractionOf(this.#yaw.value(now), yaw), fractionOf(this.#pitch.value(now), pitch)];
+  }
+
+  #grip(): void {
+    const [yaw, pitch] = this.#ranges;
+    this.#at = [within(this.#at[0], SQUARE), within(this.#at[1], SQUARE)];
+    this.#yaw.grip(valueAt(this.#at[0], yaw));
+    this.#pitch.grip(valueAt(this.#at[1], pitch));
+  }
+
+  override firstUpdated(): void {
+    this.#wireField();
+    if (this.tilt) this.#wireTilt(this.tilt);
+  }
+
+  #wireField(): void {
+    onDrag(this.field, {
+      start: (x, y) => {
+        this.#era = this.desk.era;
+        this.#returning = [];
+        this.#at = this.#place(performance.now());
+        if (Math.hypot(x - this.#at[0], y - this.#at[1]) > NEAR) this.#at = [x, y];
+        this.#grip();
+      },
+      move: (dx, dy) => {
+        if (this.#era !== this.desk.era) return;
+        this.#at = [this.#at[0] + dx, this.#at[1] + dy];
+        this.#grip();
+      },
+      end: () => this.#let(this.#yaw, this.#pitch),
+      double: () => this.#rest(),
+    });
+    onWheel(this.field, (steps) => this.#step(0, steps));
+    onArrows(
+      this.field,
+      (dx, dy) => this.#step(dx, dy),
+      () => this.#rest(),
+    );
+  }
+
+  #wireTilt(tilt: HTMLElement): void {
+    const knob = () => this.desk.head("roll");
+    onDrag(tilt, {
+      start: () => {
+        this.#era = this.desk.era;
+        this.#returning = [];
+        this.#roll = knob().value(performance.now());
+      },
+      move: (dx) => {
+        if (this.#era !== this.desk.era) return;
+        this.#roll = within(this.#roll + dx * (HEAD_ROLL.high - HEAD_ROLL.low), HEAD_ROLL);
+        knob().grip(this.#roll);
+      },
+      end: () => this.#let(knob()),
+      double: () => knob().nudge(0),
+    });
+    const step = (by: number) => knob().nudge(within(knob().value(performance.now()) + by * STEP, HEAD_ROLL));
+    onWheel(tilt, step);
+    onArrows(
+      tilt,
+      (dx, dy) => step(dx + dy),
+      () => knob().nudge(0),
+    );
+  }
+
+  #step(dx: number, dy: number): void {
+    const now = performance.now();
+    const [yaw, pitch] = this.#ranges;
+    this.#returning = [];
+    if (dx !== 0) this.#yaw.nudge(within(this.#yaw.value(now) + dx * STEP, yaw));
+    if (dy !== 0) this.#pitch.nudge(within(this.#pitch.value(now) + dy * STEP, pitch));
+  }
+
+  #rest(): void {
+    this.#returning = [];
+    this.#at = [0.5, 0.5];
+    this.#yaw.nudge(0);
+    this.#pitch.nudge(0);
+    if (this.what === "head") this.desk.head("roll").nudge(0);
+  }
+
+  #let(...knobs: Knob[]): void {
+    for (const knob of knobs) knob.leave();
+    if (this.springs && this.#era === this.desk.era) this.#returning = knobs;
+  }
+
+  paint(now: number): void {
+    const elapsed = now - this.#last;
+    this.#last = now;
+    if (this.#era !== this.desk.era) this.#returning = [];
+    this.#returning = this.#returning.filter((knob) => {
+      const rest = sprung(knob.value(now), elapsed);
+      knob.nudge(rest);
+      return rest !== 0;
+    });
+    this.#paintPlace(now);
+  }
+
+  #paintPlace(now: number): void {
+    const write = this.#written;
+    const [x, y] = this.#place(now);
+    const [yaw, pitch] = [this.#yaw.value(now), this.#pitch.value(now)];
+    const roll = this.what === "head" ? this.desk.head("roll").value(now) : 0;
+    write.style(this.dot, "transform", `translate(${100 * (x - 0.5)}%, ${100 * (0.5 - y)}%)`);
+    write.flag(this.dot, "air", yaw !== 0 || pitch !== 0);
+    const reach = this.what === "head" ? 22 : 9;
+    write.style(this.features, "transform", `translate(${reach * 2 * (x - 0.5)}px, ${reach * 2 * (0.5 - y)}px)`);
+    write.style(this.skull, "transform", `rotate(${(roll * 180) / Math.PI}deg)`);
+    if (this.tiltKnob)
+      write.style(this.tiltKnob, "transform", `translateX(${100 * (fractionOf(roll, HEAD_ROLL) - 0.5)}%)`);
+    if (this.tilt) write.attribute(this.tilt, "aria-valuenow", roll.toFixed(2));
+    const degrees = [yaw, pitch].map((angle) => Math.round((angle * 180) / Math.PI));
+    write.text(this.read, yaw === 0 && pitch === 0 ? "" : `${degrees[0]}° ${degrees[1]}°`);
+    write.attribute(this.field, "aria-valuetext", `${degrees[0]} degrees to the character's left, ${degrees[1]} up`);
+    write.attribute(this.field, "aria-valuenow", yaw.toFixed(2));
+  }
+}
+
+const SQUARE = { low: 0, high: 1 };
+
+const HEAD_FIGURE = html`<svg viewBox="0 0 100 100" aria-hidden="true">
+  <g class="skull" style="transform-origin: 50px 62px">
+    <path d="M50 22C33 22 28 36 29 50C30 66 40 78 50 78C60 78 70 66 71 50C72 36 67 22 50 22Z" />
+    <g class="features"><path d="M38 46H45M55 46H62M50 46L48 57H52M43 66Q50 69 57 66" /></g>
+  </g>
+</svg>`;
+
+const EYES_FIGURE = html`<svg viewBox="0 0 100 100" aria-hidden="true">
+  <g class="skull">
+    <path d="M12 50Q28 34 44 50Q28 64 12 50ZM56 50Q72 34 88 50Q72 64 56 50Z" />
+    <g class="features"><circle cx="28" cy="50" r="5" /><circle cx="72" cy="50" r="5" /></g>
+  </g>
+</svg>`;

@@ -1,0 +1,330 @@
+import { css, html, nothing } from "lit";
+import { customElement, property, query, queryAll, state } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import type { ExpressionDocument, FaceDocument } from "../link/messages";
+import { REGIONS, regionOf } from "./channels";
+import type { Topic } from "./desk";
+import { PaintedElement, Written } from "./element";
+import { type Axis, keyLabel } from "./keys";
+import type { Sitting } from "./portraits";
+import { base } from "./theme";
+import "./timing_row";
+
+type Kind = "performed" | "arkit" | "makehuman";
+const KINDS: readonly (readonly [Kind, string])[] = [
+  ["performed", "Performed"],
+  ["arkit", "ARKit"],
+  ["makehuman", "MakeHuman"],
+];
+/** How long a face must be alone on air before the expressions are drawn anew on it, in milliseconds. */
+const SETTLED = 800;
+
+/** The faces or the expressions, as pictures: a tap calls one in the chosen time. */
+@customElement("omote-palette")
+export class Palette extends PaintedElement {
+  @property() axis: Axis = "face";
+  @state() private kind: Kind = "performed";
+  @state() private search = "";
+  /** The face that the expressions are shown on. */
+  @state() private model = "generic";
+  @query("input") private input!: HTMLInputElement | null;
+  @queryAll(".tile") private tiles!: NodeListOf<HTMLElement>;
+  readonly #written = new Written();
+  #candidate: [string, number] = ["", 0];
+
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: grid;
+        grid-template-rows: auto 1fr auto;
+        gap: 8px;
+        padding: 8px;
+        min-height: 0;
+        min-width: 0;
+      }
+      header {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: 4px 6px;
+        min-height: 26px;
+      }
+      h2 {
+        flex: 1;
+      }
+      .tabs {
+        display: flex;
+        gap: 2px;
+      }
+      .tabs button {
+        padding: 0 7px;
+        font-size: 12px;
+      }
+      .tabs button[aria-selected="true"] {
+        background: var(--raised);
+        color: var(--text);
+        border-color: var(--edge);
+      }
+      input {
+        font: inherit;
+        font-size: 12px;
+        width: 78px;
+        flex: 1 1 60px;
+        min-width: 0;
+        min-height: 26px;
+        padding: 0 8px;
+        color: var(--text);
+        background: #000;
+        border: 1px solid var(--line);
+        border-radius: 4px;
+        user-select: text;
+        -webkit-user-select: text;
+      }
+      input::placeholder {
+        color: var(--faint);
+      }
+      .tiles {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(var(--tile, 72px), 1fr));
+        align-content: start;
+        gap: 5px;
+        overflow: hidden auto;
+        min-height: 0;
+        padding: 2px;
+        margin: -2px;
+        scrollbar-width: thin;
+        scrollbar-color: var(--edge) transparent;
+        overscroll-behavior: contain;
+      }
+      .region {
+        grid-column: 1 / -1;
+        font-size: 10px;
+        letter-spacing: 0.12em;
+        text-transform: uppercase;
+        color: var(--faint);
+        padding-top: 2px;
+      }
+      .tile {
+        position: relative;
+        display: block;
+        aspect-ratio: 5 / 6;
+        padding: 0;
+        overflow: hidden;
+        border: 2px solid var(--line);
+        border-radius: 5px;
+        background: #000;
+        color: var(--text);
+      }
+      .tile canvas {
+        position: absolute;
+        inset: 0;
+        width: 100%;
+        height: 100%;
+        pointer-events: none;
+      }
+      .tile .name {
+        position: absolute;
+        left: 0;
+        right: 0;
+        bottom: 0;
+        padding: 10px 3px 4px;
+        font-size: 11.5px;
+        line-height: 12px;
+        text-align: center;
+        overflow-wrap: anywhere;
+        background: linear-gradient(transparent, #000a 40%, #000d);
+      }
+      .tile .key {
+        position: absolute;
+        left: 3px;
+        top: 3px;
+        min-width: 15px;
+        font-size: 10px;
+        line-height: 14px;
+        text-align: center;
+        border-radius: 3px;
+        background: #000a;
+        color: var(--dim);
+      }
+      .tile .weight {
+        position: absolute;
+        left: 0;
+        right: 0;
+        bottom: 0;
+        height: 3px;
+        transform-origin: left;
+        transform: scaleX(0);
+        background: var(--air);
+      }
+      .tile:active {
+        border-color: var(--hand);
+      }
+      .tile.air {
+        border-color: var(--air);
+      }
+      .tile.air .name {
+        color: #fff;
+        background: linear-gradient(transparent, #6e1c13cc 45%, var(--air-deep));
+      }
+      .tile.coming {
+        border-color: var(--coming);
+      }
+      .tile.coming .name {
+        color: #fff;
+        background: linear-gradient(transparent, #124a2ccc 45%, var(--coming-deep));
+      }
+      .tile.coming .weight {
+        background: var(--coming);
+      }
+      .none {
+        grid-column: 1 / -1;
+        color: var(--faint);
+        padding: 12px 4px;
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["cast"];
+  }
+
+  /** What the palette shows now, in order; its first nine have hot keys. */
+  get shown(): readonly (FaceDocument | ExpressionDocument)[] {
+    if (this.axis === "face") return this.desk.faces;
+    const words = this.search.toLowerCase().split(/\s+/).filter(Boolean);
+    const all = this.desk.expressions.filter((one) => (words.length > 0 ? true : this.#inTab(one)));
+    return all.filter((one) => words.every((word) => textOf(one).includes(word)));
+  }
+
+  #inTab(one: ExpressionDocument): boolean {
+    return one.kind === this.kind || (one.kind === "neutral" && this.kind === "performed");
+  }
+
+  /** Calls the tile at an index, as its hot key does. */
+  callIndex(index: number): void {
+    const name = this.shown[index]?.name;
+    if (name !== undefined) this.desk.call(this.axis, name);
+  }
+
+  override focus(): void {
+    this.input?.focus();
+  }
+
+  override render() {
+    return html`
+      ${this.axis === "face" ? html`<header><h2>Faces</h2></header>` : this.#expressionHeader()}
+      <div class="tiles">${this.#tiles()}</div>
+      <omote-timing .rig=${this.rig} .axis=${this.axis}></omote-timing>
+    `;
+  }
+
+  #expressionHeader() {
+    return html`<header>
+      <div class="tabs" role="tablist" aria-label="Kinds of expressions">
+        ${KINDS.map(
+          ([kind, label]) => html`<button
+            role="tab"
+            data-kind=${kind}
+            aria-selected=${this.kind === kind && this.search === ""}
+            @click=${() => {
+              this.kind = kind;
+              this.search = "";
+            }}
+          >
+            ${label}
+          </button>`,
+        )}
+      </div>
+      <input
+        type="search"
+        placeholder="search /"
+        aria-label="Search expressions by name or region"
+        .value=${this.search}
+        @input=${(event: Event) => {
+          this.search = (event.target as HTMLInputElement).value;
+        }}
+      />
+    </header>`;
+  }
+
+  #tiles() {
+    const shown = this.shown;
+    if (shown.length === 0)
+      return html`<div class="none">${this.search === "" ? "" : `Nothing is called "${this.search}".`}</div>`;
+    const sections = this.axis === "face" ? null : this.#sections(shown as ExpressionDocument[]);
+    if (sections === null)
+      return repeat(
+        shown,
+        (one) => one.name,
+        (one, index) => this.#tile(one, index),
+      );
+    return sections.map(
+      ([region, inside]) => html`<div class="region">${region}</div>
+        ${repeat(
+          inside,
+          (one) => one.name,
+          (one) => this.#tile(one, shown.indexOf(one)),
+        )}`,
+    );
+  }
+
+  /** Units stand under their regions; what is performed moves the whole face and needs no heading. */
+  #sections(shown: readonly ExpressionDocument[]): [string, ExpressionDocument[]][] | null {
+    if (this.kind === "performed" || this.search !== "") return null;
+    return REGIONS.map(
+      (region) => [region, shown.filter((one) => regionOf(one) === region)] as [string, ExpressionDocument[]],
+    ).filter(([, inside]) => inside.length > 0);
+  }
+
+  #tile(one: FaceDocument | ExpressionDocument, index: number) {
+    const key = keyLabel(this.axis, index);
+    return html`<button
+      class="tile"
+      data-name=${one.name}
+      aria-label="${one.label}${key === null ? "" : `, key ${key}`}"
+      title=${one.name}
+      @click=${() => this.desk.call(this.axis, one.name)}
+    >
+      <canvas width="100" height="120" aria-hidden="true"></canvas>
+      <span class="name">${one.label}</span>
+      ${key === null ? nothing : html`<span class="key">${key}</span>`}
+      <span class="weight"></span>
+    </button>`;
+  }
+
+  override updated(): void {
+    for (const tile of this.tiles) {
+      const name = tile.dataset.name ?? "";
+      const sitting: Sitting =
+        this.axis === "face" ? { face: name, expression: "neutral" } : { face: this.model, expression: name };
+      this.rig.portraits.ask(tile.querySelector("canvas") as HTMLCanvasElement, sitting);
+    }
+  }
+
+  paint(now: number): void {
+    const state = this.desk.state;
+    const weights = (this.axis === "face" ? state?.faces : state?.expressions) ?? {};
+    const target = this.desk.callOf(this.axis)?.target;
+    for (const tile of this.tiles) {
+      const name = tile.dataset.name ?? "";
+      const weight = weights[name] ?? 0;
+      this.#written.flag(tile, "coming", name === target);
+      this.#written.flag(tile, "air", name !== target && weight >= 0.001);
+      const bar = tile.lastElementChild as HTMLElement;
+      this.#written.style(bar, "transform", `scaleX(${weight.toFixed(3)})`);
+    }
+    if (this.axis === "expression") this.#followModel(now);
+  }
+
+  /** The expressions are drawn on the face on air once it stands there alone for a while. */
+  #followModel(now: number): void {
+    const faces = Object.entries(this.desk.state?.faces ?? {}).filter(([, weight]) => weight > 0.999);
+    const alone = this.desk.callOf("face") === null ? faces[0]?.[0] : undefined;
+    if (alone === undefined || alone !== this.#candidate[0]) this.#candidate = [alone ?? "", now];
+    else if (alone !== this.model && now - this.#candidate[1] > SETTLED) this.model = alone;
+  }
+}
+
+const textOf = (one: ExpressionDocument): string =>
+  `${one.name} ${one.label} ${one.kind} ${regionOf(one)}`.toLowerCase();

@@ -1,0 +1,192 @@
+import { css, html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import type { Topic } from "./desk";
+import { RigElement } from "./element";
+import { base } from "./theme";
+
+/** Stages that draw fewer frames a second than this are worth a look. */
+const SLOW = 30;
+/** Milliseconds for which a notice stands. */
+const NOTICE = 6000;
+
+/** The head of the page: the link, the crew, what must be read, the help and panic. */
+@customElement("omote-status")
+export class StatusBar extends RigElement {
+  @state() private panicked = false;
+  #timers: { notice?: ReturnType<typeof setTimeout>; panic?: ReturnType<typeof setTimeout> } = {};
+  #leave: (() => void)[] = [];
+
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: flex;
+        align-items: center;
+        gap: 14px;
+        padding: 0 10px;
+        min-width: 0;
+      }
+      .mark {
+        font-size: 15px;
+        font-weight: 700;
+        letter-spacing: 0.22em;
+        color: var(--text);
+      }
+      .item {
+        display: flex;
+        align-items: baseline;
+        gap: 5px;
+        white-space: nowrap;
+        color: var(--dim);
+        font-size: 12px;
+      }
+      .item b {
+        color: var(--text);
+        font-weight: 600;
+      }
+      .slow b,
+      .item b.slow {
+        color: var(--attention);
+      }
+      .lamp {
+        align-self: center;
+        width: 9px;
+        height: 9px;
+        border-radius: 50%;
+        background: var(--text);
+      }
+      .lost {
+        color: #fff;
+        font-weight: 700;
+        font-size: 14px;
+        letter-spacing: 0.04em;
+        background: #c3170a;
+        border-radius: 4px;
+        padding: 6px 12px;
+      }
+      .notice {
+        flex: 1;
+        min-width: 0;
+        color: var(--attention);
+        font-size: 12.5px;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .panic {
+        width: 230px;
+        min-width: 130px;
+        height: 46px;
+        font-size: 17px;
+        font-weight: 800;
+        letter-spacing: 0.2em;
+        color: var(--attention);
+        background: #241a02;
+        border: 2px solid var(--attention);
+        border-radius: 6px;
+        touch-action: none;
+      }
+      .panic small {
+        display: block;
+        font-size: 10px;
+        font-weight: 500;
+        letter-spacing: 0.06em;
+        line-height: 10px;
+      }
+      .panic:hover,
+      .panic:active,
+      .panic.done {
+        color: #000;
+        background: var(--attention);
+      }
+      @media (max-width: 900px) {
+        .mark,
+        .item.consoles {
+          display: none;
+        }
+        .panic {
+          width: 150px;
+        }
+      }
+      @media (max-width: 620px) {
+        :host {
+          flex-wrap: wrap;
+          gap: 6px 10px;
+          padding: 6px;
+        }
+        .notice {
+          order: 9;
+          flex-basis: 100%;
+        }
+        .panic {
+          flex: 1;
+        }
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["crew", "link", "notice", "panic"];
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#leave = [
+      this.desk.listen("notice", () => {
+        if (this.desk.notice === null) return;
+        clearTimeout(this.#timers.notice);
+        this.#timers.notice = setTimeout(() => this.desk.say(null), NOTICE);
+      }),
+      this.desk.listen("panic", () => {
+        if (!this.desk.online) return; // nothing was sent, so nothing lights up
+        this.panicked = true;
+        clearTimeout(this.#timers.panic);
+        this.#timers.panic = setTimeout(() => {
+          this.panicked = false;
+        }, 400);
+      }),
+    ];
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    for (const leave of this.#leave) leave();
+    clearTimeout(this.#timers.notice);
+    clearTimeout(this.#timers.panic);
+  }
+
+  override render() {
+    return html`
+      <div class="mark">OMOTE</div>
+      ${this.desk.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
+      <div class="notice" role="status">${this.desk.notice ?? ""}</div>
+      <button class="help" title="Keys" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
+      <button class="panic ${this.panicked ? "done" : ""}" @pointerdown=${this.#press} @click=${this.#click}>
+        PANIC<small>neutral now · Esc</small>
+      </button>
+    `;
+  }
+
+  /** On the way down, not on release: panic does not wait for the finger to lift. */
+  #press(event: PointerEvent): void {
+    if (event.button === 0) this.desk.panic();
+  }
+
+  #click(event: MouseEvent): void {
+    if (event.detail === 0) this.desk.panic(); // by keyboard; a pointer has been heard on its way down
+  }
+
+  #crew() {
+    const { crew, latency } = this.desk;
+    const stages = crew?.stages ?? [];
+    return html`
+      <div class="item link"><span class="lamp"></span><b>live</b> ${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</div>
+      <div class="item stages ${crew !== null && stages.length === 0 ? "slow" : ""}">
+        <b>${stages.length}</b> ${stages.length === 1 ? "stage" : "stages"}
+        ${stages.slice(0, 9).map((fps) => html`<b class=${fps === null || fps < SLOW ? "slow" : ""}>${fps === null ? "–" : Math.round(fps)}</b>`)}
+        ${stages.length > 0 ? "fps" : nothing}
+      </div>
+      <div class="item consoles"><b>${crew?.consoles ?? 0}</b> ${crew?.consoles === 1 ? "console" : "consoles"}</div>
+    `;
+  }
+}

@@ -1,0 +1,110 @@
+/**
+ * The look of an instrument for a dark room. Colours carry meaning, as on a video mixer: red is on air, green is
+ * coming, white is the operator's hand, yellow wants attention; all else is grey.
+ */
+
+import { css } from "lit";
+
+export const palette = css`
+  :host {
+    --ground: #08090a;
+    --panel: #0f1113;
+    --raised: #181b1f;
+    --line: #262a30;
+    --edge: #3a4048;
+    --text: #d9dce0;
+    --dim: #929aa4;
+    --faint: #626973;
+    --air: #ff5a45;
+    --air-deep: #6e1c13;
+    --coming: #3fd480;
+    --coming-deep: #124a2c;
+    --hand: #f4f6f8;
+    --attention: #ffc53d;
+    --focus: #86b9ff;
+    --unit: 34px;
+  }
+`;
+
+export const base = css`
+  :host {
+    box-sizing: border-box;
+    display: block;
+    color: var(--text);
+    font:
+      13px / 1.25 "Inter",
+      "Segoe UI",
+      "Roboto",
+      "Helvetica Neue",
+      "DejaVu Sans Condensed",
+      "DejaVu Sans",
+      sans-serif;
+    font-stretch: condensed;
+    font-variant-numeric: tabular-nums;
+    -webkit-user-select: none;
+    user-select: none;
+    -webkit-tap-highlight-color: transparent;
+  }
+  :host([hidden]) {
+    display: none;
+  }
+  *,
+  *::before,
+  *::after {
+    box-sizing: border-box;
+  }
+  :focus {
+    outline: none;
+  }
+  :focus-visible {
+    outline: 2px solid var(--focus);
+    outline-offset: 1px;
+  }
+  h2 {
+    margin: 0;
+    font-size: 11px;
+    font-weight: 600;
+    letter-spacing: 0.12em;
+    text-transform: uppercase;
+    color: var(--dim);
+  }
+  button {
+    font: inherit;
+    color: var(--dim);
+    background: var(--raised);
+    border: 1px solid var(--line);
+    border-radius: 4px;
+    padding: 0 8px;
+    min-height: 26px;
+    cursor: pointer;
+    touch-action: manipulation;
+  }
+  button:hover {
+    color: var(--text);
+    border-color: var(--edge);
+  }
+  button:active {
+    background: #22262b;
+  }
+  button[aria-pressed="true"],
+  button[aria-checked="true"],
+  button[aria-selected="true"] {
+    color: var(--ground);
+    background: var(--text);
+    border-color: var(--text);
+  }
+  button:disabled {
+    opacity: 0.35;
+    cursor: default;
+  }
+  @media (pointer: coarse) {
+    button {
+      min-height: 34px;
+    }
+  }
+  .panel {
+    background: var(--panel);
+    border: 1px solid var(--line);
+    border-radius: 6px;
+  }
+`;

@@ -1,0 +1,138 @@
+import { css, html } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
+import type { Topic } from "./desk";
+import { RigElement } from "./element";
+import type { Axis } from "./keys";
+import { base } from "./theme";
+import { CHOICES, EASINGS, parseSeconds, type Seconds, secondsLabel } from "./timing";
+
+/** The seconds and the easing of an axis's next call. */
+@customElement("omote-timing")
+export class TimingRow extends RigElement {
+  @property() axis: Axis = "face";
+  @state() private wrong: string | null = null;
+
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 4px;
+      }
+      .row {
+        display: flex;
+        flex: 1 1 auto;
+        gap: 2px;
+      }
+      button,
+      input {
+        flex: 1 1 0;
+        min-width: 26px;
+        padding: 0 2px;
+        font-size: 12px;
+      }
+      button.hand,
+      button.cut {
+        flex-grow: 1.4;
+      }
+      input {
+        width: 44px;
+        flex: 1.3 1 0;
+        font: inherit;
+        font-size: 12px;
+        color: var(--text);
+        background: #000;
+        border: 1px solid var(--line);
+        border-radius: 4px;
+        text-align: center;
+        user-select: text;
+        -webkit-user-select: text;
+      }
+      input::placeholder {
+        color: var(--faint);
+      }
+      input.chosen {
+        border-color: var(--text);
+      }
+      input.wrong {
+        border-color: var(--attention);
+        color: var(--attention);
+      }
+      svg {
+        width: 20px;
+        height: 12px;
+        fill: none;
+        stroke: currentColor;
+        stroke-width: 1.6;
+        vertical-align: middle;
+        overflow: visible;
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["timing"];
+  }
+
+  #choose(seconds: Seconds): void {
+    this.wrong = null;
+    this.desk.setTiming(this.axis, { seconds });
+  }
+
+  #type(event: Event): void {
+    const input = event.target as HTMLInputElement;
+    const seconds = parseSeconds(input.value);
+    if (typeof seconds === "number") this.#choose(seconds);
+    else if (input.value.trim() === "") this.wrong = null;
+    else {
+      this.wrong = seconds;
+      this.desk.say(seconds);
+    }
+  }
+
+  override render() {
+    const { seconds, easing } = this.desk.timing[this.axis];
+    const free = seconds !== null && !CHOICES.includes(seconds);
+    return html`
+      <div class="row" role="radiogroup" aria-label="Seconds of a call (${this.axis})">
+        ${CHOICES.map(
+          (choice) => html`<button
+            role="radio"
+            class=${choice === 0 ? "cut" : ""}
+            data-seconds=${choice}
+            aria-checked=${seconds === choice}
+            @click=${() => this.#choose(choice)}
+          >
+            ${secondsLabel(choice)}
+          </button>`,
+        )}
+        <input
+          class="${free ? "chosen" : ""} ${this.wrong === null ? "" : "wrong"}"
+          aria-label="Other seconds (${this.axis})"
+          inputmode="decimal"
+          placeholder="s"
+          .value=${free ? secondsLabel(seconds) : ""}
+          @change=${this.#type}
+        />
+        <button class="hand" role="radio" aria-checked=${seconds === null} data-seconds="hand" title="By hand: the T-bar moves it" @click=${() => this.#choose(null)}>
+          hand
+        </button>
+      </div>
+      <div class="row" role="radiogroup" aria-label="Easing of a call (${this.axis})">
+        ${EASINGS.map(
+          ([name, way]) => html`<button
+            role="radio"
+            title=${name}
+            aria-label=${name}
+            data-easing=${name}
+            aria-checked=${easing === name}
+            @click=${() => this.desk.setTiming(this.axis, { easing: name })}
+          >
+            <svg viewBox="0 0 20 12" aria-hidden="true"><path d=${way} /></svg>
+          </button>`,
+        )}
+      </div>
+    `;
+  }
+}
