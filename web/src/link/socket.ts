@@ -13,6 +13,8 @@ export interface LinkHandlers {
   crew?: (crew: Crew) => void;
   /** A message of ours was not obeyed; the sentence is for the operator. */
   refused?: (reason: string) => void;
+  /** A ping came back after so many seconds. */
+  trip?: (seconds: number) => void;
   /** The link came up (true) or went down (false). */
   connected?: (up: boolean) => void;
 }
@@ -120,6 +122,7 @@ export class Link {
       case "state":
         return this.state(message);
       case "pong":
+        this.handlers.trip?.(this.heard - message.sent);
         return this.clock.measure(message.sent, message.time, this.heard);
       case "crew":
         return this.handlers.crew?.(message);
