@@ -51,7 +51,7 @@ def install_packages() -> bool:
         "-m",
         "pip",
         "install",
-        "--quiet",
+        "-qq",
         "--disable-pip-version-check",
         "--constraint",
         "constraints.txt",
