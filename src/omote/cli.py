@@ -1,0 +1,147 @@
+"""The commands; each wires, and decides nothing. What is heavy is imported where it is used, so that help is quick."""
+
+from __future__ import annotations
+
+import os
+import sys
+import webbrowser
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, NoReturn
+
+import typer
+
+if TYPE_CHECKING:
+    from omote.model.cast import Cast
+
+app = typer.Typer(
+    help="Omote plays faces live: any face wears any expression, and both change at any instant.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+
+
+def main() -> None:
+    """The `omote` command."""
+    app()
+
+
+@app.command()
+def show(
+    file: Annotated[Path | None, typer.Argument(help="The show file (.omote); made when there is none.")] = None,
+    host: Annotated[str, typer.Option(help="The address to listen on; 0.0.0.0 for the whole network.")] = "127.0.0.1",
+    port: Annotated[int, typer.Option(min=0, max=65535, help="The port to listen on; 0 for any.")] = 8090,
+    browser: Annotated[bool, typer.Option("--open/--no-open", help="Open the stage and the console.")] = True,
+) -> None:
+    """Opens a show: serves stage and console, and keeps them alive."""
+    if sys.platform == "win32":
+        fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
+    from omote.files.showfile import CorruptShowFileError, ShowFileError, default_path, open_show
+    from omote.server import bundle
+    from omote.server.lock import ShowLockedError, lock_show
+    from omote.server.supervisor import Supervisor, listen_on
+
+    path = (file or default_path()).absolute()
+    try:
+        bundle.read_bundle()
+        lock = lock_show(path)
+        open_show(path).close()
+    except CorruptShowFileError:
+        pass  # the server keeps it aside and says so
+    except (OSError, ShowFileError, ShowLockedError) as error:
+        fail(str(error))
+    try:
+        listening = listen_on(host, port)
+    except OSError as error:
+        fail(str(error))
+    port = listening.getsockname()[1]
+    supervisor = Supervisor(listening, lock, path, report=say, opened=lambda: announce(host, port, browser=browser))
+    say("the faces are getting ready ...")
+    raise typer.Exit(supervisor.run())
+
+
+@app.command()
+def cast(json: Annotated[bool, typer.Option("--json", help="Print it for programs.")] = False) -> None:
+    """Lists the faces and the expressions of the built-in cast."""
+    loaded = load_cast()
+    if json:
+        print_json(loaded)
+    else:
+        print_table(loaded)
+
+
+@app.command()
+def check() -> None:
+    """Says whether this machine can play."""
+    from omote.server.check import checked
+
+    good = True
+    for passed, sentence in checked():
+        good = good and passed
+        typer.echo(f"{'good' if passed else 'BAD '}  {sentence}")
+    if not good:
+        fail("this machine cannot play yet.")
+
+
+def announce(host: str, port: int, *, browser: bool) -> None:
+    """Says where stage and console are, and opens them where there is a screen."""
+    from omote.server.address import here, reachable
+
+    for url in reachable(host, port):
+        typer.echo(f"  stage    {url}/stage\n  console  {url}/console")
+    if host not in ("127.0.0.1", "::1", "localhost"):
+        say("everybody on this network can play; there is no password yet.")
+    typer.echo("  Ctrl-C ends the show.")
+    if browser and has_screen():
+        for page in ("stage", "console"):
+            webbrowser.open(f"{here(host, port)}/{page}")
+
+
+def has_screen() -> bool:
+    """Whether a browser would have somewhere to open."""
+    return sys.platform == "darwin" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def load_cast() -> Cast:
+    """The built-in cast; ends the command with a sentence when it is not there."""
+    from omote import builtin
+
+    try:
+        return builtin.load_cast()
+    except (OSError, ValueError) as error:
+        fail(str(error))
+
+
+def print_json(cast: Cast) -> None:
+    """The cast as JSON."""
+    import msgspec
+
+    faces = [{"name": name, "vertices": len(face.positions)} for name, face in cast.faces.items()]
+    titles = cast.titles
+    expressions = [{"name": n, "kind": titles[n].kind, "region": titles[n].region} for n in cast.expressions]
+    document = {"digest": cast.digest, "faces": faces, "expressions": expressions}
+    typer.echo(msgspec.json.format(msgspec.json.encode(document), indent=2).decode())
+
+
+def print_table(cast: Cast) -> None:
+    """The cast as a table, expressions grouped by kind."""
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(box=None, show_header=False, padding=(0, 2))
+    table.add_row(f"[bold]{len(cast.faces)} faces", ", ".join(cast.faces))
+    for kind in dict.fromkeys(title.kind for title in cast.titles.values()):
+        names = [name for name in cast.expressions if cast.titles[name].kind == kind]
+        table.add_row(f"[bold]{len(names)} {kind}", ", ".join(names))
+    Console().print(table)
+
+
+def say(sentence: str) -> None:
+    """Says a sentence to the operator's terminal."""
+    typer.echo(f"omote: {sentence}", err=True)
+
+
+def fail(sentence: str) -> NoReturn:
+    """Ends the command with a sentence and exit status 1."""
+    say(sentence)
+    raise typer.Exit(1)

@@ -1,0 +1,61 @@
+"""Whether this machine can play, in a few sentences."""
+
+from __future__ import annotations
+
+import platform
+import time
+from collections.abc import Callable, Iterator
+from importlib.metadata import version
+
+import numpy as np
+
+FRAME_SECONDS = 1.0 / 60.0
+LIBRARIES = ("numpy", "numba", "aiohttp", "msgspec")
+
+Verdict = tuple[bool, str]
+
+
+def checked() -> Iterator[Verdict]:
+    """Verdict by verdict: versions, pages, cast, the time of a frame."""
+    libraries = ", ".join(f"{name} {version(name)}" for name in LIBRARIES)
+    yield True, f"omote {version('omote')} on Python {platform.python_version()}, {platform.system()}; {libraries}"
+    for check in (check_pages, check_frame):
+        yield tried(check)
+
+
+def tried(check: Callable[[], Verdict]) -> Verdict:
+    """The verdict of a check; what it raises is a bad one."""
+    try:
+        return check()
+    except (OSError, ValueError, ImportError) as error:
+        return False, str(error)
+
+
+def check_pages() -> Verdict:
+    """The pages are built."""
+    from omote.server.bundle import read_bundle
+
+    pages = read_bundle()
+    return True, f"pages: {len(pages)} files, {sum(len(page.body) for page in pages.values()) / 1024:.0f} KB"
+
+
+def check_frame() -> Verdict:
+    """The cast is there, and a frame of it takes less time than it is shown."""
+    from omote.perform.evaluate import evaluate
+    from omote.perform.performer import Performer
+    from omote.server.library import built_in
+
+    cast = built_in().cast
+    performer = Performer(cast)
+    face, expression = list(cast.faces)[-1], list(cast.expressions)[-1]
+    performer.call_face(face, seconds=1.0)
+    performer.call_expression(expression, seconds=1.0)
+    evaluate(cast, performer.advance(0.5))
+    times = []
+    for _ in range(10):
+        begun = time.perf_counter()
+        evaluate(cast, performer.advance(0.01))
+        times.append(time.perf_counter() - begun)
+    taken = float(np.median(times))
+    named = f"cast: {len(cast.faces)} faces, {len(cast.expressions)} expressions"
+    return taken < FRAME_SECONDS, f"{named}; a frame takes {taken * 1000:.2f} ms of {FRAME_SECONDS * 1000:.1f} ms"

@@ -1,0 +1,27 @@
+"""One server to a show file."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+from pathlib import Path
+
+
+class ShowLockedError(RuntimeError):
+    """Another server plays this show file."""
+
+
+def lock_show(path: Path) -> int:
+    """A descriptor that holds the show file for us and every child that inherits it; ShowLockedError when it is taken.
+
+    The lock is on a file beside the show file, so that it stays where it is when a corrupt show file is moved aside. It
+    ends with the last process that holds the descriptor, however that process ends.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    descriptor = os.open(path.with_name(path.name + ".lock"), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        os.close(descriptor)
+        raise ShowLockedError(f"another Omote plays {path} already: stop that one, or name another file.") from error
+    return descriptor

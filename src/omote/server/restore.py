@@ -1,0 +1,67 @@
+"""Brings a show back from its file: nothing in the file can keep the show from starting."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import msgspec
+
+from omote.files.showfile import CorruptShowFileError, JournalEntry, ShowFile, ShowFileError, move_aside, open_show
+from omote.model.cast import Cast
+from omote.perform.performer import Performer
+from omote.server.orders import Order
+from omote.show.session import SessionSnapshot, ShowSession
+
+Report = Callable[[str], None]
+
+
+def open_journal(path: Path, report: Report) -> ShowFile | None:
+    """The show file; a corrupt one is kept aside and a new one made; None when the disk allows no file at all."""
+    try:
+        try:
+            return open_show(path)
+        except CorruptShowFileError as error:
+            report(f"{error} It is kept as {move_aside(path)}; the show starts neutral.")
+            return open_show(path)
+    except (ShowFileError, OSError) as error:
+        report(f"{error} The show goes on without a journal.")
+        return None
+
+
+def restore(cast: Cast, show: ShowFile | None, order: Order, report: Report) -> ShowSession:
+    """The session of the journal's last state, under a new epoch; a neutral one when none can be played."""
+    entry = show.journal() if show else JournalEntry(0, 0.0, None)
+    epoch = next_epoch(entry.epoch, order.epoch)
+    session = None if order.neutral else _played_on(cast, entry, epoch, report)
+    if session is None:
+        session = ShowSession(cast, Performer(cast), epoch=epoch)
+        if show and entry.snapshot is not None:
+            show.set_aside(
+                entry, "the servers that started from it died" if order.neutral else "it could not be played"
+            )
+    if show:
+        show.write_journal(journal_entry(session))
+    return session
+
+
+def journal_entry(session: ShowSession) -> JournalEntry:
+    """The session as it is now, for the journal."""
+    return JournalEntry(session.epoch, time.monotonic(), msgspec.msgpack.encode(session.snapshot()))
+
+
+def next_epoch(journal: int, order: int) -> int:
+    """An epoch above all before it: of this file, of this supervisor, and, by the calendar, of other show files."""
+    return max(journal + 1, order, int(time.time()))  # noqa: TID251  (orders starts of servers; drives nothing)
+
+
+def _played_on(cast: Cast, entry: JournalEntry, epoch: int, report: Report) -> ShowSession | None:
+    if entry.snapshot is None:
+        return None
+    try:
+        snapshot = msgspec.msgpack.decode(entry.snapshot, type=SessionSnapshot)
+        return ShowSession.restored(cast, snapshot, epoch=epoch)
+    except (ValueError, TypeError, RecursionError) as error:
+        report(f"the last state cannot be played ({error}); it is kept aside and the show starts neutral.")
+        return None
