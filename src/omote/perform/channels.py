@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.cast import NEUTRAL
+from omote.model.expression import Expression
 from omote.perform.frame import Gaze
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, known, within
 
-if TYPE_CHECKING:
-    from omote.model.expression import Expression
-
-NEUTRAL = "neutral"
 LEFT, RIGHT = 0, 1
 YAW, PITCH = 0, 1
 GAZE_UNITS: Mapping[str, tuple[int, int]] = {
@@ -33,7 +30,7 @@ GAZE_UNITS: Mapping[str, tuple[int, int]] = {
 def with_channel(
     channels: Mapping[str, float], expressions: Mapping[str, Expression], name: str, value: float
 ) -> dict[str, float]:
-    """The channels with one of them set; zero takes it out. Refuses unknown names, `neutral` and values out of range."""
+    """The channels with one of them set; 0 takes it out. Refuses unknown names, `neutral` and values out of range."""
     known(name, (unit for unit in expressions if unit != NEUTRAL), "channel")
     value = within(value, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {name}")
     kept = {**channels, name: value}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Literal
 
 import numpy as np
@@ -43,12 +43,15 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
 
 
 def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
-    """The parts of a frame, {part: (n, 3)} metres, eyeballs turned about their centres; formulas and errors as `evaluate`."""
+    """The parts of a frame, {part: (n, 3)} metres, eyeballs turned about their centres.
+
+    Formulas and errors as in `evaluate`.
+    """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
     moved = _exact_parts(cast, frame, channels) if mode == "exact" else _bilinear_parts(cast, frame, channels)
-    fitted = {face: fit(cast.space, cast.faces[face]) for face in frame.faces}
-    centres = {part: _mean(frame.faces, {face: fitted[face].centres[part] for face in fitted}) for part in cast.space.parts}
+    fitted = [(weight, fit(cast.space, cast.faces[face])) for face, weight in frame.faces.items()]
+    centres = {part: _sum((weight, face.centres[part]) for weight, face in fitted) for part in cast.space.parts}
     return turned_eyes(cast.space, moved, centres, eye_angles(cast.expressions, frame.expressions, channels))
 
 
@@ -89,7 +92,10 @@ def _mixed_face(cast: Cast, weights: Mapping[str, float]) -> Fitted:
         radii=radii,
         scale=weighted_sum([face.scale for face in fitted], factors),
         parts={part: weighted_sum([face.parts[part] for face in fitted], factors) for part in cast.space.parts},
-        sizes={part: sum(s * face.sizes[part] for s, face in zip(factors, fitted, strict=True)) for part in cast.space.parts},
+        sizes={
+            part: sum(s * face.sizes[part] for s, face in zip(factors, fitted, strict=True))
+            for part in cast.space.parts
+        },
         centres={},
     )
 
@@ -97,9 +103,9 @@ def _mixed_face(cast: Cast, weights: Mapping[str, float]) -> Fitted:
 def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dict[str, Floats]:
     worn = combined(((1.0, frame.expressions), (1.0, channels)))
     face = _mixed_face(cast, frame.faces)
+    moving = {part: [name for name in worn if part in cast.expressions[name].parts] for part in cast.space.parts}
     rest = {
-        part: _mean(worn, {name: cast.expressions[name].parts.get(part, _NOTHING) for name in worn})
-        for part in cast.space.parts
+        part: _sum((worn[name], cast.expressions[name].parts[part]) for name in names) for part, names in moving.items()
     }
     return moved_parts(cast.space, face, wear(cast.space, face, fields_of(cast).mixed(worn)), rest)
 
@@ -112,12 +118,9 @@ def _bilinear_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> 
     return {part: weighted_sum([parts[part] for parts, _ in terms], factors) for part in cast.space.parts}
 
 
-_NOTHING = np.zeros((1, 3))
-
-
-def _mean(weights: Mapping[str, float], values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
-    """The sum of weight times value by name."""
-    return np.sum([weight * values[name] for name, weight in weights.items()], axis=0)
+def _sum(terms: Iterable[tuple[float, NDArray[np.float64]]]) -> NDArray[np.float64]:
+    """The sum of weight times points, each (3,) or (n, 3)."""
+    return sum((weight * points for weight, points in terms), start=np.zeros(3))
 
 
 def _refuse_unplayable(cast: Cast, frame: Frame, mode: str) -> None:

@@ -6,6 +6,7 @@ import difflib
 import math
 from collections.abc import Iterable
 from numbers import Real
+from typing import Any
 
 CHANNEL_LOWEST, CHANNEL_HIGHEST = -0.5, 1.5
 """Trackers send up to 1.08, artists exaggerate; beyond this a face breaks."""
@@ -24,9 +25,10 @@ def within(value: object, low: float, high: float, what: str) -> float:
     """`value` as a float where it is a real number from `low` to `high`; else a refusal that names `what`."""
     if isinstance(value, bool) or not isinstance(value, Real):
         raise TypeError(f"{what} must be a number, not {value!r}; give {low:g} to {high:g}")
-    if not low <= value <= high:  # also catches NaN
+    number: Any = value  # typeshed gives Real no comparison with float
+    if not low <= number <= high:  # also catches NaN
         raise ValueError(f"{what} is {_shown(value)}; give a number from {low:.4g} to {high:.4g}")
-    return float(value)
+    return float(number)
 
 
 def known(name: object, names: Iterable[str], what: str) -> str:

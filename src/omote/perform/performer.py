@@ -5,26 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
+from omote.model.cast import GENERIC, NEUTRAL, Cast
 from omote.perform import axis
 from omote.perform.axis import Axis
-from omote.perform.channels import NEUTRAL, with_channel
+from omote.perform.channels import with_channel
 from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
 from omote.perform.snapshot import Snapshot, checked
 from omote.perform.transition import DEFAULT_EASING, easing_named
-
-if TYPE_CHECKING:
-    from omote.model.cast import Cast
-
-GENERIC = "generic"
 
 
 class Performer:
     """Plays a cast: calls, T-bars, channels, head and gaze in; a frame for each step of time out."""
 
     def __init__(self, cast: Cast) -> None:
+        known(GENERIC, cast.faces, "face")
         self._cast = cast
         self._now = Snapshot(Axis(GENERIC), Axis(NEUTRAL))
 

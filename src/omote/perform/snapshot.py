@@ -5,17 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
+from omote.model.cast import Cast
 from omote.perform.axis import Axis, Call
 from omote.perform.channels import with_channel
 from omote.perform.frame import Gaze, Head
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.transition import DECAY_SECONDS, Glide, easing_named
-
-if TYPE_CHECKING:
-    from omote.model.cast import Cast
 
 ROUNDING = 1e-6
 """How far sums and ranges may be off after a long show."""

@@ -1,0 +1,81 @@
+"""The weighted sum of a few large arrays: the kernel of every mix of positions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numba import float32, njit, types, void
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float32]
+
+_READ = types.Array(float32, 1, "C", readonly=True)
+_WRITE = types.Array(float32, 1, "C")
+_ROWS = types.Array(float32, 2, "C", readonly=True)
+_NAMES = types.Array(types.int64, 1, "C", readonly=True)
+_BLOCK = 2048  # floats of the sum that stay in the first-level cache while all rows pass by
+
+
+def weighted_sum(arrays: Sequence[Floats], factors: Sequence[float], *, out: Floats | None = None) -> Floats:
+    """The sum of factor times array, for C-contiguous float32 arrays of one shape; `out` is reused where given.
+
+    Raises ValueError on no arrays, on unequal counts or shapes, and on another dtype or memory order.
+    """
+    _refuse_unlike(arrays, factors)
+    total = np.empty(arrays[0].shape, np.float32) if out is None else out
+    flat = total.reshape(-1)
+    for first in range(0, len(arrays), 4):
+        four = [array.reshape(-1) for array in arrays[first : first + 4]]
+        weights = [float(factor) for factor in factors[first : first + 4]]
+        four += four[:1] * (4 - len(four))  # an array read again costs no traffic
+        weights += [0.0] * (4 - len(weights))
+        (_blend if first == 0 else _blend_onto)(*four, *weights, flat)
+    return total
+
+
+def _refuse_unlike(arrays: Sequence[Floats], factors: Sequence[float]) -> None:
+    if not arrays or len(arrays) != len(factors):
+        raise ValueError(
+            f"{len(arrays)} arrays and {len(factors)} factors; expected one factor per array, at least one"
+        )
+    for array in arrays:
+        if array.dtype != np.float32 or array.shape != arrays[0].shape or not array.flags.c_contiguous:
+            raise ValueError(
+                f"an array of {array.dtype} {array.shape} among those to blend; "
+                f"expected C-contiguous float32 {arrays[0].shape} like the first"
+            )
+
+
+@njit(void(*[_READ] * 4, *[float32] * 4, _WRITE), cache=True, fastmath={"contract"})
+def _blend(
+    a: Floats, b: Floats, c: Floats, d: Floats, wa: float, wb: float, wc: float, wd: float, out: Floats
+) -> None:  # fmt: skip
+    for i in range(out.size):
+        out[i] = wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i]
+
+
+@njit(void(*[_READ] * 4, *[float32] * 4, _WRITE), cache=True, fastmath={"contract"})
+def _blend_onto(
+    a: Floats, b: Floats, c: Floats, d: Floats, wa: float, wb: float, wc: float, wd: float, out: Floats
+) -> None:  # fmt: skip
+    for i in range(out.size):
+        out[i] += wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i]
+
+
+@njit(void(_ROWS, _NAMES, _READ, _WRITE), cache=True, fastmath={"contract"})
+def sum_rows(table: Floats, rows: NDArray[np.int64], factors: Floats, out: Floats) -> None:
+    """Writes the sum of factors (k,) times rows (k,) of table (n, m) into out (m,)."""
+    for start in range(0, out.size, _BLOCK):
+        end = min(start + _BLOCK, out.size)
+        out[start:end] = 0.0
+        whole = len(rows) - len(rows) % 4
+        for r in range(0, whole, 4):
+            a, b, c, d = rows[r], rows[r + 1], rows[r + 2], rows[r + 3]
+            wa, wb, wc, wd = factors[r], factors[r + 1], factors[r + 2], factors[r + 3]
+            for i in range(start, end):
+                out[i] += wa * table[a, i] + wb * table[b, i] + wc * table[c, i] + wd * table[d, i]
+        for r in range(whole, len(rows)):
+            a, wa = rows[r], factors[r]
+            for i in range(start, end):
+                out[i] += wa * table[a, i]

@@ -1,0 +1,87 @@
+"""What tests of several folders share: the synthetic cast, and strategies for whole shows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import settings
+from hypothesis import strategies as st
+
+from omote.model.cast import Cast
+from omote.perform.performer import Performer
+from omote.perform.transition import EASINGS
+from tests import synthetic
+
+settings.register_profile("omote", deadline=None, derandomize=True, max_examples=60)
+settings.load_profile("omote")
+
+
+@dataclass(frozen=True)
+class Command:
+    """One thing an operator does, and the seconds that pass after it."""
+
+    name: str
+    arguments: tuple[Any, ...] = ()
+    seconds: float | None = None
+    easing: str = "smooth"
+    wait: float = 0.0
+
+    def play(self, performer: Performer) -> None:
+        """Does it."""
+        options = {} if self.seconds is None else {"seconds": self.seconds, "easing": self.easing}
+        getattr(performer, self.name)(*self.arguments, **options)
+
+
+_times = st.one_of(st.floats(0.0, 5.0), st.sampled_from([0.0, 0.1, 0.5, float("inf")]))
+_easings = st.sampled_from(sorted(EASINGS))
+_waits = st.floats(0.0, 1.0)
+_hands = st.tuples(st.one_of(st.floats(0.0, 1.0), st.sampled_from([0.0, 1.0])))
+
+
+def _call(axis: str, names: tuple[str, ...]) -> st.SearchStrategy[Command]:
+    return st.builds(Command, st.just(f"call_{axis}"), st.tuples(st.sampled_from(names)), _times, _easings, _waits)
+
+
+def _by_hand(axis: str) -> st.SearchStrategy[Command]:
+    fade = st.builds(Command, st.just(f"fade_{axis}"), _hands, wait=_waits)
+    return st.one_of(fade, fade, st.builds(Command, st.just(f"release_{axis}"), wait=_waits))
+
+
+_channel = st.builds(
+    Command, st.just("set_channel"), st.tuples(st.sampled_from(synthetic.EXPRESSIONS[1:]), st.floats(-0.5, 1.5))
+)
+_gaze = st.builds(Command, st.just("set_gaze"), st.tuples(st.floats(-0.7, 0.7), st.floats(-0.5, 0.5)))
+
+calls = st.one_of(_call("face", synthetic.FACES), _call("expression", synthetic.EXPRESSIONS))
+moves = st.one_of(calls, calls, _by_hand("face"), _by_hand("expression"))
+commands = st.one_of(moves, moves, _channel, _gaze, st.just(Command("panic", wait=0.1)))
+shows = st.lists(commands, max_size=30)
+
+
+def random_moves(seed: int, count: int) -> list[Command]:
+    """As many calls, T-bar moves and releases as asked for: longer than hypothesis would draw."""
+    rng = np.random.default_rng(seed)
+    names = {"face": synthetic.FACES, "expression": synthetic.EXPRESSIONS}
+    found = []
+    for _ in range(count):
+        axis, wait = str(rng.choice(["face", "expression"])), float(rng.exponential(0.3))
+        kind = rng.choice(["call", "fade", "release"], p=[0.5, 0.4, 0.1])
+        if kind == "call":
+            time = float(rng.choice([0.0, np.inf, 0.05, 4.0 * rng.random()], p=[0.05, 0.15, 0.1, 0.7]))
+            found.append(
+                Command(f"call_{axis}", (str(rng.choice(names[axis])),), time, str(rng.choice(list(EASINGS))), wait)
+            )
+        elif kind == "fade":
+            found.append(Command(f"fade_{axis}", (float(rng.choice([0.0, 1.0, rng.random()])),), wait=wait))
+        else:
+            found.append(Command(f"release_{axis}", wait=wait))
+    return found
+
+
+@pytest.fixture(scope="session")
+def cast() -> Cast:
+    """A small cast of three faces and twelve expressions, made without a file."""
+    return synthetic.cast()
