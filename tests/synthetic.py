@@ -106,7 +106,8 @@ def space() -> ParameterSpace:
 
 def _bump(points: Points, centre: tuple[float, float, float], width: float, move: tuple[float, float, float]) -> Points:
     distance = np.linalg.norm(points - np.array(centre), axis=1, keepdims=True)
-    return np.exp(-((distance / width) ** 2)) * np.array(move)
+    result: Points = np.exp(-((distance / width) ** 2)) * np.array(move)
+    return result
 
 
 def _expressions(face: Face) -> dict[str, Expression]:
@@ -137,7 +138,7 @@ def _look(face: Face, name: str) -> Expression:
 def cast() -> Cast:
     """Three faces and twelve expressions; frozen, so all tests share it."""
     points = space().points
-    generic = Face("generic", points)
-    broad = Face("broad", points * [1.15, 0.95, 1.05])
-    long = Face("long", points * [0.95, 1.2, 1.0] + _bump(points, (0.0, -0.09, 0.08), 0.03, (0.0, -0.01, 0.012)))
-    return Cast(space(), {face.name: face for face in (generic, broad, long)}, _expressions(generic))
+    chin = _bump(points, (0.0, -0.09, 0.08), 0.03, (0.0, -0.01, 0.012))
+    shapes = (points, points * [1.15, 0.95, 1.05], points * [0.95, 1.2, 1.0] + chin)
+    faces = {name: Face(name, shape.astype(np.float32)) for name, shape in zip(FACES, shapes, strict=True)}
+    return Cast(space(), faces, _expressions(faces["generic"]))

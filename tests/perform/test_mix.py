@@ -6,26 +6,26 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.mix import HIGHEST, LOWEST, alone, combined, share_in_range
+from omote.perform.mix import HIGHEST, LOWEST, Weights, alone, combined, share_in_range
 
 weights = st.dictionaries(st.sampled_from("abcd"), st.floats(-2.0, 2.0))
 bases = st.dictionaries(st.sampled_from("abcd"), st.floats(LOWEST, HIGHEST))
 
 
 @given(weights, weights, st.floats(-2.0, 2.0), st.floats(-2.0, 2.0))
-def test_combining_is_linear_in_every_name(first, second, a, b):
+def test_combining_is_linear_in_every_name(first: Weights, second: Weights, a: float, b: float) -> None:
     mixed = combined(((a, first), (b, second)))
     for name in "abcd":
         assert mixed.get(name, 0.0) == pytest.approx(a * first.get(name, 0.0) + b * second.get(name, 0.0), abs=1e-12)
     assert all(mixed.values())
 
 
-def test_one_name_alone_is_the_unit_of_mixing():
+def test_one_name_alone_is_the_unit_of_mixing() -> None:
     assert combined(((1.0, alone("a")), (0.0, alone("b")))) == {"a": 1.0}
 
 
 @given(bases, weights)
-def test_the_share_keeps_all_in_range_and_is_the_largest_that_does(base, offset):
+def test_the_share_keeps_all_in_range_and_is_the_largest_that_does(base: Weights, offset: Weights) -> None:
     share = share_in_range(base, offset)
     assert 0.0 <= share <= 1.0
     moved = {name: base.get(name, 0.0) + share * change for name, change in offset.items()}

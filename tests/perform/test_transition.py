@@ -24,7 +24,7 @@ GRID = np.linspace(0.0, 1.0, 1001)
 
 
 @pytest.mark.parametrize("name", EASINGS)
-def test_an_easing_rises_from_rest_to_rest(name):
+def test_an_easing_rises_from_rest_to_rest(name: str) -> None:
     easing = EASINGS[name]
     values = np.array([easing.value(x) for x in GRID])
     assert (values[0], values[-1]) == (0.0, pytest.approx(1.0, abs=1e-12))
@@ -33,24 +33,24 @@ def test_an_easing_rises_from_rest_to_rest(name):
 
 
 @pytest.mark.parametrize("name", EASINGS)
-def test_the_rate_of_an_easing_is_its_derivative(name):
+def test_the_rate_of_an_easing_is_its_derivative(name: str) -> None:
     easing = EASINGS[name]
     for x in GRID[1:-1:50]:
         assert easing.rate(x) == pytest.approx((easing.value(x + 1e-6) - easing.value(x - 1e-6)) / 2e-6, abs=1e-6)
 
 
 @pytest.mark.parametrize("coefficients", [(0, 1), (0, 0, 1), (0, 0, 2, -1), (1, 0, -3, 2), (0, 0, 3, -2.1)])
-def test_a_curve_that_would_kick_is_no_easing(coefficients):
+def test_a_curve_that_would_kick_is_no_easing(coefficients: tuple[float, ...]) -> None:
     with pytest.raises(ValueError, match="no slope at its ends"):
         Easing(coefficients)
 
 
-def test_an_unknown_easing_is_refused_with_all_there_are():
+def test_an_unknown_easing_is_refused_with_all_there_are() -> None:
     with pytest.raises(ValueError, match="no easing 'linear'; choose one of smooth, gentle, sharp, early, late"):
         easing_named("linear")
 
 
-def test_the_bump_starts_with_slope_one_and_ends_with_nothing():
+def test_the_bump_starts_with_slope_one_and_ends_with_nothing() -> None:
     assert (bump(0.0), bump_rate(0.0), bump(1.0), bump_rate(1.0), bump(7.0), bump_rate(7.0)) == (0, 1, 0, 0, 0, 0)
     for u in GRID[1:-1:50]:
         assert bump_rate(u) == pytest.approx((bump(u + 1e-6) - bump(u - 1e-6)) / 2e-6, abs=1e-6)
@@ -61,7 +61,9 @@ def test_the_bump_starts_with_slope_one_and_ends_with_nothing():
     st.floats(LOWEST, HIGHEST), st.floats(-50.0, 50.0), st.booleans(), st.floats(0.05, 5.0),
     st.sampled_from(sorted(EASINGS)),
 )  # fmt: skip
-def test_the_planned_decay_keeps_a_weight_in_range(start, velocity, is_target, seconds, easing):
+def test_the_planned_decay_keeps_a_weight_in_range(
+    start: float, velocity: float, is_target: bool, seconds: float, easing: str
+) -> None:
     target = "a" if is_target else "b"
     decay = decay_seconds({"a": start}, {"a": velocity}, target, seconds, EASINGS[easing])
     assert 0.0 <= decay <= min(seconds, DECAY_SECONDS)
@@ -75,12 +77,12 @@ def test_the_planned_decay_keeps_a_weight_in_range(start, velocity, is_target, s
     assert max(way) <= HIGHEST + 2e-3
 
 
-def test_a_slow_move_decays_over_the_whole_third_of_a_second():
+def test_a_slow_move_decays_over_the_whole_third_of_a_second() -> None:
     assert decay_seconds({"a": 0.5, "b": 0.5}, {"a": -1.0, "b": 1.0}, "c", 2.0, EASINGS["smooth"]) == DECAY_SECONDS
     assert decay_seconds({"a": 0.5, "b": 0.5}, {"a": -1.0, "b": 1.0}, "c", 0.2, EASINGS["smooth"]) == 0.2
 
 
-def test_rest_needs_no_decay():
+def test_rest_needs_no_decay() -> None:
     assert decay_seconds({"a": 1.0}, {"a": 0.0}, "b", 2.0, EASINGS["smooth"]) == 0.0
 
 
@@ -88,7 +90,9 @@ origins = st.floats(0.0, 1.0)
 
 
 @given(origins, st.floats(-30.0, 30.0), origins, st.floats(0.01, 3.0))
-def test_a_glide_takes_over_place_and_rate_and_rests_exactly_at_its_goal(origin, rate, goal, seconds):
+def test_a_glide_takes_over_place_and_rate_and_rests_exactly_at_its_goal(
+    origin: float, rate: float, goal: float, seconds: float
+) -> None:
     assume(0.0 < origin < 1.0)
     way = glide(origin, rate, goal, seconds)
     assume(way.seconds > 1e-6)
@@ -102,7 +106,9 @@ def test_a_glide_takes_over_place_and_rate_and_rests_exactly_at_its_goal(origin,
 
 
 @given(origins, st.floats(-30.0, 30.0), origins, st.floats(0.01, 3.0), st.floats(0.05, 0.95))
-def test_the_rate_of_a_glide_is_its_derivative(origin, rate, goal, seconds, u):
+def test_the_rate_of_a_glide_is_its_derivative(
+    origin: float, rate: float, goal: float, seconds: float, u: float
+) -> None:
     way = glide(origin, rate, goal, seconds)
     assume(way.seconds > 1e-3)
     step = 1e-6 * way.seconds
@@ -111,6 +117,6 @@ def test_the_rate_of_a_glide_is_its_derivative(origin, rate, goal, seconds, u):
     assert rate_there * way.seconds == pytest.approx((after - before) / 2e-6, abs=1e-4)
 
 
-def test_sixty_sixtieths_are_a_second():
+def test_sixty_sixtieths_are_a_second() -> None:
     assert is_over(sum([1 / 60] * 60), 1.0)
     assert not is_over(sum([1 / 60] * 59), 1.0)
