@@ -13,7 +13,7 @@ PAGES := src/omote/server/web/stage.html
 CAST := src/omote/builtin/cast.npz
 
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
-CAST_FROM := $(wildcard tools/bake.py tools/baking/*.py src/omote/geometry/*.py src/omote/model/*.py)
+CAST_FROM := $(wildcard tools/bake.py tools/baking/*.py src/omote/geometry/*.py src/omote/model/*.py src/omote/builtin/*.py)
 
 .PHONY: help demo test setup bake web check check-python check-web tests browser-tests wheel-test format bench wheel clean
 .DELETE_ON_ERROR:
@@ -54,7 +54,7 @@ $(PAGES): $(PAGES_FROM) $(MODULES)
 
 $(CAST): $(CAST_FROM) | $(PACKAGES)
 	@echo "== Cast (src/omote/builtin/cast.npz)"
-	@$(RUN) tools/bake.py
+	@$(RUN) -m tools.bake
 	@touch $@
 
 # ---- checks and tests

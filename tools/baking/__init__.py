@@ -1,0 +1,1 @@
+"""The steps that turn the pinned CC0 package into the built-in cast (src/omote/builtin)."""

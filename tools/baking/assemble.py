@@ -1,0 +1,116 @@
+"""The arrays of cast.npz from the published files (their list: omote.builtin.castfile)."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.builtin.binding import PARTS, PartMesh, head_space
+from omote.builtin.castfile import FORMAT, SKIN
+from omote.model.cast import GENERIC, NEUTRAL
+from omote.model.expression import Expression
+from omote.model.face import Face
+from omote.model.space import ParameterSpace
+from omote.model.transfer import extract
+from tools.baking.basemesh import BaseMesh, Floats, Ints
+from tools.baking.expressions import ARKIT, PERFORMED, label, region
+from tools.baking.head import Head, Piece
+from tools.baking.moves import Move
+from tools.baking.package import Package
+from tools.baking.people import PEOPLE
+from tools.baking.person import person_points
+
+Arrays = dict[str, NDArray[Any]]
+Step = Callable[[str], None]
+
+
+def face_arrays(package: Package, base: BaseMesh, head: Head, step: Step) -> Arrays:
+    """Positions (float32, metres) of skin and parts of every person."""
+    arrays: Arrays = {}
+    for name, person in PEOPLE.items():
+        points = head.metres(person_points(person, package, base, head.eyes)).astype(np.float32)
+        arrays[f"face/{name}"] = points[head.skin.vertices]
+        for part in PARTS:
+            arrays[f"face/{name}/{part}"] = points[head.parts[part].vertices]
+        step(name)
+    return arrays
+
+
+def mesh_arrays(head: Head, layout: Floats) -> Arrays:
+    """Triangles, and the meshes as they are drawn: the skin on its own layout, the parts on the published one."""
+    arrays: Arrays = {"triangles": head.skin.triangles}
+    arrays.update(_drawn(SKIN, head.skin, layout))
+    for part in PARTS:
+        piece = head.parts[part]
+        arrays[f"part/{part}"] = piece.triangles
+        arrays.update(_drawn(part, piece, piece.uvs * [1.0, -1.0] + [0.0, 1.0]))
+    return arrays
+
+
+def _drawn(name: str, piece: Piece, uvs: Floats) -> Arrays:
+    """Every pair of vertex and texture coordinate once; uvs (k, 2), (0, 0) the upper left corner."""
+    pairs = np.stack([piece.triangles.ravel(), piece.uv_corners.ravel()], axis=1)
+    drawn, corners = np.unique(pairs, axis=0, return_inverse=True)
+    return {
+        f"drawn/{name}/source": drawn[:, 0].astype(np.int32),
+        f"drawn/{name}/uv": uvs[drawn[:, 1]].astype(np.float32),
+        f"drawn/{name}/triangles": corners.reshape(-1, 3).astype(np.int32),
+    }
+
+
+def chin(points: Floats, jaw_open: Floats) -> Ints:
+    """The skin vertices that go with the jaw as one: near the middle, in front, and moved nearly as far as any."""
+    distance = np.linalg.norm(jaw_open, axis=1)
+    middle = (np.abs(points[:, 0]) < 0.02) & (points[:, 2] > np.median(points[:, 2]))
+    return np.flatnonzero(middle & (distance > 0.85 * distance[middle].max())).astype(np.int32)
+
+
+def field_arrays(arrays: Arrays, moves: Mapping[str, Move], step: Step) -> Arrays:
+    """Every expression as a field on S, taken from the generic face by the paper's map; the field at rest comes first."""
+    generic = Face(GENERIC, arrays[f"face/{GENERIC}"], {part: arrays[f"face/{GENERIC}/{part}"] for part in PARTS})
+    parts = {part: PartMesh(generic.parts[part].astype(np.float64), arrays[f"part/{part}"]) for part in PARTS}
+    space = head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["chin"])
+    expressions = [_at_rest(space)]
+    for name, move in moves.items():
+        expressions.append(extract(space, generic, move.skin, parts=move.parts))
+        step(name)
+    return _stacked(expressions, space)
+
+
+def _at_rest(space: ParameterSpace) -> Expression:
+    count = space.vertex_count
+    return Expression(np.zeros(count), np.zeros(count), np.ones(count), np.zeros((len(space.inner.vertices), 3)))
+
+
+def _stacked(expressions: list[Expression], space: ParameterSpace) -> Arrays:
+    """The fields as float32: their rounding is below a millionth of a millimetre."""
+    stacks: dict[str, list[NDArray[Any]]] = {
+        "dtheta": [expression.dtheta for expression in expressions],
+        "dh": [expression.dh for expression in expressions],
+        "swell": [expression.ratio - 1.0 for expression in expressions],
+        "residual": [expression.residual for expression in expressions],
+        "eyes": [expression.eyes for expression in expressions],
+    }
+    for part in PARTS:
+        still = np.zeros_like(space.parts[part].points)
+        stacks[f"rest/{part}"] = [expression.parts.get(part, still) for expression in expressions]
+    return {name: np.stack(stack).astype(np.float32) for name, stack in stacks.items()}
+
+
+def about(moves: Mapping[str, Move]) -> Arrays:
+    """Names, looks and titles as JSON, and the format's number."""
+    faces = {name: dict(person.look) for name, person in PEOPLE.items()}
+    rows = [{"name": NEUTRAL, "label": label(NEUTRAL), "kind": "neutral", "region": "whole"}]
+    rows += [{"name": name, "label": label(name), "kind": _kind(name), "region": region(name)} for name in moves]
+    text = json.dumps({"faces": faces, "expressions": rows}, indent=1)
+    return {"format": np.array(FORMAT), "about": np.frombuffer(text.encode(), dtype=np.uint8)}
+
+
+def _kind(name: str) -> str:
+    if name in PERFORMED:
+        return "performed"
+    return "arkit" if name in ARKIT else "makehuman"

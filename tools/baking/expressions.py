@@ -1,0 +1,125 @@
+"""What the cast can do: ARKit's units, MakeHuman's units, and the performed expressions composed from ARKit's."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+ARKIT: Sequence[str] = (
+    "browDownLeft", "browDownRight", "browInnerUp", "browOuterUpLeft", "browOuterUpRight",
+    "cheekPuff", "cheekSquintLeft", "cheekSquintRight",
+    "eyeBlinkLeft", "eyeBlinkRight", "eyeLookDownLeft", "eyeLookDownRight", "eyeLookInLeft", "eyeLookInRight",
+    "eyeLookOutLeft", "eyeLookOutRight", "eyeLookUpLeft", "eyeLookUpRight", "eyeSquintLeft", "eyeSquintRight",
+    "eyeWideLeft", "eyeWideRight",
+    "jawForward", "jawLeft", "jawOpen", "jawRight",
+    "mouthClose", "mouthDimpleLeft", "mouthDimpleRight", "mouthFrownLeft", "mouthFrownRight", "mouthFunnel",
+    "mouthLeft", "mouthLowerDownLeft", "mouthLowerDownRight", "mouthPressLeft", "mouthPressRight", "mouthPucker",
+    "mouthRight", "mouthRollLower", "mouthRollUpper", "mouthShrugLower", "mouthShrugUpper",
+    "mouthSmileLeft", "mouthSmileRight", "mouthStretchLeft", "mouthStretchRight",
+    "mouthUpperUpLeft", "mouthUpperUpRight",
+    "noseSneerLeft", "noseSneerRight", "tongueOut",
+)  # fmt: skip
+
+MAKEHUMAN: Sequence[str] = (
+    "eye-left-closure", "eye-left-opened-up", "eye-left-slit",
+    "eye-right-closure", "eye-right-opened-up", "eye-right-slit",
+    "eyebrows-left-down", "eyebrows-left-extern-up", "eyebrows-left-inner-up", "eyebrows-left-up",
+    "eyebrows-right-down", "eyebrows-right-extern-up", "eyebrows-right-inner-up", "eyebrows-right-up",
+    "mouth-compression", "mouth-corner-puller", "mouth-depression", "mouth-depression-retraction", "mouth-elevation",
+    "mouth-eversion", "mouth-open", "mouth-parling", "mouth-part-later", "mouth-protusion", "mouth-pursing",
+    "mouth-retraction", "mouth-upward-retraction", "neck-platysma",
+    "nose-compression", "nose-depression", "nose-left-dilatation", "nose-left-elevation", "nose-right-dilatation",
+    "nose-right-elevation",
+)  # fmt: skip
+
+# Weights of ARKit units; `*` in a name stands for Left and Right alike.
+PERFORMED: Mapping[str, Mapping[str, float]] = {
+    "smile": {"mouthSmile*": 0.62, "cheekSquint*": 0.35, "eyeSquint*": 0.15, "mouthDimple*": 0.15},
+    "joy": {
+        "mouthSmile*": 0.85, "cheekSquint*": 0.6, "eyeSquint*": 0.25, "mouthUpperUp*": 0.3, "mouthLowerDown*": 0.3,
+        "jawOpen": 0.12, "browInnerUp": 0.2, "browOuterUp*": 0.2,
+    },
+    "laugh": {
+        "mouthSmile*": 0.9, "cheekSquint*": 0.9, "eyeSquint*": 0.55, "eyeBlink*": 0.25, "jawOpen": 0.5,
+        "mouthUpperUp*": 0.4, "browInnerUp": 0.25, "noseSneer*": 0.15,
+    },
+    "sad": {
+        "browInnerUp": 0.9, "browDown*": 0.15, "mouthFrown*": 0.75, "mouthShrugLower": 0.35, "eyeBlink*": 0.2,
+        "eyeLookDown*": 0.35,
+    },
+    "cry": {
+        "browInnerUp": 1.0, "browDown*": 0.35, "eyeSquint*": 0.7, "eyeBlink*": 0.45, "cheekSquint*": 0.6,
+        "mouthFrown*": 0.7, "mouthStretch*": 0.5, "mouthLowerDown*": 0.6, "mouthUpperUp*": 0.25, "jawOpen": 0.2,
+        "noseSneer*": 0.3,
+    },
+    "angry": {
+        "browDown*": 1.0, "eyeSquint*": 0.35, "noseSneer*": 0.55, "mouthPress*": 0.6, "mouthFrown*": 0.35,
+        "jawForward": 0.25, "mouthRollLower": 0.2,
+    },
+    "shout": {
+        "browDown*": 1.0, "eyeWide*": 0.3, "noseSneer*": 0.7, "jawOpen": 0.7, "mouthUpperUp*": 0.6,
+        "mouthLowerDown*": 0.7, "mouthStretch*": 0.4, "cheekSquint*": 0.3,
+    },
+    "surprise": {"browInnerUp": 0.9, "browOuterUp*": 0.9, "eyeWide*": 0.85, "jawOpen": 0.4, "mouthFunnel": 0.25},
+    "fear": {
+        "browInnerUp": 1.0, "browOuterUp*": 0.35, "browDown*": 0.25, "eyeWide*": 1.0, "mouthStretch*": 0.8,
+        "jawOpen": 0.18, "mouthLowerDown*": 0.35,
+    },
+    "disgust": {
+        "noseSneer*": 1.0, "browDown*": 0.55, "mouthUpperUp*": 0.55, "cheekSquint*": 0.5, "eyeSquint*": 0.45,
+        "mouthFrown*": 0.4, "mouthShrugLower": 0.3, "mouthLowerDown*": 0.2,
+    },
+    "contempt": {
+        "mouthSmileLeft": 0.45, "mouthDimpleLeft": 0.6, "mouthPressLeft": 0.4, "noseSneerLeft": 0.25,
+        "eyeBlink*": 0.22, "browDownRight": 0.2, "browOuterUpLeft": 0.35,
+    },
+    "sleepy": {"eyeBlink*": 0.58, "browInnerUp": 0.35, "eyeLookDown*": 0.3, "jawOpen": 0.06, "mouthFrown*": 0.15},
+    "asleep": {"eyeBlink*": 0.92, "jawOpen": 0.04, "mouthShrugLower": 0.1},
+    "kiss": {"mouthPucker": 1.0, "mouthFunnel": 0.12, "eyeBlink*": 0.55, "browInnerUp": 0.2, "cheekSquint*": 0.1},
+    "wink": {
+        "eyeBlinkLeft": 0.95, "cheekSquintLeft": 0.8, "eyeSquintLeft": 0.3, "mouthSmileLeft": 0.65,
+        "mouthSmileRight": 0.35, "browDownLeft": 0.3, "browOuterUpRight": 0.3,
+    },
+    "doubt": {
+        "browOuterUpLeft": 0.95, "browDownRight": 0.7, "eyeSquintRight": 0.45, "mouthLeft": 0.3, "mouthPress*": 0.35,
+        "mouthFrownRight": 0.35, "mouthShrugUpper": 0.15,
+    },
+    "pain": {
+        "eyeBlink*": 0.75, "eyeSquint*": 0.6, "cheekSquint*": 0.9, "browDown*": 0.9, "noseSneer*": 0.7,
+        "mouthStretch*": 0.7, "mouthUpperUp*": 0.45, "mouthLowerDown*": 0.5, "jawOpen": 0.08,
+    },
+    "pout": {
+        "mouthShrugLower": 0.9, "mouthPucker": 0.35, "mouthFrown*": 0.45, "browDown*": 0.45, "browInnerUp": 0.3,
+        "cheekPuff": 0.15,
+    },
+    "puff": {"cheekPuff": 1.0, "mouthPress*": 0.3, "eyeWide*": 0.25, "browInnerUp": 0.3},
+    "cheeky": {
+        "tongueOut": 1.0, "jawOpen": 0.3, "mouthSmile*": 0.6, "cheekSquint*": 0.5, "eyeSquint*": 0.3,
+        "browOuterUp*": 0.4,
+    },
+}  # fmt: skip
+
+_REGIONS = {"brow": "brows", "eye": "eyes", "nose": "nose", "cheek": "cheeks", "mouth": "mouth", "jaw": "jaw", "tongue": "tongue"}
+
+
+def unit_weights(recipe: Mapping[str, float]) -> dict[str, float]:
+    """A performed expression's weight of every ARKit unit it uses, `*` written out."""
+    return {name.replace("*", side): weight for name, weight in recipe.items() for side in _sides(name)}
+
+
+def _sides(name: str) -> tuple[str, ...]:
+    return ("Left", "Right") if "*" in name else ("",)
+
+
+def region(name: str) -> str:
+    """The region of the face that a unit belongs to; `whole` for what is performed and for the neck."""
+    if name in PERFORMED:
+        return "whole"
+    if name.startswith("eyebrows"):
+        return "brows"
+    return next((place for prefix, place in _REGIONS.items() if name.startswith(prefix)), "whole")
+
+
+def label(name: str) -> str:
+    """What people read: `Jaw open` for jawOpen, `Mouth corner puller` for mouth-corner-puller."""
+    words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in name).replace("-", " ")
+    return words[0].upper() + words[1:]
