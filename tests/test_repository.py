@@ -1,5 +1,6 @@
 """The files beside the code: pins without hosts, nothing private, pages that agree with each other and the Makefile."""
 
+import ast
 import importlib.metadata
 import json
 import re
@@ -96,6 +97,38 @@ def test_every_python_package_is_pinned_at_the_version_that_is_tested() -> None:
     installed.pop("omote")
     pinned = pins()
     assert {name: pinned.get(name) for name in installed} == installed
+
+
+def imported_packages(*folders: str) -> set[str]:
+    """The installed packages that the Python files of some folders import, wherever in a file."""
+    owners = importlib.metadata.packages_distributions()
+    trees = [ast.parse(path.read_text()) for folder in folders for path in (ROOT / folder).rglob("*.py")]
+    imported = {name for tree in trees for node in ast.walk(tree) for name in imported_names(node)}
+    return {canonicalize_name(owner) for name in imported for owner in owners.get(name, [])}
+
+
+def imported_names(node: ast.AST) -> list[str]:
+    """The top names that an import statement names; none for another node."""
+    if isinstance(node, ast.Import):
+        return [alias.name.split(".")[0] for alias in node.names]
+    return [node.module.split(".")[0]] if isinstance(node, ast.ImportFrom) and node.module else []
+
+
+def declared(requirements: list[str]) -> set[str]:
+    """The names of some requirements."""
+    return {canonicalize_name(Requirement(text).name) for text in requirements}
+
+
+def test_the_package_imports_what_it_declares_and_declares_what_it_imports() -> None:
+    assert imported_packages("src") - {"omote"} == declared(PROJECT["dependencies"])
+
+
+def test_tests_and_tools_import_only_what_is_declared() -> None:
+    extra = declared(PROJECT["optional-dependencies"]["test"])
+    assert imported_packages("tests", "tools", "benchmarks") <= extra | declared(PROJECT["dependencies"]) | {
+        "omote",
+        "pip",
+    }
 
 
 def test_build_tools_and_node_are_pinned() -> None:
