@@ -7,12 +7,13 @@ until its buffer is empty again and then gets the newest state, so nothing piles
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import itertools
 import socket
 from collections.abc import Callable, Coroutine, Iterator
 from dataclasses import dataclass, field
 
-from aiohttp import web
+from aiohttp import WSCloseCode, web
 
 from omote.show.bucket import TokenBucket
 
@@ -24,6 +25,7 @@ STALL_LIMIT = 10.0
 """Seconds a link may be behind before it is cut; a browser comes back and is given the newest state."""
 SEND_BUFFER = 32768
 """Bytes of the kernel's buffer: large ones would hold seconds of old states for a browser that pauses."""
+HANG_UP_SECONDS = 1.0
 HEARD_RATE, HEARD_BURST = 1200.0, 240.0
 """Messages per second heard from one link: ten fingers on faders; more waits in its own socket."""
 
@@ -79,6 +81,12 @@ class Links:
     def close(self, link: Link) -> None:
         """Forgets a link."""
         self._links.pop(link.who, None)
+
+    async def hang_up(self) -> None:
+        """Tells every browser that the server goes; waits a second at most."""
+        closing = [link.socket.close(code=WSCloseCode.GOING_AWAY, message=b"the server ends") for link in self]
+        with contextlib.suppress(TimeoutError):
+            await asyncio.wait_for(asyncio.gather(*closing, return_exceptions=True), HANG_UP_SECONDS)
 
     def answer(self, who: str, data: bytes) -> None:
         """Sends to one link; dropped when it does not read."""

@@ -16,12 +16,13 @@ import subprocess
 import sys
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from omote.server.orders import READY, Order, encode_order
 
+PROGRAM = (sys.executable, "-m", "omote.server.child")
 HANG_SECONDS = 1.0
 """Silence of a playing server after which it is replaced."""
 START_SECONDS = 10.0
@@ -59,15 +60,23 @@ class Supervisor:
     """Starts, watches and replaces the servers of one show."""
 
     def __init__(
-        self, listen: socket.socket, lock: int, show: Path, *, report: Callable[[str], None], opened: Callable[[], None]
+        self,
+        listen: socket.socket,
+        lock: int,
+        show: Path,
+        *,
+        report: Callable[[str], None],
+        opened: Callable[[], None],
+        program: Sequence[str] = PROGRAM,
     ) -> None:
-        self._listen, self._lock, self._show = listen, lock, show
+        self._listen, self._lock, self._show, self._program = listen, lock, show, tuple(program)
         self._report, self._opened = report, opened
         self._active: Server | None = None
         self._standby: Server | None = None
         self._spawn_at = 0.0
         self._epoch = 0
         self._deaths: deque[float] = deque(maxlen=CRASHES)
+        self._failed = 0
         self._played = False
         self._ending = False
         self._selector = selectors.DefaultSelector()
@@ -106,7 +115,8 @@ class Supervisor:
             self._report("the server hangs; another one takes over.")
             self._active.process.kill()
             self._bury(self._active)
-        return self._played or self._active is not None or self._standby is not None
+        alive = self._active is not None or self._standby is not None
+        return self._played or (alive and self._failed < CRASHES)
 
     def _promote(self, now: float) -> None:
         server, self._standby = self._standby, None
@@ -120,7 +130,6 @@ class Supervisor:
             )
             self._deaths.clear()
         self._active = server
-        self._spawn_at = now
         try:
             server.tell(Order(epoch=self._epoch, neutral=neutral))
         except BrokenPipeError:
@@ -130,7 +139,7 @@ class Supervisor:
         order_read, order_write = os.pipe()
         pulse_read, pulse_write = os.pipe()
         handed = {"--listen": self._listen.fileno(), "--control": order_read, "--pulse": pulse_write}
-        command = [sys.executable, "-m", "omote.server.child", "--show", str(self._show)]
+        command = [*self._program, "--show", str(self._show)]
         command += [word for name, descriptor in handed.items() for word in (name, str(descriptor))]
         process = subprocess.Popen(
             command,
@@ -173,6 +182,11 @@ class Supervisor:
         if server is self._active:
             self._active = None
             self._deaths.append(time.monotonic())
+            if not server.playing:  # it never came to a tick: trying again at once would help nobody
+                self._failed += 1
+                self._spawn_at = time.monotonic() + RESPAWN_SECONDS
+            else:
+                self._failed = 0
             if not self._ending:
                 self._report(f"the server ended (status {status}); another one takes over.")
         else:

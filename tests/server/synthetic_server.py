@@ -1,0 +1,31 @@
+"""A server process that plays the synthetic cast, as a supervisor starts it."""
+
+import sys
+
+import numpy as np
+
+from omote.server.bundle import Page
+from omote.server.child import Material, main
+from omote.server.library import Library
+from omote.show.assets import DrawnMesh
+from tests import synthetic
+
+MASK = b"\x89PNG\r\n\x1a\n"
+PAGES = {path: Page(f"page {path}".encode(), "text/html", immutable=False) for path in ("/", "/stage", "/console")}
+
+
+def drawn_mesh(name: str, triangles: np.ndarray, count: int) -> DrawnMesh:
+    """A mesh drawn without seams."""
+    return DrawnMesh(name, np.arange(count), np.zeros((count, 2)), triangles)
+
+
+def material() -> Material:
+    """The synthetic cast and three pages of one line."""
+    cast = synthetic.cast()
+    meshes = [drawn_mesh("skin", cast.space.triangles, cast.space.vertex_count)]
+    meshes += [drawn_mesh(name, part.triangles, len(part.points)) for name, part in cast.space.parts.items()]
+    return Material(Library(cast, meshes, MASK), PAGES)
+
+
+if __name__ == "__main__":
+    sys.exit(main(load=material))
