@@ -116,18 +116,27 @@ export class Link {
     } catch {
       return; // half a message from a dying server
     }
+    this.obey(message);
+  }
+
+  private obey(message: FromServer): void {
     switch (message.type) {
       case "welcome":
-        return this.welcome(message);
+        this.welcome(message);
+        break;
       case "state":
-        return this.state(message);
+        this.state(message);
+        break;
       case "pong":
         this.handlers.trip?.(this.heard - message.sent);
-        return this.clock.measure(message.sent, message.time, this.heard);
+        this.clock.measure(message.sent, message.time, this.heard);
+        break;
       case "crew":
-        return this.handlers.crew?.(message);
+        this.handlers.crew?.(message);
+        break;
       case "refused":
-        return this.handlers.refused?.(message.reason);
+        this.handlers.refused?.(message.reason);
+        break;
     }
   }
 

@@ -1,11 +1,12 @@
 import type { Library, Mesh } from "../link/assets";
+import { openness } from "./occlusion";
 import { smooth } from "./pose";
-import { distances, type Fans, fans, hollows, lowestBorder, rowTriangles, smoothed } from "./topology";
+import { distances, type Fans, fans, lowestBorder, rowTriangles, smoothed } from "./topology";
 
 /** What the stage works out once per cast from the generic face: all that is painted or turned by place. */
 export interface Anatomy {
   fans: Fans;
-  /** Per row: how far it turns with the head (0 at the neck's rim), hollow, hair, and light (0..1 each). */
+  /** Per row: how far it turns with the head (0 at the neck's rim), open sky, hair, and light (0..1 each). */
   traits: Float32Array;
   /** Rows of the neck's rim, in walking order. */
   rim: number[];
@@ -17,14 +18,22 @@ export interface Anatomy {
 
 const NECK = 0.075; // metres along the skin in which the neck comes to turn with the head
 
-/** The anatomy of a library's cast. */
-export async function study(library: Library): Promise<Anatomy> {
+const studied = new WeakMap<Library, Promise<Anatomy>>();
+
+/** The anatomy of a library's cast, worked out once. */
+export function study(library: Library): Promise<Anatomy> {
+  const known = studied.get(library) ?? examine(library);
+  studied.set(library, known);
+  return known;
+}
+
+async function examine(library: Library): Promise<Anatomy> {
   const positions = await library.positions(firstFace(library));
   const triangles = library.meshes.map(rowTriangles);
   const around = fans(triangles, library.manifest.vertices);
   const skin = library.meshes.findIndex((mesh) => mesh.name === "skin");
   const rim = skin < 0 ? [] : lowestBorder(triangles[skin] as Uint32Array, positions);
-  const traits = readTraits(around, positions, rim, library.manifest.skin);
+  const traits = readTraits(around, positions, rim, library.manifest.skin, triangles);
   return { fans: around, traits, rim, eyeRows: eyeRows(library.meshes), positions };
 }
 
@@ -44,18 +53,27 @@ function eyeRows(meshes: readonly Mesh[]): Int32Array {
   );
 }
 
-function readTraits(around: Fans, positions: Float32Array, rim: readonly number[], skin: number): Float32Array {
+function readTraits(
+  around: Fans,
+  positions: Float32Array,
+  rim: readonly number[],
+  skin: number,
+  triangles: readonly Uint32Array[],
+): Float32Array {
   const rows = around.starts.length - 1;
   const far = distances(around, positions, rim);
-  const turn = smoothed(around, far.map((distance) => smooth((distance - 0.008) / NECK)), 1, 6);
-  const fine = hollows(around, positions, 3);
-  const broad = hollows(around, positions, 24);
-  const hollow = smoothed(around, fine.map((depth, row) => depth / 0.0016 + (broad[row] as number) / 0.012), 1, 1);
+  const turn = smoothed(
+    around,
+    far.map((distance) => smooth((distance - 0.008) / NECK)),
+    1,
+    6,
+  );
+  const sky = smoothed(around, openness(around, positions, triangles), 1, 1);
   const traits = new Float32Array(4 * rows);
   for (let row = 0; row < rows; row++) {
     const part = row < skin ? (turn[row] as number) : 1;
     const light = smooth((far[row] as number) / 0.03 + 0.35);
-    traits.set([part, Math.max(0, hollow[row] as number), hairAt(positions, row), row < skin ? light : 1], 4 * row);
+    traits.set([part, sky[row] as number, hairAt(positions, row), row < skin ? light : 1], 4 * row);
   }
   for (const row of rim) traits[4 * row] = 0;
   return traits;

@@ -46,7 +46,10 @@ export class Blender {
     if (gl.getExtension("EXT_color_buffer_float") === null)
       throw new Error("This graphics driver cannot draw into float textures (EXT_color_buffer_float); update it.");
     this.height = Math.ceil(rows / ROW_WIDTH);
-    this.layers = new LayerTable(FIRST_CAPACITY, Math.min(1024, gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS) as number));
+    this.layers = new LayerTable(
+      FIRST_CAPACITY,
+      Math.min(1024, gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS) as number),
+    );
     this.blendPass = createProgram(gl, PASS_VERTEX, BLEND_FRAGMENT);
     this.normalPass = createProgram(gl, PASS_VERTEX, NORMAL_FRAGMENT);
     [this.positions, this.positionTarget] = targetTexture(gl, ROW_WIDTH, this.height);
@@ -106,7 +109,8 @@ export class Blender {
 
   dispose(): void {
     const { gl } = this;
-    for (const texture of [this.positions, this.normals, this.store, this.ranges, this.corners]) gl.deleteTexture(texture);
+    for (const texture of [this.positions, this.normals, this.store, this.ranges, this.corners])
+      gl.deleteTexture(texture);
     for (const target of [this.positionTarget, this.normalTarget]) gl.deleteFramebuffer(target);
     for (const program of [this.blendPass, this.normalPass]) gl.deleteProgram(program);
     gl.deleteBuffer(this.entryBuffer);

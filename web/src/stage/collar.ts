@@ -42,15 +42,24 @@ function levelOfRim(rim: readonly number[], positions: Float32Array): number {
 /** The horizontal direction away from the middle of the rim. */
 function outward(anatomy: Anatomy, row: number): [number, number] {
   const { rim, positions } = anatomy;
-  const mean = (axis: number) => rim.reduce((sum, other) => sum + (positions[3 * other + axis] as number), 0) / rim.length;
+  const mean = (axis: number) =>
+    rim.reduce((sum, other) => sum + (positions[3 * other + axis] as number), 0) / rim.length;
   const [x, z] = [(positions[3 * row] as number) - mean(0), (positions[3 * row + 2] as number) - mean(2)];
   const length = Math.hypot(x, z);
   return [x / length, z / length];
 }
 
-function assemble(source: number[], offset: number[], fade: number[], index: number[], positions: Float32Array): THREE.BufferGeometry {
+function assemble(
+  source: number[],
+  offset: number[],
+  fade: number[],
+  index: number[],
+  positions: Float32Array,
+): THREE.BufferGeometry {
   const geometry = new THREE.BufferGeometry();
-  const points = source.flatMap((row, at) => [0, 1, 2].map((axis) => (positions[3 * row + axis] as number) + (offset[3 * at + axis] as number)));
+  const points = source.flatMap((row, at) =>
+    [0, 1, 2].map((axis) => (positions[3 * row + axis] as number) + (offset[3 * at + axis] as number)),
+  );
   geometry.setIndex(index);
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
   geometry.computeVertexNormals();

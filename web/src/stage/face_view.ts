@@ -23,7 +23,7 @@ export interface FaceViewOptions {
 }
 
 /** The head with its collar, as a director frames it. */
-export const PORTRAIT: Shot = { centre: [0, -0.012, 0.05], height: 0.315, width: 0.25 };
+export const PORTRAIT: Shot = { centre: [0, -0.017, 0.05], height: 0.285, width: 0.22 };
 /** Closer, for thumbnails: the face without its neck. */
 export const CLOSE: Shot = { centre: [0, -0.004, 0.05], height: 0.24, width: 0.19 };
 
@@ -66,7 +66,11 @@ export class FaceView {
   }
 
   /** A view of a library's cast; an Error with a sentence when the browser gives no WebGL2. */
-  static async load(canvas: HTMLCanvasElement | OffscreenCanvas, library: Library, options: FaceViewOptions = {}): Promise<FaceView> {
+  static async load(
+    canvas: HTMLCanvasElement | OffscreenCanvas,
+    library: Library,
+    options: FaceViewOptions = {},
+  ): Promise<FaceView> {
     const [anatomy, mask] = await Promise.all([study(library), library.mask().catch(() => undefined)]);
     return new FaceView(canvas, library, anatomy, mask, options);
   }
@@ -96,10 +100,9 @@ export class FaceView {
 
   /** Fetches all that a pose needs, then draws it in full. */
   async present(pose: Pose): Promise<void> {
-    const { faces, expressions } = namesOf(pose);
-    await this.holdings.complete(faces, expressions);
-    await Promise.resolve(); // the holdings take over what came after we did
     this.show(pose);
+    await this.holdings.complete();
+    this.show(pose); // others may have shown something meanwhile
     this.render(undefined, true);
   }
 
@@ -125,7 +128,7 @@ export class FaceView {
   private build(): void {
     const gl = this.renderer.getContext() as WebGL2RenderingContext;
     this.blender = new Blender(gl, this.library.manifest.vertices, this.anatomy.fans);
-    this.holdings ??= new Holdings(this.library, this.anatomy.eyeRows);
+    this.holdings ??= new Holdings(this.library);
     this.shared = headUniforms(this.blender.positions, this.blender.normals);
     this.shared.mask.value = maskTexture(this.mask);
     this.scene = new THREE.Scene();
@@ -148,16 +151,25 @@ export class FaceView {
   };
 
   private blend(seconds: number, atOnce: boolean): void {
-    const { entries, held } = this.holdings.entries(this.pose, this.blender, seconds, atOnce);
+    const entries = this.holdings.entries(this.pose, this.blender, seconds, atOnce);
     if (entries.length === 0) return; // nothing loaded yet: what shows stays
     const key = JSON.stringify([entries, this.pose.eyes]);
     if (key === this.blended) return;
     this.blended = key;
-    this.holdings.centres(held, this.eyes.centres);
+    this.placeEyes();
     writeTurn(this.pose.eyes[0], this.pose.eyes[1], this.eyes.turns, 0);
     writeTurn(this.pose.eyes[2], this.pose.eyes[3], this.eyes.turns, 9);
     this.blender.blend(entries, this.eyes);
     this.renderer.resetState();
+  }
+
+  /** The eyeballs turn about the mix of the faces' own centres, as `omote.evaluate_parts` has it. */
+  private placeEyes(): void {
+    this.eyes.centres.fill(0);
+    for (const [face, weight] of faceWeights(this.pose, (name) => (this.looks.has(name) ? 1 : 0)))
+      (this.looks.get(face) as FaceLook).centres.forEach((part, at) => {
+        this.eyes.centres[at] = (this.eyes.centres[at] as number) + weight * part;
+      });
   }
 
   private paint(): void {
@@ -165,9 +177,15 @@ export class FaceView {
     const { x: width, y: height } = this.size;
     const { tile } = this.options;
     frame(this.camera, this.options.shot ?? PORTRAIT, width, height, tile);
-    const [fullWidth, fullHeight, left, top] = tile === undefined ? [width, height, 0, 0] : tileView(tile, width, height);
+    const [fullWidth, fullHeight, left, top] =
+      tile === undefined ? [width, height, 0, 0] : tileView(tile, width, height);
     const backdrop = this.backdrop.material.uniforms as { window: { value: THREE.Vector4 }; aspect: { value: number } };
-    backdrop.window.value.set(left / fullWidth, 1 - (top + height) / fullHeight, width / fullWidth, height / fullHeight);
+    backdrop.window.value.set(
+      left / fullWidth,
+      1 - (top + height) / fullHeight,
+      width / fullWidth,
+      height / fullHeight,
+    );
     backdrop.aspect.value = fullWidth / fullHeight;
     this.turnHead();
     this.dress();
@@ -181,7 +199,11 @@ export class FaceView {
     this.shared.headTurn.value.setFromMatrix4(turn);
     const pivot = this.shared.pivot.value;
     this.eyeUniforms.forEach((eye, side) => {
-      eye.centre.value.fromArray(this.eyes.centres, 3 * side).sub(pivot).applyMatrix3(this.shared.headTurn.value).add(pivot);
+      eye.centre.value
+        .fromArray(this.eyes.centres, 3 * side)
+        .sub(pivot)
+        .applyMatrix3(this.shared.headTurn.value)
+        .add(pivot);
       eye.eyeTurn.value.fromArray(this.eyes.turns, 9 * side).premultiply(this.shared.headTurn.value);
     });
   }
@@ -199,12 +221,23 @@ export class FaceView {
   }
 }
 
-type FaceLook = Record<"skin" | "lip" | "brow" | "blush" | "iris", THREE.Color> & { eyeRadius: number };
+type FaceLook = Record<"skin" | "lip" | "brow" | "blush" | "iris", THREE.Color> & {
+  eyeRadius: number;
+  centres: number[];
+};
 
 function readLook(face: FaceDocument): FaceLook {
   const { skin, lip, brow, blush, iris } = face.look;
   const colour = (hex: string) => new THREE.Color().setStyle(hex); // sRGB in, linear out
-  return { skin: colour(skin), lip: colour(lip), brow: colour(brow), blush: colour(blush), iris: colour(iris), eyeRadius: face.eye_radius };
+  return {
+    skin: colour(skin),
+    lip: colour(lip),
+    brow: colour(brow),
+    blush: colour(blush),
+    iris: colour(iris),
+    eyeRadius: face.eye_radius,
+    centres: face.centres.flat(),
+  };
 }
 
 function addScaled(sum: THREE.Color, colour: THREE.Color, weight: number): void {
@@ -225,7 +258,9 @@ function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas, options: Fa
     powerPreference: "high-performance",
   }) as WebGL2RenderingContext | null;
   if (context === null)
-    throw new Error("This browser gives no WebGL2, so no face can be drawn; update the graphics driver or use another browser.");
+    throw new Error(
+      "This browser gives no WebGL2, so no face can be drawn; update the graphics driver or use another browser.",
+    );
   const renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true, premultipliedAlpha: true });
   renderer.setClearColor(0x000000, 0);
   return renderer;

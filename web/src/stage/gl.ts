@@ -29,7 +29,11 @@ function nearestTexture(gl: WebGL2RenderingContext, format: number, width: numbe
 }
 
 /** A float texture and the framebuffer that draws into it. */
-export function targetTexture(gl: WebGL2RenderingContext, width: number, height: number): [WebGLTexture, WebGLFramebuffer] {
+export function targetTexture(
+  gl: WebGL2RenderingContext,
+  width: number,
+  height: number,
+): [WebGLTexture, WebGLFramebuffer] {
   const texture = nearestTexture(gl, gl.RGBA32F, width, height);
   const target = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, target);

@@ -64,10 +64,16 @@ export const eyeUniforms = (): EyeUniforms => ({
 });
 
 /** The whole head as a scene. */
-export function buildHead(meshes: readonly Mesh[], anatomy: Anatomy, shared: HeadUniforms, eyes: [EyeUniforms, EyeUniforms]): THREE.Group {
+export function buildHead(
+  meshes: readonly Mesh[],
+  anatomy: Anatomy,
+  shared: HeadUniforms,
+  eyes: [EyeUniforms, EyeUniforms],
+): THREE.Group {
   const head = new THREE.Group();
   for (const mesh of meshes) head.add(drawn(mesh, anatomy, shared, eyes));
-  if (anatomy.rim.length > 0) head.add(new THREE.Mesh(collar(anatomy), material(shaders.COLLAR_VERTEX, shaders.COLLAR_FRAGMENT, shared)));
+  if (anatomy.rim.length > 0)
+    head.add(new THREE.Mesh(collar(anatomy), material(shaders.COLLAR_VERTEX, shaders.COLLAR_FRAGMENT, shared)));
   for (const child of head.children) child.frustumCulled = false; // the vertices are where the GPU puts them
   return head;
 }
@@ -84,9 +90,17 @@ function drawn(mesh: Mesh, anatomy: Anatomy, shared: HeadUniforms, eyes: [EyeUni
     }
     case "teeth_upper":
     case "teeth_lower":
-      return mouthPart(geometry, mesh, anatomy, { ...shared, albedo: { value: new THREE.Color(0.62, 0.56, 0.47) }, wet: { value: 0.35 } });
+      return mouthPart(geometry, mesh, anatomy, {
+        ...shared,
+        albedo: { value: new THREE.Color(0.62, 0.56, 0.47) },
+        wet: { value: 0.35 },
+      });
     case "tongue":
-      return mouthPart(geometry, mesh, anatomy, { ...shared, albedo: { value: new THREE.Color(0.42, 0.11, 0.1) }, wet: { value: 0.22 } });
+      return mouthPart(geometry, mesh, anatomy, {
+        ...shared,
+        albedo: { value: new THREE.Color(0.42, 0.11, 0.1) },
+        wet: { value: 0.22 },
+      });
     case "lashes":
       return lashes(geometry, mesh, anatomy, shared);
     default:

@@ -1,30 +1,38 @@
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import { ParameterError, readParameters, type StageParameters } from "./parameters";
+import { exposeProbe } from "./probe";
 import { Stage } from "./stage";
 
 const notice = document.getElementById("notice") as HTMLElement;
 const canvas = document.getElementById("stage") as HTMLCanvasElement;
 
-/** Says a sentence on the page, for whoever sets the stage up. */
-function say(sentence: string): void {
-  notice.textContent = sentence;
-}
-
 async function open(parameters: StageParameters): Promise<void> {
   document.documentElement.classList.toggle("transparent", parameters.transparent);
-  const library = await Library.open();
-  const stage = await Stage.open(canvas, library, parameters);
+  const stage = await Stage.open(canvas, await Library.open(), parameters);
+  exposeProbe(stage);
   const tick = (): void => {
     stage.frame(now());
     requestAnimationFrame(tick);
   };
   requestAnimationFrame(tick);
+  if (parameters.hud) showCounters(stage);
+}
+
+/** What a technician wants to see in a corner of the picture. */
+function showCounters(stage: Stage): void {
+  const hud = document.body.appendChild(document.createElement("pre"));
+  hud.id = "hud";
+  setInterval(() => {
+    const { fps, received, ignored, number, connected } = stage.counters();
+    const faces = Object.keys(stage.shown?.faces ?? {}).join(" + ");
+    hud.textContent = `${connected ? "on air" : "no server"}  ${fps} fps  state ${number} (${received}, late ${ignored})\n${faces}`;
+  }, 500);
 }
 
 try {
   await open(readParameters(location.search));
 } catch (error) {
-  say(error instanceof Error ? error.message : String(error));
+  notice.textContent = error instanceof Error ? error.message : String(error); // for whoever sets the stage up
   if (!(error instanceof ParameterError)) console.error(error);
 }

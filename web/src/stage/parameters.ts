@@ -28,7 +28,8 @@ export class ParameterError extends Error {}
 export function readParameters(query: string): StageParameters {
   const given = new URLSearchParams(query);
   for (const name of given.keys())
-    if (!KNOWN.includes(name)) throw new ParameterError(`There is no parameter "${name}"; a stage knows ${KNOWN.join(", ")}.`);
+    if (!KNOWN.includes(name))
+      throw new ParameterError(`There is no parameter "${name}"; a stage knows ${KNOWN.join(", ")}.`);
   return {
     transparent: readSwitch(given, "transparent"),
     hud: readSwitch(given, "hud"),
@@ -75,7 +76,9 @@ function readBezel(text: string | null): [number, number] {
   const parts = text.split(",").map((part) => (part.trim() === "" ? Number.NaN : Number(part)));
   const [across, down = across] = parts;
   if (across === undefined || down === undefined || parts.length > 2 || !(inBezel(across) && inBezel(down)))
-    throw new ParameterError(`bezel=${text} is not understood; write per cent of a picture's size, 0 to 50: bezel=3 or bezel=3,4.`);
+    throw new ParameterError(
+      `bezel=${text} is not understood; write per cent of a picture's size, 0 to 50: bezel=3 or bezel=3,4.`,
+    );
   return [across / 100, down / 100];
 }
 

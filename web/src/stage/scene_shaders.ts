@@ -29,13 +29,13 @@ precision highp sampler2D;
 uniform vec3 cameraPosition;
 out vec4 colour;
 
-const vec3 KEY = normalize(vec3(-0.55, 0.55, 0.85));
-const vec3 FILL = normalize(vec3(0.85, 0.05, 0.55));
+const vec3 KEY = normalize(vec3(-0.68, 0.62, 0.66));
+const vec3 FILL = normalize(vec3(0.85, 0.0, 0.5));
 const vec3 RIM_LEFT = normalize(vec3(-0.9, 0.25, -0.45));
 const vec3 RIM_RIGHT = normalize(vec3(0.9, 0.35, -0.5));
-const vec3 KEY_LIGHT = vec3(2.35, 2.15, 1.95);
-const vec3 FILL_LIGHT = vec3(0.30, 0.38, 0.52);
-const vec3 RIM_LIGHT = vec3(0.55, 0.68, 0.95);
+const vec3 KEY_LIGHT = vec3(1.72, 1.52, 1.34);
+const vec3 FILL_LIGHT = vec3(0.15, 0.20, 0.30);
+const vec3 RIM_LIGHT = vec3(0.60, 0.74, 1.05);
 
 /** Linear light to the display, with a shoulder for the highlights. */
 vec3 display(vec3 light) {
@@ -52,7 +52,7 @@ float shine(vec3 normal, vec3 view, vec3 light, float sharpness) {
 
 export const SKIN_VERTEX = `${VERTEX_HEAD}
 in vec2 uv;
-in vec4 traits; // turn with the head, hollow, hair, fade at the neck
+in vec4 traits; // turn with the head, open sky, hair, light at the neck
 out vec3 vPoint;
 out vec3 vNormal;
 out vec2 vUv;
@@ -85,7 +85,7 @@ void main() {
   vec4 blotch = texture(grain, vUv * 1.7) - 0.5;
   vec3 view = normalize(cameraPosition - vPoint);
   vec3 normal = normalize(vNormal);
-  float hollow = vTraits.x;
+  float sky = vTraits.x;
   float hair = smoothstep(0.35, 0.65, vTraits.y + (pores.r + blotch.g) * 0.35);
   float lips = region.r;
 
@@ -96,21 +96,21 @@ void main() {
   albedo = mix(albedo, brow * (0.75 + 0.7 * pores.r), hair);
   albedo *= 1.0 - 0.85 * region.a;
 
-  float open = 1.0 - clamp(hollow, 0.0, 1.0);
-  vec3 wrap = mix(vec3(0.42, 0.24, 0.18), vec3(0.1), hair);
+  float open = smoothstep(0.05, 1.0, sky);
+  vec3 wrap = mix(vec3(0.34, 0.17, 0.12), vec3(0.05), hair);
   vec3 key = clamp((dot(normal, KEY) + wrap) / (1.0 + wrap), 0.0, 1.0);
   key *= mix(vec3(1.0, 0.90, 0.86), vec3(1.0), key); // the terminator is warm: light that went through the skin
   float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
   float edge = pow(1.0 - max(dot(normal, view), 0.0), 3.0);
   float rim = edge * (max(dot(normal, RIM_LEFT), 0.0) * 0.7 + max(dot(normal, RIM_RIGHT), 0.0));
-  vec3 ambient = mix(vec3(0.10, 0.075, 0.075), vec3(0.17, 0.19, 0.24), normal.y * 0.5 + 0.5);
-  vec3 light = albedo * (KEY_LIGHT * key * mix(vec3(1.0), vec3(open) * vec3(1.0, 0.82, 0.78), 0.55)
-    + (FILL_LIGHT * fill + ambient) * open * open);
+  vec3 ambient = mix(vec3(0.060, 0.042, 0.040), vec3(0.085, 0.092, 0.12), normal.y * 0.5 + 0.5);
+  vec3 shade = mix(vec3(open), vec3(sqrt(open), open, open), 0.6); // light that bounces in a hollow reddens
+  vec3 light = albedo * (KEY_LIGHT * key * mix(vec3(1.0), shade, 0.8) + (FILL_LIGHT * fill + ambient) * shade * open);
 
   float oil = (0.055 + 0.11 * lips) * (1.0 - hair) * open * (1.0 + pores.a * 1.4) * (1.0 - region.g);
   light += KEY_LIGHT * oil * (shine(normal, view, KEY, 22.0) + (1.2 + 3.0 * lips) * shine(normal, view, KEY, 70.0));
   light += FILL_LIGHT * oil * shine(normal, view, FILL, 22.0);
-  light += RIM_LIGHT * rim * open * (0.55 + 0.6 * albedo);
+  light += RIM_LIGHT * rim * open * mix(0.45 + 0.6 * albedo, vec3(0.16), hair);
   colour = premultiplied(light * vTraits.z, 1.0);
 }
 `;
@@ -215,7 +215,7 @@ in vec2 vStrand;
 
 void main() {
   float across = abs(fract(vStrand.x) - 0.5) * 2.0;
-  float alpha = (1.0 - smoothstep(0.0, 1.0, vStrand.y)) * smoothstep(1.0, 0.35, across + vStrand.y * 0.5);
+  float alpha = (1.0 - smoothstep(0.1, 0.75, vStrand.y)) * smoothstep(1.0, 0.2, across * 0.8 + vStrand.y * 0.6);
   if (alpha < 0.02) discard;
   colour = premultiplied(brow * 0.10, alpha * 0.95);
 }
@@ -247,9 +247,9 @@ void main() {
   vec3 view = normalize(cameraPosition - vPoint);
   vec3 normal = normalize(vNormal);
   float edge = pow(1.0 - max(dot(normal, view), 0.0), 2.5);
-  vec3 cloth = vec3(0.012, 0.012, 0.015);
-  vec3 light = cloth * (KEY_LIGHT * max(dot(normal, KEY), 0.0) + FILL_LIGHT + 0.2);
-  light += RIM_LIGHT * edge * 0.10 * (max(dot(normal, RIM_LEFT), 0.0) + max(dot(normal, RIM_RIGHT), 0.0));
+  vec3 cloth = vec3(0.0055, 0.0055, 0.0075);
+  vec3 light = cloth * (KEY_LIGHT * max(dot(normal, KEY), 0.0) + FILL_LIGHT + 0.1);
+  light += RIM_LIGHT * edge * 0.06 * (max(dot(normal, RIM_LEFT), 0.0) + max(dot(normal, RIM_RIGHT), 0.0));
   colour = premultiplied(light * vFade, 1.0);
 }
 `;

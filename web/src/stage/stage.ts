@@ -1,69 +1,98 @@
-import type { Library } from "../link/assets";
+import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import type { State, Welcome } from "../link/messages";
 import { Link } from "../link/socket";
+import { Breath } from "./breath";
 import { FaceView } from "./face_view";
 import type { Quality, StageParameters } from "./parameters";
 import type { Pose } from "./pose";
+import { Rate } from "./rate";
 import { Timeline } from "./timeline";
 
 /** Seconds behind the server: one and a half state intervals, so that there is a state on either side of a frame. */
 const DELAY = 0.025;
 /** On a wall every tile draws the state of one common instant; the slowest of them must have it by then. */
 const WALL_DELAY = 0.06;
+/** Seconds of silence after which the face breathes by itself. */
+const ALONE = 1.0;
 const PIXEL_RATIO: Record<Quality, number> = { low: 1, mid: 1.5, high: 2 };
 
-/** Frames drawn in the last second. */
-class Rate {
-  private times: number[] = [];
-
-  tick(time: number): void {
-    this.times.push(time);
-    while ((this.times[0] as number) < time - 1) this.times.shift();
-  }
-
-  at(time: number): number {
-    return this.times.filter((drawn) => drawn >= time - 1).length;
-  }
+/** What a stage counts; for the heads-up display and for tests. */
+export interface Counters {
+  received: number;
+  ignored: number;
+  drawn: number;
+  fps: number;
+  epoch: number;
+  number: number;
+  connected: boolean;
 }
 
 /** A page that shows the face: states in, frames out; holds the face when the server is gone. */
 export class Stage {
   private readonly timeline = new Timeline();
+  private readonly breath = new Breath();
   private readonly rate = new Rate();
   private readonly link: Link;
   private readonly delay: number;
-  private held: Pose | undefined;
   private state: State | undefined;
+  private last = now();
   private reported = 0;
   private drawn = 0;
   private received = 0;
   private reloading = false;
+  /** The pose last drawn. */
+  shown: Pose | undefined;
+  /** A pose that is drawn instead of the server's, in full; for tests. */
+  held: Pose | undefined;
 
   private constructor(
     private readonly canvas: HTMLCanvasElement,
-    private view: FaceView,
+    public view: FaceView,
     private readonly parameters: StageParameters,
   ) {
     this.delay = parameters.tile === undefined ? DELAY : WALL_DELAY;
-    this.link = new Link("stage", { state: (state) => this.receive(state), welcome: (welcome) => void this.greet(welcome) });
+    this.link = new Link("stage", {
+      state: (state) => this.receive(state),
+      welcome: (welcome) => void this.greet(welcome),
+    });
     this.fit();
     addEventListener("resize", () => this.fit());
   }
 
+  /** A stage on a canvas of this page; an Error with a sentence when nothing can be drawn. */
   static async open(canvas: HTMLCanvasElement, library: Library, parameters: StageParameters): Promise<Stage> {
     return new Stage(canvas, await loadView(canvas, library, parameters), parameters);
   }
 
-  /** Draws the frame of our time `time`. */
+  /** Draws the frame of our time `time`, seconds. */
   frame(time: number): void {
-    const pose = this.held ?? this.timeline.at((this.link.clock.at(time) ?? 0) - this.delay, time);
-    if (pose !== undefined) this.view.show(pose, coming(this.state));
-    if (this.view.render(time, this.held !== undefined)) {
+    this.shown = this.held ?? this.live(time);
+    this.last = time;
+    if (this.shown !== undefined) this.view.show(this.shown, coming(this.state));
+    if (this.view.render(time, this.held !== undefined) && this.shown !== undefined) {
       this.drawn += 1;
       this.rate.tick(time);
     }
     this.report(time);
+  }
+
+  counters(time = now()): Counters {
+    return {
+      received: this.received,
+      ignored: this.link.newest.ignored,
+      drawn: this.drawn,
+      fps: this.rate.at(time),
+      epoch: this.state?.epoch ?? -1,
+      number: this.state?.number ?? -1,
+      connected: this.link.connected,
+    };
+  }
+
+  private live(time: number): Pose | undefined {
+    const pose = this.timeline.at((this.link.clock.at(time) ?? 0) - this.delay, time);
+    const alone = this.timeline.silence(time) > ALONE;
+    return pose && this.breath.on(pose, alone, time - this.last);
   }
 
   private receive(state: State): void {
@@ -77,7 +106,6 @@ export class Stage {
     if (welcome.digest === this.view.library.manifest.digest || this.reloading) return;
     this.reloading = true;
     try {
-      const { Library } = await import("../link/assets");
       const view = await loadView(this.canvas, await Library.open(), this.parameters);
       this.view.dispose();
       this.view = view;

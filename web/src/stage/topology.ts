@@ -126,22 +126,9 @@ export function normals(of: Fans, positions: Float32Array): Float32Array {
 }
 
 function addCross(sum: [number, number, number], positions: Float32Array, row: number, a: number, b: number): void {
-  const at = (index: number, axis: number) => (positions[3 * index + axis] as number) - (positions[3 * row + axis] as number);
+  const at = (index: number, axis: number) =>
+    (positions[3 * index + axis] as number) - (positions[3 * row + axis] as number);
   sum[0] += at(a, 1) * at(b, 2) - at(a, 2) * at(b, 1);
   sum[1] += at(a, 2) * at(b, 0) - at(a, 0) * at(b, 2);
   sum[2] += at(a, 0) * at(b, 1) - at(a, 1) * at(b, 0);
-}
-
-/** How deep a row lies in a hollow: metres below its surroundings, negative on a ridge. */
-export function hollows(of: Fans, positions: Float32Array, rounds: number): Float32Array {
-  const normal = normals(of, positions);
-  const around = smoothed(of, positions, 3, rounds);
-  return Float32Array.from({ length: of.starts.length - 1 }, (_, row) => {
-    let depth = 0;
-    for (let axis = 0; axis < 3; axis++) {
-      const at = 3 * row + axis;
-      depth += (normal[at] as number) * ((around[at] as number) - (positions[at] as number));
-    }
-    return depth;
-  });
 }

@@ -20,11 +20,15 @@ export function expressionWeights(pose: Pose): Record<string, number> {
 
 /** The shares of the faces on air, as far as they are loaded, scaled so that they sum as the pose's do; empty: none is. */
 export function faceWeights(pose: Pose, share: Share): Map<string, number> {
-  const shown = Object.entries(pose.faces).map(([name, weight]) => [name, weight, weight * share(name, undefined)] as const);
+  const shown = Object.entries(pose.faces).map(
+    ([name, weight]) => [name, weight, weight * share(name, undefined)] as const,
+  );
   const wanted = shown.reduce((sum, [, weight]) => sum + weight, 0);
   const loaded = shown.reduce((sum, [, , weight]) => sum + weight, 0);
   if (!(Math.abs(loaded) > 1e-6)) return new Map();
-  return new Map(shown.filter(([, , weight]) => weight !== 0).map(([name, , weight]) => [name, (weight * wanted) / loaded]));
+  return new Map(
+    shown.filter(([, , weight]) => weight !== 0).map(([name, , weight]) => [name, (weight * wanted) / loaded]),
+  );
 }
 
 /**
@@ -32,7 +36,9 @@ export function faceWeights(pose: Pose, share: Share): Map<string, number> {
  * `P = sum_i s_i (sum_j t_j) M_i + sum_i sum_j s_i (t_j + c_j) D_ij`.
  */
 export function terms(pose: Pose, share: Share): Term[] {
-  const expressions = Object.entries(expressionWeights(pose)).filter(([name, weight]) => weight !== 0 && name !== "neutral");
+  const expressions = Object.entries(expressionWeights(pose)).filter(
+    ([name, weight]) => weight !== 0 && name !== "neutral",
+  );
   const total = Object.values(pose.expressions).reduce((sum, weight) => sum + weight, 0);
   const list: Term[] = [];
   for (const [face, weight] of faceWeights(pose, share)) {

@@ -1,0 +1,36 @@
+import type { Pose } from "./pose";
+import { resting } from "./pose";
+import type { Counters, Stage } from "./stage";
+
+/** What tests and curious operators may ask of a stage: `window.omoteStage`. */
+export interface StageProbe {
+  /** Shows exactly this pose (missing parts at rest) until `hold(null)`; resolves when it is drawn in full. */
+  hold(pose: Partial<Pose> | null): Promise<void>;
+  /** The blended positions (vertices x 3, metres), read back from the GPU. */
+  readPositions(): number[];
+  counters(): Counters;
+  /** The pose last drawn. */
+  pose(): Pose | undefined;
+  /** Whether all of the pose shows in full: nothing is being fetched or caught up with. */
+  settled(): boolean;
+}
+
+declare global {
+  interface Window {
+    omoteStage?: StageProbe;
+  }
+}
+
+/** Puts the probe on the page. */
+export function exposeProbe(stage: Stage): void {
+  window.omoteStage = {
+    hold: async (pose) => {
+      stage.held = pose === null ? undefined : { ...resting("generic"), ...pose };
+      if (stage.held !== undefined) await stage.view.present(stage.held);
+    },
+    readPositions: () => Array.from(stage.view.readPositions()),
+    counters: () => stage.counters(),
+    pose: () => stage.shown,
+    settled: () => stage.view.settled,
+  };
+}
