@@ -1,0 +1,78 @@
+import { encode } from "@msgpack/msgpack";
+import { describe, expect, it } from "vitest";
+import { insist, Library, RefusedAddress, readCompound, readMesh } from "./assets";
+import type { Manifest } from "./messages";
+
+const bytes = (array: Uint32Array | Float32Array | Int16Array): Uint8Array => new Uint8Array(array.buffer);
+const mesh = {
+  name: "skin",
+  source: bytes(Uint32Array.from([0, 1, 2])),
+  uv: bytes(new Float32Array(6)),
+  triangles: bytes(Uint32Array.from([0, 1, 2])),
+};
+const manifest = {
+  version: 1,
+  digest: "d",
+  vertices: 3,
+  skin: 3,
+  meshes: [mesh],
+  mask: "/assets/mask",
+  faces: [{ name: "kaori", url: "/assets/kaori" }],
+  expressions: [{ name: "a smile" }],
+} as unknown as Manifest;
+const compound = (rows: number[]): Uint8Array =>
+  encode({
+    scale: 1e-5,
+    indices: bytes(Uint32Array.from(rows)),
+    deltas: bytes(Int16Array.from(rows.flatMap(() => [1, 2, 3]))),
+  });
+
+describe("a library", () => {
+  it("fetches each thing once, at its address", async () => {
+    const asked: string[] = [];
+    const library = new Library(manifest, async (address) => {
+      asked.push(address);
+      return address.startsWith("/compounds")
+        ? compound([2])
+        : encode({ positions: bytes(new Float32Array(9).fill(2)) });
+    });
+    expect(await library.positions("kaori")).toEqual(new Float32Array(9).fill(2));
+    await library.positions("kaori");
+    expect((await library.compound("kaori", "a smile")).indices).toEqual(Uint32Array.from([2]));
+    await library.compound("kaori", "a smile");
+    expect(asked).toEqual(["/assets/kaori", "/compounds/d/kaori/a%20smile"]);
+  });
+
+  it("refuses names and sizes that do not fit", async () => {
+    const library = new Library(manifest, async () => encode({ positions: bytes(new Float32Array(6)) }));
+    await expect(library.positions("nobody")).rejects.toThrow("nobody");
+    await expect(library.positions("kaori")).rejects.toThrow("expected 3");
+    await expect(library.compound("kaori", "frown")).rejects.toThrow("frown");
+  });
+
+  it("tries again until the server is there, but not against a refusal", async () => {
+    let left = 2;
+    const shaky = async (): Promise<Uint8Array> => {
+      left -= 1;
+      if (left >= 0) throw new Error("away");
+      return Uint8Array.of(7);
+    };
+    expect(await insist("/x", shaky)).toEqual(Uint8Array.of(7));
+    await expect(insist("/x", () => Promise.reject(new RefusedAddress("404")))).rejects.toThrow("404");
+  });
+});
+
+describe("reading", () => {
+  it("refuses a mesh that points past the positions", () => {
+    expect(readMesh(mesh, 3).triangles).toEqual(Uint32Array.from([0, 1, 2]));
+    expect(() => readMesh(mesh, 2)).toThrow("skin");
+    expect(() => readMesh({ ...mesh, uv: bytes(new Float32Array(4)) }, 3)).toThrow("texture coordinates");
+  });
+
+  it("refuses a compound that does not fit", () => {
+    expect(() => readCompound(compound([3]), 3)).toThrow("3");
+    expect(() =>
+      readCompound(encode({ scale: Number.NaN, indices: new Uint8Array(), deltas: new Uint8Array() }), 3),
+    ).toThrow("0 vertices");
+  });
+});

@@ -1,0 +1,60 @@
+import { describe, expect, it } from "vitest";
+import { tileView } from "./framing";
+import { ParameterError, readParameters } from "./parameters";
+
+describe("a stage's address", () => {
+  it("needs no parameter", () => {
+    expect(readParameters("")).toEqual({ transparent: false, hud: false, quality: "high", tile: undefined });
+  });
+
+  it("switches with or without =1", () => {
+    expect(readParameters("?transparent&hud=1&quality=low")).toMatchObject({
+      transparent: true,
+      hud: true,
+      quality: "low",
+    });
+    expect(readParameters("?transparent=0").transparent).toBe(false);
+  });
+
+  it("places a tile", () => {
+    expect(readParameters("?tile=2,1&of=3x3&bezel=4,5").tile).toEqual({
+      column: 2,
+      row: 1,
+      columns: 3,
+      rows: 3,
+      bezel: [0.04, 0.05],
+    });
+  });
+
+  it.each([
+    ["?colour=red", "colour"],
+    ["?hud=maybe", "hud=maybe"],
+    ["?quality=best", "quality=best"],
+    ["?tile=1&of=3x3", "tile=1"],
+    ["?tile=-1,0&of=3x3", "tile=-1,0"],
+    ["?tile=3,0&of=3x3", "tile=3,0"],
+    ["?tile=0,0", "of="],
+    ["?of=3x3", "tile="],
+    ["?tile=0,0&of=0x3", "of=0x3"],
+    ["?tile=0,0&of=3x3&bezel=wide", "bezel=wide"],
+    ["?tile=0,0&of=3x3&bezel=99", "bezel=99"],
+    ["?tile=0,0&of=3x3&bezel=1,2,3", "bezel=1,2,3"],
+    ["?bezel=2", "tile="],
+  ])("refuses %s with a sentence that names it", (query, named) => {
+    expect(() => readParameters(query)).toThrow(ParameterError);
+    expect(() => readParameters(query)).toThrow(named);
+  });
+});
+
+describe("tiles", () => {
+  it("cover the wall side by side", () => {
+    const views = [0, 1, 2].map((column) => tileView({ column, row: 0, columns: 3, rows: 3, bezel: [0, 0] }, 400, 300));
+    expect(views.map(([, , left]) => left)).toEqual([0, 400, 800]);
+    expect(views[0]?.slice(0, 2)).toEqual([1200, 900]);
+  });
+
+  it("leave out what the bezels hide", () => {
+    const [width, height, left, top] = tileView({ column: 2, row: 1, columns: 3, rows: 2, bezel: [0.1, 0.2] }, 100, 50);
+    expect([width, height, left, top]).toEqual([320, 110, 220, 60].map((value) => expect.closeTo(value, 9)));
+  });
+});
