@@ -4,19 +4,19 @@ import sys
 
 import numpy as np
 
+from omote.builtin import BakedMesh
 from omote.server.bundle import Page
 from omote.server.child import Material, main
 from omote.server.library import Library
-from omote.show.assets import DrawnMesh
 from tests import synthetic
 
 MASK = b"\x89PNG\r\n\x1a\n"
 PAGES = {path: Page(f"page {path}".encode(), "text/html", immutable=False) for path in ("/", "/stage", "/console")}
 
 
-def drawn_mesh(name: str, triangles: np.ndarray, count: int) -> DrawnMesh:
+def drawn_mesh(name: str, triangles: np.ndarray, count: int) -> BakedMesh:
     """A mesh drawn without seams."""
-    return DrawnMesh(name, np.arange(count), np.zeros((count, 2)), triangles)
+    return BakedMesh(name, np.arange(count, dtype=np.int32), np.zeros((count, 2), np.float32), triangles)
 
 
 def material() -> Material:

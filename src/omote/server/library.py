@@ -6,10 +6,10 @@ import asyncio
 from collections import OrderedDict
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 
+from omote.builtin import BakedMesh, load_cast, load_mask, load_meshes
 from omote.model.cast import Cast
-from omote.show.assets import DrawnMesh, compound_asset, content_name, documents
+from omote.show.assets import compound_asset, content_name, documents
 from omote.show.wire import encode
 
 CACHE_BYTES = 128 << 20
@@ -19,7 +19,7 @@ CACHE_BYTES = 128 << 20
 class Library:
     """Manifest, assets and compounds of one cast."""
 
-    def __init__(self, cast: Cast, meshes: Sequence[DrawnMesh], mask: bytes) -> None:
+    def __init__(self, cast: Cast, meshes: Sequence[BakedMesh], mask: bytes) -> None:
         self.cast = cast
         self.mask_url = f"/assets/{content_name(mask)}"
         packed = documents(cast, meshes, mask=self.mask_url)
@@ -56,6 +56,4 @@ class Library:
 
 def built_in() -> Library:
     """The library of the baked cast; FileNotFoundError, with how to bake it, when it is missing."""
-    from omote import builtin
-
-    return Library(builtin.load_cast(), [], Path("mask.png").read_bytes())
+    return Library(load_cast(), load_meshes(), load_mask())

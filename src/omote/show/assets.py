@@ -10,6 +10,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.builtin import BakedMesh
 from omote.model.cast import Cast
 from omote.model.face import Face
 from omote.model.fitted import fit
@@ -35,27 +36,6 @@ Points = NDArray[np.float32]
 Vector = tuple[float, float, float]
 
 
-@dataclass(frozen=True, eq=False)
-class DrawnMesh:
-    """A mesh as it is drawn, its vertices split where the texture has a seam.
-
-    source (n,) rows of the mesh's own vertices; uv (n, 2), (0, 0) the upper left; triangles (t, 3) drawn vertices.
-    """
-
-    name: str
-    source: NDArray[np.integer]
-    uv: NDArray[np.floating]
-    triangles: NDArray[np.integer]
-
-    def __post_init__(self) -> None:
-        count = len(self.source)
-        if self.source.shape != (count,) or self.uv.shape != (count, 2) or self.triangles.shape[1:] != (3,):
-            shapes = f"source {self.source.shape}, uv {self.uv.shape}, triangles {self.triangles.shape}"
-            raise ValueError(f"the drawn mesh {self.name!r} has {shapes}; expected (n,), (n, 2), (t, 3)")
-        if len(self.triangles) and not 0 <= self.triangles.min() <= self.triangles.max() < count:
-            raise ValueError(f"a triangle of the drawn mesh {self.name!r} names a vertex outside 0..{count - 1}")
-
-
 @dataclass(frozen=True)
 class Documents:
     """What the pages load: the manifest, and every face asset by its address."""
@@ -64,7 +44,7 @@ class Documents:
     faces: dict[str, FaceAsset]
 
 
-def documents(cast: Cast, meshes: Sequence[DrawnMesh], *, mask: str) -> Documents:
+def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Documents:
     """The manifest of a cast and its face assets; mask: where the mask picture is. ValueError for a mesh of no part."""
     rests = {name: rest_positions(cast, face) for name, face in cast.faces.items()}
     urls = {name: f"/assets/{content_name(rest.tobytes())}" for name, rest in rests.items()}
@@ -130,7 +110,7 @@ def unpacked(asset: CompoundAsset, count: int) -> NDArray[np.float64]:
     return moves
 
 
-def _mesh_document(mesh: DrawnMesh, starts: dict[str, int]) -> MeshDocument:
+def _mesh_document(mesh: BakedMesh, starts: dict[str, int]) -> MeshDocument:
     if mesh.name not in starts:
         raise ValueError(f"there is no part {mesh.name!r} to draw; the space has {', '.join(starts)}")
     source = np.asarray(mesh.source, np.int64) + starts[mesh.name]
