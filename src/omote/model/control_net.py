@@ -52,10 +52,16 @@ class ControlNet:
         low, high = _heights(space)
         margin = 0.02 * (high - low)
         turns = wrap(2 * np.pi * np.arange(_RING) / _RING)
-        all_theta = np.concatenate([theta, turns, turns])
+        # The upper ring is turned by half a step: four points of two rings on one circle would have two Delaunay nets.
+        all_theta = np.concatenate([theta, turns, wrap(turns + np.pi / _RING)])
         all_h = np.concatenate([h, np.full(_RING, low - margin), np.full(_RING, high + margin)])
         metric = float(space.cylinder.unroll(space.points[space.on_sheet])[2].mean())
         triangles, unrolled = _periodic_delaunay(all_theta, all_h, metric)
+        if len(mesh.boundary_edges(triangles)) != 2 * _RING:
+            raise ValueError(
+                f"{len(theta)} control points join each other around both sides of the head; "
+                "expected enough points, all around, that every edge of the net is the only one between its ends"
+            )
         strip = Strip.of(unrolled, all_h[triangles], mesh.neighbours(triangles))
         sheet = np.flatnonzero(space.on_sheet)
         start = np.zeros(len(sheet), np.int32)

@@ -23,8 +23,8 @@ class Face:
     """
 
     name: str
-    positions: NDArray[np.float32]
-    parts: Mapping[str, NDArray[np.float32]] = field(default_factory=lambda: MappingProxyType({}))
+    positions: NDArray[np.floating]
+    parts: Mapping[str, NDArray[np.floating]] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name:

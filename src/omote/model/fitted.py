@@ -58,7 +58,7 @@ def _fit(space: ParameterSpace, face: Face) -> Fitted:
     }
     _, _, radii = space.cylinder.unroll(points)
     return Fitted(
-        positions=face.positions,
+        positions=np.asarray(face.positions, np.float32),
         radii=radii.astype(np.float32),
         scale=smoothed_scale(space, points)[space.inner.vertices].astype(np.float32),
         parts=MappingProxyType(parts),
