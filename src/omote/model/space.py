@@ -65,6 +65,12 @@ class ParameterSpace:
     on_sheet: NDArray[np.bool_]
     parts: Mapping[str, Part] = field(default_factory=lambda: MappingProxyType({}))
 
+    def __post_init__(self) -> None:
+        for name in ("points", "triangles", "skin_triangles", "membranes", "theta", "h", "on_sheet"):
+            view = getattr(self, name).view()
+            view.setflags(write=False)
+            object.__setattr__(self, name, view)
+
     @staticmethod
     def build(
         points: ArrayLike, triangles: ArrayLike, radius: Radius = "origin", *, axis: tuple[float, float] | None = None
