@@ -7,13 +7,13 @@ from pathlib import Path
 
 from rich.progress import Progress
 
-from tools.baking.assemble import Arrays, Step, about, chin, face_arrays, field_arrays, mesh_arrays
+from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, mesh_arrays
 from tools.baking.basemesh import read_base_mesh
 from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED
 from tools.baking.head import cut_head
 from tools.baking.layout import unwrap
 from tools.baking.mask import paint_mask
-from tools.baking.moves import all_moves
+from tools.baking.moves import all_moves, jaw_vertices
 from tools.baking.notice import notice
 from tools.baking.package import BakeError, Package, find_wheel
 from tools.baking.people import PEOPLE
@@ -34,9 +34,9 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
     generic = head.metres(base.points)[head.skin.vertices]
     layout = unwrap(head.skin, generic)
     arrays.update(mesh_arrays(head, layout))
-    moves = all_moves(package, head, len(base.points))
+    moves = all_moves(package, base, head)
     step("targets of the units")
-    arrays["chin"] = chin(generic, moves["jawOpen"].skin)
+    arrays["jaw"] = jaw_vertices(moves)
     arrays.update(field_arrays(arrays, moves, step))
     arrays.update(about(moves))
     mask = png_bytes(paint_mask(head.skin, generic, layout))

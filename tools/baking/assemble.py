@@ -16,10 +16,11 @@ from omote.model.expression import Expression
 from omote.model.face import Face
 from omote.model.space import ParameterSpace
 from omote.model.transfer import extract
-from tools.baking.basemesh import BaseMesh, Floats, Ints
+from tools.baking.basemesh import BaseMesh, Floats
 from tools.baking.expressions import ARKIT, PERFORMED, label, region
 from tools.baking.head import Head, Piece
 from tools.baking.moves import Move
+from tools.baking.neck import settle_throat
 from tools.baking.package import Package
 from tools.baking.people import PEOPLE
 from tools.baking.person import person_points
@@ -31,11 +32,13 @@ Step = Callable[[str], None]
 def face_arrays(package: Package, base: BaseMesh, head: Head, step: Step) -> Arrays:
     """Positions (float32, metres) of skin and parts of every person."""
     arrays: Arrays = {}
+    generic = head.metres(base.points)[head.skin.vertices]
     for name, person in PEOPLE.items():
-        points = head.metres(person_points(person, package, base, head.eyes)).astype(np.float32)
-        arrays[f"face/{name}"] = points[head.skin.vertices]
+        points = head.metres(person_points(person, package, base, head))
+        skin = settle_throat(points[head.skin.vertices], generic, head.skin.triangles)
+        arrays[f"face/{name}"] = skin.astype(np.float32)
         for part in PARTS:
-            arrays[f"face/{name}/{part}"] = points[head.parts[part].vertices]
+            arrays[f"face/{name}/{part}"] = points[head.parts[part].vertices].astype(np.float32)
         step(name)
     return arrays
 
@@ -62,18 +65,11 @@ def _drawn(name: str, piece: Piece, uvs: Floats) -> Arrays:
     }
 
 
-def chin(points: Floats, jaw_open: Floats) -> Ints:
-    """The skin vertices that go with the jaw as one: near the middle, in front, and moved nearly as far as any."""
-    distance = np.linalg.norm(jaw_open, axis=1)
-    middle = (np.abs(points[:, 0]) < 0.02) & (points[:, 2] > np.median(points[:, 2]))
-    return np.flatnonzero(middle & (distance > 0.85 * distance[middle].max())).astype(np.int32)
-
-
 def field_arrays(arrays: Arrays, moves: Mapping[str, Move], step: Step) -> Arrays:
-    """Every expression as a field on S, taken from the generic face by the paper's map; the field at rest comes first."""
+    """Every expression as a field on S, taken from the generic face by the paper's map; first the one at rest."""
     generic = Face(GENERIC, arrays[f"face/{GENERIC}"], {part: arrays[f"face/{GENERIC}/{part}"] for part in PARTS})
     parts = {part: PartMesh(generic.parts[part].astype(np.float64), arrays[f"part/{part}"]) for part in PARTS}
-    space = head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["chin"])
+    space = head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
     expressions = [_at_rest(space)]
     for name, move in moves.items():
         expressions.append(extract(space, generic, move.skin, parts=move.parts))

@@ -76,6 +76,8 @@ def read_target(text: str, count: int) -> Floats:
     table = np.array(rows, dtype=np.float64)
     vertices = table[:, 0].astype(np.int64)
     if table.shape[1] != 4 or vertices.min() < 0 or vertices.max() >= count:
-        raise BakeError(f"a target names vertex {vertices.max()} in rows of {table.shape[1]}, expected 4 and under {count}.")
+        raise BakeError(
+            f"a target names vertex {vertices.max()} in rows of {table.shape[1]}, expected 4 and under {count}."
+        )
     displacement[vertices] = table[:, 1:]
     return displacement

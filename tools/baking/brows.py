@@ -69,4 +69,4 @@ def _stroke(flat: Floats, root: Floats, tip: Floats) -> Floats:
     span = tip - root
     share = np.clip((flat - root) @ span / (span @ span), 0.0, 1.0)
     off = np.linalg.norm(flat - root - share[:, None] * span, axis=1)
-    return np.clip(1.3 - off / (WIDTH * (1.15 - 0.8 * share)), 0.0, 1.0) * (1.0 - 0.35 * share)
+    return np.asarray(np.clip(1.3 - off / (WIDTH * (1.15 - 0.8 * share)), 0.0, 1.0) * (1.0 - 0.35 * share))

@@ -43,8 +43,8 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
         "mouthUpperUp*": 0.4, "browInnerUp": 0.25, "noseSneer*": 0.15,
     },
     "sad": {
-        "browInnerUp": 0.9, "browDown*": 0.15, "mouthFrown*": 0.75, "mouthShrugLower": 0.35, "eyeBlink*": 0.2,
-        "eyeLookDown*": 0.35,
+        "browInnerUp": 1.15, "browDown*": 0.15, "mouthFrown*": 1.15, "mouthShrugLower": 0.3, "eyeBlink*": 0.2,
+        "eyeLookDown*": 0.35, "mouthStretch*": 0.15,
     },
     "cry": {
         "browInnerUp": 1.0, "browDown*": 0.35, "eyeSquint*": 0.7, "eyeBlink*": 0.45, "cheekSquint*": 0.6,
@@ -52,7 +52,7 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
         "noseSneer*": 0.3,
     },
     "angry": {
-        "browDown*": 1.0, "eyeSquint*": 0.35, "noseSneer*": 0.55, "mouthPress*": 0.6, "mouthFrown*": 0.35,
+        "browDown*": 1.25, "eyeSquint*": 0.45, "noseSneer*": 0.8, "mouthPress*": 0.6, "mouthFrown*": 0.7,
         "jawForward": 0.25, "mouthRollLower": 0.2,
     },
     "shout": {
@@ -65,8 +65,8 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
         "jawOpen": 0.18, "mouthLowerDown*": 0.35,
     },
     "disgust": {
-        "noseSneer*": 1.0, "browDown*": 0.55, "mouthUpperUp*": 0.55, "cheekSquint*": 0.5, "eyeSquint*": 0.45,
-        "mouthFrown*": 0.4, "mouthShrugLower": 0.3, "mouthLowerDown*": 0.2,
+        "noseSneer*": 1.2, "browDown*": 0.7, "mouthUpperUp*": 0.9, "cheekSquint*": 0.6, "eyeSquint*": 0.5,
+        "mouthFrown*": 0.6, "mouthShrugLower": 0.3, "mouthLowerDown*": 0.2,
     },
     "contempt": {
         "mouthSmileLeft": 0.45, "mouthDimpleLeft": 0.6, "mouthPressLeft": 0.4, "noseSneerLeft": 0.25,
@@ -88,7 +88,7 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
         "mouthStretch*": 0.7, "mouthUpperUp*": 0.45, "mouthLowerDown*": 0.5, "jawOpen": 0.08,
     },
     "pout": {
-        "mouthShrugLower": 0.9, "mouthPucker": 0.35, "mouthFrown*": 0.45, "browDown*": 0.45, "browInnerUp": 0.3,
+        "mouthShrugLower": 1.0, "mouthPucker": 0.45, "mouthFrown*": 0.8, "browDown*": 0.45, "browInnerUp": 0.3,
         "cheekPuff": 0.15,
     },
     "puff": {"cheekPuff": 1.0, "mouthPress*": 0.3, "eyeWide*": 0.25, "browInnerUp": 0.3},
@@ -98,7 +98,15 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
     },
 }  # fmt: skip
 
-_REGIONS = {"brow": "brows", "eye": "eyes", "nose": "nose", "cheek": "cheeks", "mouth": "mouth", "jaw": "jaw", "tongue": "tongue"}
+_REGIONS = {
+    "brow": "brows",
+    "eye": "eyes",
+    "nose": "nose",
+    "cheek": "cheeks",
+    "mouth": "mouth",
+    "jaw": "jaw",
+    "tongue": "tongue",
+}
 
 
 def unit_weights(recipe: Mapping[str, float]) -> dict[str, float]:

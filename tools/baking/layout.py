@@ -50,14 +50,14 @@ def islands(corners: Ints, count: int) -> Ints:
     """The island (connected piece of the layout) of each texture coordinate, (k,)."""
     edges = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]]])
     links = coo_array((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(count, count))
-    return connected_components(links, directed=False)[1].astype(np.int32)
+    return np.asarray(connected_components(links, directed=False)[1].astype(np.int32))
 
 
 def _magnified(values: Floats, centre: float, strength: float, low: float, high: float) -> Floats:
     """Values spread over [low, high], enlarged around `centre` by a rising function, so that nothing folds."""
     reach = max(values.max() - centre, centre - values.min())
     spread = np.arcsinh(strength * (values - centre) / reach)
-    return low + (high - low) * (spread - spread.min()) / (spread.max() - spread.min())
+    return np.asarray(low + (high - low) * (spread - spread.min()) / (spread.max() - spread.min()))
 
 
 def _pack_row(layout: Floats, uvs: Floats, others: list[np.ndarray]) -> None:

@@ -141,7 +141,7 @@ def _light(texels: Texels) -> Floats:
     grain = rng.standard_normal((SIZE, SIZE))
     pores = (grain + np.roll(grain, 1, 0) + np.roll(grain, 1, 1))[texels.covered] / 3.0
     outer = cavity * lash_line * (1.0 + 0.018 * pores)
-    return np.clip(np.where(texels.inner, 0.45, outer), 0.0, 1.0)
+    return np.clip(np.where(texels.inner, 0.35, outer), 0.0, 1.0)
 
 
 def _grown(picture: Floats, covered: NDArray[np.bool_]) -> Floats:

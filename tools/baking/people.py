@@ -65,6 +65,7 @@ PEOPLE: Mapping[str, Person] = {
     "baby": Person(
         build=Build(gender=0.5, age=0.03, race={"caucasian": 0.5, "asian": 0.5}),
         shape={"mouth/mouth-lowerlip-middle-down": 0.3, "mouth/mouth-angles-up": 0.3},
+        teeth=0.85,
         size=1.4,
         look={"skin": "#f5cbb4", "lip": "#d77f78", "brow": "#b98d68", "blush": "#f0867b", "iris": "#5f6f86"},
     ),
@@ -138,6 +139,7 @@ PEOPLE: Mapping[str, Person] = {
             "nose/nose-point-up": 0.4,
         },
         size=1.08,
+        teeth=0.72,
         look={"skin": "#f7ddcf", "lip": "#d9304f", "brow": "#5b2a3c", "blush": "#ff6f91", "iris": "#2f7fb8"},
     ),
     "goblin": Person(
@@ -158,6 +160,7 @@ PEOPLE: Mapping[str, Person] = {
             "mouth/mouth-scale-horiz-incr": 0.9,
             "cheek/*-cheek-bones-incr": 1.0,
         },
+        teeth=0.8,
         look={"skin": "#8fae6a", "lip": "#5f7540", "brow": "#2a3018", "blush": "#b3a24e", "iris": "#e0b52e"},
     ),
     "alien": Person(
@@ -174,6 +177,7 @@ PEOPLE: Mapping[str, Person] = {
             "mouth/mouth-scale-horiz-decr": 0.5,
             "ears/*-ear-scale-decr": 1.5,
         },
+        teeth=0.85,
         look={"skin": "#9fc0cf", "lip": "#6d7fa8", "brow": "#7c9bb0", "blush": "#8d86c4", "iris": "#1b1030"},
     ),
 }

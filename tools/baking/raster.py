@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tools.baking.basemesh import Floats, Ints
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]
+@njit(cache=True)
 def _fill(corners: Floats, owner: Ints, weights: Floats, depth: Floats) -> None:
     """Writes, at each pixel's centre, the triangle with the largest depth, its weights and that depth."""
     rows, columns = owner.shape
@@ -63,7 +63,7 @@ def openness(points: Floats, triangles: Ints, *, directions: int = 96, size: int
         weight = np.maximum(normals @ direction, 0.0)
         seen += weight * (eye[:, 2] + 1.5 > front)
         possible += weight
-    return seen / possible
+    return np.asarray(seen / possible)
 
 
 def vertex_normals(points: Floats, triangles: Ints) -> Floats:
@@ -73,7 +73,7 @@ def vertex_normals(points: Floats, triangles: Ints) -> Floats:
     normals = np.zeros_like(points)
     for corner in range(3):
         np.add.at(normals, triangles[:, corner], facing)
-    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12))
 
 
 def sphere(count: int) -> NDArray[np.float64]:

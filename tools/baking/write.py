@@ -36,7 +36,7 @@ def npz_bytes(arrays: Mapping[str, NDArray[Any]]) -> bytes:
             member = zipfile.ZipInfo(f"{name}.npy", _EPOCH)
             member.compress_type = zipfile.ZIP_DEFLATED
             data = io.BytesIO()
-            np.lib.format.write_array(data, np.ascontiguousarray(arrays[name]), allow_pickle=False)
+            np.lib.format.write_array(data, np.asarray(arrays[name], order="C"), allow_pickle=False)
             archive.writestr(member, data.getvalue())
     return file.getvalue()
 

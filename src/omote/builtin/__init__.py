@@ -27,7 +27,7 @@ _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 def load_cast() -> Cast:
     """The built-in cast, read once.
 
-    FileNotFoundError where it was not baked, ValueError where the file is not a cast of this version; both say what to do.
+    FileNotFoundError where it was not baked, ValueError where the file is no cast of this version; both say what to do.
     """
     return read_cast(CAST)
 

@@ -28,24 +28,24 @@ class PartMesh:
 
 
 def head_space(
-    points: NDArray[np.float64], triangles: NDArray[np.int32], parts: Mapping[str, PartMesh], chin: NDArray[np.int32]
+    points: NDArray[np.float64], triangles: NDArray[np.int32], parts: Mapping[str, PartMesh], jaw: NDArray[np.int32]
 ) -> ParameterSpace:
     """The parameter space of the baked head with its parts bound.
 
-    points (V, 3) metres, triangles (F, 3) of the generic skin; parts by the names in PARTS; chin (m,): the skin vertices
+    points (V, 3) metres, triangles (F, 3) of the generic skin; parts by the names in PARTS; jaw (m,): the skin vertices
     that show where the jaw is.
     """
     space = ParameterSpace.build(points, triangles, axis=AXIS)
     sheet = np.flatnonzero(space.on_sheet).astype(np.int32)
-    chin = np.intersect1d(chin, sheet).astype(np.int32)
-    return space.with_parts(*(_bind(name, parts[name], space.points, sheet, chin) for name in PARTS))
+    jaw = np.intersect1d(jaw, sheet).astype(np.int32)
+    return space.with_parts(*(_bind(name, parts[name], space.points, sheet, jaw) for name in PARTS))
 
 
 def _bind(
-    name: str, part: PartMesh, skin: NDArray[np.float64], sheet: NDArray[np.int32], chin: NDArray[np.int32]
+    name: str, part: PartMesh, skin: NDArray[np.float64], sheet: NDArray[np.int32], jaw: NDArray[np.int32]
 ) -> Part:
     if name in JAW:
-        return bind_to_jaw(name, part.points, part.triangles, skin, candidates=sheet, chin=chin)
+        return bind_to_jaw(name, part.points, part.triangles, skin, candidates=sheet, chin=jaw)
     if name == LASHES:
         return bind_to_skin(name, part.points, part.triangles, skin, candidates=sheet)
     return bind_to_head(name, part.points, part.triangles, skin, candidates=sheet, eye=EYES.get(name, ""))

@@ -4,7 +4,7 @@ Arrays, V vertices of the skin, n of a part, E expressions:
 
     format              the number FORMAT
     about               JSON text as bytes: faces {name: look}, expressions [{name, label, kind, region}]
-    triangles (F, 3)    of the skin                  chin (m,)           skin vertices that show where the jaw is
+    triangles (F, 3)    of the skin                  jaw (m,)            skin vertices that show where the jaw is
     face/NAME (V, 3)    metres                       face/NAME/PART (n, 3)
     part/PART (t, 3)    triangles of a part
     dtheta, dh, swell (E, V)                         fields on S, radians, metres and R - 1
@@ -77,7 +77,7 @@ def _face(arrays: Arrays, name: str) -> Face:
 
 def _space(arrays: Arrays, generic: Face) -> ParameterSpace:
     parts = {part: PartMesh(generic.parts[part].astype(np.float64), arrays[f"part/{part}"]) for part in PARTS}
-    return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["chin"])
+    return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
 
 
 def _expression(arrays: Arrays, row: int, space: ParameterSpace) -> Expression:
