@@ -94,8 +94,12 @@ export class Bank extends PaintedElement {
       .strip {
         display: grid;
         grid-template-rows: 1fr 26px;
-        flex: none;
+        flex: 1 0 auto;
         min-width: 46px;
+        max-width: 64px;
+      }
+      .strip.pair {
+        max-width: 116px;
       }
       .pair {
         border-radius: 4px;
@@ -106,17 +110,20 @@ export class Bank extends PaintedElement {
         justify-content: center;
         min-height: 0;
       }
+      omote-fader {
+        flex: 1 0 34px;
+      }
       .label {
         font-size: 10.5px;
         line-height: 12px;
         text-align: center;
         color: var(--dim);
-        max-width: 72px;
+        max-width: 84px;
         margin: 0 auto;
         overflow: hidden;
       }
       .single .label {
-        max-width: 50px;
+        max-width: 62px;
       }
       .empty {
         margin: auto;
@@ -173,7 +180,7 @@ export class Bank extends PaintedElement {
             this.requestUpdate();
           }}
         >
-          R = L
+          Link R L
         </button>
         <button data-clear="region" @click=${() => this.desk.clearChannels(shown.map((one) => one.name))}>
           Clear ${this.tab}

@@ -59,7 +59,7 @@ export class ConsolePage extends RigElement {
       }
       .mixes {
         display: grid;
-        grid-template-columns: 1fr 1fr;
+        grid-template-columns: repeat(2, minmax(0, 1fr));
         border-top: 1px solid var(--line);
       }
       .mixes omote-mix + omote-mix {
@@ -74,7 +74,7 @@ export class ConsolePage extends RigElement {
       .hands {
         grid-area: hands;
         display: grid;
-        grid-template-columns: 1fr 1fr;
+        grid-template-columns: repeat(2, minmax(0, 1fr));
         gap: 6px;
         min-width: 0;
       }

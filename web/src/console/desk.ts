@@ -51,6 +51,7 @@ export class Desk {
   };
 
   #strips: Strip[] = [];
+  #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
   #calls = 0;
   readonly #holds = new Holds<number>();
   readonly #outbox: Outbox;
@@ -75,6 +76,11 @@ export class Desk {
     for (const heard of this.#listeners.get(topic) ?? []) heard();
   }
 
+  /** What people read of a name; a name that the cast does not know stands for itself. */
+  label(axis: Axis, name: string): string {
+    return this.#labels[axis].get(name) ?? name;
+  }
+
   get faces(): readonly FaceDocument[] {
     return this.manifest?.faces ?? [];
   }
@@ -86,6 +92,9 @@ export class Desk {
   setManifest(manifest: Manifest): void {
     this.manifest = manifest;
     this.#strips = stripsOf(manifest.expressions);
+    const labels = (documents: readonly { name: string; label: string }[]) =>
+      new Map(documents.map(({ name, label }) => [name, label]));
+    this.#labels = { face: labels(manifest.faces), expression: labels(manifest.expressions) };
     this.#tell("cast");
   }
 

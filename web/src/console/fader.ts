@@ -31,7 +31,7 @@ export class Fader extends PaintedElement {
       :host {
         display: grid;
         grid-template-rows: 14px 1fr;
-        width: 34px;
+        min-width: 34px;
         min-height: 0;
       }
       .number {
@@ -64,8 +64,9 @@ export class Fader extends PaintedElement {
       }
       .tick {
         position: absolute;
-        left: 5px;
-        right: 5px;
+        left: 50%;
+        width: 24px;
+        margin-left: -12px;
         height: 1px;
         background: var(--edge);
       }
@@ -94,8 +95,9 @@ export class Fader extends PaintedElement {
       .carrier::after {
         content: "";
         position: absolute;
-        left: 5px;
-        right: 5px;
+        left: 50%;
+        width: 26px;
+        margin-left: -13px;
         bottom: -7px;
         height: 14px;
         border-radius: 3px;

@@ -14,7 +14,7 @@ export class Mix extends PaintedElement {
   @property() axis: Axis = "face";
   @query(".rows") private rows!: HTMLElement;
   @query(".coming") private coming!: HTMLElement;
-  @query(".target") private target!: HTMLElement;
+  @query(".what") private what!: HTMLElement;
   @query(".left") private left!: HTMLElement;
   @query(".progress") private progress!: HTMLElement;
   readonly #written = new Written();
@@ -89,7 +89,7 @@ export class Mix extends PaintedElement {
         color: var(--coming);
         border-color: var(--coming);
       }
-      .target {
+      .what {
         flex: 1;
         font-weight: 600;
         overflow: hidden;
@@ -115,7 +115,7 @@ export class Mix extends PaintedElement {
       <div class="rows" data-axis=${this.axis}>
         ${Array.from({ length: ROWS }, () => html`<div class="row none"><i></i><b></b><span></span></div>`)}
       </div>
-      <div class="coming"><span class="target"></span><span class="left"></span><span class="progress"></span></div>
+      <div class="coming"><span class="what"></span><span class="left"></span><span class="progress"></span></div>
     `;
   }
 
@@ -126,17 +126,15 @@ export class Mix extends PaintedElement {
     const write = this.#written;
     for (const [index, row] of [...this.rows.children].entries()) {
       const [name, weight] = names[index] ?? ["", 0];
+      const [label, more] = [this.desk.label(this.axis, name), names.length - ROWS];
       write.flag(row, "none", name === "");
       write.flag(row, "target", name === call?.target);
       write.style(row.children[0] as HTMLElement, "transform", `scaleX(${Math.abs(weight).toFixed(3)})`);
-      write.text(
-        row.children[1] as Element,
-        index === ROWS - 1 && names.length > ROWS ? `${name} + ${names.length - ROWS} more` : name,
-      );
+      write.text(row.children[1] as Element, index === ROWS - 1 && more > 0 ? `${label} + ${more} more` : label);
       write.text(row.children[2] as Element, name === "" ? "" : String(Math.round(weight * 100)));
     }
     write.flag(this.coming, "shown", call !== null);
-    write.text(this.target, call === null ? "nothing coming" : `▶ ${call.target}`);
+    write.text(this.what, call === null ? "nothing coming" : `▶ ${this.desk.label(this.axis, call.target)}`);
     write.text(
       this.left,
       call === null ? "" : call.remaining === null ? "by hand" : `${remainingLabel(call.remaining)} s`,

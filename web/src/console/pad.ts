@@ -150,11 +150,12 @@ export class Pad extends PaintedElement {
         background: linear-gradient(90deg, #565c64 0 40%, #c9ced4 40% 60%, #33383e 60%);
       }
       .read {
+        position: absolute;
+        left: 5px;
+        bottom: 3px;
         font-size: 11px;
         color: var(--dim);
-        letter-spacing: 0;
-        text-transform: none;
-        font-weight: 400;
+        pointer-events: none;
       }
     `,
   ];
@@ -163,7 +164,7 @@ export class Pad extends PaintedElement {
     const name = this.what === "head" ? "Head" : "Gaze";
     return html`
       <header>
-        <h2>${name} <span class="read"></span></h2>
+        <h2>${name}</h2>
         <button
           aria-pressed=${this.springs}
           title="Back to the centre when the hand lets go"
@@ -187,6 +188,7 @@ export class Pad extends PaintedElement {
           ${this.what === "head" ? HEAD_FIGURE : EYES_FIGURE}
           <span class="side" style="left:2px" title="The character's right">R</span>
           <span class="side" style="right:2px" title="The character's left">L</span>
+          <span class="read"></span>
           <div class="carrier dot"></div>
         </div>
       </div>

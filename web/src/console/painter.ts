@@ -20,13 +20,19 @@ export class Painter {
     if (this.#running) return;
     this.#running = true;
     const frame = (now: number): void => {
-      requestAnimationFrame(frame); // first: one failing widget must not stop the others for good
+      requestAnimationFrame(frame);
       this.paint(now);
     };
     requestAnimationFrame(frame);
   }
 
   paint(now: number): void {
-    for (const one of this.#painted) one.paint(now);
+    for (const one of this.#painted) {
+      try {
+        one.paint(now);
+      } catch (error) {
+        reportError(error); // one widget that fails must not stop the others
+      }
+    }
   }
 }

@@ -37,7 +37,7 @@ export class Palette extends PaintedElement {
     css`
       :host {
         display: grid;
-        grid-template-rows: auto 1fr auto;
+        grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
         gap: 8px;
         padding: 8px;
         min-height: 0;
@@ -87,7 +87,9 @@ export class Palette extends PaintedElement {
       .tiles {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(var(--tile, 72px), 1fr));
+        grid-auto-rows: max-content;
         align-content: start;
+        align-items: start;
         gap: 5px;
         overflow: hidden auto;
         min-height: 0;
@@ -109,6 +111,7 @@ export class Palette extends PaintedElement {
         position: relative;
         display: block;
         aspect-ratio: 5 / 6;
+        width: 100%;
         padding: 0;
         overflow: hidden;
         border: 2px solid var(--line);
@@ -198,7 +201,7 @@ export class Palette extends PaintedElement {
   }
 
   #inTab(one: ExpressionDocument): boolean {
-    return one.kind === this.kind || (one.kind === "neutral" && this.kind === "performed");
+    return one.kind === this.kind || (this.kind === "performed" && (one.kind === "neutral" || one.kind === "own"));
   }
 
   /** Calls the tile at an index, as its hot key does. */

@@ -282,8 +282,9 @@ export class TBar extends PaintedElement {
     const write = this.#written;
     const call = this.desk.callOf(this.axis);
     const [start, goal] = view.flipped ? [this.top, this.bottom] : [this.bottom, this.top];
-    write.text(goal, call === null ? "" : call.target);
-    write.text(start, call === null ? this.#strongest(null) : this.#from);
+    const label = (name: string) => this.desk.label(this.axis, name);
+    write.text(goal, call === null ? "" : label(call.target));
+    write.text(start, label(call === null ? this.#strongest(null) : this.#from));
     for (const end of [this.top, this.bottom]) {
       write.flag(end, "air", end === start);
       write.flag(end, "coming", end === goal && call !== null);
@@ -292,7 +293,7 @@ export class TBar extends PaintedElement {
     write.text(this.mode, MODES[view.mode](call?.remaining ?? null, view.gap));
     write.flag(this.mode, "attention", view.mode === "waiting");
     write.flag(this.release, "lit", view.mode === "held");
-    const spoken = call === null ? "no call" : `${call.target} ${Math.round(call.progress * 100)} per cent`;
+    const spoken = call === null ? "no call" : `${label(call.target)} ${Math.round(call.progress * 100)} per cent`;
     write.attribute(this.track, "aria-valuetext", spoken);
   }
 

@@ -22,14 +22,15 @@ export class TimingRow extends RigElement {
       }
       .row {
         display: flex;
-        flex: 1 1 auto;
+        flex: 1 1 210px;
+        min-width: 0;
         gap: 2px;
       }
       button,
       input {
         flex: 1 1 0;
-        min-width: 26px;
-        padding: 0 2px;
+        min-width: 0;
+        padding: 0 1px;
         font-size: 12px;
       }
       button.hand,
@@ -37,8 +38,8 @@ export class TimingRow extends RigElement {
         flex-grow: 1.4;
       }
       input {
-        width: 44px;
-        flex: 1.3 1 0;
+        width: 0;
+        flex: 1.2 1 0;
         font: inherit;
         font-size: 12px;
         color: var(--text);
