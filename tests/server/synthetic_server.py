@@ -3,8 +3,10 @@
 import sys
 
 import numpy as np
+from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
+from omote.model.cast import Cast
 from omote.server.bundle import Page
 from omote.server.child import Material, main
 from omote.server.library import Library
@@ -14,17 +16,22 @@ MASK = b"\x89PNG\r\n\x1a\n"
 PAGES = {path: Page(f"page {path}".encode(), "text/html", immutable=False) for path in ("/", "/stage", "/console")}
 
 
-def drawn_mesh(name: str, triangles: np.ndarray, count: int) -> BakedMesh:
+def drawn(name: str, triangles: NDArray[np.int32], count: int) -> BakedMesh:
     """A mesh drawn without seams."""
     return BakedMesh(name, np.arange(count, dtype=np.int32), np.zeros((count, 2), np.float32), triangles)
+
+
+def meshes(cast: Cast) -> list[BakedMesh]:
+    """The meshes of a cast, drawn without seams."""
+    space = cast.space
+    parts = [drawn(name, part.triangles, len(part.points)) for name, part in space.parts.items()]
+    return [drawn("skin", space.triangles, space.vertex_count), *parts]
 
 
 def material() -> Material:
     """The synthetic cast and three pages of one line."""
     cast = synthetic.cast()
-    meshes = [drawn_mesh("skin", cast.space.triangles, cast.space.vertex_count)]
-    meshes += [drawn_mesh(name, part.triangles, len(part.points)) for name, part in cast.space.parts.items()]
-    return Material(Library(cast, meshes, MASK), PAGES)
+    return Material(Library(cast, meshes(cast), MASK), PAGES)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,65 @@
+"""The messages themselves: tags, and that both directions survive the wire."""
+
+import typing
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.show import messages
+from omote.show.messages import CLIENT_MESSAGES, SERVER_MESSAGES, Message, snake_case
+from omote.show.wire import decode, decode_answer, encode
+
+
+def test_every_message_has_a_tag_of_its_own() -> None:
+    tags = [message.__struct_config__.tag for message in (*CLIENT_MESSAGES, *SERVER_MESSAGES)]
+    assert len(set(tags)) == len(tags)
+    assert {"hello", "call_face", "set_channel", "welcome", "state", "refused"} <= set(tags)
+
+
+@pytest.mark.parametrize(("name", "tag"), [("Hello", "hello"), ("CallFace", "call_face"), ("SetHead", "set_head")])
+def test_a_tag_is_the_name_in_lower_case(name: str, tag: str) -> None:
+    assert snake_case(name) == tag
+
+
+def test_every_message_of_the_module_is_in_one_of_the_two_directions() -> None:
+    found = {v for v in vars(messages).values() if isinstance(v, type) and issubclass(v, Message) and v is not Message}
+    assert found == {*CLIENT_MESSAGES, *SERVER_MESSAGES}
+
+
+@pytest.mark.parametrize("kind", CLIENT_MESSAGES, ids=lambda kind: str(kind.__name__))
+def test_what_a_client_says_comes_over_the_wire_unchanged(kind: type[Message]) -> None:
+    message = _example(kind)
+    assert decode(encode(message)) == message  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("kind", SERVER_MESSAGES, ids=lambda kind: str(kind.__name__))
+def test_what_the_server_says_comes_over_the_wire_unchanged(kind: type[Message]) -> None:
+    message = _example(kind)
+    assert decode_answer(encode(message)) == message  # type: ignore[arg-type]
+
+
+@given(st.floats(0.0, 600.0), st.text(min_size=1, max_size=80))
+def test_numbers_and_names_travel_exactly(seconds: float, name: str) -> None:
+    message = messages.CallFace("id", name, seconds, "smooth")
+    assert decode(encode(message)) == message
+
+
+def _example(kind: type[Message]) -> Message:
+    hints = typing.get_type_hints(kind, include_extras=False)
+    message: Message = kind(**{field.name: _value(hints[field.name]) for field in msgspec.structs.fields(kind)})
+    return message
+
+
+def _value(hint: object) -> object:
+    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+    if origin is typing.Literal:
+        return arguments[0]
+    if origin is tuple:
+        return tuple(_value(argument) for argument in arguments)
+    if origin in (list, dict):
+        return [] if origin is list else {"smile": 0.25}
+    if type(None) in arguments:
+        return None
+    return {str: "smile", float: 0.25, int: 1, bool: True}[hint]  # type: ignore[index]

@@ -1,0 +1,253 @@
+"""A whole show without a socket: messages and times in, messages and states out."""
+
+import math
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.model.cast import Cast
+from omote.perform.performer import Performer
+from omote.show import messages as wire
+from omote.show.session import REMEMBERED_CALLS, SILENCE, Outgoing, SessionSnapshot, ShowSession
+from omote.show.wire import encode
+from tests import synthetic
+
+FRAME = 1.0 / 60.0
+
+call = st.one_of(
+    st.builds(
+        wire.CallFace, st.uuids().map(str), st.sampled_from(synthetic.FACES), st.floats(0.0, 3.0), st.just("smooth")
+    ),
+    st.builds(
+        wire.CallExpression,
+        st.uuids().map(str),
+        st.sampled_from(synthetic.EXPRESSIONS),
+        st.floats(0.0, 3.0),
+        st.just("smooth"),
+    ),
+    st.builds(wire.CallFace, st.uuids().map(str), st.sampled_from(synthetic.FACES), st.none(), st.just("smooth")),
+)
+command = st.one_of(
+    call,
+    st.builds(wire.FadeFace, st.floats(0.0, 1.0)),
+    st.builds(wire.FadeExpression, st.floats(0.0, 1.0)),
+    st.builds(wire.SetChannel, st.sampled_from(synthetic.EXPRESSIONS[1:]), st.floats(-0.5, 1.5)),
+    st.builds(wire.SetHead, *[st.floats(-1.0, 1.0)] * 3),
+    st.builds(wire.SetGaze, *[st.floats(-1.0, 1.0)] * 2),
+    st.sampled_from([wire.ReleaseFace(), wire.ReleaseExpression(), wire.Panic()]),
+)
+wrong = st.one_of(
+    st.builds(
+        wire.SetChannel, st.text(min_size=1, max_size=20), st.sampled_from([math.nan, math.inf, -math.inf, 1.6, 1e308])
+    ),
+    st.builds(wire.SetHead, *[st.sampled_from([math.nan, math.inf, 4.0])] * 3),
+    st.builds(wire.FadeFace, st.sampled_from([math.nan, -0.001, 1.001, 1e308])),
+    st.builds(wire.CallFace, st.just("x"), st.just("nobody"), st.just(1.0), st.just("smooth")),
+    st.builds(
+        wire.CallFace, st.just("x"), st.just("generic"), st.sampled_from([math.nan, -1.0, 1e9]), st.just("smooth")
+    ),
+    st.builds(wire.CallFace, st.just("x"), st.just("generic"), st.just(1.0), st.just("jerky")),
+    st.builds(wire.Ping, st.sampled_from([math.nan, math.inf])),
+)
+
+
+def opened(cast: Cast, *consoles: str) -> ShowSession:
+    """A session with these consoles."""
+    session = ShowSession(cast, Performer(cast), epoch=5)
+    for who in consoles:
+        session.receive(who, wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
+    session.tick(0.0)
+    return session
+
+
+def reasons(outgoing: list[Outgoing]) -> list[str]:
+    """The sentences of the refusals."""
+    return [each.message.reason for each in outgoing if isinstance(each.message, wire.Refused)]
+
+
+def test_hello_is_answered_with_who_we_are(cast: Cast) -> None:
+    session = ShowSession(cast, Performer(cast), epoch=5, revision=2)
+    welcome = wire.Welcome(wire.PROTOCOL_VERSION, 5, 2, cast.digest)
+    assert session.receive("a", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0) == [Outgoing("a", welcome)]
+
+
+def test_a_page_of_another_version_is_told_to_reload(cast: Cast) -> None:
+    session = opened(cast)
+    assert "reload the page" in reasons(session.receive("a", wire.Hello("console", 99), 0.0))[0]
+    assert "before hello" in reasons(session.receive("a", wire.Panic(), 0.0))[0]
+
+
+def test_a_call_brings_its_face_on_air_in_its_time(cast: Cast) -> None:
+    session = opened(cast, "a")
+    assert session.receive("a", wire.CallFace("1", "broad", 2.0, "smooth"), 0.0) == []
+    half, done = session.tick(1.0), session.tick(2.0)
+    assert half.faces == pytest.approx({"generic": 0.5, "broad": 0.5})
+    assert half.face_call is not None
+    assert half.face_call.remaining == pytest.approx(1.0)
+    assert done.faces == {"broad": 1.0}
+    assert done.number == half.number + 1
+
+
+def test_a_call_by_hand_waits_for_the_hand(cast: Cast) -> None:
+    session = opened(cast, "a")
+    session.receive("a", wire.CallFace("1", "broad", None, "smooth"), 0.0)
+    assert session.tick(100.0).faces == {"generic": 1.0}
+    session.receive("a", wire.FadeFace(0.0), 100.0)
+    session.receive("a", wire.FadeFace(1.0), 100.0)
+    assert session.tick(110.0).faces == {"broad": 1.0}
+
+
+def test_an_id_executes_once(cast: Cast) -> None:
+    session = opened(cast, "a", "b")
+    first = wire.CallFace("same", "broad", 1.0, "smooth")
+    session.receive("a", first, 0.0)
+    session.tick(0.5)
+    for who in ("a", "b") * 500:
+        assert session.receive(who, first, 0.5) == []
+    assert session.commands == 1
+    assert session.tick(1.0).faces == {"broad": 1.0}
+
+
+def test_the_memory_of_calls_is_bounded(cast: Cast) -> None:
+    session = opened(cast, "a")
+    for number in range(REMEMBERED_CALLS + 50):
+        session.receive("a", wire.CallFace(f"call {number}", "broad", 1.0, "smooth"), 0.0)
+    assert len(session.snapshot().calls) == REMEMBERED_CALLS
+    assert session.snapshot().calls[-1] == f"call {REMEMBERED_CALLS + 49}"
+
+
+@given(messages=st.lists(st.tuples(st.sampled_from(["a", "b"]), command, st.floats(0.0, 0.5)), max_size=25))
+def test_a_replayed_show_is_the_same_show(cast: Cast, messages: list[tuple[str, wire.FromClient, float]]) -> None:
+    shown = []
+    for _ in range(2):
+        session, now, states = opened(cast, "a", "b"), 0.0, []
+        for who, message, wait in messages:
+            now += wait
+            session.receive(who, message, now)
+            states.append(encode(session.tick(now)))
+        shown.append(states)
+    assert shown[0] == shown[1]
+
+
+@given(messages=st.lists(st.tuples(st.sampled_from(["a", "b"]), command), max_size=25))
+def test_consoles_agree_because_all_see_one_state(cast: Cast, messages: list[tuple[str, wire.FromClient]]) -> None:
+    mixed, alone = opened(cast, "a", "b"), opened(cast, "a")
+    for who, message in messages:
+        mixed.receive(who, message, 0.0)
+        alone.receive("a", message, 0.0)
+    assert mixed.tick(FRAME) == alone.tick(FRAME)
+
+
+@given(before=st.lists(command, max_size=5), bad=st.lists(wrong, min_size=1, max_size=10))
+def test_a_refused_message_changes_nothing_and_says_why(
+    cast: Cast, before: list[wire.FromClient], bad: list[wire.FromClient]
+) -> None:
+    session = opened(cast, "a")
+    for message in before:
+        session.receive("a", message, 0.0)
+    left = session.snapshot()
+    for message in bad:
+        sentences = reasons(session.receive("a", message, 0.0))
+        assert len(sentences) == 1
+        assert sentences[0].endswith(".")
+    assert session.snapshot() == left
+    assert session.refused == len(bad)
+
+
+@given(data=st.binary(max_size=100))
+def test_noise_is_refused_and_counted(cast: Cast, data: bytes) -> None:
+    session = opened(cast, "a")
+    answer = session.hear("a", data, 0.0)
+    assert len(reasons(answer)) == session.refused == 1
+
+
+def test_bytes_are_obeyed_like_messages(cast: Cast) -> None:
+    session = opened(cast, "a")
+    assert session.hear("a", encode(wire.SetChannel("jawOpen", 0.5)), 0.0) == []
+    assert session.tick(0.0).channels == {"jawOpen": 0.5}
+
+
+def test_a_stage_shows_and_does_not_play(cast: Cast) -> None:
+    session = opened(cast)
+    session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    assert "only a console plays" in reasons(session.receive("s", wire.Panic(), 0.0))[0]
+    assert session.receive("s", wire.Drawing(60.0), 0.0) == []
+
+
+@pytest.mark.parametrize("fps", [math.nan, math.inf, -1.0, 1e9])
+def test_a_stage_cannot_draw_at_no_rate(cast: Cast, fps: float) -> None:
+    session = opened(cast)
+    session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    session.receive("s", wire.Drawing(50.0), 0.0)
+    assert len(reasons(session.receive("s", wire.Drawing(fps), 0.0))) == 1
+    assert session.crew_now(0.0).stages == [50.0]
+
+
+def test_the_crew_is_who_said_hello_and_silent_stages_show(cast: Cast) -> None:
+    session = opened(cast, "a", "b")
+    for who in ("s", "t"):
+        session.receive(who, wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    session.receive("s", wire.Drawing(60.0), 10.0)
+    assert session.crew_now(10.0 + SILENCE) == wire.Crew(stages=[60.0, None], consoles=2)
+    session.leave("s")
+    session.leave("b")
+    session.leave("nobody")
+    assert session.crew_now(99.0) == wire.Crew(stages=[None], consoles=1)
+
+
+def test_who_leaves_lets_nothing_drop(cast: Cast) -> None:
+    session = opened(cast, "a", "b")
+    session.receive("a", wire.SetChannel("jawOpen", 0.7), 0.0)
+    session.leave("a")
+    assert session.tick(60.0).channels == {"jawOpen": 0.7}
+
+
+def test_a_ping_tells_the_clock_of_the_states(cast: Cast) -> None:
+    session = opened(cast, "a")
+    state = session.tick(4.0)
+    assert session.receive("a", wire.Ping(123.0), 4.25) == [Outgoing("a", wire.Pong(123.0, state.time + 0.25))]
+
+
+def test_after_a_long_sleep_the_show_is_at_now_in_one_step(cast: Cast) -> None:
+    session = opened(cast, "a")
+    session.receive("a", wire.CallFace("1", "broad", 2.0, "smooth"), 0.0)
+    before = session.tick(1.0)
+    after = session.tick(1801.0)
+    assert after.number == before.number + 1
+    assert after.time == pytest.approx(1801.0)
+    assert after.faces == {"broad": 1.0}
+
+
+def test_a_clock_that_goes_back_stops_the_show_for_that_step_only(cast: Cast) -> None:
+    session = opened(cast, "a")
+    times = [session.tick(now).time for now in (1.0, 0.5, 1.5)]
+    assert times == pytest.approx([1.0, 1.0, 2.0])
+
+
+@given(messages=st.lists(command, max_size=20))
+def test_a_restored_show_goes_on_frame_by_frame_the_same(cast: Cast, messages: list[wire.FromClient]) -> None:
+    session = opened(cast, "a")
+    for number, message in enumerate(messages):
+        session.receive("a", message, number * 0.1)
+        session.tick(number * 0.1)
+    data = msgspec.msgpack.encode(session.snapshot())
+    other = ShowSession.restored(cast, msgspec.msgpack.decode(data, type=SessionSnapshot), epoch=6)
+    last = max(0, len(messages) - 1) * 0.1
+    other.tick(last)
+    for step in range(1, 5):
+        one, two = session.tick(last + step * FRAME), other.tick(last + step * FRAME)
+        assert two.epoch == 6
+        assert one.faces == pytest.approx(two.faces, abs=1e-9)
+        assert one.expressions == pytest.approx(two.expressions, abs=1e-9)
+        assert (one.channels, one.head, one.gaze) == (two.channels, two.head, two.gaze)
+
+
+def test_a_call_repeated_after_a_restart_still_executes_once(cast: Cast) -> None:
+    session = opened(cast, "a")
+    session.receive("a", wire.CallFace("same", "broad", 1.0, "smooth"), 0.0)
+    other = ShowSession.restored(cast, session.snapshot(), epoch=6)
+    other.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
+    other.receive("a", wire.CallFace("same", "broad", 1.0, "smooth"), 0.0)
+    assert other.commands == 0

@@ -1,0 +1,60 @@
+"""Bytes that are no message are refused, whatever they are."""
+
+import math
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.show.door import Refusal
+from omote.show.messages import MESSAGE_LIMIT, SetChannel
+from omote.show.wire import decode, encode
+
+BAD = {
+    "nothing": b"",
+    "no map": msgspec.msgpack.encode([1, 2, 3]),
+    "no type": msgspec.msgpack.encode({"value": 1.0}),
+    "an unknown type": msgspec.msgpack.encode({"type": "explode"}),
+    "a type that is no text": msgspec.msgpack.encode({"type": 7}),
+    "a field missing": msgspec.msgpack.encode({"type": "fade_face"}),
+    "text for a number": msgspec.msgpack.encode({"type": "fade_face", "value": "0.5"}),
+    "a bool for a number": msgspec.msgpack.encode({"type": "fade_face", "value": True}),
+    "a message of the server": msgspec.msgpack.encode({"type": "refused", "reason": "no"}),
+    "no name": msgspec.msgpack.encode({"type": "set_channel", "name": "", "value": 0.5}),
+    "a name without end": msgspec.msgpack.encode({"type": "set_channel", "name": "x" * 81, "value": 0.5}),
+    "a deep nest": b"\x91" * 3000,
+    "broken UTF-8": b"\x81\xa4type\xa4\xff\xff\xff\xff",
+    "too many bytes": bytes(MESSAGE_LIMIT + 1),
+    "a promise of 4 GB": b"\xdf\xff\xff\xff\xff",
+    "JSON": b'{"type": "panic"}',
+}
+
+
+@pytest.mark.parametrize("data", BAD.values(), ids=BAD)
+def test_what_is_no_message_is_refused_with_a_sentence(data: bytes) -> None:
+    with pytest.raises(Refusal) as refused:
+        decode(data)
+    assert str(refused.value).endswith(".")
+    assert len(str(refused.value)) < 300
+
+
+@given(st.binary(max_size=200))
+def test_random_bytes_are_refused_or_are_a_message(data: bytes) -> None:
+    try:
+        message = decode(data)
+    except Refusal:
+        return
+    assert decode(encode(message)) == message
+
+
+@given(st.data())
+def test_a_message_with_one_byte_changed_is_refused_or_is_a_message(data: st.DataObject) -> None:
+    changed = bytearray(encode(SetChannel("jawOpen", 0.5)))
+    changed[data.draw(st.integers(0, len(changed) - 1))] = data.draw(st.integers(0, 255))
+    try:
+        message = decode(bytes(changed))
+    except Refusal:
+        return
+    if isinstance(message, SetChannel) and not math.isnan(message.value):
+        assert decode(encode(message)) == message
