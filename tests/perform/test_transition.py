@@ -83,7 +83,8 @@ def test_a_slow_move_decays_over_the_whole_third_of_a_second() -> None:
 
 
 def test_rest_needs_no_decay() -> None:
-    assert decay_seconds({"a": 1.0}, {"a": 0.0}, "b", 2.0, EASINGS["smooth"]) == 0.0
+    for rate in (0.0, 5e-324, -1e-300):
+        assert decay_seconds({"a": 1.0}, {"a": rate}, "b", 2.0, EASINGS["smooth"]) == 0.0
 
 
 origins = st.floats(0.0, 1.0)

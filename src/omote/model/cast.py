@@ -46,7 +46,7 @@ class Title:
     region: str = "whole"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Cast:
     """Faces and expressions by name, on one space; "generic" is M0 itself and "neutral" the field at rest.
 

@@ -24,13 +24,15 @@ def weighted_sum(arrays: Sequence[Floats], factors: Sequence[float], *, out: Flo
     """
     _refuse_unlike(arrays, factors)
     total = np.empty(arrays[0].shape, np.float32) if out is None else out
+    if total.shape != arrays[0].shape or total.dtype != np.float32 or not total.flags.c_contiguous:
+        raise ValueError(f"out is {total.dtype} {total.shape}; expected C-contiguous float32 {arrays[0].shape}")
     flat = total.reshape(-1)
     for first in range(0, len(arrays), 4):
         four = [array.reshape(-1) for array in arrays[first : first + 4]]
-        weights = [float(factor) for factor in factors[first : first + 4]]
-        four += four[:1] * (4 - len(four))  # an array read again costs no traffic
-        weights += [0.0] * (4 - len(weights))
-        (_blend if first == 0 else _blend_onto)(*four, *weights, flat)
+        a, b, c, d = four + four[:1] * (4 - len(four))  # an array read again costs no traffic
+        wa, wb, wc, wd = [float(factor) for factor in factors[first : first + 4]] + [0.0] * (4 - len(four))
+        kernel = _blend if first == 0 else _blend_onto
+        kernel(a, b, c, d, wa, wb, wc, wd, flat)
     return total
 
 

@@ -18,6 +18,9 @@ from omote.perform.blend import sum_rows
 
 Floats = NDArray[np.float32]
 
+SMALLEST_RATIO = 0.05
+"""Many channels may add up to a radius below nothing; the surface stops short of the axis then."""
+
 
 class Fields:
     """Tables of the expressions on one space: sheet fields and residuals, one row per expression.
@@ -93,4 +96,4 @@ def _spread(
         v, t = sheet[n], triangles[n]
         for k in range(3):
             indices[v, k], weights[v, k] = corners[t, k], landed[n, k]
-        ratios[v], ended[v] = 1.0 + stretch[n], inside[n]
+        ratios[v], ended[v] = max(SMALLEST_RATIO, 1.0 + stretch[n]), inside[n]

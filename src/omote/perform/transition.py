@@ -17,6 +17,8 @@ DECAY_SECONDS = 0.33
 """A velocity taken over dies out in this time, or in the time of the call where that is shorter."""
 HAND_SECONDS = 0.06
 """A step of a T-bar is followed in this time."""
+STILL = 1e-12
+"""Per second; a slower weight is at rest."""
 DEFAULT_EASING = "smooth"
 
 
@@ -91,7 +93,7 @@ def decay_seconds(start: Weights, velocity: Weights, target: str, seconds: float
     None: anywhere between start and goal), so the longest decay is the least room over velocity * bump.
     """
     longest = DECAY_SECONDS if seconds is None else min(seconds, DECAY_SECONDS)
-    names = [name for name, rate in velocity.items() if rate]
+    names = [name for name, rate in velocity.items() if abs(rate) > STILL]
     if not names:
         return 0.0
     rates = np.array([velocity[name] for name in names])[:, None]

@@ -1,0 +1,31 @@
+"""Directions of head and gaze are checked where they are made."""
+
+import math
+from dataclasses import FrozenInstanceError
+
+import pytest
+
+from omote.perform.frame import Frame, Gaze, Head
+
+
+@pytest.mark.parametrize("angle", [math.nan, math.inf, 1.58, -1.58])
+@pytest.mark.parametrize("name", ["yaw", "pitch", "roll"])
+def test_a_direction_that_no_head_has_is_refused_by_name(name: str, angle: float) -> None:
+    with pytest.raises(ValueError, match=rf"the head's {name} \(radians\) is"):
+        Head(**{name: angle})
+
+
+@pytest.mark.parametrize("angle", [math.nan, -math.inf, 1.58])
+@pytest.mark.parametrize("name", ["yaw", "pitch"])
+def test_a_gaze_that_no_eye_has_is_refused_by_name(name: str, angle: float) -> None:
+    with pytest.raises(ValueError, match=rf"the gaze's {name} \(radians\) is"):
+        Gaze(**{name: angle})
+
+
+def test_directions_are_kept_as_plain_floats() -> None:
+    assert [type(angle) for angle in vars(Head(1, 0, -1)).values()] == [float] * 3
+
+
+def test_a_frame_cannot_be_changed() -> None:
+    with pytest.raises(FrozenInstanceError):
+        Frame({"generic": 1.0}, {"neutral": 1.0}).time = 1.0  # type: ignore[misc]

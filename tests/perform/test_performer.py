@@ -1,0 +1,168 @@
+"""The performer as its callers see it: commands, frames, refusals, panic, snapshots."""
+
+import math
+from typing import Any
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.model.cast import Cast
+from omote.perform.frame import Frame, Gaze, Head
+from omote.perform.performer import Performer
+from omote.perform.snapshot import Snapshot
+from tests.conftest import Command, commands, shows
+
+
+def played(cast: Cast, show: list[Command]) -> Performer:
+    performer = Performer(cast)
+    for command in show:
+        command.play(performer)
+        performer.advance(command.wait)
+    return performer
+
+
+def test_a_new_performer_shows_the_generic_face_at_rest(cast: Cast) -> None:
+    assert Performer(cast).advance(0.0) == Frame({"generic": 1.0}, {"neutral": 1.0})
+
+
+@given(shows)
+def test_mixes_sum_to_one_and_channels_stand_beside_them(cast: Cast, show: list[Command]) -> None:
+    performer = Performer(cast)
+    for command in show:
+        command.play(performer)
+        frame = performer.advance(command.wait)
+        for mix in (frame.faces, frame.expressions):
+            assert math.fsum(mix.values()) == pytest.approx(1.0, abs=1e-9)
+            assert all(-0.1 - 1e-9 <= weight <= 1.1 + 1e-9 for weight in mix.values())
+    assert frame_time(show) == pytest.approx(performer.advance(0.0).time)
+
+
+def frame_time(show: list[Command]) -> float:
+    return math.fsum(command.wait for command in show)
+
+
+@given(shows, st.lists(commands, max_size=8))
+def test_a_restored_performer_plays_on_frame_by_frame_the_same(
+    cast: Cast, before: list[Command], later: list[Command]
+) -> None:
+    original = played(cast, before)
+    written = msgspec.msgpack.encode(original.snapshot())
+    restored = Performer.restored(cast, msgspec.msgpack.decode(written, type=Snapshot))
+    assert restored.snapshot() == original.snapshot()
+    for command in [Command("release_face", wait=0.01), *later]:
+        command.play(original)
+        command.play(restored)
+        assert restored.advance(command.wait) == original.advance(command.wait)
+
+
+@given(shows, st.floats(0.0, 10.0))
+def test_a_long_step_lands_where_short_ones_do(cast: Cast, show: list[Command], wait: float) -> None:
+    performer = played(cast, show)
+    stepped = Performer.restored(cast, performer.snapshot())
+    for _ in range(20):
+        small = stepped.advance(wait / 20)
+    large = performer.advance(wait)
+    for short, long in ((small.faces, large.faces), (small.expressions, large.expressions)):
+        assert {**dict.fromkeys(long, 0.0), **short} == pytest.approx({**dict.fromkeys(short, 0.0), **long}, abs=1e-9)
+
+
+def test_faces_and_expressions_move_independently(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.call_face("broad", seconds=2)
+    performer.call_expression("smile", seconds=1)
+    frame = performer.advance(1.0)
+    assert frame.faces == pytest.approx({"generic": 0.5, "broad": 0.5})
+    assert frame.expressions == {"smile": 1.0}
+    assert frame.expression_call is None
+    assert frame.face_call is not None
+    assert (frame.face_call.target, frame.face_call.remaining) == ("broad", 1.0)
+
+
+def test_a_call_for_ever_waits_for_the_t_bar(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.call_expression("smile", seconds=math.inf)
+    assert performer.advance(1000.0).expressions == {"neutral": 1.0}
+    performer.fade_expression(0.5)
+    frame = performer.advance(1.0)
+    assert frame.expressions == {"neutral": 0.5, "smile": 0.5}
+    assert frame.expression_fader == 0.5
+    assert frame.expression_call is not None
+    assert (frame.expression_call.by_hand, frame.expression_call.remaining) == (True, None)
+
+
+def test_channels_head_and_gaze_are_shown_exactly_and_at_once(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.set_channel("jawOpen", 0.37)
+    performer.set_channel("smile", -0.5)
+    performer.set_head(0.1, -0.2, 0.3)
+    performer.set_gaze(0.4, 0.5)
+    frame = performer.advance(0.0)
+    assert frame.channels == {"jawOpen": 0.37, "smile": -0.5}
+    assert (frame.head, frame.gaze) == (Head(0.1, -0.2, 0.3), Gaze(0.4, 0.5))
+    performer.set_channel("jawOpen", 0)
+    assert performer.advance(0.0).channels == {"smile": -0.5}
+
+
+@given(shows)
+def test_panic_leaves_nothing_but_the_face(cast: Cast, show: list[Command]) -> None:
+    calm, panicked = played(cast, show), played(cast, show)
+    calm.release_face()
+    panicked.panic()
+    frame = panicked.advance(0.2)
+    assert frame.faces == calm.advance(0.2).faces
+    assert frame.expressions == {"neutral": 1.0}
+    assert (frame.channels, frame.head, frame.gaze, frame.expression_call) == ({}, Head(), Gaze(), None)
+    face = panicked.snapshot().face.call
+    assert face is None or not face.held
+
+
+BAD_NUMBERS = [math.nan, -math.inf, -1.0, 1e300]
+
+
+@pytest.mark.parametrize("number", BAD_NUMBERS)
+@pytest.mark.parametrize(
+    ("command", "before", "after"),
+    [
+        ("fade_face", (), ()), ("fade_expression", (), ()), ("set_channel", ("jawOpen",), ()), ("advance", (), ()),
+        ("set_head", (), (0.0, 0.0)), ("set_head", (0.0,), (0.0,)), ("set_head", (0.0, 0.0), ()),
+        ("set_gaze", (), (0.0,)), ("set_gaze", (0.0,), ()),
+    ],
+)  # fmt: skip
+def test_numbers_out_of_range_are_refused_and_change_nothing(
+    cast: Cast, command: str, before: tuple[Any, ...], after: tuple[Any, ...], number: float
+) -> None:
+    performer = Performer(cast)
+    shown = performer.snapshot()
+    bad = number * 2 if command.startswith("set_") else number  # -1 rad is a fine direction
+    with pytest.raises(ValueError, match="give a number from"):
+        getattr(performer, command)(*before, bad, *after)
+    assert performer.snapshot() == shown
+
+
+@pytest.mark.parametrize("seconds", [math.nan, -1.0, -math.inf, 1e9])
+def test_a_call_in_no_time_at_all_is_refused(cast: Cast, seconds: float) -> None:
+    performer = Performer(cast)
+    for call, name in ((performer.call_face, "broad"), (performer.call_expression, "smile")):
+        with pytest.raises(ValueError, match=r"the time of a call \(seconds\) is"):
+            call(name, seconds=seconds)
+    assert performer.snapshot() == Performer(cast).snapshot()
+
+
+def test_unknown_names_and_easings_are_refused_with_what_there_is(cast: Cast) -> None:
+    performer = Performer(cast)
+    with pytest.raises(ValueError, match="no face 'brod' in this cast; near are broad"):
+        performer.call_face("brod")
+    with pytest.raises(ValueError, match="no expression 'smil' in this cast; near are smile"):
+        performer.call_expression("smil")
+    with pytest.raises(ValueError, match="no channel 'neutral'"):
+        performer.set_channel("neutral", 0.5)
+    with pytest.raises(ValueError, match="no easing 'linear'; choose one of smooth"):
+        performer.call_face("broad", easing="linear")
+
+
+def test_a_cast_without_the_generic_face_cannot_be_played(cast: Cast) -> None:
+    headless = Cast(cast.space, {"broad": cast.faces["broad"]}, cast.expressions)
+    with pytest.raises(ValueError, match="there is no face 'generic' in this cast"):
+        Performer(headless)

@@ -1,0 +1,82 @@
+"""A snapshot comes back exactly, and one that no performer has written is refused."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import msgspec
+import pytest
+
+from omote.model.cast import Cast
+from omote.perform.axis import Call
+from omote.perform.performer import Performer
+from omote.perform.snapshot import Snapshot, checked
+from omote.perform.transition import Glide
+
+
+def running(cast: Cast) -> Snapshot:
+    """A snapshot with an interrupted call, a T-bar on it, and a channel."""
+    performer = Performer(cast)
+    performer.call_face("broad", seconds=0.8)
+    performer.advance(0.4)
+    performer.call_face("long", seconds=2.0)
+    performer.fade_face(0.2)
+    performer.set_channel("jawOpen", 0.5)
+    performer.advance(0.02)
+    return performer.snapshot()
+
+
+def test_it_is_written_and_read_exactly(cast: Cast) -> None:
+    snapshot = running(cast)
+    for form in (msgspec.msgpack, msgspec.json):
+        assert form.decode(form.encode(snapshot), type=Snapshot) == snapshot
+    assert checked(snapshot, cast) is snapshot
+
+
+def with_call(**changes: Any) -> Callable[[Snapshot], Snapshot]:
+    def change(snapshot: Snapshot) -> Snapshot:
+        assert snapshot.face.call is not None
+        return replace(snapshot, face=replace(snapshot.face, call=replace(snapshot.face.call, **changes)))
+
+    return change
+
+
+def with_face(**changes: Any) -> Callable[[Snapshot], Snapshot]:
+    return lambda snapshot: replace(snapshot, face=replace(snapshot.face, **changes))
+
+
+BROKEN: dict[str, Callable[[Snapshot], Snapshot]] = {
+    "there is no face 'gone'": with_face(on_air="gone"),
+    "the face T-bar is nan": with_face(hand=math.nan),
+    "there is no face 'nobody'": with_call(target="nobody"),
+    "there is no face 'someone'": with_call(start={"someone": 1.0}),
+    "the weight of a face is 1.5": with_call(start={"broad": 1.5, "long": -0.5}),
+    "the weights of the faces in the snapshot sum to 0.5": with_call(start={"broad": 0.5}),
+    "the velocities of the faces in the snapshot sum to 3.0": with_call(velocity={"broad": 3.0}),
+    "velocities of the faces in the snapshot sum to nan": with_call(velocity={"broad": math.nan}),
+    "no easing 'bounce'": with_call(easing="bounce"),
+    r"the decay of a call \(seconds\) is 5.0": with_call(decay=5.0),
+    r"the elapsed time of a call \(seconds\) is -1.0": with_call(elapsed=-1.0),
+    r"the time of a call \(seconds\) is 0.0": with_call(seconds=0.0),
+    "the origin of a T-bar's way is 3.0": with_call(way=Glide(3.0, 0.0, 1.0, 0.1)),
+    "the goal of a T-bar's way is inf": with_call(way=Glide(0.0, 0.0, math.inf, 0.1)),
+    r"the rate of a T-bar \(per second\) is nan": with_call(way=Glide(0.0, math.nan, 1.0, 0.1)),
+    r"the time of a T-bar's way \(seconds\) is -1.0": with_call(way=Glide(0.0, 0.0, 1.0, -1.0)),
+    "the channel jawOpen is 2.0": lambda snapshot: replace(snapshot, channels={"jawOpen": 2.0}),
+    "there is no channel 'tail'": lambda snapshot: replace(snapshot, channels={"tail": 0.5}),
+    r"the snapshot's time \(seconds\) is nan": lambda snapshot: replace(snapshot, time=math.nan),
+}
+
+
+@pytest.mark.parametrize("sentence", BROKEN)
+def test_what_no_performer_has_written_is_refused(cast: Cast, sentence: str) -> None:
+    broken = BROKEN[sentence](running(cast))
+    with pytest.raises(ValueError, match=sentence):
+        Performer.restored(cast, broken)
+
+
+def test_calls_are_values(cast: Cast) -> None:
+    call = running(cast).face.call
+    assert isinstance(call, Call)
+    assert hash(call.way) == hash(replace(call).way)
