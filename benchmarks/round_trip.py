@@ -1,7 +1,7 @@
 """There and back: every unit on every face of the cast, with the paper's map and nothing stored beside the field.
 
-What is applied is what is measured: each of the 86 units is worn by a face, the displacement extracted on that face, and
-the new expression applied to it again. Counted apart: vertices whose walk, on the face or on S, did not end in a triangle.
+What is applied is what is measured: each of the 86 units is worn by a face, the displacement extracted on that face,
+and the new expression applied to it again. Vertices whose walk did not end in a triangle are counted apart.
 """
 
 from __future__ import annotations
