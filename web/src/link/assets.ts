@@ -2,7 +2,7 @@ import { decode } from "@msgpack/msgpack";
 import { Backoff } from "./backoff";
 import type { CompoundAsset, FaceAsset, Manifest, MeshDocument } from "./messages";
 
-/** A drawn mesh; `source` maps its vertices to rows of the positions, `uv` has v up. */
+/** A drawn mesh; `source` maps its vertices to rows of the positions, `uv` (0, 0) is the upper left corner. */
 export interface Mesh {
   name: string;
   source: Uint32Array;
@@ -123,13 +123,12 @@ export class Library {
     });
   }
 
-  /** The skin's region mask: red lips, green brows, blue blush, alpha darkening; texture rows run bottom to top. */
+  /** The skin's region mask: red lips, green brows, blue blush, alpha the light that is left; (0, 0) of the texture coordinates is its upper left corner. */
   mask(): Promise<ImageBitmap> {
     this.picture ??= insist(this.manifest.mask, this.read).then((bytes) =>
       createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "image/png" }), {
         premultiplyAlpha: "none",
         colorSpaceConversion: "none",
-        imageOrientation: "flipY",
       }),
     );
     return this.picture;

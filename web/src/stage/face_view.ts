@@ -267,8 +267,9 @@ function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas, options: Fa
 }
 
 function maskTexture(mask: ImageBitmap | undefined): THREE.Texture {
-  const texture = mask === undefined ? new THREE.DataTexture(new Uint8Array(4), 1, 1) : new THREE.Texture(mask);
-  texture.flipY = false; // the bitmap already runs bottom to top
+  const texture =
+    mask === undefined ? new THREE.DataTexture(Uint8Array.of(0, 0, 0, 255), 1, 1) : new THREE.Texture(mask);
+  texture.flipY = false; // texture coordinates as in glTF: (0, 0) is the upper left corner
   texture.premultiplyAlpha = false;
   texture.generateMipmaps = mask !== undefined;
   texture.minFilter = mask === undefined ? THREE.NearestFilter : THREE.LinearMipmapLinearFilter;

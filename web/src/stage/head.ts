@@ -3,6 +3,7 @@ import type { Mesh } from "../link/assets";
 import type { Anatomy } from "./anatomy";
 import { collar } from "./collar";
 import * as shaders from "./scene_shaders";
+import { extent } from "./topology";
 
 /** Colours in linear light and the eyeballs' size: what of a face's look the shaders take. */
 export interface BlendedLook {
@@ -40,6 +41,8 @@ export interface EyeUniforms extends Uniforms {
 
 /** Where the head turns: the top of the spine, metres. */
 const PIVOT = new THREE.Vector3(0, -0.075, 0.03);
+/** From the front teeth back to the middle of the dental arch, metres. */
+const ARCH = 0.034;
 
 export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): HeadUniforms {
   return {
@@ -90,17 +93,9 @@ function drawn(mesh: Mesh, anatomy: Anatomy, shared: HeadUniforms, eyes: [EyeUni
     }
     case "teeth_upper":
     case "teeth_lower":
-      return mouthPart(geometry, mesh, anatomy, {
-        ...shared,
-        albedo: { value: new THREE.Color(0.62, 0.56, 0.47) },
-        wet: { value: 0.35 },
-      });
+      return mouthPart(geometry, mesh, anatomy, material(shaders.MOUTH_VERTEX, shaders.TEETH_FRAGMENT, shared));
     case "tongue":
-      return mouthPart(geometry, mesh, anatomy, {
-        ...shared,
-        albedo: { value: new THREE.Color(0.42, 0.11, 0.1) },
-        wet: { value: 0.22 },
-      });
+      return mouthPart(geometry, mesh, anatomy, material(shaders.MOUTH_VERTEX, shaders.TONGUE_FRAGMENT, shared));
     case "lashes":
       return lashes(geometry, mesh, anatomy, shared);
     default:
@@ -118,26 +113,40 @@ function gather(values: Float32Array, rows: Uint32Array, width: number): Float32
   return out;
 }
 
-function mouthPart(geometry: THREE.BufferGeometry, mesh: Mesh, anatomy: Anatomy, uniforms: Uniforms): THREE.Mesh {
-  const ahead = mesh.source.reduce((most, row) => Math.max(most, anatomy.positions[3 * row + 2] as number), -Infinity);
-  const depth = Float32Array.from(mesh.source, (row) => (ahead - (anatomy.positions[3 * row + 2] as number)) / 0.05);
-  geometry.setAttribute("depth", new THREE.BufferAttribute(depth, 1));
-  const part = material(shaders.MOUTH_VERTEX, shaders.MOUTH_FRAGMENT, uniforms);
-  part.side = THREE.DoubleSide;
-  return new THREE.Mesh(geometry, part);
+/** Depth behind the front teeth, angle on the dental arch, height from gum to edge: what teeth are painted by. */
+function mouthPart(
+  geometry: THREE.BufferGeometry,
+  mesh: Mesh,
+  anatomy: Anatomy,
+  look: THREE.RawShaderMaterial,
+): THREE.Mesh {
+  const { positions } = anatomy;
+  const [[, ahead], [low, high]] = [extent(positions, 2, mesh.source), extent(positions, 1, mesh.source)];
+  const place = new Float32Array(3 * mesh.source.length);
+  mesh.source.forEach((row, index) => {
+    const [x, y, z] = [0, 1, 2].map((axis) => positions[3 * row + axis] as number) as [number, number, number];
+    const level = (y - low) / (high - low);
+    const edge = mesh.name === "teeth_upper" ? 1 - level : level;
+    place.set([(ahead - z) / 0.05, Math.atan2(x, z - ahead + ARCH), edge], 3 * index);
+  });
+  geometry.setAttribute("place", new THREE.BufferAttribute(place, 3));
+  look.side = THREE.DoubleSide;
+  return new THREE.Mesh(geometry, look);
 }
 
 /** Strands run from the eye outwards: along the lid by angle, from root to tip by distance from the eyeball. */
 function lashes(geometry: THREE.BufferGeometry, mesh: Mesh, anatomy: Anatomy, shared: HeadUniforms): THREE.Mesh {
   const centres = [0, 1].map((side) => eyeCentre(anatomy, side));
-  const strand = new Float32Array(2 * mesh.source.length);
+  const strand = new Float32Array(3 * mesh.source.length);
   mesh.source.forEach((row, index) => {
     const [x, y, z] = [0, 1, 2].map((axis) => anatomy.positions[3 * row + axis] as number) as [number, number, number];
     const [cx, cy, cz] = centres[x > 0 ? 0 : 1] as [number, number, number];
     const reach = Math.hypot(x - cx, y - cy, z - cz);
-    strand.set([Math.atan2(y - cy + 0.012 * Math.sign(cy - y), x - cx) * 22, (reach - 0.0158) / 0.0085], 2 * index);
+    const upper = y > cy - 0.0015 ? 1 : 0;
+    const along = Math.atan2(x - cx, Math.abs(y - cy) + 0.012) * 26;
+    strand.set([along, (reach - 0.0158) / 0.0085, upper], 3 * index);
   });
-  geometry.setAttribute("strand", new THREE.BufferAttribute(strand, 2));
+  geometry.setAttribute("strand", new THREE.BufferAttribute(strand, 3));
   const hair = material(shaders.LASH_VERTEX, shaders.LASH_FRAGMENT, shared);
   hair.side = THREE.DoubleSide;
   hair.depthWrite = false;

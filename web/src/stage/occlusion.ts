@@ -1,4 +1,4 @@
-import { type Fans, normals } from "./topology";
+import { extent, type Fans, normals } from "./topology";
 
 const DIRECTIONS = 64;
 const SIZE = 112; // texels across a depth map
@@ -103,15 +103,6 @@ class DepthView {
         if (near > (map[y * SIZE + x] as number)) map[y * SIZE + x] = near;
       }
   }
-}
-
-function extent(positions: Float32Array, axis: number): [number, number] {
-  let [low, high] = [Infinity, -Infinity];
-  for (let at = axis; at < positions.length; at += 3) {
-    low = Math.min(low, positions[at] as number);
-    high = Math.max(high, positions[at] as number);
-  }
-  return [low, high];
 }
 
 const crossed = (a: Vector, b: Vector): Vector => [

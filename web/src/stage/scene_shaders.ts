@@ -34,8 +34,8 @@ const vec3 FILL = normalize(vec3(0.85, 0.0, 0.5));
 const vec3 RIM_LEFT = normalize(vec3(-0.9, 0.25, -0.45));
 const vec3 RIM_RIGHT = normalize(vec3(0.9, 0.35, -0.5));
 const vec3 KEY_LIGHT = vec3(1.72, 1.52, 1.34);
-const vec3 FILL_LIGHT = vec3(0.15, 0.20, 0.30);
-const vec3 RIM_LIGHT = vec3(0.60, 0.74, 1.05);
+const vec3 FILL_LIGHT = vec3(0.25, 0.24, 0.27);
+const vec3 RIM_LIGHT = vec3(0.62, 0.70, 0.90);
 
 /** Linear light to the display, with a shoulder for the highlights. */
 vec3 display(vec3 light) {
@@ -92,25 +92,25 @@ void main() {
   vec3 albedo = skin * (1.0 + pores.g * 0.14 + blotch.r * 0.16) * (1.0 + vec3(0.10, -0.04, -0.06) * blotch.b);
   albedo = mix(albedo, blush, region.b * 0.55);
   albedo = mix(albedo, lip, lips * 0.9);
-  albedo = mix(albedo, brow, clamp(region.g * (1.0 + pores.b * 1.2), 0.0, 1.0));
+  albedo = mix(albedo, brow, region.g * 0.92);
   albedo = mix(albedo, brow * (0.75 + 0.7 * pores.r), hair);
-  albedo *= 1.0 - 0.85 * region.a;
+  albedo *= pow(region.a, 1.3); // what cavities and the lash line leave of the light
 
   float open = smoothstep(0.05, 1.0, sky);
   vec3 wrap = mix(vec3(0.34, 0.17, 0.12), vec3(0.05), hair);
   vec3 key = clamp((dot(normal, KEY) + wrap) / (1.0 + wrap), 0.0, 1.0);
   key *= mix(vec3(1.0, 0.90, 0.86), vec3(1.0), key); // the terminator is warm: light that went through the skin
   float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
-  float edge = pow(1.0 - max(dot(normal, view), 0.0), 3.0);
+  float edge = pow(1.0 - max(dot(normal, view), 0.0), 4.0);
   float rim = edge * (max(dot(normal, RIM_LEFT), 0.0) * 0.7 + max(dot(normal, RIM_RIGHT), 0.0));
-  vec3 ambient = mix(vec3(0.060, 0.042, 0.040), vec3(0.085, 0.092, 0.12), normal.y * 0.5 + 0.5);
+  vec3 ambient = mix(vec3(0.070, 0.050, 0.046), vec3(0.105, 0.100, 0.110), normal.y * 0.5 + 0.5);
   vec3 shade = mix(vec3(open), vec3(sqrt(open), open, open), 0.6); // light that bounces in a hollow reddens
   vec3 light = albedo * (KEY_LIGHT * key * mix(vec3(1.0), shade, 0.8) + (FILL_LIGHT * fill + ambient) * shade * open);
 
   float oil = (0.055 + 0.11 * lips) * (1.0 - hair) * open * (1.0 + pores.a * 1.4) * (1.0 - region.g);
   light += KEY_LIGHT * oil * (shine(normal, view, KEY, 22.0) + (1.2 + 3.0 * lips) * shine(normal, view, KEY, 70.0));
   light += FILL_LIGHT * oil * shine(normal, view, FILL, 22.0);
-  light += RIM_LIGHT * rim * open * mix(0.45 + 0.6 * albedo, vec3(0.16), hair);
+  light += RIM_LIGHT * rim * open * open * mix(0.12 + 1.1 * albedo, vec3(0.16), hair);
   colour = premultiplied(light * vTraits.z, 1.0);
 }
 `;
@@ -147,61 +147,76 @@ void main() {
   float disc = 1.0 - smoothstep(0.94, 1.04, angle);
   float limbus = smoothstep(0.72, 0.98, angle);
 
-  vec3 white = vec3(0.78, 0.75, 0.72) - vec3(0.0, 0.10, 0.10) * smoothstep(1.0, 2.6, angle);
-  vec3 fibres = iris * (1.35 + 1.1 * spoke) * (1.0 - 0.85 * limbus);
-  fibres += iris * 0.5 * smoothstep(0.62, 0.40, angle); // brighter around the pupil
+  vec3 white = vec3(0.80, 0.76, 0.72) - vec3(0.02, 0.16, 0.15) * smoothstep(1.1, 2.4, angle);
+  vec3 fibres = iris * (0.95 + 2.0 * spoke) * (1.0 - 0.9 * limbus * limbus);
+  fibres += iris * vec3(0.8, 0.65, 0.45) * smoothstep(0.72, 0.42, angle); // brighter around the pupil
   vec3 albedo = mix(white, mix(fibres, vec3(0.004), pupil), disc);
 
   vec3 upright = normal * headTurn; // in the head's frame
-  float lidShadow = mix(0.30, 1.0, smoothstep(0.62, -0.10, upright.y)) * smoothstep(-0.25, 0.62, upright.z);
+  float lidShadow = mix(0.22, 1.0, smoothstep(0.50, -0.05, upright.y)) * smoothstep(-0.15, 0.70, upright.z);
   float key = clamp(dot(normal, KEY) * 0.75 + 0.25, 0.0, 1.0);
   vec3 light = albedo * (KEY_LIGHT * key * 0.62 + FILL_LIGHT * 0.6 + 0.16) * lidShadow;
   // the light on the far side of the cornea, as a lens gathers it
   light += iris * KEY_LIGHT * disc * (1.0 - pupil) * 0.35 * max(dot(local.xy, -(KEY * eyeTurn).xy), 0.0) * lidShadow;
   vec3 bulge = normalize(normal + 0.35 * disc * (normal - (eyeTurn * vec3(0.0, 0.0, 1.0))));
-  light += KEY_LIGHT * (1.6 * shine(bulge, view, KEY, 900.0) + 0.10 * shine(normal, view, KEY, 60.0));
+  light += KEY_LIGHT * (2.6 * shine(bulge, view, KEY, 420.0) + 0.10 * shine(normal, view, KEY, 60.0));
   light += FILL_LIGHT * 1.2 * shine(bulge, view, FILL, 500.0);
   colour = premultiplied(light, 1.0);
 }
 `;
 
-/** Teeth and tongue: darker the deeper they lie in the mouth. */
+/** The tongue: darker the deeper it lies in the mouth. */
 export const MOUTH_VERTEX = `${VERTEX_HEAD}
-in float depth;
+in vec3 place; // depth in the mouth, angle on the arch, height from the gum (0) to the edge (1)
 out vec3 vPoint;
 out vec3 vNormal;
-out float vDepth;
+out vec3 vPlace;
 
 void main() {
   vPoint = turned(fetchRow(positions), 1.0);
   vNormal = turnedNormal(fetchRow(normals), 1.0);
-  vDepth = depth;
+  vPlace = place;
   gl_Position = project(vPoint);
 }
 `;
 
-export const MOUTH_FRAGMENT = `${FRAGMENT_HEAD}
-uniform vec3 albedo;
-uniform float wet;
+const MOUTH_HEAD = `${FRAGMENT_HEAD}
 in vec3 vPoint;
 in vec3 vNormal;
-in float vDepth;
+in vec3 vPlace;
 
-void main() {
+vec3 lit(vec3 albedo, float wet) {
   vec3 view = normalize(cameraPosition - vPoint);
-  vec3 normal = normalize(vNormal);
-  float open = pow(clamp(1.0 - vDepth, 0.0, 1.0), 2.0);
-  float key = clamp((dot(normal, KEY) + 0.35) / 1.35, 0.0, 1.0);
-  vec3 light = albedo * (KEY_LIGHT * key * 0.75 + FILL_LIGHT * 0.5 + 0.08) * open;
-  light += KEY_LIGHT * wet * shine(normal, view, KEY, 60.0) * open;
-  colour = premultiplied(light, 1.0);
+  vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
+  float open = pow(clamp(1.0 - vPlace.x, 0.0, 1.0), 2.0);
+  float key = clamp((dot(normal, KEY) + 0.7) / 1.7, 0.0, 1.0);
+  vec3 light = albedo * (KEY_LIGHT * key * 0.85 + FILL_LIGHT * 0.5 + vec3(0.10, 0.07, 0.06)) * open;
+  return light + KEY_LIGHT * wet * shine(normal, view, KEY, 50.0) * open;
+}
+`;
+
+export const TONGUE_FRAGMENT = `${MOUTH_HEAD}
+void main() {
+  float furrow = 1.0 - 0.35 * exp(-pow(vPlace.y / 0.09, 2.0));
+  colour = premultiplied(lit(vec3(0.36, 0.085, 0.08) * furrow * (1.0 - 0.6 * vPlace.x), 0.10), 1.0);
+}
+`;
+
+/** Teeth: grooves between them by the angle on the arch, gum above. */
+export const TEETH_FRAGMENT = `${MOUTH_HEAD}
+void main() {
+  float tooth = fract(vPlace.y / 0.235) * 2.0 - 1.0;
+  float groove = smoothstep(0.72, 1.0, abs(tooth));
+  float gum = smoothstep(0.06, -0.06, vPlace.z - 0.40 - 0.10 * tooth * tooth);
+  vec3 enamel = vec3(1.05, 0.97, 0.84) * (1.0 - 0.55 * groove) * mix(0.85, 1.0, vPlace.z);
+  colour = premultiplied(lit(mix(enamel, vec3(0.42, 0.13, 0.12), gum), 0.20), 1.0);
 }
 `;
 
 /** Lashes: dark strands that thin out towards their tips. */
 export const LASH_VERTEX = `${VERTEX_HEAD}
-in vec2 strand; // along the lid, from root (0) to tip (1)
-out vec2 vStrand;
+in vec3 strand; // along the lid, from root (0) to tip (1), upper (1) or lower (0) lid
+out vec3 vStrand;
 
 void main() {
   vStrand = strand;
@@ -211,13 +226,19 @@ void main() {
 
 export const LASH_FRAGMENT = `${FRAGMENT_HEAD}
 uniform vec3 brow;
-in vec2 vStrand;
+in vec3 vStrand;
 
 void main() {
-  float across = abs(fract(vStrand.x) - 0.5) * 2.0;
-  float alpha = (1.0 - smoothstep(0.1, 0.75, vStrand.y)) * smoothstep(1.0, 0.2, across * 0.8 + vStrand.y * 0.6);
+  float id = floor(vStrand.x);
+  float chance = fract(sin(id * 91.7) * 4375.85);
+  float lean = (chance - 0.5) * 0.9 * vStrand.y;
+  float across = abs(fract(vStrand.x) - 0.5 + lean) * 2.0;
+  float tip = vStrand.y / mix(0.35 + 0.30 * chance, 0.62 + 0.38 * chance, vStrand.z);
+  float width = mix(0.34, 0.55, vStrand.z) * (1.0 - tip * tip);
+  float alpha = smoothstep(width + 0.25, width - 0.10, across) * (1.0 - smoothstep(0.75, 1.0, tip)) * step(-0.3, vStrand.y);
+  alpha *= mix(0.5, 1.0, vStrand.z);
   if (alpha < 0.02) discard;
-  colour = premultiplied(brow * 0.10, alpha * 0.95);
+  colour = premultiplied(brow * 0.08, alpha);
 }
 `;
 

@@ -132,3 +132,13 @@ function addCross(sum: [number, number, number], positions: Float32Array, row: n
   sum[1] += at(a, 2) * at(b, 0) - at(a, 0) * at(b, 2);
   sum[2] += at(a, 0) * at(b, 1) - at(a, 1) * at(b, 0);
 }
+
+/** The least and greatest coordinate on an axis, of all rows or of some. */
+export function extent(positions: Float32Array, axis: number, rows?: Uint32Array): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (let n = 0; n < (rows?.length ?? positions.length / 3); n++) {
+    const value = positions[3 * (rows?.[n] ?? n) + axis] as number;
+    [low, high] = [Math.min(low, value), Math.max(high, value)];
+  }
+  return [low, high];
+}
