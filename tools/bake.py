@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from rich.console import Console
 from rich.progress import Progress
 
 from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, mesh_arrays
@@ -46,8 +47,9 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
 
 def main() -> int:
     """Bakes into src/omote/builtin; exit status 1 with a sentence where that is not possible."""
+    console = Console(stderr=True)
     try:
-        with Progress(transient=True) as progress:
+        with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
             task = progress.add_task("the pinned package", total=STEPS)
 
             def step(name: str) -> None:

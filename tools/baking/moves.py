@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from omote.builtin.binding import EYES
-from omote.model.parts import eye_angles, eye_rotation, similarity
+from omote.model.parts import eye_angles, eye_rotation
 from tools.baking.basemesh import BaseMesh, Floats, Ints, read_target
 from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED, unit_weights
 from tools.baking.head import METRES, Head
@@ -16,8 +16,8 @@ from tools.baking.package import Package
 
 # MakeHuman publishes each unit three times, for three origins; the generic head belongs to none, so it gets their mean.
 ORIGINS = ("african", "asian", "caucasian")
-# These units open the jaw and leave the tongue behind; it goes with the lower teeth instead.
-TONGUE_WITH_TEETH = ("mouth-open",)
+# These units open the jaw and leave the tongue behind; it goes as in jawOpen, as far as the lower teeth go.
+TONGUE_LEFT_BEHIND = ("mouth-open",)
 JAW_UNITS = ("jawOpen", "jawForward", "jawLeft", "jawRight")
 
 
@@ -34,8 +34,8 @@ def all_moves(package: Package, base: BaseMesh, head: Head) -> dict[str, Move]:
     rest = base.points * METRES
     arkit = {name: _move(head, rest, arkit_target(package, name, len(rest))) for name in ARKIT}
     makehuman = {name: _move(head, rest, makehuman_target(package, name, len(rest))) for name in MAKEHUMAN}
-    for name in TONGUE_WITH_TEETH:
-        makehuman[name] = _with_tongue(head, rest, makehuman[name])
+    for name in TONGUE_LEFT_BEHIND:
+        makehuman[name] = _with_tongue(makehuman[name], arkit["jawOpen"])
     performed = {name: compose(arkit, unit_weights(recipe)) for name, recipe in PERFORMED.items()}
     return {**performed, **arkit, **makehuman}
 
@@ -88,7 +88,6 @@ def _turned(ball: Floats, displacement: Floats) -> Floats:
     return np.asarray(off @ turn.T - off)
 
 
-def _with_tongue(head: Head, rest: Floats, move: Move) -> Move:
-    teeth, tongue = rest[head.parts["teeth_lower"].vertices], rest[head.parts["tongue"].vertices]
-    _, rotation, shift = similarity(teeth, teeth + move.parts["teeth_lower"])
-    return Move(move.skin, {**move.parts, "tongue": tongue @ rotation.T + shift - tongue})
+def _with_tongue(move: Move, jaw: Move) -> Move:
+    ours, theirs = (np.linalg.norm(m.parts["teeth_lower"], axis=1).mean() for m in (move, jaw))
+    return Move(move.skin, {**move.parts, "tongue": ours / theirs * jaw.parts["tongue"]})

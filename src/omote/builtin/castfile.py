@@ -82,6 +82,11 @@ def _space(arrays: Arrays, generic: Face) -> ParameterSpace:
 
 def _expression(arrays: Arrays, row: int, space: ParameterSpace) -> Expression:
     rests = {part: arrays[f"rest/{part}"][row] for part in PARTS}
+    inner = len(arrays["residual"][row])
+    if inner != len(space.inner.vertices):
+        raise ValueError(
+            f"its fields know {inner} vertices of inner skin, this version finds {len(space.inner.vertices)}"
+        )
     return Expression(
         dtheta=arrays["dtheta"][row],
         dh=arrays["dh"][row],

@@ -1,0 +1,223 @@
+"""The people of the built-in cast and what they can do."""
+
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import omote
+from omote import builtin
+from omote.builtin.binding import PARTS
+from omote.model.face import Face
+from omote.model.sheet import refuse_axis_outside
+from omote.model.transfer import compound_parts
+from tests.pictures import read_png
+from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED
+
+CAST = omote.load_cast()
+GENERIC = CAST.faces["generic"]
+FACES = list(CAST.faces.values())
+
+
+def name_of(face: Face) -> str:
+    return face.name
+
+
+def moved_skin(name: str) -> NDArray[np.float64]:
+    """How far each vertex of the generic skin goes, metres."""
+    worn = omote.compound(CAST.space, GENERIC, CAST.expressions[name])
+    return np.linalg.norm(worn.astype(np.float64) - GENERIC.positions, axis=1)
+
+
+def moved_parts(name: str) -> dict[str, NDArray[np.float64]]:
+    """How each part of the generic face goes, (n, 3) metres, eyeballs before their turn."""
+    worn = compound_parts(CAST.space, GENERIC, CAST.expressions[name])
+    return {part: worn[part].astype(np.float64) - GENERIC.parts[part] for part in PARTS}
+
+
+def still_parts(name: str) -> set[str]:
+    """The parts that do not move by a hundredth of a millimetre."""
+    return {part for part, moves in moved_parts(name).items() if np.linalg.norm(moves, axis=1).max() < 1e-5}
+
+
+def test_the_skin_is_the_designs() -> None:
+    assert (CAST.space.vertex_count, len(CAST.space.triangles)) == (4278, 8508)
+
+
+def test_there_are_twelve_people() -> None:
+    assert {"generic", "kaori", "round", "child", "old", "doll"} < CAST.faces.keys()
+    assert len(CAST.faces) == 12
+
+
+def test_the_generic_face_is_the_spaces_own() -> None:
+    np.testing.assert_array_equal(GENERIC.positions, CAST.space.points.astype(np.float32))
+
+
+def test_people_differ_by_millimetres() -> None:
+    for a, b in combinations(FACES, 2):
+        assert np.sqrt(((a.positions - b.positions) ** 2).sum(axis=1).mean()) > 0.003, (a.name, b.name)
+
+
+def test_looks_differ() -> None:
+    assert len({CAST.looks[face.name].skin for face in FACES}) == len(FACES)
+
+
+def test_all_units_are_there_by_their_exact_names() -> None:
+    kinds: dict[str, list[str]] = {}
+    for name in CAST.expressions:
+        kinds.setdefault(CAST.titles[name].kind, []).append(name)
+    expected = {"neutral": ["neutral"], "performed": [*PERFORMED], "arkit": [*ARKIT], "makehuman": [*MAKEHUMAN]}
+    assert kinds == expected
+    assert {kind: len(names) for kind, names in kinds.items()} == {
+        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34,
+    }  # fmt: skip
+    assert {
+        "smile",
+        "laugh",
+        "sad",
+        "cry",
+        "angry",
+        "surprise",
+        "fear",
+        "disgust",
+        "sleepy",
+        "kiss",
+    } <= PERFORMED.keys()
+
+
+def test_titles_name_a_region_of_the_face() -> None:
+    regions = {"brows", "eyes", "nose", "cheeks", "mouth", "jaw", "tongue", "whole"}
+    assert {title.region for title in CAST.titles.values()} == regions
+    assert CAST.titles["mouth-corner-puller"].label == "Mouth corner puller"
+
+
+def test_every_expression_but_neutral_moves_something() -> None:
+    for name in CAST.expressions:
+        still = (
+            moved_skin(name).max() < 1e-5 and still_parts(name) == {*PARTS} and not CAST.expressions[name].eyes.any()
+        )
+        assert still == (name == "neutral"), name
+
+
+@pytest.mark.parametrize("face", FACES, ids=name_of)
+def test_a_change_of_face_leaves_the_eyes_where_they_are(face: Face) -> None:
+    def middle(of: Face) -> NDArray[np.float64]:
+        eyes = np.concatenate([of.parts["eye_left"], of.parts["eye_right"]]).astype(np.float64)
+        return (eyes.min(axis=0) + eyes.max(axis=0)) / 2
+
+    np.testing.assert_allclose(middle(face), middle(GENERIC), atol=1e-6)
+    np.testing.assert_allclose(middle(face)[:2], 0.0, atol=1e-6)
+
+
+@pytest.mark.parametrize("face", FACES, ids=name_of)
+def test_the_axis_is_inside_every_skull(face: Face) -> None:
+    points = face.positions.astype(np.float64)
+    refuse_axis_outside(points, CAST.space.location_triangles, CAST.space.cylinder)
+    assert points[:, 2].min() < -0.025 < 0.1 < points[:, 2].max()
+
+
+@pytest.mark.parametrize("face", FACES, ids=name_of)
+def test_heads_are_of_one_order_of_size(face: Face) -> None:
+    def above_the_eyes(of: Face) -> float:
+        return float(of.positions[:, 1].max())
+
+    assert 0.7 < above_the_eyes(face) / above_the_eyes(GENERIC) < 1.2
+
+
+@pytest.mark.parametrize("face", FACES, ids=name_of)
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_eyes_sit_in_their_sockets(face: Face, side: str) -> None:
+    ball = face.parts[f"eye_{side}"].astype(np.float64)
+    centre = ball.mean(axis=0)
+    radius = np.linalg.norm(ball - centre, axis=1)
+    lids = CAST.space.parts["lashes"].anchors
+    lids = np.unique(lids[(GENERIC.parts["lashes"][:, 0] > 0) == (side == "left")])
+    off = np.linalg.norm(face.positions[lids] - centre, axis=1) / radius.mean()
+    assert np.ptp(radius) < 0.1 * radius.mean()
+    assert (off > 0.7).all()
+    assert np.median(off) < 1.25
+
+
+@pytest.mark.parametrize("name", ["jawOpen", "mouth-open"])
+def test_an_opened_jaw_takes_the_lower_teeth_and_the_tongue_along(name: str) -> None:
+    moves = moved_parts(name)
+    assert moves["teeth_lower"][:, 1].mean() < -0.015
+    assert moves["tongue"][:, 1].mean() < -0.01
+    assert still_parts(name) == {"eye_left", "eye_right", "teeth_upper", "lashes"}
+
+
+def test_tongue_out_moves_only_the_tongue() -> None:
+    assert moved_skin("tongueOut").max() < 1e-7  # float32
+    assert still_parts("tongueOut") == {*PARTS} - {"tongue"}
+    assert moved_parts("tongueOut")["tongue"][:, 2].mean() > 0.01
+
+
+@pytest.mark.parametrize("side", ["Left", "Right"])
+@pytest.mark.parametrize("way", ["Up", "Down", "In", "Out"])
+def test_looking_turns_the_eyeball_rigidly_and_moves_the_lashes(side: str, way: str) -> None:
+    name = f"eyeLook{way}{side}"
+    eyes = CAST.expressions[name].eyes
+    this, other = (0, 1) if side == "Left" else (1, 0)
+    assert np.abs(eyes[this]).max() > 0.15
+    np.testing.assert_allclose(eyes[other], 0.0, atol=1e-6)
+    assert still_parts(name) == {*PARTS} - {"lashes"}
+
+
+@pytest.mark.parametrize("side", ["Left", "Right"])
+def test_a_blink_takes_the_lashes_along_and_leaves_the_other_eye(side: str) -> None:
+    moves = np.linalg.norm(moved_parts(f"eyeBlink{side}")["lashes"], axis=1)
+    ours = (GENERIC.parts["lashes"][:, 0] > 0) == (side == "Left")
+    assert moves[ours].max() > 0.005
+    assert moves[~ours].max() < 1e-5
+
+
+def test_the_mask_has_lips_brows_and_blush_where_the_face_has_them() -> None:
+    mask = read_png(builtin.load_mask())
+    skin = builtin.load_meshes()[0]
+    assert mask.shape == (1024, 1024, 4)
+    texel = (skin.uv * 1023).round().astype(int)
+    lips, brows, blush, light = mask[texel[:, 1], texel[:, 0]].astype(float).T / 255
+    x, y, z = GENERIC.positions[skin.source].T
+    forehead, cheek = (
+        (z > 0.12) & (y > 0.045),
+        (z > 0.1) & (np.abs(np.abs(x) - 0.043) < 0.006) & (np.abs(y + 0.03) < 0.006),
+    )
+    assert lips[(z > 0.15) & (np.abs(x) < 0.005) & (np.abs(y + 0.072) < 0.003)].min() > 0.7
+    assert forehead.any()
+    assert (lips[forehead].max(), brows[forehead].max()) == (0.0, 0.0)
+    assert light[forehead].min() > 0.9
+    assert blush[cheek].min() > 0.4
+    assert brows.max() > 0.5
+
+
+def test_a_missing_cast_is_refused_with_what_to_do(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match=r"cast is missing: there is no cast.npz in .*; run `make bake`"):
+        builtin.read_cast(tmp_path / "cast.npz")
+
+
+@pytest.mark.parametrize("content", [b"", b"PK\x03\x04 cut off", b"\x80\x04 a pickle"])
+def test_a_broken_cast_is_refused_with_what_to_do(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "cast.npz"
+    path.write_bytes(content)
+    with pytest.raises(ValueError, match=r"cast.npz is not a cast of this version .*delete it and run `make bake`"):
+        builtin.read_cast(path)
+
+
+def test_a_missing_or_broken_mask_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "mask.png"
+    monkeypatch.setattr(builtin, "MASK", path)
+    builtin.load_mask.cache_clear()
+    with pytest.raises(FileNotFoundError, match=r"no mask.png .*`make bake`"):
+        builtin.load_mask()
+    path.write_bytes(b"GIF89a")
+    with pytest.raises(ValueError, match=r"mask.png is not .*it is no PNG.*`make bake`"):
+        builtin.load_mask()
+    builtin.load_mask.cache_clear()
+
+
+def test_the_notice_travels_with_the_cast() -> None:
+    text = builtin.NOTICE.read_text()
+    assert "CC0 1.0 Universal" in text
+    assert "Mika Suominen" in text
