@@ -1,0 +1,87 @@
+"""A real show and a real browser for these tests; pages that report errors fail the test that opened them."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from tools.browser import SENTENCE, find_browser
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+# llvmpipe instead of SwiftShader, which blocks the page's main thread.
+RENDERER = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]
+QUIET = [
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+
+OpenPage = Callable[..., Page]
+
+
+@pytest.fixture(scope="session")
+def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The address of a show with a file of its own."""
+    file = tmp_path_factory.mktemp("show") / "test.omote"
+    command = [str(Path(sys.executable).with_name("omote")), "show", str(file), "--no-open", "--port", "0"]
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "PYTHONUNBUFFERED": "1"}
+    with subprocess.Popen(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            yield _address(process)
+        finally:
+            process.terminate()
+            process.communicate(timeout=20)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """Chromium without a window."""
+    path = find_browser()
+    if path is None:
+        pytest.fail(SENTENCE)
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(
+            executable_path=str(path), chromium_sandbox=False, args=[*RENDERER, *QUIET]
+        )
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture
+def open_page(show: str, browser: Browser) -> Iterator[OpenPage]:
+    """Opens a page of the show: `open_page("/console", width=1280, height=800)`; more options go to the context."""
+    contexts = []
+    errors: list[str] = []
+
+    def open_one(path: str, *, width: int = 1280, height: int = 800, **options: Any) -> Page:
+        context = browser.new_context(viewport={"width": width, "height": height}, **options)
+        contexts.append(context)
+        page = context.new_page()
+        page.on("pageerror", lambda error: errors.append(f"{path}: {error}"))
+        page.goto(show + path)
+        return page
+
+    yield open_one
+    for context in contexts:
+        context.close()
+    assert not errors, errors
+
+
+def _address(process: subprocess.Popen[str]) -> str:
+    """The address that a starting show prints."""
+    assert process.stdout is not None
+    lines = []
+    for line in process.stdout:
+        lines.append(line)
+        if "http://" in line:
+            return line.split()[-1].removesuffix("/stage").removesuffix("/console")
+    pytest.fail(f"the show ended before it opened: {''.join(lines)}")

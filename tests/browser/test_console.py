@@ -1,0 +1,517 @@
+"""The console page, played as an operator plays it: by mouse, by fingers, by keyboard, and two at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from playwright.sync_api import Locator, Page, Route, WebSocketRoute, expect
+
+OpenPage = Callable[..., Page]
+Console = Callable[..., Page]
+
+DESK = "document.querySelector('omote-console').rig.desk"
+AT_REST = """
+    state.faces.generic === 1 && state.expressions.neutral === 1 && Object.keys(state.channels).length === 0
+    && [...state.head, ...state.gaze, state.face_fader, state.expression_fader].every((value) => value === 0)
+    && state.face_call === null && state.expression_call === null
+"""
+TO_REST = f"""() => {{
+    const desk = {DESK};
+    for (const axis of ["face", "expression"]) {{
+        desk.bar(axis).nudge(0);
+        desk.setTiming(axis, {{ seconds: 0 }});
+    }}
+    desk.flush();
+    desk.panic();
+    desk.call("face", "generic");
+}}"""
+
+
+@pytest.fixture
+def console(open_page: OpenPage) -> Console:
+    """Opens a console on a show at rest; later ones join it as it is."""
+    opened: list[Page] = []
+
+    def open_one(**options: Any) -> Page:
+        page = open_page("/console", **options)
+        wait_for(page, "desk.online && state !== null && desk.faces.length > 0")
+        if not opened:
+            page.evaluate(TO_REST)
+            wait_for(page, AT_REST)
+        opened.append(page)
+        return page
+
+    return open_one
+
+
+def state(page: Page) -> dict[str, Any]:
+    """The newest state this console has heard."""
+    return dict(page.evaluate(f"{DESK}.state"))
+
+
+def wait_for(page: Page, condition: str, seconds: float = 15) -> None:
+    """Waits until a condition on `state`, `desk` or the `page` element holds, looking in every frame.
+
+    Written out because Playwright's own wait evaluates strings in the page, which its content security policy forbids.
+    """
+    page.evaluate(f"""() => new Promise((done, fail) => {{
+        const tooLate = performance.now() + {1000 * seconds};
+        const holds = () => {{
+            const page = document.querySelector("omote-console");
+            const desk = page?.rig.desk;
+            const state = desk?.state;
+            return Boolean(desk) && ({condition});
+        }};
+        const look = () => {{
+            if (holds()) done();
+            else if (performance.now() < tooLate) requestAnimationFrame(look);
+            else fail(new Error("never came: " + {condition!r} + " in " + JSON.stringify({DESK}.state)));
+        }};
+        look();
+    }})""")
+
+
+def tile(page: Page, name: str) -> Locator:
+    return page.locator(f".tile[data-name='{name}']")
+
+
+def fader(page: Page, channel: str) -> Locator:
+    return page.locator(f"[data-channel='{channel}']")
+
+
+def region(page: Page, name: str) -> None:
+    page.locator(f"[data-tab='{name}']").click()
+
+
+def bar(page: Page, axis: str) -> Locator:
+    return page.get_by_role("slider", name=f"{axis} T-bar")
+
+
+def choose(page: Page, axis: str, seconds: str) -> None:
+    page.locator(f".{axis}s omote-timing [data-seconds='{seconds}']").click()
+
+
+def drag(page: Page, control: Locator, start: tuple[float, float], end: tuple[float, float]) -> None:
+    """Drags with the mouse from one place of a control to another, both in parts of its box."""
+    box = control.bounding_box()
+    assert box is not None
+    points = [(box["x"] + x * box["width"], box["y"] + y * box["height"]) for x, y in (start, end)]
+    page.mouse.move(*points[0])
+    page.mouse.down()
+    page.mouse.move(*points[1], steps=6)
+    page.mouse.up()
+
+
+# --- calls ------------------------------------------------------------------------------------------------------------
+
+
+def test_a_click_brings_a_face_on_air_in_the_chosen_time(console: Console) -> None:
+    page = console()
+    choose(page, "face", "1")
+    tile(page, "old").click()
+    wait_for(page, "state.face_call?.target === 'old' && state.face_call.remaining <= 1")
+    expect(tile(page, "old")).to_have_class("tile coming")
+    wait_for(page, "state.faces.old === 1 && state.face_call === null")
+    expect(tile(page, "old")).to_have_class("tile air")
+    expect(tile(page, "generic")).to_have_class("tile")
+
+
+def test_a_cut_needs_no_time(console: Console) -> None:
+    page = console()
+    choose(page, "expression", "0")
+    tile(page, "smile").click()
+    wait_for(page, "state.expressions.smile === 1 && state.expression_call === null")
+
+
+def test_typed_seconds_and_the_easing_go_with_the_call(console: Console) -> None:
+    page = console()
+    entry = page.get_by_label("Other seconds (expression)")
+    entry.fill("30")
+    entry.press("Enter")
+    page.locator(".expressions [data-easing='late']").click()
+    tile(page, "sad").click()
+    wait_for(page, "state.expression_call?.target === 'sad' && state.expression_call.remaining > 20")
+    assert page.evaluate(f"{DESK}.timing.expression.easing") == "late"
+    entry.fill("soon")
+    entry.press("Enter")
+    expect(page.locator(".notice")).to_contain_text('"soon" is not a duration')
+    assert page.evaluate(f"{DESK}.timing.expression.seconds") == 30
+
+
+def test_what_is_on_air_and_what_is_coming_is_told_by_name(console: Console) -> None:
+    page = console()
+    choose(page, "face", "hand")
+    tile(page, "child").click()
+    mix = page.locator("omote-mix").first
+    expect(mix.locator(".coming")).to_contain_text("Child")
+    expect(mix.locator(".coming")).to_contain_text("by hand")
+    expect(mix.locator(".row").first).to_contain_text("Generic")
+    expect(mix.locator(".row").first).to_contain_text("100")
+
+
+def test_units_are_found_by_their_region(console: Console) -> None:
+    page = console()
+    page.get_by_role("tab", name="ARKit").click()
+    expect(page.locator(".expressions .tile")).to_have_count(52)
+    page.get_by_label("Search expressions").fill("jaw")
+    expect(tile(page, "jawOpen")).to_be_visible()
+    expect(tile(page, "browInnerUp")).to_have_count(0)
+    tile(page, "jawOpen").click()
+    wait_for(page, "state.expressions.jawOpen > 0")
+
+
+# --- T-bars ----------------------------------------------------------------------------------------------------------
+
+
+def test_a_t_bar_moves_a_call_by_hand_to_its_end_and_the_next_one_back(console: Console) -> None:
+    page = console()
+    choose(page, "face", "hand")
+    tile(page, "round").click()
+    wait_for(page, "state.face_call?.by_hand")
+    drag(page, bar(page, "Face"), (0.5, 1.0), (0.5, 0.5))
+    wait_for(page, "Math.abs(state.faces.round - 0.5) < 0.02")
+    expect(page.locator(".facebar .mode")).to_have_text("by hand")
+    drag(page, bar(page, "Face"), (0.5, 0.5), (0.5, -0.1))
+    wait_for(page, "state.faces.round === 1 && state.face_fader === 1")
+    tile(page, "generic").click()
+    wait_for(page, "state.face_call?.target === 'generic'")
+    drag(page, bar(page, "Face"), (0.5, 0.0), (0.5, 0.75))
+    wait_for(page, "Math.abs(state.faces.generic - 0.75) < 0.02")
+
+
+def test_a_t_bar_that_was_left_in_the_middle_waits_until_it_meets_the_value(console: Console) -> None:
+    page = console()
+    drag(page, bar(page, "Expression"), (0.5, 1.0), (0.5, 0.6))
+    wait_for(page, "Math.abs(state.expression_fader - 0.4) < 0.02")
+    choose(page, "expression", "hand")
+    tile(page, "smile").click()
+    wait_for(page, "state.expression_call?.by_hand")
+    expect(page.locator(".exprbar .mode")).to_contain_text("pick up")
+    expect(page.locator(".exprbar .hand")).to_have_class("carrier hand ghost")
+    drag(page, bar(page, "Expression"), (0.5, 0.6), (0.5, 0.3))
+    wait_for(page, "Math.abs(state.expression_fader - 0.7) < 0.02")
+    assert state(page)["expression_call"]["progress"] == 0
+    drag(page, bar(page, "Expression"), (0.5, 0.3), (0.5, 1.1))
+    drag(page, bar(page, "Expression"), (0.5, 1.0), (0.5, 0.5))
+    wait_for(page, "Math.abs(state.expressions.smile - 0.5) < 0.02")
+
+
+def test_a_released_t_bar_lets_a_timed_call_run_on(console: Console) -> None:
+    page = console()
+    choose(page, "face", "4")
+    tile(page, "old").click()
+    drag(page, bar(page, "Face"), (0.5, 1.0), (0.5, 0.2))
+    wait_for(page, "state.face_call?.by_hand && state.face_call.progress > 0.75")
+    page.locator(".facebar").get_by_role("button", name="Release").click()
+    wait_for(page, "state.faces.old === 1")
+
+
+# --- channels, head and gaze ------------------------------------------------------------------------------------------
+
+
+def test_a_fader_moves_its_channel_and_stands_out(console: Console) -> None:
+    page = console()
+    region(page, "jaw")
+    jaw = fader(page, "jawOpen")
+    drag(page, jaw, (0.5, 0.75), (0.5, 0.5))
+    wait_for(page, "state.channels.jawOpen > 0.4 && state.channels.jawOpen < 0.6")
+    expect(page.locator("[data-tab='touched'] .count")).to_have_text("1")
+    jaw.dblclick()
+    wait_for(page, "!('jawOpen' in state.channels)")
+
+
+def test_a_drag_with_shift_is_ten_times_finer(console: Console) -> None:
+    page = console()
+    region(page, "jaw")
+    jaw = fader(page, "jawOpen")
+    jaw.focus()
+    for _ in range(10):
+        page.keyboard.press("ArrowUp")
+    wait_for(page, "state.channels.jawOpen === 0.5")
+    page.keyboard.down("Shift")
+    drag(page, jaw, (0.5, 0.5), (0.5, 0.25))
+    page.keyboard.up("Shift")
+    wait_for(page, "state.channels.jawOpen > 0.53 && state.channels.jawOpen < 0.57")
+
+
+def test_left_and_right_move_together_while_they_are_linked(console: Console) -> None:
+    page = console()
+    region(page, "mouth")
+    fader(page, "mouthSmileLeft").focus()
+    page.keyboard.press("PageUp")
+    wait_for(page, "state.channels.mouthSmileLeft === 0.5 && state.channels.mouthSmileRight === 0.5")
+    page.get_by_role("button", name="Link R L").click()
+    fader(page, "mouthSmileLeft").focus()
+    page.keyboard.press("ArrowUp")
+    wait_for(page, "state.channels.mouthSmileLeft === 0.55 && state.channels.mouthSmileRight === 0.5")
+    page.locator("[data-clear='region']").click()
+    wait_for(page, "Object.keys(state.channels).length === 0")
+
+
+def test_every_channel_has_a_fader(console: Console) -> None:
+    page = console()
+    channels = set(page.evaluate(f"{DESK}.expressions.filter((one) => one.kind !== 'neutral').map((one) => one.name)"))
+    found: set[str] = set()
+    for tab in page.locator("omote-bank [role='tab']").all()[1:]:
+        tab.click()
+        expect(tab).to_have_attribute("aria-selected", "true")
+        found |= set(page.locator("[data-channel]").evaluate_all("all => all.map((one) => one.dataset.channel)"))
+    assert found == channels
+
+
+def test_the_head_turns_to_where_the_dot_goes_as_the_operator_sees_it(console: Console) -> None:
+    page = console()
+    pad = page.get_by_role("slider", name="Head: as you see")
+    page.locator("omote-pad").first.get_by_role("button", name="Spring").click()
+    drag(page, pad, (0.5, 0.5), (0.75, 0.25))
+    wait_for(page, "Math.abs(state.head[0] - 0.4) < 0.03 && Math.abs(state.head[1] - 0.25) < 0.03")
+    tilt = page.get_by_role("slider", name="Head tilt")
+    drag(page, tilt, (0.5, 0.5), (0.75, 0.5))
+    wait_for(page, "Math.abs(state.head[2] - 0.25) < 0.03 && Math.abs(state.head[0] - 0.4) < 0.03")
+    pad.dblclick(position={"x": 10, "y": 10})
+    wait_for(page, "state.head.every((angle) => angle === 0)")
+
+
+def test_a_gaze_pad_with_a_spring_comes_back(console: Console) -> None:
+    page = console()
+    pad = page.get_by_role("slider", name="Gaze: as you see")
+    box = pad.bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + 0.2 * box["width"], box["y"] + 0.5 * box["height"])
+    page.mouse.down()
+    wait_for(page, "state.gaze[0] < -0.3")
+    page.mouse.up()
+    wait_for(page, "state.gaze[0] === 0 && state.gaze[1] === 0")
+
+
+# --- together, by touch, by keyboard ----------------------------------------------------------------------------------
+
+
+def test_two_consoles_stay_in_step_and_the_last_touch_wins(console: Console) -> None:
+    first, second = console(), console()
+    for page in (first, second):
+        region(page, "jaw")
+    drag(first, fader(first, "jawOpen"), (0.5, 0.75), (0.5, 0.5))
+    wait_for(first, "state.channels.jawOpen > 0.4")
+    value = f"{state(first)['channels']['jawOpen']:.2f}"
+    expect(fader(second, "jawOpen")).to_have_attribute("aria-valuenow", value)
+    fader(second, "jawOpen").focus()
+    second.keyboard.press("Home")
+    expect(fader(first, "jawOpen")).to_have_attribute("aria-valuenow", "0.00")
+    choose(first, "face", "hand")
+    tile(first, "man").click()
+    expect(tile(second, "man")).to_have_class("tile coming")
+    drag(first, bar(first, "Face"), (0.5, 1.0), (0.5, 0.4))
+    wait_for(second, "Math.abs(state.faces.man - 0.6) < 0.02")
+    expect(bar(second, "Face")).to_have_attribute("aria-valuenow", f"{state(first)['face_fader']:.2f}")
+    expect(second.locator(".item.consoles")).to_contain_text("2 consoles")
+
+
+def test_two_fingers_move_two_faders_at_once(console: Console) -> None:
+    page = console(width=1024, height=768, has_touch=True)
+    region(page, "jaw")
+    boxes = [fader(page, name).bounding_box() for name in ("jawOpen", "jawForward")]
+    assert all(boxes)
+    starts = [(box["x"] + box["width"] / 2, box["y"] + box["height"] * 0.75) for box in boxes if box]
+    height = boxes[0]["height"] if boxes[0] else 0
+    session = page.context.new_cdp_session(page)
+
+    def touch(kind: str, rise: float) -> None:
+        points = [] if kind == "touchEnd" else [{"x": x, "y": y - rise, "id": n} for n, (x, y) in enumerate(starts)]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    touch("touchStart", 0)
+    for step in range(1, 6):
+        touch("touchMove", height * 0.05 * step)
+    wait_for(page, "state.channels.jawOpen > 0.4 && state.channels.jawForward > 0.4")
+    touch("touchEnd", 0)
+    assert page.evaluate("window.scrollY") == 0
+
+
+def test_a_finger_calls_and_panics(console: Console) -> None:
+    page = console(width=1024, height=768, has_touch=True)
+    tile(page, "kaori").tap()
+    wait_for(page, "state.faces.kaori === 1")
+    tile(page, "angry").tap()
+    wait_for(page, "state.expressions.angry > 0")
+    page.locator(".panic").tap()
+    wait_for(page, "state.expressions.neutral === 1")
+
+
+def test_the_keyboard_calls_chooses_times_and_reaches_the_controls(console: Console) -> None:
+    page = console()
+    faces = page.evaluate(f"{DESK}.faces.map((face) => face.name)")
+    page.keyboard.press("2")
+    wait_for(page, f"state.faces['{faces[1]}'] === 1")
+    page.keyboard.press("w")
+    wait_for(page, "state.expressions.smile === 1")
+    page.keyboard.press("]")
+    assert page.evaluate(f"{DESK}.timing.face.seconds") == 0.25
+    page.keyboard.press("a")
+    assert page.evaluate(f"{DESK}.timing.face.seconds") is None
+    page.keyboard.press("3")
+    page.keyboard.press("f")
+    expect(bar(page, "Face")).to_be_focused()
+    page.keyboard.press("PageUp")
+    wait_for(page, f"Math.abs(state.faces['{faces[2]}'] - 0.2) < 0.001")
+    page.keyboard.press("h")
+    page.keyboard.press("ArrowRight")
+    wait_for(page, "Math.abs(state.head[0] - 0.05) < 0.001")
+    page.keyboard.press("c")
+    wait_for(page, "state.head[0] === 0")
+    page.keyboard.press("?")
+    expect(page.get_by_role("dialog", name="Keys")).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("dialog", name="Keys")).to_have_count(0)
+
+
+def test_keys_in_a_field_for_text_call_nobody(console: Console) -> None:
+    page = console()
+    page.keyboard.press("/")
+    page.keyboard.type("w2")
+    expect(page.get_by_label("Search expressions")).to_have_value("w2")
+    fader(page, "browInnerUp").press("ArrowUp")
+    wait_for(page, "state.channels.browInnerUp > 0")  # a later command has arrived, the keys before would have too
+    assert state(page)["faces"] == {"generic": 1}
+    assert state(page)["expressions"] == {"neutral": 1}
+
+
+@pytest.mark.parametrize("way", ["key", "click"])
+def test_panic_is_neutral_now(console: Console, way: str) -> None:
+    page = console()
+    region(page, "jaw")
+    fader(page, "jawOpen").focus()
+    page.keyboard.press("PageUp")
+    page.keyboard.press("h")
+    page.keyboard.press("ArrowUp")
+    choose(page, "expression", "8")
+    tile(page, "laugh").click()
+    wait_for(page, "state.channels.jawOpen > 0 && state.head[1] > 0 && state.expression_call !== null")
+    if way == "key":
+        page.keyboard.press("Escape")
+    else:
+        page.locator(".panic").click()
+    wait_for(
+        page,
+        "state.expressions.neutral === 1 && state.expression_call === null"
+        " && Object.keys(state.channels).length === 0 && state.head.every((angle) => angle === 0)",
+    )
+    expect(fader(page, "jawOpen")).to_have_attribute("aria-valuenow", "0.00")
+
+
+def test_a_drag_under_way_does_not_undo_panic(console: Console) -> None:
+    page = console()
+    region(page, "jaw")
+    box = fader(page, "jawOpen").bounding_box()
+    assert box is not None
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] * 0.75
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x, y - 30, steps=3)
+    wait_for(page, "state.channels.jawOpen > 0")
+    page.keyboard.press("Escape")
+    page.mouse.move(x, y - 60, steps=3)
+    fader(page, "jawForward").press("ArrowUp")
+    wait_for(page, "state.channels.jawForward > 0")
+    assert "jawOpen" not in state(page)["channels"]
+    page.mouse.up()
+
+
+# --- what is seen -----------------------------------------------------------------------------------------------------
+
+
+def test_thumbnails_show_faces_and_they_differ(console: Console) -> None:
+    page = console()
+    drawn = "all.length > 0 && all.every((one) => one.dataset.drawn)"
+    palettes = "[...page.shadowRoot.querySelectorAll('omote-palette')]"
+    canvases = f"{palettes}.flatMap((one) => [...one.shadowRoot.querySelectorAll('canvas')])"
+    wait_for(page, f"((all) => {drawn})({canvases})", seconds=60)
+    pictures = {name: pixels(page, name) for name in ("generic", "old", "child", "smile", "surprise")}
+    for name, picture in pictures.items():
+        assert picture.std() > 20, f"{name} is blank"
+    names = list(pictures)
+    for index, name in enumerate(names):
+        for other in names[index + 1 :]:
+            difference = np.abs(pictures[name] - pictures[other]).mean()
+            assert difference > 0.5, f"{name} and {other} look the same"
+
+
+def pixels(page: Page, name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """The colours of a thumbnail."""
+    data = (
+        tile(page, name)
+        .locator("canvas")
+        .evaluate("one => [...one.getContext('2d').getImageData(0, 0, one.width, one.height).data]")
+    )
+    return np.asarray(data, dtype=np.float64).reshape(-1, 4)[:, :3]
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 800), (1920, 1080), (1024, 768)])
+def test_the_main_surface_needs_no_scrolling(console: Console, width: int, height: int) -> None:
+    page = console(width=width, height=height)
+    assert page.evaluate("document.scrollingElement.scrollHeight") <= height
+    assert page.evaluate("document.scrollingElement.scrollWidth") <= width
+    for control in (page.locator(".panic"), bar(page, "Face"), bar(page, "Expression"), page.locator("omote-bank")):
+        box = control.bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["y"] >= 0
+        assert box["x"] + box["width"] <= width
+        assert box["y"] + box["height"] <= height
+
+
+def test_a_narrow_page_scrolls_down_only(console: Console) -> None:
+    page = console(width=390, height=844, has_touch=True)
+    assert page.evaluate("document.scrollingElement.scrollWidth") <= 390
+    page.locator("omote-bank").scroll_into_view_if_needed()
+    expect(page.locator(".panic")).to_be_in_viewport()
+
+
+def test_names_are_text_whatever_they_hold(console: Console) -> None:
+    page = console()
+    label = "<img src=x onerror=\"document.title='broken'\">"
+
+    def rename(route: Route) -> None:
+        manifest = msgspec.msgpack.decode(route.fetch().body())
+        manifest["faces"][0]["label"] = label
+        route.fulfill(body=msgspec.msgpack.encode(manifest))
+
+    page.route("**/manifest", rename)
+    page.reload()
+    expect(tile(page, "generic")).to_contain_text(label)
+    expect(page.locator("omote-mix .row").first).to_contain_text(label)
+    assert page.title() == "Omote console"
+    assert page.locator("img").count() == 0
+
+
+def test_a_lost_link_is_seen_nothing_is_pretended_and_it_comes_back(open_page: OpenPage, console: Console) -> None:
+    console()
+    page = open_page("/console")
+    links: list[WebSocketRoute] = []
+    away = [False]
+
+    def carry(link: WebSocketRoute) -> None:
+        if away[0]:
+            link.close()
+        else:
+            link.connect_to_server()
+            links.append(link)
+
+    page.route_web_socket("**/link", carry)
+    page.reload()
+    wait_for(page, "desk.online && desk.faces.length > 0")
+    away[0] = True
+    links[-1].close()
+    expect(page.locator(".lost[role='alert']")).to_contain_text("LINK LOST")
+    region(page, "jaw")
+    drag(page, fader(page, "jawOpen"), (0.5, 0.75), (0.5, 0.5))
+    expect(fader(page, "jawOpen")).to_have_attribute("aria-valuenow", "0.00")
+    expect(page.locator(".notice")).to_contain_text("Not sent")
+    away[0] = False
+    expect(page.locator(".item.link")).to_contain_text("live")
+    drag(page, fader(page, "jawOpen"), (0.5, 0.75), (0.5, 0.5))
+    wait_for(page, "state.channels.jawOpen > 0.4")
