@@ -52,8 +52,9 @@ def install_debian(*packages: str) -> bool:
     print("  apt-get install", *packages, flush=True)
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
     for command in (["update"], ["install", "--yes", "--no-install-recommends", *packages]):
-        run = subprocess.run(["apt-get", "-qq", *command], env=environment, stdout=subprocess.DEVNULL, check=False)
+        run = subprocess.run(["apt-get", "-qq", *command], env=environment, capture_output=True, text=True, check=False)
         if run.returncode:
+            print(run.stderr.strip(), file=sys.stderr)
             return False
     return True
 
