@@ -1,4 +1,4 @@
-"""A reader for the PNG files that tools/baking writes: 8 bits, red, green, blue, alpha, every line minus the one above."""
+"""A reader for the PNG files that tools/baking writes: 8 bits, four channels, every line minus the one above."""
 
 import struct
 import zlib

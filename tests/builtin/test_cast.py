@@ -28,7 +28,7 @@ def name_of(face: Face) -> str:
 def moved_skin(name: str) -> NDArray[np.float64]:
     """How far each vertex of the generic skin goes, metres."""
     worn = omote.compound(CAST.space, GENERIC, CAST.expressions[name])
-    return np.linalg.norm(worn.astype(np.float64) - GENERIC.positions, axis=1)
+    return np.asarray(np.linalg.norm(worn.astype(np.float64) - GENERIC.positions, axis=1))
 
 
 def moved_parts(name: str) -> dict[str, NDArray[np.float64]]:
@@ -105,7 +105,7 @@ def test_every_expression_but_neutral_moves_something() -> None:
 def test_a_change_of_face_leaves_the_eyes_where_they_are(face: Face) -> None:
     def middle(of: Face) -> NDArray[np.float64]:
         eyes = np.concatenate([of.parts["eye_left"], of.parts["eye_right"]]).astype(np.float64)
-        return (eyes.min(axis=0) + eyes.max(axis=0)) / 2
+        return np.asarray((eyes.min(axis=0) + eyes.max(axis=0)) / 2)
 
     np.testing.assert_allclose(middle(face), middle(GENERIC), atol=1e-6)
     np.testing.assert_allclose(middle(face)[:2], 0.0, atol=1e-6)

@@ -76,7 +76,7 @@ def _shares(value: float, anchors: Mapping[str, float]) -> dict[str, float]:
     """The two anchors around a slider's value with their linear shares."""
     names = list(anchors)
     for low, high in pairwise(names):
-        if value <= anchors[high]:
+        if anchors[low] <= value <= anchors[high]:
             share = (value - anchors[low]) / (anchors[high] - anchors[low])
             return {low: 1.0 - share, high: share}
     raise ValueError(f"a slider stands at {value}, expected 0 to {anchors[names[-1]]:g}.")

@@ -1,0 +1,39 @@
+"""The table of units and recipes."""
+
+import pytest
+
+from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED, label, region, unit_weights
+
+
+def test_no_name_stands_twice() -> None:
+    names = [*ARKIT, *MAKEHUMAN, *PERFORMED]
+    assert len(set(names)) == len(names) == 52 + 34 + 20
+
+
+@pytest.mark.parametrize("name", PERFORMED)
+def test_recipes_use_arkit_units_within_reach(name: str) -> None:
+    weights = unit_weights(PERFORMED[name])
+    assert weights.keys() <= set(ARKIT)
+    assert all(0.0 < weight <= 1.25 for weight in weights.values())
+
+
+def test_a_star_stands_for_left_and_right() -> None:
+    assert unit_weights({"eyeBlink*": 0.5, "jawOpen": 1.0}) == {
+        "eyeBlinkLeft": 0.5, "eyeBlinkRight": 0.5, "jawOpen": 1.0,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("name", "where"),
+    [
+        ("eyebrows-left-up", "brows"), ("eye-left-slit", "eyes"), ("jawOpen", "jaw"), ("tongueOut", "tongue"),
+        ("neck-platysma", "whole"), ("smile", "whole"), ("noseSneerLeft", "nose"), ("mouth-open", "mouth"),
+    ],
+)  # fmt: skip
+def test_regions(name: str, where: str) -> None:
+    assert region(name) == where
+
+
+@pytest.mark.parametrize(("name", "words"), [("jawOpen", "Jaw open"), ("mouth-part-later", "Mouth part later")])
+def test_labels_are_words(name: str, words: str) -> None:
+    assert label(name) == words

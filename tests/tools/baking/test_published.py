@@ -1,0 +1,106 @@
+"""The bake on the published files: the cut, the layout, the throat, the moves."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import omote
+from omote.model.transfer import compile_expression, compound_parts, turned_eyes
+from tools.baking.expressions import PERFORMED, unit_weights
+from tools.baking.head import Head
+from tools.baking.layout import islands, unwrap
+from tools.baking.moves import Move, compose, jaw_vertices
+from tools.baking.neck import settle_throat
+
+Floats = NDArray[np.float64]
+
+
+def test_the_skin_and_the_parts_have_their_sizes(head: Head) -> None:
+    assert (len(head.skin.vertices), len(head.skin.triangles)) == (4278, 8508)
+    assert {name: len(piece.vertices) for name, piece in head.parts.items()} == {
+        "eye_left": 72, "eye_right": 72, "teeth_upper": 68, "teeth_lower": 68, "tongue": 226, "lashes": 250,
+    }  # fmt: skip
+
+
+def test_the_cut_is_symmetric(head: Head, generic: Floats) -> None:
+    place = {tuple(point): row for row, point in enumerate(generic.round(6).tolist())}
+    mirror = [place.get(tuple(point)) for point in (generic * [-1, 1, 1] + 0.0).round(6).tolist()]
+    assert None not in mirror
+    found = {frozenset(triangle) for triangle in head.skin.triangles.tolist()}
+    mirrored = {frozenset(mirror[v] for v in triangle) for triangle in head.skin.triangles.tolist()}
+    assert len(found & mirrored) > 0.99 * len(found)
+
+
+def test_the_layout_neither_folds_nor_overlaps_the_border(head: Head, generic: Floats) -> None:
+    layout = unwrap(head.skin, generic)
+    assert 0 < layout.min() <= layout.max() < 1
+    island = islands(head.skin.uv_corners, len(layout))[head.skin.uv_corners[:, 0]]
+    a, b, c = layout[head.skin.uv_corners].transpose(1, 2, 0)
+    area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    for one in np.unique(island):
+        assert (np.sign(area[island == one]) == np.sign(area[island == one][0])).all()
+
+
+def test_the_layout_shows_the_face_upright_and_as_a_viewer_sees_it(head: Head, generic: Floats) -> None:
+    layout = unwrap(head.skin, generic)
+    place = np.zeros((len(layout), 3))
+    place[head.skin.uv_corners] = generic[head.skin.triangles]
+    island = islands(head.skin.uv_corners, len(layout))
+    front = (island == np.bincount(island).argmax()) & (place[:, 2] > 0.1)
+    assert np.corrcoef(layout[front, 0], place[front, 0])[0, 1] > 0.95
+    assert np.corrcoef(layout[front, 1], place[front, 1])[0, 1] < -0.95
+
+
+def test_the_throat_follows_the_jaw_line(head: Head, generic: Floats) -> None:
+    for shift in (np.zeros(3), np.array([0.0, 0.02, 0.01])):
+        np.testing.assert_allclose(
+            settle_throat(generic + shift, generic, head.skin.triangles), generic + shift, atol=1e-9
+        )
+    hanging = generic.copy()
+    throat = np.linalg.norm(generic - [0.0, -0.121, 0.074], axis=1) < 0.01
+    hanging[throat, 1] -= 0.02
+    np.testing.assert_allclose(settle_throat(hanging, generic, head.skin.triangles)[throat], generic[throat], atol=2e-3)
+
+
+def test_the_jaw_is_found_where_it_moves_as_the_teeth_do(generic: Floats, moves: dict[str, Move]) -> None:
+    jaw = jaw_vertices(moves)
+    teeth = moves["jawOpen"].parts["teeth_lower"].mean(axis=0)
+    np.testing.assert_allclose(moves["jawOpen"].skin[jaw].mean(axis=0), teeth, atol=0.008)
+    assert (generic[jaw, 1] < -0.05).all()
+    assert abs(generic[jaw, 0].mean()) < 0.01
+
+
+def test_performed_expressions_are_sums(moves: dict[str, Move]) -> None:
+    weights = unit_weights(PERFORMED["laugh"])
+    by_hand = sum(weight * moves[name].skin for name, weight in weights.items())
+    np.testing.assert_allclose(moves["laugh"].skin, by_hand, atol=1e-12)
+    np.testing.assert_allclose(compose(moves, {"jawOpen": 0.5}).parts["tongue"], 0.5 * moves["jawOpen"].parts["tongue"])
+
+
+@pytest.mark.parametrize("name", ["eyeLookUpLeft", "eyeLookInRight"])
+def test_eyeballs_only_turn(head: Head, base_points: Floats, moves: dict[str, Move], name: str) -> None:
+    part = "eye_left" if name.endswith("Left") else "eye_right"
+    before = base_points[head.parts[part].vertices]
+    after = before + moves[name].parts[part]
+    np.testing.assert_allclose(after.mean(axis=0), before.mean(axis=0), atol=1e-9)
+    centre = before.mean(axis=0)
+    np.testing.assert_allclose(
+        np.linalg.norm(after - centre, axis=1), np.linalg.norm(before - centre, axis=1), atol=1e-9
+    )
+
+
+def test_the_cast_wears_what_was_published(moves: dict[str, Move]) -> None:
+    """On the generic face the field on S gives back every unit, to a micrometre where the walks end in a triangle."""
+    cast = omote.load_cast()
+    face = cast.faces["generic"]
+    centres = {part: face.parts[part].astype(np.float64).mean(axis=0) for part in ("eye_left", "eye_right")}
+    for name, move in moves.items():
+        expression = cast.expressions[name]
+        worn = omote.compound(cast.space, face, expression)
+        inside = compile_expression(cast.space, expression).inside
+        off = np.linalg.norm(worn - face.positions - move.skin, axis=1)
+        assert off[inside].max() < 1e-6, name
+        assert off.max() < 1e-4, name
+        parts = turned_eyes(cast.space, compound_parts(cast.space, face, expression), centres, expression.eyes)
+        for part, points in parts.items():
+            np.testing.assert_allclose(points, face.parts[part] + move.parts[part], atol=2e-6, err_msg=f"{name} {part}")
