@@ -6,6 +6,7 @@ import { Blender, type Eyeballs } from "./blender";
 import { frame, portraitCamera, type Shot, tileView } from "./framing";
 import { buildBackdrop, buildHead, type EyeUniforms, eyeUniforms, type HeadUniforms, headUniforms } from "./head";
 import { Holdings, namesOf } from "./holdings";
+import { drawsInSoftware } from "./machine";
 import type { Tile } from "./parameters";
 import { type Pose, resting } from "./pose";
 import { faceWeights } from "./weights";
@@ -18,7 +19,8 @@ export interface FaceViewOptions {
   tile?: Tile | undefined;
   /** Device pixels per CSS pixel, at most. */
   pixelRatio?: number;
-  antialias?: boolean;
+  /** Light per vertex and no antialiasing; by default on machines without a graphics processor. */
+  fast?: boolean | undefined;
   shot?: Shot;
 }
 
@@ -84,7 +86,9 @@ export class FaceView {
 
   /** Sets the size in CSS pixels. */
   resize(width: number, height: number): void {
-    this.renderer.setPixelRatio(Math.min(globalThis.devicePixelRatio ?? 1, this.options.pixelRatio ?? 2));
+    this.renderer.setPixelRatio(
+      Math.min(globalThis.devicePixelRatio ?? 1, this.options.pixelRatio ?? (isFast(this.options) ? 1 : 2)),
+    );
     this.renderer.setSize(Math.max(1, width), Math.max(1, height), false);
   }
 
@@ -130,11 +134,14 @@ export class FaceView {
     this.blender = new Blender(gl, this.library.manifest.vertices, this.anatomy.fans);
     this.holdings ??= new Holdings(this.library);
     this.shared = headUniforms(this.blender.positions, this.blender.normals);
-    this.shared.mask.value = maskTexture(this.mask);
+    this.shared.mask.value = maskTexture(this.mask, isFast(this.options));
     this.scene = new THREE.Scene();
     this.backdrop = buildBackdrop();
     if (!this.options.transparent) this.scene.add(this.backdrop);
-    this.scene.add(buildHead(this.library.meshes, this.anatomy, this.shared, this.eyeUniforms));
+    const { library, anatomy, shared } = this;
+    this.scene.add(
+      buildHead({ meshes: library.meshes, anatomy, shared, eyes: this.eyeUniforms, fast: isFast(this.options) }),
+    );
     this.blended = "";
     this.renderer.resetState();
   }
@@ -221,6 +228,8 @@ export class FaceView {
   }
 }
 
+const isFast = (options: FaceViewOptions): boolean => options.fast ?? drawsInSoftware();
+
 type FaceLook = Record<"skin" | "lip" | "brow" | "blush" | "iris", THREE.Color> & {
   eyeRadius: number;
   centres: number[];
@@ -253,7 +262,7 @@ function writeTurn(yaw: number, pitch: number, into: Float32Array, at: number): 
 function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas, options: FaceViewOptions): THREE.WebGLRenderer {
   const context = canvas.getContext("webgl2", {
     alpha: true,
-    antialias: options.antialias ?? true,
+    antialias: !isFast(options),
     premultipliedAlpha: true,
     powerPreference: "high-performance",
   }) as WebGL2RenderingContext | null;
@@ -266,15 +275,15 @@ function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas, options: Fa
   return renderer;
 }
 
-function maskTexture(mask: ImageBitmap | undefined): THREE.Texture {
+function maskTexture(mask: ImageBitmap | undefined, fast: boolean): THREE.Texture {
   const texture =
     mask === undefined ? new THREE.DataTexture(Uint8Array.of(0, 0, 0, 255), 1, 1) : new THREE.Texture(mask);
   texture.flipY = false; // texture coordinates as in glTF: (0, 0) is the upper left corner
   texture.premultiplyAlpha = false;
-  texture.generateMipmaps = mask !== undefined;
-  texture.minFilter = mask === undefined ? THREE.NearestFilter : THREE.LinearMipmapLinearFilter;
+  texture.generateMipmaps = true;
+  texture.minFilter = fast ? THREE.LinearMipmapNearestFilter : THREE.LinearMipmapLinearFilter;
   texture.magFilter = THREE.LinearFilter;
-  texture.anisotropy = 4;
+  texture.anisotropy = fast ? 1 : 4;
   texture.needsUpdate = true;
   return texture;
 }

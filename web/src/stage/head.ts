@@ -2,7 +2,9 @@ import * as THREE from "three";
 import type { Mesh } from "../link/assets";
 import type { Anatomy } from "./anatomy";
 import { collar } from "./collar";
-import * as shaders from "./scene_shaders";
+import * as parts from "./part_shaders";
+import * as setting from "./setting_shaders";
+import * as skins from "./skin_shaders";
 import { extent } from "./topology";
 
 /** Colours in linear light and the eyeballs' size: what of a face's look the shaders take. */
@@ -66,22 +68,29 @@ export const eyeUniforms = (): EyeUniforms => ({
   eyeTurn: { value: new THREE.Matrix3() },
 });
 
+/** What a head is built from. */
+export interface HeadParts {
+  meshes: readonly Mesh[];
+  anatomy: Anatomy;
+  shared: HeadUniforms;
+  eyes: [EyeUniforms, EyeUniforms];
+  /** Light per vertex instead of per pixel, for machines without a graphics processor. */
+  fast: boolean;
+}
+
 /** The whole head as a scene. */
-export function buildHead(
-  meshes: readonly Mesh[],
-  anatomy: Anatomy,
-  shared: HeadUniforms,
-  eyes: [EyeUniforms, EyeUniforms],
-): THREE.Group {
+export function buildHead(from: HeadParts): THREE.Group {
   const head = new THREE.Group();
-  for (const mesh of meshes) head.add(drawn(mesh, anatomy, shared, eyes));
-  if (anatomy.rim.length > 0)
-    head.add(new THREE.Mesh(collar(anatomy), material(shaders.COLLAR_VERTEX, shaders.COLLAR_FRAGMENT, shared)));
+  for (const mesh of from.meshes) head.add(drawn(mesh, from));
+  if (from.anatomy.rim.length > 0) {
+    const cloth = material(setting.COLLAR_VERTEX, setting.COLLAR_FRAGMENT, from.shared);
+    head.add(new THREE.Mesh(collar(from.anatomy), cloth));
+  }
   for (const child of head.children) child.frustumCulled = false; // the vertices are where the GPU puts them
   return head;
 }
 
-function drawn(mesh: Mesh, anatomy: Anatomy, shared: HeadUniforms, eyes: [EyeUniforms, EyeUniforms]): THREE.Mesh {
+function drawn(mesh: Mesh, { anatomy, shared, eyes, fast }: HeadParts): THREE.Mesh {
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
   geometry.setAttribute("source", new THREE.BufferAttribute(Float32Array.from(mesh.source), 1));
@@ -89,20 +98,31 @@ function drawn(mesh: Mesh, anatomy: Anatomy, shared: HeadUniforms, eyes: [EyeUni
     case "eye_left":
     case "eye_right": {
       const own = eyes[mesh.name === "eye_left" ? 0 : 1];
-      return new THREE.Mesh(geometry, material(shaders.EYE_VERTEX, shaders.EYE_FRAGMENT, { ...shared, ...own }));
+      return new THREE.Mesh(geometry, material(parts.EYE_VERTEX, parts.EYE_FRAGMENT, { ...shared, ...own }));
     }
     case "teeth_upper":
     case "teeth_lower":
-      return mouthPart(geometry, mesh, anatomy, material(shaders.MOUTH_VERTEX, shaders.TEETH_FRAGMENT, shared));
+      return mouthPart(geometry, mesh, anatomy, material(parts.MOUTH_VERTEX, parts.TEETH_FRAGMENT, shared));
     case "tongue":
-      return mouthPart(geometry, mesh, anatomy, material(shaders.MOUTH_VERTEX, shaders.TONGUE_FRAGMENT, shared));
+      return mouthPart(geometry, mesh, anatomy, material(parts.MOUTH_VERTEX, parts.TONGUE_FRAGMENT, shared));
     case "lashes":
       return lashes(geometry, mesh, anatomy, shared);
     default:
-      geometry.setAttribute("uv", new THREE.BufferAttribute(mesh.uv, 2));
-      geometry.setAttribute("traits", new THREE.BufferAttribute(gather(anatomy.traits, mesh.source, 4), 4));
-      return new THREE.Mesh(geometry, material(shaders.SKIN_VERTEX, shaders.SKIN_FRAGMENT, shared));
+      return skin(geometry, mesh, anatomy, material(skins.SKIN_VERTEX, skins.SKIN_FRAGMENT, shared), fast);
   }
+}
+
+function skin(
+  geometry: THREE.BufferGeometry,
+  mesh: Mesh,
+  anatomy: Anatomy,
+  look: THREE.RawShaderMaterial,
+  fast: boolean,
+): THREE.Mesh {
+  geometry.setAttribute("uv", new THREE.BufferAttribute(mesh.uv, 2));
+  geometry.setAttribute("traits", new THREE.BufferAttribute(gather(anatomy.traits, mesh.source, 4), 4));
+  if (fast) look.defines = { FAST: "" };
+  return new THREE.Mesh(geometry, look);
 }
 
 function gather(values: Float32Array, rows: Uint32Array, width: number): Float32Array {
@@ -147,7 +167,7 @@ function lashes(geometry: THREE.BufferGeometry, mesh: Mesh, anatomy: Anatomy, sh
     strand.set([along, (reach - 0.0158) / 0.0085, upper], 3 * index);
   });
   geometry.setAttribute("strand", new THREE.BufferAttribute(strand, 3));
-  const hair = material(shaders.LASH_VERTEX, shaders.LASH_FRAGMENT, shared);
+  const hair = material(parts.LASH_VERTEX, parts.LASH_FRAGMENT, shared);
   hair.side = THREE.DoubleSide;
   hair.depthWrite = false;
   const drawn = new THREE.Mesh(geometry, hair);
@@ -178,7 +198,7 @@ function material(vertexShader: string, fragmentShader: string, uniforms: Unifor
 
 /** The backdrop of the stage; `window` is this picture's part of the wall's. */
 export function buildBackdrop(): THREE.Mesh<THREE.BufferGeometry, THREE.RawShaderMaterial> {
-  const backdrop = material(shaders.BACKDROP_VERTEX, shaders.BACKDROP_FRAGMENT, {
+  const backdrop = material(setting.BACKDROP_VERTEX, setting.BACKDROP_FRAGMENT, {
     window: { value: new THREE.Vector4(0, 0, 1, 1) },
     aspect: { value: 1 },
   });

@@ -8,18 +8,19 @@ export interface Tile {
   bezel: [number, number];
 }
 
-export type Quality = "low" | "mid" | "high";
+export type Quality = "low" | "high";
 
 /** Everything a stage is told by its address. */
 export interface StageParameters {
   transparent: boolean;
   hud: boolean;
-  quality: Quality;
+  /** Undefined: what the machine can do. */
+  quality: Quality | undefined;
   tile: Tile | undefined;
 }
 
 const KNOWN = ["transparent", "tile", "of", "bezel", "quality", "hud"];
-const QUALITIES: readonly string[] = ["low", "mid", "high"];
+const QUALITIES: readonly string[] = ["low", "high"];
 
 /** A parameter that cannot be obeyed; its message is a sentence for the page. */
 export class ParameterError extends Error {}
@@ -45,9 +46,9 @@ function readSwitch(given: URLSearchParams, name: string): boolean {
   throw new ParameterError(`${name}=${value} is neither on nor off; write ${name}=1 or leave it out.`);
 }
 
-function readQuality(value: string | null): Quality {
-  if (value === null) return "high";
-  if (!QUALITIES.includes(value)) throw new ParameterError(`quality=${value} is unknown; write low, mid or high.`);
+function readQuality(value: string | null): Quality | undefined {
+  if (value === null) return undefined;
+  if (!QUALITIES.includes(value)) throw new ParameterError(`quality=${value} is unknown; write low or high.`);
   return value as Quality;
 }
 

@@ -6,6 +6,8 @@ import type { Counters, Stage } from "./stage";
 export interface StageProbe {
   /** Shows exactly this pose (missing parts at rest) until `hold(null)`; resolves when it is drawn in full. */
   hold(pose: Partial<Pose> | null): Promise<void>;
+  /** Like `hold`, for an animation: does not wait, and holds back what is not loaded. */
+  set(pose: Partial<Pose>): void;
   /** The blended positions (vertices x 3, metres), read back from the GPU. */
   readPositions(): number[];
   counters(): Counters;
@@ -27,6 +29,9 @@ export function exposeProbe(stage: Stage): void {
     hold: async (pose) => {
       stage.held = pose === null ? undefined : { ...resting("generic"), ...pose };
       if (stage.held !== undefined) await stage.view.present(stage.held);
+    },
+    set: (pose) => {
+      stage.held = { ...resting("generic"), ...pose };
     },
     readPositions: () => Array.from(stage.view.readPositions()),
     counters: () => stage.counters(),

@@ -4,7 +4,7 @@ import type { State, Welcome } from "../link/messages";
 import { Link } from "../link/socket";
 import { Breath } from "./breath";
 import { FaceView } from "./face_view";
-import type { Quality, StageParameters } from "./parameters";
+import type { StageParameters } from "./parameters";
 import type { Pose } from "./pose";
 import { Rate } from "./rate";
 import { Timeline } from "./timeline";
@@ -15,7 +15,6 @@ const DELAY = 0.025;
 const WALL_DELAY = 0.06;
 /** Seconds of silence after which the face breathes by itself. */
 const ALONE = 1.0;
-const PIXEL_RATIO: Record<Quality, number> = { low: 1, mid: 1.5, high: 2 };
 
 /** What a stage counts; for the heads-up display and for tests. */
 export interface Counters {
@@ -70,7 +69,7 @@ export class Stage {
     this.shown = this.held ?? this.live(time);
     this.last = time;
     if (this.shown !== undefined) this.view.show(this.shown, coming(this.state));
-    if (this.view.render(time, this.held !== undefined) && this.shown !== undefined) {
+    if (this.view.render(time) && this.shown !== undefined) {
       this.drawn += 1;
       this.rate.tick(time);
     }
@@ -130,8 +129,7 @@ const loadView = (canvas: HTMLCanvasElement, library: Library, parameters: Stage
   FaceView.load(canvas, library, {
     transparent: parameters.transparent,
     tile: parameters.tile,
-    pixelRatio: PIXEL_RATIO[parameters.quality],
-    antialias: parameters.quality !== "low",
+    fast: parameters.quality === undefined ? undefined : parameters.quality === "low",
   });
 
 /** What the running calls will need. */

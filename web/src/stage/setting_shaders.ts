@@ -1,0 +1,60 @@
+import { FRAGMENT_HEAD, VERTEX_HEAD } from "./shader_heads";
+
+/** The collar: a roll of dark cloth around the neck that widens into shoulders; it stays when the head turns. */
+export const COLLAR_VERTEX = `${VERTEX_HEAD}
+in vec3 offset;
+in vec3 facing;
+in float fade;
+out vec3 vPoint;
+out vec3 vNormal;
+out float vFade;
+
+void main() {
+  vPoint = fetchRow(positions) + offset;
+  vNormal = facing;
+  vFade = fade;
+  gl_Position = project(vPoint);
+}
+`;
+
+export const COLLAR_FRAGMENT = `${FRAGMENT_HEAD}
+in vec3 vPoint;
+in vec3 vNormal;
+in float vFade;
+
+void main() {
+  vec3 view = normalize(cameraPosition - vPoint);
+  vec3 normal = normalize(vNormal);
+  float edge = pow(1.0 - max(dot(normal, view), 0.0), 2.5);
+  vec3 cloth = vec3(0.0055, 0.0055, 0.0075);
+  vec3 light = cloth * (KEY_LIGHT * max(dot(normal, KEY), 0.0) + FILL_LIGHT + 0.1);
+  light += RIM_LIGHT * edge * 0.06 * (max(dot(normal, RIM_LEFT), 0.0) + max(dot(normal, RIM_RIGHT), 0.0));
+  colour = premultiplied(light * vFade, 1.0);
+}
+`;
+
+/** The stage behind the head: near black, with a breath of light so that the silhouette reads. */
+export const BACKDROP_VERTEX = `
+precision highp float;
+uniform vec4 window; // this picture's part of the wall's: left, bottom, width, height
+out vec2 vPlace;
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+  vPlace = window.xy + corner * window.zw;
+  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}
+`;
+
+export const BACKDROP_FRAGMENT = `
+precision highp float;
+uniform float aspect;
+in vec2 vPlace;
+out vec4 colour;
+void main() {
+  vec2 from = (vPlace - vec2(0.5, 0.58)) * vec2(aspect, 1.0);
+  float glow = exp(-dot(from, from) * 3.2);
+  vec3 light = mix(vec3(0.030, 0.031, 0.038), vec3(0.115, 0.108, 0.125), glow);
+  float dither = fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453) - 0.5;
+  colour = vec4(light + dither / 255.0, 1.0);
+}
+`;
