@@ -1,4 +1,4 @@
-"""A server process that plays the synthetic cast, as a supervisor starts it."""
+"""A standby whose servers play the synthetic cast, as a supervisor starts it."""
 
 import sys
 
@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 from omote.builtin import BakedMesh
 from omote.model.cast import Cast
 from omote.server.bundle import Page
-from omote.server.child import Material, main
+from omote.server.child import Material
 from omote.server.library import Library
+from omote.server.standby import main
 from tests import synthetic
 
 MASK = b"\x89PNG\r\n\x1a\n"

@@ -1,36 +1,30 @@
-"""The process that plays: it warms up, waits for its order, plays until its supervisor closes the pipe."""
+"""The process that plays: until its supervisor closes the pipe."""
 
 from __future__ import annotations
 
-import argparse
 import asyncio
-import gc
-import os
 import signal
 import socket
 import sys
-from collections.abc import Callable, Coroutine, Mapping
+from collections.abc import Coroutine, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from aiohttp import web
 
-from omote.perform.performer import Performer
 from omote.server.app import ShowServer
-from omote.server.beat import Playing, beat, send_pulse
+from omote.server.beat import Playing, beat
 from omote.server.bundle import Page, read_bundle
 from omote.server.journal import JournalWriter
 from omote.server.library import Library, built_in
-from omote.server.orders import READY, Order, decode_order
+from omote.server.orders import Order
 from omote.server.restore import open_journal, restore
 from omote.server.security import own_names
-from omote.show.assets import compound_asset
-from omote.show.messages import STATE_RATE
 
 
 @dataclass(frozen=True)
 class Pipes:
-    """Descriptors handed over by the supervisor: the listening socket, the pipe from it, the pipe to it."""
+    """Descriptors from the supervisor: the listening socket, the pipe from it (its end is our end), the pulse."""
 
     listen: int
     control: int
@@ -50,39 +44,20 @@ def built_in_material() -> Material:
     return Material(built_in(), read_bundle())
 
 
-def main(arguments: list[str] | None = None, load: Callable[[], Material] = built_in_material) -> int:
-    """Warms up, says so, and plays when told to; the exit status."""
-    show, pipes = _options(arguments)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to all; the supervisor decides
-    os.set_blocking(pipes.pulse, False)
-    try:
-        material = load()
-        warm(material.library)
-    except (OSError, ValueError) as error:
-        report(str(error))
-        return 1
-    send_pulse(pipes.pulse, READY)
-    with os.fdopen(pipes.control, "rb", buffering=0) as control:
-        line = control.readline()
-        if line:
-            _run(play(material, decode_order(line), show=show, pipes=pipes))
-    return 0
-
-
-def warm(library: Library) -> None:
-    """Does once all that is slow the first time: kernels are compiled or loaded, caches filled."""
-    cast = library.cast
-    face = next(iter(cast.faces.values()))
-    for expression in list(cast.expressions)[:2]:
-        compound_asset(cast, face, expression)
-    Performer(cast).advance(1.0 / STATE_RATE)
-    gc.collect()
-    gc.freeze()
-
-
 def report(sentence: str) -> None:
     """Says a sentence to the operator's terminal."""
     sys.stderr.write(f"omote: {sentence}\n")
+
+
+def run(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
+    """Plays to the end, on the fastest event loop there is."""
+    playing = play(material, order, show=show, pipes=pipes)
+    try:
+        import uvloop
+    except ImportError:  # not made for this platform: the stock loop is slower and does the same
+        asyncio.run(playing)
+    else:
+        uvloop.run(playing)
 
 
 async def play(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
@@ -116,25 +91,3 @@ async def until_ended(beating: Coroutine[object, object, None], control: int) ->
         task.cancel()
     for task in done:
         task.result()
-
-
-def _run(playing: Coroutine[object, object, None]) -> None:
-    try:
-        import uvloop
-    except ImportError:  # not made for this platform: the stock loop is slower and does the same
-        asyncio.run(playing)
-    else:
-        uvloop.run(playing)
-
-
-def _options(arguments: list[str] | None) -> tuple[Path, Pipes]:
-    parser = argparse.ArgumentParser(prog="omote.server.child", description=__doc__)
-    for pipe in ("listen", "control", "pulse"):
-        parser.add_argument(f"--{pipe}", type=int, required=True)
-    parser.add_argument("--show", type=Path, required=True)
-    options = parser.parse_args(arguments)
-    return options.show, Pipes(options.listen, options.control, options.pulse)
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,0 +1,165 @@
+"""The show never stops: `kill -9` of the server in the middle of a fade, and what a stage sees of it.
+
+Starts `omote show` as a user does, follows it as a browser does (a link that is tried again every 50 ms), and kills the
+server at random moments of a fade. Printed: the blackout from the kill to the next state that a stage receives, the age
+of the state that came back, and how far its weights are from where the fade should be. `--kills N` for another count.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import aiohttp
+import numpy as np
+
+from omote.show.messages import PROTOCOL_VERSION, STATE_RATE, CallFace, Hello, State
+from omote.show.wire import decode_answer, encode
+
+BLACKOUT_LIMIT, AGE_LIMIT = 1.0, 0.1
+"""Seconds (issue 2, item 8)."""
+RETRY_SECONDS = 0.05
+FADE_SECONDS = 4.0
+COMMAND = (sys.executable, "-c", "from omote.cli import main; main()", "show")
+FACES = ("old", "child", "round", "kaori")
+
+
+@dataclass(frozen=True)
+class Recovery:
+    """One kill: seconds of blackout, seconds of show that were lost, whether it was the fade that went on."""
+
+    blackout: float
+    age: float
+    same_fade: bool
+
+
+class Follower:
+    """A client that stays with a show through everything, like a page."""
+
+    def __init__(self, url: str) -> None:
+        self._url = url
+        self._socket: aiohttp.ClientWebSocketResponse | None = None
+        self.received = 0.0
+
+    async def call(self, number: int, http: aiohttp.ClientSession) -> None:
+        """Calls the next face."""
+        await self._connected(http)
+        assert self._socket is not None
+        name = FACES[number % len(FACES)]
+        await self._socket.send_bytes(encode(CallFace(f"{os.getpid()} {number}", name, FADE_SECONDS, "smooth")))
+
+    async def state(self, http: aiohttp.ClientSession) -> State:
+        """The next state, however often the link must be opened for it."""
+        while True:
+            await self._connected(http)
+            assert self._socket is not None
+            message = await self._socket.receive()
+            if message.type is not aiohttp.WSMsgType.BINARY:
+                self._socket = None
+                continue
+            answer = decode_answer(message.data)
+            if isinstance(answer, State):
+                self.received = time.monotonic()
+                return answer
+
+    async def _connected(self, http: aiohttp.ClientSession) -> None:
+        while self._socket is None:
+            try:
+                opening = http.ws_connect(self._url, max_msg_size=0)
+                self._socket = await asyncio.wait_for(opening, timeout=1.0)
+                await self._socket.send_bytes(encode(Hello("console", PROTOCOL_VERSION)))
+            except (aiohttp.ClientError, OSError, TimeoutError):
+                self._socket = None
+                await asyncio.sleep(RETRY_SECONDS)
+
+
+def children(pid: int) -> list[int]:
+    """The child processes of a process (Linux)."""
+    return [int(word) for word in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+
+
+def server_of(supervisor: int) -> int:
+    """The process that plays: the youngest child of the supervisor's standby."""
+    return max(child for standby in children(supervisor) for child in children(standby))
+
+
+async def kill_once(
+    follower: Follower, http: aiohttp.ClientSession, supervisor: int, number: int, wait: float
+) -> Recovery:
+    """Calls a face, kills the server `wait` seconds into the fade, waits for the picture."""
+    await follower.call(number, http)
+    state = await follower.state(http)
+    begun = time.monotonic()
+    while time.monotonic() - begun < wait or state.face_call is None:
+        state = await follower.state(http)
+    called, reached, received = state.face_call.target, state.time, follower.received
+    killed = time.monotonic()
+    os.kill(server_of(supervisor), signal.SIGKILL)
+    while state.epoch == (first := await follower.state(http)).epoch:
+        reached, received = first.time, follower.received
+    on_air = reached + max(0.0, killed - received)
+    came_back = first.time - (first.number - 1) / STATE_RATE
+    same = first.face_call is not None and first.face_call.target == called
+    return Recovery(follower.received - killed, on_air - came_back, same)
+
+
+async def measure(url: str, supervisor: int, kills: int) -> list[Recovery]:
+    """As many kills as asked for, at seeded random moments of a fade."""
+    waits = np.random.default_rng(8).uniform(0.3, FADE_SECONDS - 0.7, kills)
+    follower = Follower(url)
+    async with aiohttp.ClientSession() as http:
+        return [await kill_once(follower, http, supervisor, n, float(wait)) for n, wait in enumerate(waits)]
+
+
+def opened(process: subprocess.Popen[str]) -> str:
+    """The address of the link, once the show says where it is."""
+    assert process.stdout is not None
+    for line in process.stdout:
+        if found := re.search(r"http://(\S+)/stage", line):
+            return f"http://{found[1]}/link"
+    raise RuntimeError("the show did not open")
+
+
+def verdict(recoveries: list[Recovery]) -> bool:
+    """Prints the figures beside their limits; whether they hold."""
+    blackouts = np.array([each.blackout for each in recoveries])
+    ages = np.array([each.age for each in recoveries])
+    print(" ".join(f"{b:.3f}" for b in blackouts))
+    print(f"{len(recoveries)} x kill -9 in mid-fade")
+    print(
+        f"  blackout      median {np.median(blackouts):6.3f} s   max {blackouts.max():6.3f} s   limit {BLACKOUT_LIMIT} s"
+    )
+    print(f"  age of state  median {np.median(ages):6.3f} s   max {ages.max():6.3f} s   limit {AGE_LIMIT} s")
+    print(f"  the same fade went on in {sum(each.same_fade for each in recoveries)} of {len(recoveries)}")
+    good = bool(blackouts.max() <= BLACKOUT_LIMIT and ages.max() <= AGE_LIMIT and all(r.same_fade for r in recoveries))
+    print("holds" if good else "DOES NOT HOLD")
+    return good
+
+
+def main() -> int:
+    """Runs the show, kills it, prints; exit status 1 when a limit is missed."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--kills", type=int, default=20)
+    kills = parser.parse_args().kills
+    with tempfile.TemporaryDirectory() as folder:
+        command = [*COMMAND, str(Path(folder) / "show.omote"), "--port", "0", "--no-open"]
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        try:
+            recoveries = asyncio.run(measure(opened(process), process.pid, kills))
+        finally:
+            process.terminate()
+            process.wait(10.0)
+    return 0 if verdict(recoveries) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,126 @@
+"""The process that waits warmed up and makes servers of itself.
+
+Starting Python, loading the cast and its kernels takes longer than an audience forgives, so it is done once, here. An
+order makes a copy of this process (`fork`) in milliseconds, and the copy plays. The standby has no thread and no event
+loop, so that copies are whole. It lives as long as its supervisor, and each server as long as its own pipe.
+"""
+
+from __future__ import annotations
+
+import argparse
+import gc
+import os
+import select
+import signal
+import socket
+import sys
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+
+from omote.perform.performer import Performer
+from omote.server.child import Material, Pipes, built_in_material, report, run
+from omote.server.library import Library
+from omote.server.orders import Ended, Order, Ready, Started, take_order, tell
+from omote.show.assets import compound_asset
+from omote.show.messages import STATE_RATE
+
+Start = Callable[[Order, int, int], int]
+
+
+def main(arguments: list[str] | None = None, load: Callable[[], Material] = built_in_material) -> int:
+    """Warms up, says so, and makes servers as ordered; the exit status."""
+    options = _options(arguments)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to all; the supervisor decides
+    try:
+        material = load()
+        warm(material.library)
+    except (OSError, ValueError) as error:
+        report(str(error))
+        return 1
+    with socket.socket(fileno=options.line) as line:
+
+        def start(order: Order, control: int, pulse: int) -> int:
+            pipes = Pipes(options.listen, control, pulse)
+            return fork(line, lambda: run(material, order, show=options.show, pipes=pipes))
+
+        tell(line, Ready())
+        obey(line, start)
+    return 0
+
+
+def warm(library: Library) -> None:
+    """Does once all that is slow the first time: kernels are compiled or loaded, caches filled."""
+    cast = library.cast
+    face = next(iter(cast.faces.values()))
+    for expression in list(cast.expressions)[:2]:
+        compound_asset(cast, face, expression)
+    Performer(cast).advance(1.0 / STATE_RATE)
+    gc.collect()
+    gc.freeze()  # copies share this memory with us as long as nobody touches it
+
+
+def obey(line: socket.socket, start: Start) -> None:
+    """Starts a server for each order and reports each that ended, until the supervisor is gone."""
+    wake, woken = os.pipe()
+    os.set_blocking(woken, False)
+    signal.set_wakeup_fd(woken)
+    signal.signal(signal.SIGCHLD, lambda *_: None)
+    while True:
+        readable = select.select([line.fileno(), wake], [], [])[0]
+        if wake in readable:
+            os.read(wake, 4096)
+            for ended in gone():
+                tell(line, ended)
+        if line.fileno() in readable:
+            taken = take_order(line)
+            if taken is None:
+                return
+            order, control, pulse = taken
+            tell(line, Started(start(order, control, pulse)))
+            os.close(control)
+            os.close(pulse)
+
+
+def fork(line: socket.socket, play: Callable[[], None]) -> int:
+    """The process id of a copy of this process that plays and ends; it leaves the line to its parent."""
+    pid = os.fork()
+    if pid:
+        return pid
+    code = 1
+    try:
+        signal.set_wakeup_fd(-1)
+        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+        line.close()
+        play()
+        code = 0
+    except BaseException:
+        traceback.print_exc()
+    finally:
+        sys.stderr.flush()
+        os._exit(code)  # not further up: what follows there belongs to the parent
+
+
+def gone() -> list[Ended]:
+    """The servers that have ended since the last call."""
+    ended: list[Ended] = []
+    while True:
+        try:
+            pid, status = os.waitpid(-1, os.WNOHANG)
+        except ChildProcessError:
+            return ended
+        if pid == 0:
+            return ended
+        ended.append(Ended(pid, os.waitstatus_to_exitcode(status)))
+
+
+def _options(arguments: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="omote.server.standby", description=__doc__)
+    parser.add_argument("--show", type=Path, required=True)
+    parser.add_argument("--listen", type=int, required=True)
+    parser.add_argument("--line", type=int, required=True)
+    return parser.parse_args(arguments)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
