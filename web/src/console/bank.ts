@@ -118,16 +118,19 @@ export class Bank extends PaintedElement {
         line-height: 12px;
         text-align: center;
         color: var(--dim);
-        max-width: 84px;
-        margin: 0 auto;
+        width: min-content;
+        min-width: 100%;
         overflow: hidden;
-      }
-      .single .label {
-        max-width: 62px;
       }
       .empty {
         margin: auto;
         color: var(--faint);
+      }
+      @media (max-width: 1100px) {
+        nav button {
+          padding: 0 5px;
+          font-size: 11.5px;
+        }
       }
       @media (max-width: 700px) {
         .strips {

@@ -103,7 +103,7 @@ export class ConsolePage extends RigElement {
         }
         .faces,
         .expressions {
-          --tile: 74px;
+          --tile: 56px;
         }
       }
       @media (max-width: 799px) {

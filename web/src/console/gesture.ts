@@ -85,6 +85,29 @@ export function onArrows(element: HTMLElement, step: (dx: number, dy: number) =>
   });
 }
 
+/** Arrow keys move the focus to the nearest element of a group in that direction. */
+export function onRoam(group: HTMLElement, selector: string): void {
+  group.addEventListener("keydown", (event) => {
+    const arrow = event.key.startsWith("Arrow") ? ARROWS[event.key] : undefined;
+    const from = (event.target as Element).closest(selector);
+    if (arrow === undefined || from === null || event.ctrlKey || event.altKey || event.metaKey) return;
+    const middle = (one: Element): [number, number] => {
+      const box = one.getBoundingClientRect();
+      return [box.left + box.width / 2, -(box.top + box.height / 2)];
+    };
+    const [x, y] = middle(from);
+    const cost = (one: HTMLElement): number => {
+      const [dx, dy] = [middle(one)[0] - x, middle(one)[1] - y];
+      const [along, aside] = [dx * arrow[0] + dy * arrow[1], Math.abs(dx * arrow[1]) + Math.abs(dy * arrow[0])];
+      return along > 1 ? along + 3 * aside : Number.POSITIVE_INFINITY;
+    };
+    const others = [...group.querySelectorAll<HTMLElement>(selector)].map((one) => [cost(one), one] as const);
+    const [distance, nearest] = others.reduce((best, one) => (one[0] < best[0] ? one : best));
+    if (distance < Number.POSITIVE_INFINITY) nearest.focus();
+    event.preventDefault();
+  });
+}
+
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowRight: [1, 0],
   ArrowLeft: [-1, 0],

@@ -12,7 +12,7 @@ export class Help extends RigElement {
     css`
       :host {
         position: fixed;
-        inset: 0;
+        inset: 62px 0 0; /* panic stays in sight */
         z-index: 9;
         display: grid;
         place-items: center;

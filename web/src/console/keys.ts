@@ -59,7 +59,10 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["X", "All channels to zero"],
   ["/", "Search expressions"],
   ["Tab", "Next control"],
-  ["Arrows", "Move the control in focus; with Shift ten times finer; Page keys ten times coarser"],
+  [
+    "Arrows",
+    "Move the control in focus, with Shift ten times finer, with the Page keys ten times coarser; in a palette: to the next picture",
+  ],
   ["Home, 0", "The control in focus to its rest"],
   ["?", "This page"],
 ];

@@ -2,13 +2,17 @@
 
 import { Library } from "../link/assets";
 import { Link } from "../link/socket";
-import { CLOSE, FaceView } from "../stage/face_view";
+import { FaceView } from "../stage/face_view";
+import type { Shot } from "../stage/framing";
 import { resting } from "../stage/pose";
 import { ConsolePage } from "./console_page";
 import { Desk } from "./desk";
 import type { Rig } from "./element";
 import { Painter } from "./painter";
-import { Portraits, type Studio } from "./portraits";
+import { PICTURE, Portraits, type Studio } from "./portraits";
+
+/** Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. */
+const THUMB: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };
 
 /** A name for this console, so that its calls have their own ids; `randomUUID` is not there on a LAN without https. */
 const consoleId = (): string =>
@@ -32,12 +36,22 @@ function connect(): Desk {
 
 /** Thumbnails by one view on a canvas of its own: one graphics context for all of them. */
 async function openStudio(library: Library): Promise<Studio> {
-  const view = await FaceView.load(document.createElement("canvas"), library, { shot: CLOSE, pixelRatio: 1 });
-  view.resize(100, 120);
+  const view = await FaceView.load(document.createElement("canvas"), library, { shot: THUMB, pixelRatio: 1 });
+  view.resize(PICTURE.width, PICTURE.height);
   return async ({ face, expression }) => {
     await view.present(resting(face, expression));
+    if (!view.alive) throw new Error("the graphics context is lost for a moment");
     return view.canvas;
   };
+}
+
+/** Keeps a tablet's screen on while the page is seen; only where the browser allows it (https or this machine). */
+function stayAwake(): void {
+  const ask = (): void => {
+    if (document.visibilityState === "visible") navigator.wakeLock?.request("screen").catch(() => undefined);
+  };
+  document.addEventListener("visibilitychange", ask);
+  ask();
 }
 
 async function start(): Promise<void> {
@@ -47,10 +61,14 @@ async function start(): Promise<void> {
   page.rig = rig;
   document.body.append(page);
   rig.painter.start();
+  stayAwake();
   const library = await Library.open();
   rig.desk.setManifest(library.manifest);
   await page.open(library);
-  rig.portraits.open(await openStudio(library));
+  openStudio(library).then(
+    (studio) => rig.portraits.open(studio),
+    (error: unknown) => console.warn("No thumbnails:", error), // names and hot keys are enough to play
+  );
 }
 
 void start();

@@ -5,8 +5,9 @@ import type { ExpressionDocument, FaceDocument } from "../link/messages";
 import { REGIONS, regionOf } from "./channels";
 import type { Topic } from "./desk";
 import { PaintedElement, Written } from "./element";
+import { onRoam } from "./gesture";
 import { type Axis, keyLabel } from "./keys";
-import type { Sitting } from "./portraits";
+import { PICTURE, type Sitting } from "./portraits";
 import { base } from "./theme";
 import "./timing_row";
 
@@ -110,7 +111,6 @@ export class Palette extends PaintedElement {
       .tile {
         position: relative;
         display: block;
-        aspect-ratio: 5 / 6;
         width: 100%;
         padding: 0;
         overflow: hidden;
@@ -120,23 +120,21 @@ export class Palette extends PaintedElement {
         color: var(--text);
       }
       .tile canvas {
-        position: absolute;
-        inset: 0;
+        display: block;
         width: 100%;
-        height: 100%;
+        aspect-ratio: 13 / 12;
         pointer-events: none;
       }
       .tile .name {
-        position: absolute;
-        left: 0;
-        right: 0;
-        bottom: 0;
-        padding: 10px 3px 4px;
+        display: grid;
+        place-content: center;
+        min-height: 19px;
+        padding: 1px 2px 3px;
         font-size: 11.5px;
         line-height: 12px;
         text-align: center;
         overflow-wrap: anywhere;
-        background: linear-gradient(transparent, #000a 40%, #000d);
+        background: var(--raised);
       }
       .tile .key {
         position: absolute;
@@ -147,8 +145,8 @@ export class Palette extends PaintedElement {
         line-height: 14px;
         text-align: center;
         border-radius: 3px;
-        background: #000a;
-        color: var(--dim);
+        background: #000c;
+        color: var(--text);
       }
       .tile .weight {
         position: absolute;
@@ -168,14 +166,14 @@ export class Palette extends PaintedElement {
       }
       .tile.air .name {
         color: #fff;
-        background: linear-gradient(transparent, #6e1c13cc 45%, var(--air-deep));
+        background: var(--air-deep);
       }
       .tile.coming {
         border-color: var(--coming);
       }
       .tile.coming .name {
         color: #fff;
-        background: linear-gradient(transparent, #124a2ccc 45%, var(--coming-deep));
+        background: var(--coming-deep);
       }
       .tile.coming .weight {
         background: var(--coming);
@@ -194,10 +192,21 @@ export class Palette extends PaintedElement {
 
   /** What the palette shows now, in order; its first nine have hot keys. */
   get shown(): readonly (FaceDocument | ExpressionDocument)[] {
-    if (this.axis === "face") return this.desk.faces;
+    return this.axis === "face" ? this.desk.faces : this.#sections().flatMap(([, inside]) => inside);
+  }
+
+  /** The expressions under their headings: units by region; what is performed or searched needs none. */
+  #sections(): [string, ExpressionDocument[]][] {
     const words = this.search.toLowerCase().split(/\s+/).filter(Boolean);
-    const all = this.desk.expressions.filter((one) => (words.length > 0 ? true : this.#inTab(one)));
-    return all.filter((one) => words.every((word) => textOf(one).includes(word)));
+    if (words.length > 0)
+      return [["", this.desk.expressions.filter((one) => words.every((word) => textOf(one).includes(word)))]];
+    const inside = this.desk.expressions.filter((one) => this.#inTab(one));
+    if (this.kind === "performed") return [["", inside]];
+    const regions = REGIONS.map((region): [string, ExpressionDocument[]] => [
+      region,
+      inside.filter((one) => regionOf(one) === region),
+    ]);
+    return regions.filter(([, units]) => units.length > 0);
   }
 
   #inTab(one: ExpressionDocument): boolean {
@@ -253,31 +262,17 @@ export class Palette extends PaintedElement {
 
   #tiles() {
     const shown = this.shown;
-    if (shown.length === 0)
-      return html`<div class="none">${this.search === "" ? "" : `Nothing is called "${this.search}".`}</div>`;
-    const sections = this.axis === "face" ? null : this.#sections(shown as ExpressionDocument[]);
-    if (sections === null)
-      return repeat(
-        shown,
-        (one) => one.name,
-        (one, index) => this.#tile(one, index),
-      );
+    if (shown.length === 0 && this.search !== "")
+      return html`<div class="none">Nothing is called "${this.search}".</div>`;
+    const sections = this.axis === "face" ? [["", shown] as const] : this.#sections();
     return sections.map(
-      ([region, inside]) => html`<div class="region">${region}</div>
+      ([heading, inside]) => html`${heading === "" ? nothing : html`<div class="region">${heading}</div>`}
         ${repeat(
           inside,
           (one) => one.name,
           (one) => this.#tile(one, shown.indexOf(one)),
         )}`,
     );
-  }
-
-  /** Units stand under their regions; what is performed moves the whole face and needs no heading. */
-  #sections(shown: readonly ExpressionDocument[]): [string, ExpressionDocument[]][] | null {
-    if (this.kind === "performed" || this.search !== "") return null;
-    return REGIONS.map(
-      (region) => [region, shown.filter((one) => regionOf(one) === region)] as [string, ExpressionDocument[]],
-    ).filter(([, inside]) => inside.length > 0);
   }
 
   #tile(one: FaceDocument | ExpressionDocument, index: number) {
@@ -289,11 +284,15 @@ export class Palette extends PaintedElement {
       title=${one.name}
       @click=${() => this.desk.call(this.axis, one.name)}
     >
-      <canvas width="100" height="120" aria-hidden="true"></canvas>
+      <canvas width="${PICTURE.width}" height="${PICTURE.height}" aria-hidden="true"></canvas>
       <span class="name">${one.label}</span>
       ${key === null ? nothing : html`<span class="key">${key}</span>`}
       <span class="weight"></span>
     </button>`;
+  }
+
+  override firstUpdated(): void {
+    onRoam(this.renderRoot.querySelector(".tiles") as HTMLElement, ".tile");
   }
 
   override updated(): void {

@@ -6,6 +6,9 @@ export interface Sitting {
   readonly expression: string;
 }
 
+/** The size of a thumbnail in pixels; sharp on a display of one and a half. */
+export const PICTURE = { width: 130, height: 120 } as const;
+
 /** Draws a sitting; may wait for its shapes to be loaded. Rejects when it cannot be drawn. */
 export type Studio = (sitting: Sitting) => Promise<CanvasImageSource>;
 

@@ -156,7 +156,7 @@ export class TBar extends PaintedElement {
       .way::after {
         content: "";
         position: absolute;
-        left: 50%;
+        left: 18%;
         bottom: 0;
         height: 100%;
         border-left: 2px dotted var(--attention);
@@ -307,6 +307,6 @@ export class TBar extends PaintedElement {
 const MODES: Record<BarView["mode"], (remaining: number | null, gap: number) => string> = {
   idle: () => "",
   running: (remaining) => (remaining === null ? "" : `${remainingLabel(remaining)} s left`),
-  waiting: (_, gap) => `pick up ${gap < 0 ? "higher ▲" : "lower ▼"}`,
+  waiting: (_, gap) => `pick up ${gap < 0 ? "▲" : "▼"}`,
   held: () => "by hand",
 };
