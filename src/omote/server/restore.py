@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sqlite3
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -54,6 +55,28 @@ def journal_entry(session: ShowSession) -> JournalEntry:
 def next_epoch(journal: int, order: int) -> int:
     """An epoch above all before it: of this file, of this supervisor, and, by the calendar, of other show files."""
     return max(journal + 1, order, int(time.time()))  # noqa: TID251  (orders starts of servers; drives nothing)
+
+
+def _last_entry(show: ShowFile | None, report: Report) -> JournalEntry:
+    try:
+        return show.journal() if show else JournalEntry(0, 0.0, None)
+    except sqlite3.Error as error:
+        report(f"the journal cannot be read ({error}); the show starts neutral.")
+        return JournalEntry(0, 0.0, None)
+
+
+def _record(
+    show: ShowFile | None, session: ShowSession, last: JournalEntry, reason: str | None, report: Report
+) -> None:
+    """Puts the new epoch into the journal, and the last state aside where there is a reason."""
+    if show is None:
+        return
+    try:
+        if reason is not None:
+            show.set_aside(last, reason)
+        show.write_journal(journal_entry(session))
+    except sqlite3.Error as error:
+        report(f"the journal cannot be written ({error}); the show goes on.")
 
 
 def _played_on(cast: Cast, entry: JournalEntry, epoch: int, report: Report) -> ShowSession | None:
