@@ -1,0 +1,331 @@
+"""The stage page: what the GPU blends and draws, on walls and in OBS, and what it does when something goes away."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from playwright.sync_api import Page, Route, WebSocketRoute, expect
+
+import omote
+from omote.model.cast import Cast
+from omote.perform.frame import Frame, Gaze, Head
+from omote.show.messages import FromServer, State
+from omote.show.state import state_of
+from tests.browser.pictures import picture
+
+OpenPage = Callable[..., Page]
+Floats = NDArray[np.float64]
+FRAMES = 100
+TOLERANCE = 0.05e-3  # metres
+POSE = ("faces", "expressions", "channels", "lids", "head", "eyes")
+LAUGHING = {"faces": {"kaori": 0.6, "old": 0.4}, "expressions": {"laugh": 1.0}, "head": [0.3, 0.1, -0.1]}
+
+
+def wait_for(page: Page, condition: str, seconds: float = 15) -> None:
+    """Waits until a condition on the `stage`'s probe holds, looking in every frame."""
+    page.evaluate(f"""() => new Promise((done, fail) => {{
+        const tooLate = performance.now() + {1000 * seconds};
+        const look = () => {{
+            const stage = window.omoteStage;
+            if (stage && ({condition})) done();
+            else if (performance.now() < tooLate) requestAnimationFrame(look);
+            else fail(new Error("never came: " + {condition!r}));
+        }};
+        look();
+    }})""")
+
+
+@pytest.fixture
+def stage(open_page: OpenPage) -> Callable[..., Page]:
+    """Opens a stage and waits until it draws; options as for `open_page`, `query` and `width` and `height`."""
+
+    def open_one(query: str = "", *, width: int = 320, height: int = 240, **options: Any) -> Page:
+        page = open_page(f"/stage{query}", width=width, height=height, **options)
+        wait_for(page, "stage.counters().drawn > 0")
+        return page
+
+    return open_one
+
+
+@pytest.fixture(scope="module")
+def cast() -> Cast:
+    return omote.load_cast()
+
+
+def hold(page: Page, pose: Mapping[str, Any]) -> None:
+    page.evaluate("pose => window.omoteStage.hold(pose)", pose)
+
+
+def positions(page: Page) -> Floats:
+    """The GPU's positions (vertices, 3)."""
+    return np.array(page.evaluate("window.omoteStage.readPositions()")).reshape(-1, 3)
+
+
+def expected(cast: Cast, frame: Frame) -> Floats:
+    """The reference evaluator's positions: skin, then the parts."""
+    parts = omote.evaluate_parts(cast, frame)
+    return np.concatenate([omote.evaluate(cast, frame), *(parts[name] for name in cast.space.parts)])
+
+
+# --- what the GPU blends ----------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Pool:
+    """The names that frames are drawn from: some of the cast's, so that the compounds are worked out once for many."""
+
+    faces: list[str]
+    expressions: list[str]
+
+    @classmethod
+    def drawn(cls, cast: Cast, rng: np.random.Generator) -> Pool:
+        expressions = [name for name in cast.expressions if name != "neutral"]
+        return cls(rng.permutation(list(cast.faces))[:5].tolist(), rng.permutation(expressions)[:40].tolist())
+
+
+def random_frame(pool: Pool, rng: np.random.Generator) -> Frame:
+    """A mix as a show meets it: some faces, expressions, channels and a gaze; weights may leave 0..1 a little."""
+
+    def weights(names: list[str], count: int) -> dict[str, float]:
+        chosen = rng.choice(names, size=count, replace=False).tolist()
+        share = rng.dirichlet(np.ones(count)) + 0.03 * rng.standard_normal(count)
+        return dict(zip(chosen, (share / share.sum()).tolist(), strict=True))
+
+    channels = rng.choice(pool.expressions, size=int(rng.integers(0, 9)), replace=False).tolist()
+    return Frame(
+        faces=weights(pool.faces, int(rng.integers(1, 4))),
+        expressions=weights(["neutral", *pool.expressions], int(rng.integers(1, 5))),
+        channels={name: float(rng.uniform(-0.2, 1.0)) for name in channels},
+        head=Head(*rng.uniform(-0.5, 0.5, 3).tolist()),
+        gaze=Gaze(*rng.uniform(-0.4, 0.4, 2).tolist()),
+    )
+
+
+def pose_of(cast: Cast, frame: Frame) -> dict[str, Any]:
+    """What the server would tell a stage of this frame."""
+    state = msgspec.to_builtins(state_of(cast, frame, epoch=1, number=1, revision=1))
+    return {name: state[name] for name in POSE}
+
+
+def test_gpu_positions_equal_the_bilinear_evaluator(stage: Callable[..., Page], cast: Cast) -> None:
+    page, rng = stage(), np.random.default_rng(1993)
+    pool = Pool.drawn(cast, rng)
+    for _ in range(FRAMES):
+        frame = random_frame(pool, rng)
+        hold(page, pose_of(cast, frame))
+        assert np.linalg.norm(positions(page) - expected(cast, frame), axis=1).max() < TOLERANCE
+
+
+def test_all_expressions_at_once_are_blended(stage: Callable[..., Page], cast: Cast) -> None:
+    """More compounds than the texture array holds at first: it grows, and nothing is lost."""
+    frame = Frame(
+        faces={"kaori": 0.5, "old": 0.5},
+        expressions={"neutral": 1.0},
+        channels={name: 0.02 for name in cast.expressions if name != "neutral"},
+    )
+    page = stage()
+    hold(page, pose_of(cast, frame))
+    assert np.linalg.norm(positions(page) - expected(cast, frame), axis=1).max() < TOLERANCE
+
+
+def test_a_late_compound_is_held_back_and_grows_in(stage: Callable[..., Page], cast: Cast) -> None:
+    waiting: list[Route] = []
+    page = stage()
+    page.route("**/compounds/*/generic/mouth-open", lambda route: waiting.append(route))
+    hold(page, {"faces": {"generic": 1.0}})
+    rest = positions(page)
+    page.evaluate("""() => window.omoteStage.set({ faces: { generic: 1 }, expressions: { "mouth-open": 1 } })""")
+    wait_for(page, "stage.counters().drawn > 3 && !stage.settled()")
+    assert np.array_equal(positions(page), rest)
+    page.evaluate("""() => {
+        const seen = window.seen = [window.omoteStage.readPositions()];
+        const look = () => { seen.push(window.omoteStage.readPositions()); requestAnimationFrame(look); };
+        requestAnimationFrame(look);
+    }""")
+    for route in waiting:
+        route.continue_()
+    wait_for(page, "stage.settled()")
+    wait_for(page, "window.seen.length > 5")
+    moved = np.array(page.evaluate("() => window.seen")).reshape(-1, *rest.shape)
+    full = np.linalg.norm(expected(cast, Frame({"generic": 1.0}, {"mouth-open": 1.0})) - rest, axis=1).argmax()
+    way = np.linalg.norm(moved[:, full] - rest[full], axis=1)
+    way = way / way[-1]
+    assert way[0] == 0
+    assert (np.diff(way) >= -1e-6).all()
+    assert ((way > 0.01) & (way < 0.99)).any(), "it popped"
+
+
+# --- what is drawn ----------------------------------------------------------------------------------------------------
+
+
+def test_a_face_stands_on_a_dark_stage(stage: Callable[..., Page]) -> None:
+    page = stage()
+    hold(page, {"faces": {"kaori": 1.0}})
+    seen = picture(page)
+    middle, corner = seen[80:160, 120:200, :3].mean(axis=(0, 1)), seen[:8, :8, :3].mean(axis=(0, 1))
+    assert (seen[..., 3] == 255).all()
+    assert corner.max() < 40 < 110 < middle.min()
+    assert middle[0] > middle[2], "skin is warm"
+
+
+def test_two_faces_and_two_expressions_look_different(stage: Callable[..., Page]) -> None:
+    page, seen = stage(), []
+    poses = [("kaori", "neutral"), ("old", "neutral"), ("kaori", "laugh"), ("kaori", "neutral")]
+    for face, expression in poses:
+        hold(page, {"faces": {face: 1.0}, "expressions": {expression: 1.0}})
+        seen.append(picture(page))
+    assert np.array_equal(seen[0], seen[3])
+    for other in seen[1:3]:
+        assert (np.abs(other - seen[0]).max(axis=2) > 30).sum() > 300
+
+
+def test_a_transparent_stage_leaves_the_background_open(stage: Callable[..., Page]) -> None:
+    page = stage("?transparent")
+    hold(page, {"faces": {"kaori": 1.0}})
+    alpha = picture(page)[..., 3]
+    assert (alpha[:8, [0, 1, -2, -1]] == 0).all()
+    assert (alpha[80:160, 130:190] == 255).all()
+
+
+def test_nine_tiles_make_one_picture(stage: Callable[..., Page]) -> None:
+    whole = stage("", width=480, height=360)
+    hold(whole, LAUGHING)
+    rows = []
+    for row in range(3):
+        tiles = []
+        for column in range(3):
+            page = stage(f"?tile={column},{row}&of=3x3", width=160, height=120)
+            hold(page, LAUGHING)
+            tiles.append(picture(page))
+            page.context.close()
+        rows.append(np.concatenate(tiles, axis=1))
+    wall = np.concatenate(rows, axis=0)
+    difference = np.abs(wall - picture(whole)).max(axis=2)
+    assert wall.std() > 20
+    assert (difference <= 2).mean() > 0.99
+    assert difference.mean() < 0.5
+
+
+def test_a_bezel_hides_what_lies_behind_it(stage: Callable[..., Page]) -> None:
+    """Two tiles with a gap of 20 % are the outer parts of one picture of 2.2 tiles."""
+    whole = stage("", width=352, height=160)
+    hold(whole, LAUGHING)
+    everything = picture(whole)
+    for column, left in ((0, 0), (1, 192)):
+        page = stage(f"?tile={column},0&of=2x1&bezel=20", width=160, height=160)
+        hold(page, LAUGHING)
+        difference = np.abs(picture(page) - everything[:, left : left + 160]).max(axis=2)
+        assert (difference <= 2).mean() > 0.99
+
+
+@pytest.mark.parametrize(
+    ("query", "named"),
+    [("?tile=3,0&of=3x3", "tile=3,0"), ("?quality=best", "quality=best"), ("?colour=red", '"colour"')],
+)
+def test_a_bad_address_is_refused_with_a_sentence(open_page: OpenPage, query: str, named: str) -> None:
+    expect(open_page(f"/stage{query}").get_by_role("alert")).to_contain_text(named)
+
+
+# --- what goes away ---------------------------------------------------------------------------------------------------
+
+
+def test_a_lost_context_comes_back_with_the_same_face(stage: Callable[..., Page]) -> None:
+    page = stage()
+    hold(page, LAUGHING)
+    before, looked = positions(page), picture(page)
+    for _ in range(3):
+        page.evaluate("""async () => {
+            const canvas = document.querySelector("canvas");
+            const handle = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+            const happens = (what) => new Promise((done) => canvas.addEventListener(what, done, { once: true }));
+            const lost = happens("webglcontextlost");
+            handle.loseContext();
+            await lost;
+            await new Promise(requestAnimationFrame);
+            const restored = happens("webglcontextrestored");
+            handle.restoreContext();
+            await restored;
+        }""")
+        drawn = page.evaluate("window.omoteStage.counters().drawn")
+        wait_for(page, f"stage.counters().drawn > {drawn} && stage.settled()")
+        assert np.array_equal(positions(page), before)
+        assert np.array_equal(picture(page), looked)
+
+
+def test_without_webgl_the_page_says_so(open_page: OpenPage, show: str) -> None:
+    page = open_page("/")
+    page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
+    page.goto(f"{show}/stage")
+    expect(page.get_by_role("alert")).to_contain_text("WebGL2")
+
+
+class Wire:
+    """The link of a page as the test holds it: it may be cut, refused, and given messages of the test's own."""
+
+    def __init__(self, page: Page) -> None:
+        self.refusing = False
+        self.routes: list[tuple[WebSocketRoute, WebSocketRoute]] = []
+        self.states: list[State] = []
+        page.route_web_socket("**/link", self._open)
+
+    def _open(self, route: WebSocketRoute) -> None:
+        if self.refusing:
+            route.close()
+            return
+        server = route.connect_to_server()
+        self.routes.append((route, server))
+
+        def forward(message: str | bytes) -> None:
+            decoded = msgspec.msgpack.decode(message, type=FromServer)  # type: ignore[arg-type]
+            if isinstance(decoded, State):
+                self.states.append(decoded)
+            route.send(message)
+
+        server.on_message(forward)
+
+    def cut(self) -> None:
+        """The server dies."""
+        self.refusing = True
+        for route, server in self.routes:
+            server.close()
+            route.close()
+        self.routes = []
+
+    def send(self, state: State) -> None:
+        """A state of the test's own arrives."""
+        self.routes[-1][0].send(msgspec.msgpack.encode(state))
+
+
+def test_a_stage_holds_its_face_while_the_server_is_gone(open_page: OpenPage) -> None:
+    page = open_page("/")
+    wire = Wire(page)
+    page.goto(page.url + "stage")
+    wait_for(page, "stage.counters().received > 5 && stage.settled()")
+    wire.cut()
+    wait_for(page, "!stage.counters().connected")
+    before, counted = page.evaluate("window.omoteStage.pose()"), page.evaluate("window.omoteStage.counters()")
+    wait_for(page, f"stage.counters().drawn > {counted['drawn'] + 30}")
+    held = page.evaluate("window.omoteStage.pose()")
+    assert (held["faces"], held["expressions"]) == (before["faces"], before["expressions"])
+    assert np.abs(np.subtract(held["head"], before["head"])).max() < 0.03, "it only breathes"
+    wire.refusing = False
+    wait_for(page, f"stage.counters().connected && stage.counters().received > {counted['received'] + 10}")
+
+
+def test_an_older_state_is_ignored(open_page: OpenPage) -> None:
+    page = open_page("/")
+    wire = Wire(page)
+    page.goto(page.url + "stage")
+    wait_for(page, "stage.counters().received > 5")
+    newest = wire.states[-1]
+    other = {"doll": 1.0}
+    wire.send(msgspec.structs.replace(newest, epoch=newest.epoch - 1, number=newest.number + 10**9, faces=other))
+    wire.send(msgspec.structs.replace(newest, number=0, faces=other))
+    wait_for(page, "stage.counters().ignored === 2")
+    assert page.evaluate("window.omoteStage.pose().faces") == newest.faces
