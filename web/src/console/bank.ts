@@ -1,7 +1,8 @@
-import { css, html } from "lit";
+import { html } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { ExpressionDocument } from "../link/messages";
+import { style } from "./bank_style";
 import { byRegion, type Region, type Strip, stripsOf } from "./channels";
 import type { Topic } from "./desk";
 import { PaintedElement, Written } from "./element";
@@ -27,118 +28,7 @@ export class Bank extends PaintedElement {
   @query("nav") private nav!: HTMLElement;
   readonly #written = new Written();
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: grid;
-        grid-template-rows: auto 1fr;
-        min-height: 0;
-        min-width: 0;
-      }
-      header {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 4px;
-        padding: 6px 8px;
-        border-bottom: 1px solid var(--line);
-      }
-      nav {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 2px;
-        flex: 1;
-      }
-      nav button {
-        border-color: transparent;
-        background: none;
-        font-size: 12px;
-        padding: 0 7px;
-        text-transform: capitalize;
-      }
-      nav button[aria-selected="true"] {
-        background: var(--raised);
-        color: var(--text);
-        border-color: var(--edge);
-      }
-      .count {
-        color: var(--air);
-        font-weight: 700;
-      }
-      .count:not(:empty)::before {
-        content: " ";
-      }
-      .strips {
-        display: flex;
-        align-items: stretch;
-        gap: 2px;
-        padding: 4px 8px 2px;
-        overflow: auto hidden;
-        min-height: 0;
-        scrollbar-width: thin;
-        scrollbar-color: var(--edge) transparent;
-        overscroll-behavior: contain;
-      }
-      .kind {
-        writing-mode: vertical-rl;
-        transform: rotate(180deg);
-        text-align: center;
-        font-size: 10px;
-        letter-spacing: 0.1em;
-        text-transform: uppercase;
-        color: var(--faint);
-        padding: 0 3px;
-        border-right: 1px solid var(--line);
-      }
-      .strip {
-        display: grid;
-        grid-template-rows: 1fr 26px;
-        flex: 1 0 auto;
-        min-width: 46px;
-        max-width: 64px;
-      }
-      .strip.pair {
-        max-width: 116px;
-      }
-      .pair {
-        border-radius: 4px;
-        background: #ffffff07;
-      }
-      .faders {
-        display: flex;
-        justify-content: center;
-        min-height: 0;
-      }
-      omote-fader {
-        flex: 1 0 34px;
-      }
-      .label {
-        font-size: 10.5px;
-        line-height: 12px;
-        text-align: center;
-        color: var(--dim);
-        width: min-content;
-        min-width: 100%;
-        overflow: hidden;
-      }
-      .empty {
-        margin: auto;
-        color: var(--faint);
-      }
-      @media (max-width: 1100px) {
-        nav button {
-          padding: 0 5px;
-          font-size: 11.5px;
-        }
-      }
-      @media (max-width: 700px) {
-        .strips {
-          height: 190px;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
   protected override topics(): readonly Topic[] {
     return ["cast"];

@@ -1,9 +1,10 @@
-import { css, html } from "lit";
+import { html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import type { Side } from "./channels";
 import type { Knob } from "./desk";
 import { PaintedElement, Written } from "./element";
-import { onArrows, onDrag, onWheel } from "./gesture";
+import { style } from "./fader_style";
+import { type Drag, onArrows, onDrag, onWheel } from "./gesture";
 import { CHANNEL, fractionOf, stepped, travelOf, weightAt, within } from "./scale";
 import { base } from "./theme";
 
@@ -25,92 +26,7 @@ export class Fader extends PaintedElement {
   #travel = 0;
   #era = 0;
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: grid;
-        grid-template-rows: 14px 1fr;
-        min-width: 34px;
-        min-height: 0;
-      }
-      .number {
-        font-size: 11px;
-        line-height: 14px;
-        text-align: center;
-        color: var(--faint);
-      }
-      .number.touched {
-        color: var(--air);
-        font-weight: 700;
-      }
-      .slot {
-        position: relative;
-        margin: 8px 0;
-        touch-action: none;
-        cursor: ns-resize;
-        border-radius: 3px;
-      }
-      .groove {
-        position: absolute;
-        left: 50%;
-        top: -6px;
-        bottom: -6px;
-        width: 6px;
-        margin-left: -3px;
-        border-radius: 3px;
-        background: #000;
-        border: 1px solid var(--line);
-      }
-      .tick {
-        position: absolute;
-        left: 50%;
-        width: 24px;
-        margin-left: -12px;
-        height: 1px;
-        background: var(--edge);
-      }
-      .fill,
-      .gaze {
-        position: absolute;
-        left: 50%;
-        width: 4px;
-        margin-left: -2px;
-        bottom: 25%;
-        height: 100%;
-        transform-origin: bottom;
-        transform: scaleY(0);
-        background: var(--air);
-      }
-      .gaze {
-        width: 2px;
-        margin-left: 5px;
-        background: var(--dim);
-      }
-      .carrier {
-        position: absolute;
-        inset: 0;
-        pointer-events: none;
-      }
-      .carrier::after {
-        content: "";
-        position: absolute;
-        left: 50%;
-        width: 26px;
-        margin-left: -13px;
-        bottom: -7px;
-        height: 14px;
-        border-radius: 3px;
-        border: 1px solid #000;
-        background: linear-gradient(#565c64 0 40%, #c9ced4 40% 60%, #33383e 60%);
-        box-shadow: 0 1px 3px #000b;
-      }
-      .carrier.touched::after {
-        background: linear-gradient(#6b4a44 0 40%, #fff 40% 60%, #4a2f2a 60%);
-        border-color: var(--air);
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
   override render() {
     return html`
@@ -136,12 +52,21 @@ export class Fader extends PaintedElement {
   }
 
   override firstUpdated(): void {
+    onDrag(this.slotElement, this.#drag());
+    onWheel(this.slotElement, (steps) => this.#step(steps));
+    onArrows(
+      this.slotElement,
+      (dx, dy) => this.#step(dx + dy),
+      () => this.desk.channel(this.channel).nudge(0),
+    );
+  }
+
+  #drag(): Drag {
     const knob = () => this.desk.channel(this.channel);
-    const weight = () => knob().value(performance.now());
-    onDrag(this.slotElement, {
+    return {
       start: () => {
         this.#era = this.desk.era;
-        this.#travel = travelOf(weight());
+        this.#travel = travelOf(knob().value(performance.now()));
       },
       move: (_dx, dy) => {
         if (this.#era !== this.desk.era || dy === 0) return;
@@ -153,14 +78,12 @@ export class Fader extends PaintedElement {
         knob().nudge(0);
         this.#travel = 0;
       },
-    });
-    const step = (by: number) => knob().nudge(stepped(weight(), by * STEP, CHANNEL, STOPS));
-    onWheel(this.slotElement, step);
-    onArrows(
-      this.slotElement,
-      (dx, dy) => step(dx + dy),
-      () => knob().nudge(0),
-    );
+    };
+  }
+
+  #step(steps: number): void {
+    const knob = this.desk.channel(this.channel);
+    knob.nudge(stepped(knob.value(performance.now()), steps * STEP, CHANNEL, STOPS));
   }
 
   paint(now: number): void {

@@ -5,8 +5,8 @@ import { FINE } from "./scale";
 export interface Drag {
   /** The pointer comes down at `x`, `y`: 0..1 across the element, from its left and from its bottom. */
   start(x: number, y: number): void;
-  /** It moved by `dx`, `dy` (same units, to the right and up), and is at `x`, `y`; `fine`: Shift is down, and the step already is small. */
-  move(dx: number, dy: number, x: number, y: number, fine: boolean): void;
+  /** It moved by `dx`, `dy` (same units, to the right and up); a tenth of it while Shift is down. */
+  move(dx: number, dy: number): void;
   end(): void;
   /** Twice on the same place within a moment. */
   double?(): void;
@@ -17,43 +17,63 @@ const DOUBLE_REACH = 24;
 
 /** Listens to one pointer at a time on `element`; other pointers are free for other controls. */
 export function onDrag(element: HTMLElement, drag: Drag): void {
-  let pointer: number | null = null;
-  let [lastX, lastY, tapX, tapY, tapTime] = [0, 0, 0, 0, Number.NEGATIVE_INFINITY];
-  const place = (event: PointerEvent): [number, number] => {
-    const box = element.getBoundingClientRect();
-    return [(event.clientX - box.left) / box.width, (box.bottom - event.clientY) / box.height];
-  };
-  const down = (event: PointerEvent): void => {
-    if (pointer !== null || event.button !== 0) return;
-    pointer = event.pointerId;
-    element.setPointerCapture(pointer);
-    element.focus({ preventScroll: true });
-    event.preventDefault();
-    const twice =
-      event.timeStamp - tapTime < DOUBLE_TIME && Math.hypot(event.clientX - tapX, event.clientY - tapY) < DOUBLE_REACH;
-    [tapX, tapY, tapTime] = [event.clientX, event.clientY, twice ? Number.NEGATIVE_INFINITY : event.timeStamp];
-    [lastX, lastY] = place(event);
-    drag.start(lastX, lastY);
-    if (twice) drag.double?.();
-  };
-  const move = (event: PointerEvent): void => {
-    if (event.pointerId !== pointer) return;
-    const [x, y] = place(event);
-    const gain = event.shiftKey ? FINE : 1;
-    drag.move((x - lastX) * gain, (y - lastY) * gain, x, y, event.shiftKey);
-    [lastX, lastY] = [x, y];
-  };
-  const up = (event: PointerEvent): void => {
-    if (event.pointerId !== pointer) return;
-    pointer = null;
-    drag.end();
-  };
-  element.addEventListener("pointerdown", down);
-  element.addEventListener("pointermove", move);
-  element.addEventListener("pointerup", up);
-  element.addEventListener("pointercancel", up);
-  element.addEventListener("lostpointercapture", up);
+  const hand = new Hand(element, drag);
+  element.addEventListener("pointerdown", (event) => hand.down(event));
+  element.addEventListener("pointermove", (event) => hand.move(event));
+  for (const end of ["pointerup", "pointercancel", "lostpointercapture"] as const)
+    element.addEventListener(end, (event) => hand.up(event));
   element.addEventListener("contextmenu", (event) => event.preventDefault());
+}
+
+/** One pointer on one control, from its way down to its end. */
+class Hand {
+  #pointer: number | null = null;
+  #last: [number, number] = [0, 0];
+  #tap = { x: 0, y: 0, time: Number.NEGATIVE_INFINITY };
+
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly drag: Drag,
+  ) {}
+
+  down(event: PointerEvent): void {
+    if (this.#pointer !== null || event.button !== 0) return;
+    this.#pointer = event.pointerId;
+    this.element.setPointerCapture(this.#pointer);
+    this.element.focus({ preventScroll: true });
+    event.preventDefault();
+    const twice = this.#isSecond(event);
+    this.#last = this.#place(event);
+    this.drag.start(...this.#last);
+    if (twice) this.drag.double?.();
+  }
+
+  move(event: PointerEvent): void {
+    if (event.pointerId !== this.#pointer) return;
+    const [x, y] = this.#place(event);
+    const gain = event.shiftKey ? FINE : 1;
+    this.drag.move((x - this.#last[0]) * gain, (y - this.#last[1]) * gain);
+    this.#last = [x, y];
+  }
+
+  up(event: PointerEvent): void {
+    if (event.pointerId !== this.#pointer) return;
+    this.#pointer = null;
+    this.drag.end();
+  }
+
+  #place(event: PointerEvent): [number, number] {
+    const box = this.element.getBoundingClientRect();
+    return [(event.clientX - box.left) / box.width, (box.bottom - event.clientY) / box.height];
+  }
+
+  /** Whether this tap follows one on the same place; a third one then starts anew. */
+  #isSecond({ clientX: x, clientY: y, timeStamp: time }: PointerEvent): boolean {
+    const near = Math.hypot(x - this.#tap.x, y - this.#tap.y) < DOUBLE_REACH;
+    const twice = near && time - this.#tap.time < DOUBLE_TIME;
+    this.#tap = { x, y, time: twice ? Number.NEGATIVE_INFINITY : time };
+    return twice;
+  }
 }
 
 /** One notch of the wheel over `element`, up = +1, in tenths with Shift (which some systems turn sideways). */
@@ -91,21 +111,25 @@ export function onRoam(group: HTMLElement, selector: string): void {
     const arrow = event.key.startsWith("Arrow") ? ARROWS[event.key] : undefined;
     const from = (event.target as Element).closest(selector);
     if (arrow === undefined || from === null || event.ctrlKey || event.altKey || event.metaKey) return;
-    const middle = (one: Element): [number, number] => {
-      const box = one.getBoundingClientRect();
-      return [box.left + box.width / 2, -(box.top + box.height / 2)];
-    };
-    const [x, y] = middle(from);
-    const cost = (one: HTMLElement): number => {
-      const [dx, dy] = [middle(one)[0] - x, middle(one)[1] - y];
-      const [along, aside] = [dx * arrow[0] + dy * arrow[1], Math.abs(dx * arrow[1]) + Math.abs(dy * arrow[0])];
-      return along > 1 ? along + 3 * aside : Number.POSITIVE_INFINITY;
-    };
-    const others = [...group.querySelectorAll<HTMLElement>(selector)].map((one) => [cost(one), one] as const);
+    event.preventDefault();
+    const others = [...group.querySelectorAll<HTMLElement>(selector)].map(
+      (one) => [way(from, one, arrow), one] as const,
+    );
     const [distance, nearest] = others.reduce((best, one) => (one[0] < best[0] ? one : best));
     if (distance < Number.POSITIVE_INFINITY) nearest.focus();
-    event.preventDefault();
   });
+}
+
+/** How far it is from one element to another in a direction; steps aside count three times, back is infinitely far. */
+function way(from: Element, to: Element, [right, up]: readonly [number, number]): number {
+  const [dx, dy] = [middle(to)[0] - middle(from)[0], middle(from)[1] - middle(to)[1]];
+  const [along, aside] = [dx * right + dy * up, Math.abs(dx * up) + Math.abs(dy * right)];
+  return along > 1 ? along + 3 * aside : Number.POSITIVE_INFINITY;
+}
+
+function middle(element: Element): [number, number] {
+  const box = element.getBoundingClientRect();
+  return [box.left + box.width / 2, box.top + box.height / 2];
 }
 
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {

@@ -25,6 +25,9 @@ function connect(): Desk {
     consoleId(),
   );
   const link = new Link("console", {
+    welcome: ({ digest }) => {
+      if (desk.manifest !== null && desk.manifest.digest !== digest) location.reload(); // another cast: other names
+    },
     state: (state) => desk.receiveState(state),
     crew: (crew) => desk.receiveCrew(crew),
     refused: (reason) => desk.say(reason),
@@ -41,7 +44,7 @@ async function openStudio(library: Library): Promise<Studio> {
   return async ({ face, expression }) => {
     await view.present(resting(face, expression));
     if (!view.alive) throw new Error("the graphics context is lost for a moment");
-    return view.canvas;
+    return createImageBitmap(view.canvas);
   };
 }
 

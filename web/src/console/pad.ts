@@ -1,8 +1,9 @@
-import { css, html, nothing } from "lit";
+import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Knob } from "./desk";
 import { PaintedElement, Written } from "./element";
 import { onArrows, onDrag, onWheel } from "./gesture";
+import { style } from "./pad_style";
 import { fractionOf, GAZE_PITCH, GAZE_YAW, HEAD_PITCH, HEAD_ROLL, HEAD_YAW, sprung, valueAt, within } from "./scale";
 import { base } from "./theme";
 
@@ -33,132 +34,7 @@ export class Pad extends PaintedElement {
   #returning: Knob[] = [];
   #last = 0;
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: flex;
-        flex-direction: column;
-        gap: 6px;
-        padding: 8px;
-        min-height: 0;
-      }
-      header {
-        display: flex;
-        align-items: center;
-        gap: 4px;
-      }
-      h2 {
-        flex: 1;
-      }
-      header button {
-        min-height: 22px;
-        padding: 0 6px;
-        font-size: 11px;
-      }
-      .well {
-        flex: 1;
-        min-height: 0;
-        display: grid;
-        place-items: center;
-        container-type: size;
-      }
-      .field {
-        position: relative;
-        width: min(100cqw, 100cqh);
-        height: min(100cqw, 100cqh);
-        border-radius: 6px;
-        border: 1px solid var(--line);
-        background:
-          linear-gradient(var(--line), var(--line)) 50% 0 / 1px 100% no-repeat,
-          linear-gradient(var(--line), var(--line)) 0 50% / 100% 1px no-repeat, #000;
-        touch-action: none;
-        cursor: crosshair;
-        overflow: hidden;
-      }
-      svg {
-        position: absolute;
-        inset: 0;
-        width: 100%;
-        height: 100%;
-        fill: none;
-        stroke: #4a5059;
-        stroke-width: 1.6;
-        pointer-events: none;
-      }
-      .carrier {
-        position: absolute;
-        inset: 0;
-        pointer-events: none;
-      }
-      .dot::after {
-        content: "";
-        position: absolute;
-        left: 50%;
-        top: 50%;
-        width: 20px;
-        height: 20px;
-        margin: -10px;
-        border-radius: 50%;
-        border: 2px solid var(--hand);
-        background: #ffffff26;
-        box-shadow: 0 0 0 2px #000;
-      }
-      .dot.air::after {
-        border-color: var(--air);
-        background: #ff5a4540;
-      }
-      .side {
-        position: absolute;
-        top: 50%;
-        margin-top: -7px;
-        font-size: 10px;
-        line-height: 14px;
-        color: var(--faint);
-        background: #000;
-        padding: 0 3px;
-        pointer-events: none;
-      }
-      .tilt {
-        position: relative;
-        height: 22px;
-        margin: 0 12px;
-        touch-action: none;
-        cursor: ew-resize;
-      }
-      .tilt::before {
-        content: "";
-        position: absolute;
-        left: -12px;
-        right: -12px;
-        top: 8px;
-        height: 6px;
-        border-radius: 3px;
-        background: linear-gradient(var(--edge), var(--edge)) 50% 0 / 1px 100% no-repeat, #000;
-        border: 1px solid var(--line);
-      }
-      .knob::after {
-        content: "";
-        position: absolute;
-        left: 50%;
-        top: 3px;
-        width: 16px;
-        height: 16px;
-        margin-left: -8px;
-        border-radius: 4px;
-        border: 1px solid #000;
-        background: linear-gradient(90deg, #565c64 0 40%, #c9ced4 40% 60%, #33383e 60%);
-      }
-      .read {
-        position: absolute;
-        left: 5px;
-        bottom: 3px;
-        font-size: 11px;
-        color: var(--dim);
-        pointer-events: none;
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
   override render() {
     const name = this.what === "head" ? "Head" : "Gaze";

@@ -41,6 +41,16 @@ it("draws only the newest wish for a canvas, and none for one that left the page
   expect(asked).toEqual(["sad"]);
 });
 
+it("hangs a picture that it has drawn before at once, without drawing it again", async () => {
+  const [asked, first, second, all] = [[] as string[], canvas(), canvas(), portraits()];
+  all.open(studio(asked));
+  all.ask(first.element, sitting("smile"));
+  await settle();
+  all.ask(second.element, sitting("smile"));
+  expect(second.drawn).toEqual([sitting("smile")]);
+  expect(asked).toEqual(["smile"]);
+});
+
 it("goes on after a picture that cannot be drawn", async () => {
   const [one, two, all] = [canvas(), canvas(), portraits()];
   const warn = console.warn;

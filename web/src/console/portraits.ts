@@ -9,15 +9,18 @@ export interface Sitting {
 /** The size of a thumbnail in pixels; sharp on a display of one and a half. */
 export const PICTURE = { width: 130, height: 120 } as const;
 
-/** Draws a sitting; may wait for its shapes to be loaded. Rejects when it cannot be drawn. */
+/** Draws a sitting as a picture of its own; may wait for its shapes to be loaded. Rejects when it cannot be drawn. */
 export type Studio = (sitting: Sitting) => Promise<CanvasImageSource>;
 
 /** Milliseconds between two pictures: the show goes first. */
 const PAUSE = 40;
+/** Pictures kept, so that a palette opens at once the second time. */
+const KEPT = 500;
 
 export class Portraits {
   readonly #waiting = new Map<HTMLCanvasElement, Sitting>();
   readonly #done = new WeakMap<HTMLCanvasElement, string>();
+  readonly #album = new Map<string, CanvasImageSource>();
   #studio: Studio | null = null;
   #working = false;
 
@@ -33,6 +36,12 @@ export class Portraits {
   ask(canvas: HTMLCanvasElement, sitting: Sitting): void {
     if (this.#done.get(canvas) === keyOf(sitting)) {
       this.#waiting.delete(canvas);
+      return;
+    }
+    const known = this.#album.get(keyOf(sitting));
+    if (known !== undefined) {
+      this.#waiting.delete(canvas);
+      this.#hang(canvas, sitting, known);
       return;
     }
     this.#waiting.set(canvas, sitting);
@@ -61,16 +70,27 @@ export class Portraits {
 
   async #draw(canvas: HTMLCanvasElement, sitting: Sitting, studio: Studio): Promise<void> {
     try {
-      const picture = await studio(sitting);
-      const context = canvas.getContext("2d");
-      if (context === null || this.#waiting.has(canvas)) return; // asked for something else meanwhile
-      context.clearRect(0, 0, canvas.width, canvas.height);
-      context.drawImage(picture, 0, 0, canvas.width, canvas.height);
-      canvas.dataset.drawn = keyOf(sitting);
-      this.#done.set(canvas, keyOf(sitting));
+      const picture = this.#album.get(keyOf(sitting)) ?? (await studio(sitting));
+      this.#keep(sitting, picture);
+      if (!this.#waiting.has(canvas)) this.#hang(canvas, sitting, picture); // else something newer is wished for
     } catch (error) {
       console.warn(`No portrait of ${keyOf(sitting)}:`, error); // the tile keeps its name, which is enough to play
     }
+  }
+
+  #keep(sitting: Sitting, picture: CanvasImageSource): void {
+    this.#album.set(keyOf(sitting), picture);
+    const [oldest] = this.#album.keys();
+    if (this.#album.size > KEPT && oldest !== undefined) this.#album.delete(oldest);
+  }
+
+  #hang(canvas: HTMLCanvasElement, sitting: Sitting, picture: CanvasImageSource): void {
+    const context = canvas.getContext("2d");
+    if (context === null) return;
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.drawImage(picture, 0, 0, canvas.width, canvas.height);
+    canvas.dataset.drawn = keyOf(sitting);
+    this.#done.set(canvas, keyOf(sitting));
   }
 }
 

@@ -1,0 +1,151 @@
+import { css } from "lit";
+
+export const style = css`
+  :host {
+    display: grid;
+    grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
+    gap: 8px;
+    padding: 8px;
+    min-height: 0;
+    min-width: 0;
+  }
+  header {
+    display: flex;
+    flex-wrap: wrap;
+    align-items: center;
+    gap: 4px 6px;
+    min-height: 26px;
+  }
+  h2 {
+    flex: 1;
+  }
+  .tabs {
+    display: flex;
+    gap: 2px;
+  }
+  .tabs button {
+    padding: 0 7px;
+    font-size: 12px;
+  }
+  .tabs button[aria-selected="true"] {
+    background: var(--raised);
+    color: var(--text);
+    border-color: var(--edge);
+  }
+  input {
+    font: inherit;
+    font-size: 12px;
+    width: 78px;
+    flex: 1 1 60px;
+    min-width: 0;
+    min-height: 26px;
+    padding: 0 8px;
+    color: var(--text);
+    background: #000;
+    border: 1px solid var(--line);
+    border-radius: 4px;
+    user-select: text;
+    -webkit-user-select: text;
+  }
+  input::placeholder {
+    color: var(--faint);
+  }
+  .tiles {
+    display: grid;
+    grid-template-columns: repeat(auto-fill, minmax(var(--tile, 72px), 1fr));
+    grid-auto-rows: max-content;
+    align-content: start;
+    align-items: start;
+    gap: 5px;
+    overflow: hidden auto;
+    min-height: 0;
+    padding: 2px;
+    margin: -2px;
+    scrollbar-width: thin;
+    scrollbar-color: var(--edge) transparent;
+    overscroll-behavior: contain;
+  }
+  .region {
+    grid-column: 1 / -1;
+    font-size: 10px;
+    letter-spacing: 0.12em;
+    text-transform: uppercase;
+    color: var(--faint);
+    padding-top: 2px;
+  }
+  .tile {
+    position: relative;
+    display: block;
+    width: 100%;
+    padding: 0;
+    overflow: hidden;
+    border: 2px solid var(--line);
+    border-radius: 5px;
+    background: #000;
+    color: var(--text);
+  }
+  .tile canvas {
+    display: block;
+    width: 100%;
+    aspect-ratio: 13 / 12;
+    pointer-events: none;
+  }
+  .tile .name {
+    display: grid;
+    place-content: center;
+    min-height: 19px;
+    padding: 1px 2px 3px;
+    font-size: 11.5px;
+    line-height: 12px;
+    text-align: center;
+    overflow-wrap: anywhere;
+    background: var(--raised);
+  }
+  .tile .key {
+    position: absolute;
+    left: 3px;
+    top: 3px;
+    min-width: 15px;
+    font-size: 10px;
+    line-height: 14px;
+    text-align: center;
+    border-radius: 3px;
+    background: #000c;
+    color: var(--text);
+  }
+  .tile .weight {
+    position: absolute;
+    left: 0;
+    right: 0;
+    bottom: 0;
+    height: 3px;
+    transform-origin: left;
+    transform: scaleX(0);
+    background: var(--air);
+  }
+  .tile:active {
+    border-color: var(--hand);
+  }
+  .tile.air {
+    border-color: var(--air);
+  }
+  .tile.air .name {
+    color: #fff;
+    background: var(--air-deep);
+  }
+  .tile.coming {
+    border-color: var(--coming);
+  }
+  .tile.coming .name {
+    color: #fff;
+    background: var(--coming-deep);
+  }
+  .tile.coming .weight {
+    background: var(--coming);
+  }
+  .none {
+    grid-column: 1 / -1;
+    color: var(--faint);
+    padding: 12px 4px;
+  }
+`;
