@@ -54,6 +54,21 @@ def test_a_walk_from_anywhere_finds_the_point(strip: tuple[Strip, np.ndarray, np
     assert np.allclose((landing.weights * heights[landing.triangles]).sum(axis=1), h, atol=1e-9)
 
 
+def test_following_a_leader_finds_the_same_points(strip: tuple[Strip, np.ndarray, np.ndarray]) -> None:
+    walked, corners, _ = strip
+    rng = np.random.default_rng(5)
+    theta, h = rng.uniform(-20, 20, 2000), rng.uniform(-0.2, HEIGHT + 0.2, 2000)
+    start = rng.integers(0, len(corners), 2000).astype(np.int32)
+    leaders = (rng.integers(0, 2000, 2000) % np.maximum(np.arange(2000), 1)).astype(np.int32)
+    leaders[rng.random(2000) < 0.1] = -1
+    leaders[0] = -1
+    alone, led = walked.locate(theta, h, start), walked.locate(theta, h, start, leaders=leaders)
+    assert np.array_equal(led.inside, alone.inside)
+    assert 0 < alone.inside.sum() < 2000
+    assert np.array_equal(led.triangles, alone.triangles)
+    assert np.allclose(led.weights, alone.weights, atol=1e-9)
+
+
 def test_a_point_beyond_the_rim_is_said_to_be_outside_and_its_weights_stay_small(
     strip: tuple[Strip, np.ndarray, np.ndarray],
 ) -> None:

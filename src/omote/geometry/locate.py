@@ -56,11 +56,15 @@ class Strip:
         frames = np.stack([theta[:, 0], h[:, 0], vy / det, -vx / det, -uy / det, ux / det, theta.mean(axis=1)], axis=1)
         return Strip(np.ascontiguousarray(frames), np.ascontiguousarray(neighbours))
 
-    def locate(self, theta: Values, h: Values, start: Indices, /) -> Landing:
-        """The triangles that hold the points (theta, h) (N,), walking from the triangles start (N,)."""
+    def locate(self, theta: Values, h: Values, start: Indices, /, *, leaders: Indices | None = None) -> Landing:
+        """The triangles that hold the points (theta, h) (N,), walking from the triangles start (N,).
+
+        leaders (N,): an earlier point that comes down nearby, or -1; it shortens the walk.
+        """
         count = len(theta)
+        leaders = np.full(count, -1, np.int32) if leaders is None else leaders
         triangles, weights, inside = np.empty(count, np.int32), np.empty((count, 3)), np.empty(count, np.bool_)
-        walk_strip(self.frames, self.neighbours, theta, h, start, triangles, weights, inside)
+        walk_strip(self.frames, self.neighbours, theta, h, start, leaders, triangles, weights, inside)
         return Landing(triangles, weights, inside)
 
 
@@ -128,14 +132,22 @@ def _rein_in(weights: Values) -> None:
 
 @njit(cache=True)
 def walk_strip(
-    frames: Values, neighbours: Indices, theta: Values, h: Values, start: Indices,
+    frames: Values, neighbours: Indices, theta: Values, h: Values, start: Indices, leaders: Indices,
     triangles: Indices, weights: Values, inside: NDArray[np.bool_],
 ) -> None:  # fmt: skip
-    """Kernel of `Strip.locate`; writes triangles, weights and inside."""
+    """Kernel of `Strip.locate`; writes triangles, weights and inside.
+
+    A leader's triangle is tried before the start, so that a walk is as short on a fine mesh as on a coarse one; S has
+    one layer, so the point found is the same.
+    """
     b = np.empty(3)
     budget = 200 + 4 * int(np.sqrt(len(frames)))
     for i in range(len(theta)):
-        t, found = _walk_flat(frames, neighbours, theta[i], h[i], start[i], b, budget)
+        led = leaders[i] >= 0 and inside[leaders[i]]
+        first = triangles[leaders[i]] if led else start[i]
+        t, found = _walk_flat(frames, neighbours, theta[i], h[i], first, b, budget)
+        if led and not found:
+            t, found = _walk_flat(frames, neighbours, theta[i], h[i], start[i], b, budget)
         if t < 0:
             t = _scan_flat(frames, theta[i], h[i], b)
             found = t >= 0

@@ -9,7 +9,6 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from omote.geometry.locate import walk_strip
 from omote.model.cast import Cast
 from omote.model.expression import Expression
 from omote.model.space import ParameterSpace
@@ -33,6 +32,7 @@ class Fields:
         self._space = space
         self._sheet = np.flatnonzero(space.on_sheet).astype(np.int32)
         self._starts = space.fans.triangles[space.fans.starts[self._sheet]]
+        self._leaders = _leaders(space, self._sheet)
         self._corners = np.ascontiguousarray(space.location_triangles)
         self._places = space.theta[self._sheet], space.h[self._sheet]
         self._table = _table([_sheet_row(expression, self._sheet) for expression in expressions.values()])
@@ -47,13 +47,13 @@ class Fields:
         return self._located(field, residual)
 
     def _located(self, field: Floats, residual: Floats) -> Compiled:
-        count, space = len(self._sheet), self._space
-        triangles, landed, inside = np.empty(count, np.int32), np.empty((count, 3)), np.empty(count, np.bool_)
+        space = self._space
         theta, h = self._places[0] + field[0], self._places[1] + field[1]
-        walk_strip(space.strip.frames, space.strip.neighbours, theta, h, self._starts, triangles, landed, inside)
+        landing = space.strip.locate(theta, h, self._starts, leaders=self._leaders)
         indices, weights = np.empty((space.vertex_count, 3), np.int32), np.empty((space.vertex_count, 3), np.float32)
         ratios, ended = np.empty(space.vertex_count, np.float32), np.empty(space.vertex_count, np.bool_)
-        _spread(self._sheet, self._corners, triangles, landed, inside, field[2], indices, weights, ratios, ended)
+        landed = landing.triangles, landing.weights, landing.inside
+        _spread(self._sheet, self._corners, *landed, field[2], indices, weights, ratios, ended)
         return Compiled(indices, weights, ratios, residual, {}, ended)
 
 
@@ -65,6 +65,18 @@ def fields_of(cast: Cast) -> Fields:
     if cast not in _of_cast:
         _of_cast[cast] = Fields(cast.space, cast.expressions)
     return _of_cast[cast]
+
+
+def _leaders(space: ParameterSpace, sheet: NDArray[np.int32]) -> NDArray[np.int32]:
+    """For each vertex of the sheet a neighbour that comes before it, or -1: neighbours come down near each other."""
+    row = np.full(space.vertex_count, -1, np.int32)
+    row[sheet] = np.arange(len(sheet), dtype=np.int32)
+    corners = row[space.skin_triangles]
+    ends = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
+    late, early = ends.max(axis=1), ends.min(axis=1)
+    leaders = np.full(len(sheet), -1, np.int32)
+    np.maximum.at(leaders, late[early >= 0], early[early >= 0])
+    return leaders
 
 
 def _sheet_row(expression: Expression, sheet: NDArray[np.int32]) -> NDArray[np.float64]:
