@@ -1,8 +1,9 @@
 """The show never stops: `kill -9` of the server in the middle of a fade, and what a stage sees of it.
 
 Starts `omote show` as a user does, follows it as a browser does (a link that is tried again every 50 ms), and kills the
-server at random moments of a fade. Printed: the blackout from the kill to the next state that a stage receives, the age
-of the state that came back, and how far its weights are from where the fade should be. `--kills N` for another count.
+server at random moments of a fade. Printed: the blackout from the kill to the next state that a stage receives, and the
+age of the state that came back: how much older it is than the last that the stage had seen. `--kills N` for another
+count.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ FACES = ("old", "child", "round", "kaori")
 
 @dataclass(frozen=True)
 class Recovery:
-    """One kill: seconds of blackout, seconds of show that were lost, whether it was the fade that went on."""
+    """One kill: seconds of blackout, seconds that the show went back, whether it was the fade that went on."""
 
     blackout: float
     age: float
@@ -101,15 +102,14 @@ async def kill_once(
     begun = time.monotonic()
     while time.monotonic() - begun < wait or state.face_call is None:
         state = await follower.state(http)
-    called, reached, received = state.face_call.target, state.time, follower.received
+    called, seen = state.face_call.target, state.time
     killed = time.monotonic()
     os.kill(server_of(supervisor), signal.SIGKILL)
     while state.epoch == (first := await follower.state(http)).epoch:
-        reached, received = first.time, follower.received
-    on_air = reached + max(0.0, killed - received)
+        seen = first.time
     came_back = first.time - (first.number - 1) / STATE_RATE
     same = first.face_call is not None and first.face_call.target == called
-    return Recovery(follower.received - killed, on_air - came_back, same)
+    return Recovery(follower.received - killed, seen - came_back, same)
 
 
 async def measure(url: str, supervisor: int, kills: int) -> list[Recovery]:

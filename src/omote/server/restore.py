@@ -33,17 +33,14 @@ def open_journal(path: Path, report: Report) -> ShowFile | None:
 
 def restore(cast: Cast, show: ShowFile | None, order: Order, report: Report) -> ShowSession:
     """The session of the journal's last state, under a new epoch; a neutral one when none can be played."""
-    entry = show.journal() if show else JournalEntry(0, 0.0, None)
-    epoch = next_epoch(entry.epoch, order.epoch)
-    session = None if order.neutral else _played_on(cast, entry, epoch, report)
-    if session is None:
-        session = ShowSession(cast, Performer(cast), epoch=epoch)
-        if show and entry.snapshot is not None:
-            show.set_aside(
-                entry, "the servers that started from it died" if order.neutral else "it could not be played"
-            )
-    if show:
-        show.write_journal(journal_entry(session))
+    last = _last_entry(show, report)
+    epoch = next_epoch(last.epoch, order.epoch)
+    session = None if order.neutral else _played_on(cast, last, epoch, report)
+    if session is not None:
+        _record(show, session, None, report)
+        return session
+    session = ShowSession(cast, Performer(cast), epoch=epoch)
+    _record(show, session, last, report)
     return session
 
 
@@ -65,15 +62,13 @@ def _last_entry(show: ShowFile | None, report: Report) -> JournalEntry:
         return JournalEntry(0, 0.0, None)
 
 
-def _record(
-    show: ShowFile | None, session: ShowSession, last: JournalEntry, reason: str | None, report: Report
-) -> None:
-    """Puts the new epoch into the journal, and the last state aside where there is a reason."""
+def _record(show: ShowFile | None, session: ShowSession, aside: JournalEntry | None, report: Report) -> None:
+    """Puts the new epoch into the journal, and a last state that is not played on aside."""
     if show is None:
         return
     try:
-        if reason is not None:
-            show.set_aside(last, reason)
+        if aside is not None:
+            show.set_aside(aside, "not played on: it could not be, or the servers that started from it died")
         show.write_journal(journal_entry(session))
     except sqlite3.Error as error:
         report(f"the journal cannot be written ({error}); the show goes on.")

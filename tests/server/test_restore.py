@@ -1,0 +1,145 @@
+"""Whatever the show file holds, the show starts."""
+
+import sqlite3
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import msgspec
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from omote.files.showfile import SCHEMA_VERSION, JournalEntry, ShowFile, open_show
+from omote.model.cast import Cast
+from omote.perform.performer import Performer
+from omote.server.orders import Order
+from omote.server.restore import journal_entry, next_epoch, open_journal, restore
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+
+ORDER = Order(epoch=1, neutral=False)
+
+
+@dataclass
+class Terminal:
+    """Keeps what is said."""
+
+    said: list[str] = field(default_factory=list)
+
+    def __call__(self, sentence: str) -> None:
+        self.said.append(sentence)
+
+
+@pytest.fixture
+def report() -> Terminal:
+    """An operator's terminal."""
+    return Terminal()
+
+
+def kept(path: Path, cast: Cast) -> ShowFile:
+    """A show file whose journal says that the mouth is open."""
+    session = ShowSession(cast, Performer(cast), epoch=5)
+    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
+    session.receive("a", wire.SetChannel("jawOpen", 0.5), 0.0)
+    show = open_show(path)
+    show.write_journal(journal_entry(session))
+    return show
+
+
+def test_a_show_goes_on_under_a_higher_epoch(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = kept(tmp_path / "a.omote", cast)
+    session = restore(cast, show, ORDER, report)
+    assert session.tick(0.0).channels == {"jawOpen": 0.5}
+    assert session.epoch > 5
+    assert show.journal().epoch == session.epoch
+    assert restore(cast, show, ORDER, report).epoch > session.epoch
+    assert report.said == []
+    show.close()
+
+
+def test_a_new_file_starts_neutral(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = open_show(tmp_path / "a.omote")
+    session = restore(cast, show, ORDER, report)
+    assert session.tick(0.0).faces == {"generic": 1.0}
+    assert show.journal().epoch == session.epoch
+    assert report.said == []
+    show.close()
+
+
+def test_a_blamed_state_is_kept_aside(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = kept(tmp_path / "a.omote", cast)
+    snapshot = show.journal().snapshot
+    session = restore(cast, show, Order(epoch=1, neutral=True), report)
+    assert session.tick(0.0).channels == {}
+    assert aside(tmp_path / "a.omote") == [(5, snapshot)]
+    show.close()
+
+
+@given(snapshot=st.binary(max_size=60))
+@settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_a_state_that_is_none_is_kept_aside_and_said(tmp_path: Path, cast: Cast, snapshot: bytes) -> None:
+    (tmp_path / "a.omote").unlink(missing_ok=True)
+    report, show = Terminal(), open_show(tmp_path / "a.omote")
+    show.write_journal(JournalEntry(9, 0.0, snapshot))
+    session = restore(cast, show, ORDER, report)
+    assert session.tick(0.0).faces == {"generic": 1.0}
+    assert session.epoch > 9
+    assert len(report.said) == 1
+    assert "starts neutral" in report.said[0]
+    assert aside(tmp_path / "a.omote") == [(9, snapshot)]
+    show.close()
+
+
+def test_a_face_that_is_gone_from_the_cast_does_not_stop_the_show(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    session = ShowSession(cast, Performer(cast))
+    session.performer.call_face("broad", seconds=1.0)
+    session.tick(0.0)
+    data = msgspec.msgpack.encode(session.snapshot()).replace(b"broad", b"cause")
+    show = open_show(tmp_path / "a.omote")
+    show.write_journal(JournalEntry(1, 0.0, data))
+    assert restore(cast, show, ORDER, report).tick(0.0).faces == {"generic": 1.0}
+    assert "'cause'" in report.said[0]
+    show.close()
+
+
+def test_a_corrupt_file_is_kept_and_a_new_one_made(tmp_path: Path, report: Terminal) -> None:
+    (tmp_path / "a.omote").write_bytes(b"not a database" * 100)
+    show = open_journal(tmp_path / "a.omote", report)
+    assert show is not None
+    assert (tmp_path / "a.omote.corrupt-1").read_bytes() == b"not a database" * 100
+    assert str(tmp_path / "a.omote.corrupt-1") in report.said[0]
+    show.close()
+
+
+def test_a_file_of_a_newer_version_is_left_alone(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    open_show(tmp_path / "a.omote").close()
+    connection = sqlite3.connect(tmp_path / "a.omote")
+    connection.execute(f"PRAGMA user_version = {SCHEMA_VERSION + 1}")
+    connection.close()
+    before = (tmp_path / "a.omote").read_bytes()
+    assert open_journal(tmp_path / "a.omote", report) is None
+    assert "without a journal" in report.said[0]
+    assert (tmp_path / "a.omote").read_bytes() == before
+    assert restore(cast, None, ORDER, report).tick(0.0).number == 1
+
+
+def test_a_disk_that_fails_at_the_start_does_not_stop_the_show(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = kept(tmp_path / "a.omote", cast)
+    show.close()  # every use of it fails from here on
+    assert restore(cast, show, ORDER, report).tick(0.0).faces == {"generic": 1.0}
+    assert [word in said for word, said in zip(("read", "written"), report.said, strict=True)] == [True, True]
+
+
+@given(journal=st.integers(0, 2**52), order=st.integers(0, 2**52))
+def test_an_epoch_is_above_all_before_it(journal: int, order: int) -> None:
+    assert next_epoch(journal, order) > journal
+    assert next_epoch(journal, order) >= order
+    assert next_epoch(0, 0) > 1_700_000_000  # above the epochs of other files, by the calendar
+
+
+def aside(path: Path) -> list[tuple[int, bytes]]:
+    """What is kept aside in a show file."""
+    connection = sqlite3.connect(path)
+    rows: list[tuple[int, bytes]] = connection.execute("SELECT epoch, snapshot FROM journal_aside").fetchall()
+    connection.close()
+    return rows
