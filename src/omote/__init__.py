@@ -36,7 +36,7 @@ _HOMES = {
     "load_cast": "omote.builtin",
 }
 
-__all__ = [*_HOMES]  # noqa: PLE0604 - the names are the table's keys
+__all__ = [*_HOMES]
 
 
 def __getattr__(name: str) -> Any:
