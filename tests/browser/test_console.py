@@ -369,6 +369,23 @@ def test_the_keyboard_calls_chooses_times_and_reaches_the_controls(console: Cons
     expect(page.get_by_role("dialog", name="Keys")).to_have_count(0)
 
 
+def test_arrows_walk_a_palette_and_units_have_their_keys_in_the_order_shown(console: Console) -> None:
+    page = console()
+    page.get_by_role("tab", name="MakeHuman").click()
+    shown = page.locator(".expressions .tile")
+    names = shown.evaluate_all("all => all.map((one) => one.dataset.name)")
+    assert names[0].startswith("eyebrows")
+    expect(shown.nth(1).locator(".key")).to_have_text("W")
+    page.keyboard.press("w")
+    wait_for(page, f"state.expressions['{names[1]}'] === 1")
+    shown.first.focus()
+    page.keyboard.press("ArrowRight")
+    expect(shown.nth(1)).to_be_focused()
+    page.keyboard.press("ArrowLeft")
+    page.keyboard.press("Enter")
+    wait_for(page, f"state.expressions['{names[0]}'] === 1")
+
+
 def test_keys_in_a_field_for_text_call_nobody(console: Console) -> None:
     page = console()
     page.keyboard.press("/")
@@ -515,3 +532,32 @@ def test_a_lost_link_is_seen_nothing_is_pretended_and_it_comes_back(open_page: O
     expect(page.locator(".item.link")).to_contain_text("live")
     drag(page, fader(page, "jawOpen"), (0.5, 0.75), (0.5, 0.5))
     wait_for(page, "state.channels.jawOpen > 0.4")
+
+
+def test_a_server_with_another_cast_reloads_the_page(open_page: OpenPage, console: Console) -> None:
+    console()
+    page = open_page("/console")
+    other = [False]
+    links: list[WebSocketRoute] = []
+
+    def carry(link: WebSocketRoute) -> None:
+        server = link.connect_to_server()
+        links.append(link)
+
+        def pass_on(data: bytes | str) -> None:
+            assert isinstance(data, bytes)
+            message = msgspec.msgpack.decode(data)
+            if other[0] and message["type"] == "welcome":
+                other[0] = False
+                message["digest"] = "another"
+            link.send(msgspec.msgpack.encode(message))
+
+        server.on_message(pass_on)
+
+    page.route_web_socket("**/link", carry)
+    page.reload()
+    wait_for(page, "desk.online && desk.faces.length > 0")
+    other[0] = True
+    with page.expect_event("load"):
+        links[-1].close()
+    wait_for(page, "desk.online && desk.faces.length > 0")
