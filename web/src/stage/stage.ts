@@ -1,16 +1,17 @@
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
-import type { State, Welcome } from "../link/messages";
+import { STATE_RATE, type State, type Welcome } from "../link/messages";
 import { Link } from "../link/socket";
 import { Breath } from "./breath";
 import { FaceView } from "./face_view";
+import { Lateness } from "./lateness";
 import type { StageParameters } from "./parameters";
 import type { Pose } from "./pose";
 import { Rate } from "./rate";
 import { Timeline } from "./timeline";
 
-/** Seconds behind the server: one and a half state intervals, so that there is a state on either side of a frame. */
-const DELAY = 0.025;
+/** Seconds behind the server at most; a stage alone draws as soon as there is a state on either side of its frame. */
+const LONGEST_DELAY = 0.06;
 /** On a wall every tile draws the state of one common instant; the slowest of them must have it by then. */
 const WALL_DELAY = 0.06;
 /** Seconds of silence after which the face breathes by itself. */
@@ -31,9 +32,9 @@ export interface Counters {
 export class Stage {
   private readonly timeline = new Timeline();
   private readonly breath = new Breath();
+  private readonly lateness = new Lateness(1 / STATE_RATE, LONGEST_DELAY);
   private readonly rate = new Rate();
   private readonly link: Link;
-  private readonly delay: number;
   private state: State | undefined;
   private last = now();
   private reported = 0;
@@ -50,7 +51,6 @@ export class Stage {
     public view: FaceView,
     private readonly parameters: StageParameters,
   ) {
-    this.delay = parameters.tile === undefined ? DELAY : WALL_DELAY;
     this.link = new Link("stage", {
       state: (state) => this.receive(state),
       welcome: (welcome) => void this.greet(welcome),
@@ -89,7 +89,8 @@ export class Stage {
   }
 
   private live(time: number): Pose | undefined {
-    const pose = this.timeline.at((this.link.clock.at(time) ?? 0) - this.delay, time);
+    const delay = this.parameters.tile === undefined ? this.lateness.after(time - this.last) : WALL_DELAY;
+    const pose = this.timeline.at((this.link.clock.at(time) ?? 0) - delay, time);
     const alone = this.timeline.silence(time) > ALONE;
     return pose && this.breath.on(pose, alone, time - this.last);
   }
@@ -97,7 +98,9 @@ export class Stage {
   private receive(state: State): void {
     this.received += 1;
     this.state = state;
-    this.timeline.push(state, now());
+    const time = now();
+    this.timeline.push(state, time);
+    this.lateness.arrived((this.link.clock.at(time) ?? state.time) - state.time);
   }
 
   /** Another cast than ours: takes it over without a new page. */
