@@ -1,7 +1,9 @@
 """A standby whose servers play the synthetic cast, as a supervisor starts it."""
 
+import os
 import sys
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,6 +13,7 @@ from omote.server.bundle import Page
 from omote.server.child import Material
 from omote.server.library import Library
 from omote.server.standby import main
+from omote.show.session import ShowSession
 from tests import synthetic
 
 MASK = b"\x89PNG\r\n\x1a\n"
@@ -35,5 +38,13 @@ def material() -> Material:
     return Material(Library(cast, meshes(cast), MASK), PAGES)
 
 
+def poisoned(*_: object) -> ShowSession:
+    """Kills whoever restores a state."""
+    raise ArithmeticError("the state is poisoned")
+
+
 if __name__ == "__main__":
+    if os.environ.get("SYNTHETIC_POISON"):
+        ShowSession.restored = poisoned  # type: ignore[method-assign, assignment]
+        msgspec.msgpack.decode = lambda *_, **__: None  # type: ignore[assignment]
     sys.exit(main(load=material))

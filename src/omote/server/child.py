@@ -18,7 +18,7 @@ from omote.server.bundle import Page, read_bundle
 from omote.server.journal import JournalWriter
 from omote.server.library import Library, built_in
 from omote.server.orders import Order
-from omote.server.restore import open_journal, restore
+from omote.server.restore import journal_entry, open_journal, restore
 from omote.server.security import own_names
 
 
@@ -75,6 +75,7 @@ async def play(material: Material, order: Order, *, show: Path, pipes: Pipes) ->
         await runner.cleanup()
         material.library.close()
         if journal:
+            journal.offer(journal_entry(server.session))
             journal.close()
 
 

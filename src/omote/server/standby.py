@@ -8,12 +8,14 @@ loop, so that copies are whole. It lives as long as its supervisor, and each ser
 from __future__ import annotations
 
 import argparse
+import contextlib
 import gc
 import os
 import select
 import signal
 import socket
 import sys
+import time
 import traceback
 from collections.abc import Callable
 from pathlib import Path
@@ -24,6 +26,9 @@ from omote.server.library import Library
 from omote.server.orders import Ended, Order, Ready, Started, take_order, tell
 from omote.show.assets import compound_asset
 from omote.show.messages import STATE_RATE
+
+END_SECONDS = 3.0
+"""How long servers may take to end when their supervisor is gone."""
 
 Start = Callable[[Order, int, int], int]
 
@@ -63,23 +68,40 @@ def warm(library: Library) -> None:
 def obey(line: socket.socket, start: Start) -> None:
     """Starts a server for each order and reports each that ended, until the supervisor is gone."""
     wake, woken = os.pipe()
+    os.set_blocking(wake, False)
     os.set_blocking(woken, False)
     signal.set_wakeup_fd(woken)
     signal.signal(signal.SIGCHLD, lambda *_: None)
+    servers: set[int] = set()
     while True:
         readable = select.select([line.fileno(), wake], [], [])[0]
         if wake in readable:
             os.read(wake, 4096)
             for ended in gone():
+                servers.discard(ended.pid)
                 tell(line, ended)
         if line.fileno() in readable:
             taken = take_order(line)
             if taken is None:
-                return
+                return see_out(servers, wake)
             order, control, pulse = taken
-            tell(line, Started(start(order, control, pulse)))
+            pid = start(order, control, pulse)
+            servers.add(pid)
+            tell(line, Started(pid))
             os.close(control)
             os.close(pulse)
+
+
+def see_out(servers: set[int], wake: int) -> None:
+    """Waits until servers whose supervisor is gone have ended, and kills those that do not."""
+    deadline = time.monotonic() + END_SECONDS
+    while (servers := servers - {ended.pid for ended in gone()}) and (left := deadline - time.monotonic()) > 0:
+        select.select([wake], [], [], left)
+        with contextlib.suppress(BlockingIOError):
+            os.read(wake, 4096)
+    for pid in servers:
+        os.kill(pid, signal.SIGKILL)
+        os.waitpid(pid, 0)
 
 
 def fork(line: socket.socket, play: Callable[[], None]) -> int:

@@ -228,7 +228,7 @@ class Supervisor:
         if self._standby is not None:
             self._standby.line.close()
             try:
-                self._standby.process.wait(END_SECONDS)
+                self._standby.process.wait(2 * END_SECONDS)  # it sees its servers out
             except subprocess.TimeoutExpired:
                 self._standby.process.kill()
                 self._standby.process.wait()

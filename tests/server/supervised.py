@@ -1,0 +1,36 @@
+"""A supervisor that plays the synthetic cast from the show file named by its argument."""
+
+import os
+import sys
+from pathlib import Path
+
+from omote.server.lock import lock_show
+from omote.server.supervisor import Supervisor, listen_on
+
+PROGRAM = (sys.executable, "-m", "tests.server.synthetic_server")
+
+
+def say(sentence: str) -> None:
+    """Tells the test."""
+    sys.stdout.write(sentence + "\n")
+    sys.stdout.flush()
+
+
+def main(path: Path) -> int:
+    """Plays until a signal comes."""
+    listening = listen_on("127.0.0.1", 0)
+    port = listening.getsockname()[1]
+    supervisor = Supervisor(
+        listening,
+        lock_show(path),
+        path,
+        report=say,
+        opened=lambda: say(f"http://127.0.0.1:{port}"),
+        program=PROGRAM,
+    )
+    return supervisor.run()
+
+
+if __name__ == "__main__":
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    sys.exit(main(Path(sys.argv[1])))

@@ -1,0 +1,185 @@
+"""The commands, as they are typed."""
+
+import json
+import signal
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from omote import cli
+from omote.cli import announce, app, has_screen
+from omote.model.cast import Cast
+from omote.server.lock import lock_show
+from omote.server.supervisor import Supervisor
+
+runner = CliRunner()
+HEAVY = ("numpy", "numba", "aiohttp", "scipy", "rich.console")
+
+
+@pytest.fixture
+def small_cast(cast: Cast, monkeypatch: pytest.MonkeyPatch) -> Cast:
+    """The synthetic cast in place of the built-in one."""
+    monkeypatch.setattr("omote.builtin.load_cast", lambda: cast)
+    return cast
+
+
+@pytest.fixture
+def no_show(monkeypatch: pytest.MonkeyPatch) -> list[Supervisor]:
+    """Supervisors that are made but do not run."""
+    made: list[Supervisor] = []
+
+    def run(supervisor: Supervisor) -> int:
+        made.append(supervisor)
+        supervisor._opened()
+        supervisor._listen.close()
+        return 0
+
+    monkeypatch.setattr(Supervisor, "run", run)
+    return made
+
+
+def test_help_is_quick_because_nothing_heavy_is_imported() -> None:
+    code = f"import sys, omote.cli; print([name for name in {HEAVY!r} if name in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_help_names_the_commands() -> None:
+    done = runner.invoke(app, ["--help"])
+    assert done.exit_code == 0
+    for name in ("show", "cast", "check"):
+        assert name in done.output
+
+
+def test_the_cast_for_people_names_everybody(small_cast: Cast) -> None:
+    done = runner.invoke(app, ["cast"])
+    assert done.exit_code == 0
+    assert all(name in done.output for name in (*small_cast.faces, "jawOpen", "smile"))
+    assert "3 faces" in done.output
+
+
+def test_the_cast_for_programs_is_json(small_cast: Cast) -> None:
+    document = json.loads(runner.invoke(app, ["cast", "--json"]).output)
+    assert document["digest"] == small_cast.digest
+    assert [face["name"] for face in document["faces"]] == list(small_cast.faces)
+    assert [each["name"] for each in document["expressions"]] == list(small_cast.expressions)
+    assert set(document["expressions"][0]) == {"name", "kind", "region"}
+
+
+@pytest.mark.parametrize("arguments", [["cast"], ["cast", "--json"]])
+def test_a_missing_cast_is_one_sentence(monkeypatch: pytest.MonkeyPatch, arguments: list[str]) -> None:
+    def missing() -> None:
+        raise FileNotFoundError("the built-in cast is missing: run `make bake`")
+
+    monkeypatch.setattr("omote.builtin.load_cast", missing)
+    done = runner.invoke(app, arguments)
+    assert done.exit_code == 1
+    assert done.stderr == "omote: the built-in cast is missing: run `make bake`\n"
+
+
+@pytest.mark.parametrize(("verdicts", "code"), [([(True, "a"), (True, "b")], 0), ([(True, "a"), (False, "b")], 1)])
+def test_check_passes_when_all_is_good(
+    monkeypatch: pytest.MonkeyPatch, verdicts: list[tuple[bool, str]], code: int
+) -> None:
+    monkeypatch.setattr("omote.server.check.checked", lambda: iter(verdicts))
+    done = runner.invoke(app, ["check"])
+    assert done.exit_code == code
+    assert ("BAD   b" in done.output) == (code == 1)
+    assert ("cannot play" in done.stderr) == (code == 1)
+
+
+def test_show_says_where_to_look(tmp_path: Path, no_show: list[Supervisor]) -> None:
+    done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
+    assert done.exit_code == 0
+    assert len(no_show) == 1
+    assert "/stage" in done.output
+    assert "/console" in done.output
+    assert (tmp_path / "a.omote").exists()
+
+
+def test_without_a_file_the_show_is_kept_in_the_state_directory(
+    tmp_path: Path, no_show: list[Supervisor], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    assert runner.invoke(app, ["show", "--port", "0", "--no-open"]).exit_code == 0
+    assert len(no_show) == 1
+    assert (tmp_path / "omote" / "show.omote").exists()
+
+
+@pytest.mark.usefixtures("no_show")
+def test_a_port_in_use_is_one_sentence(tmp_path: Path) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = str(taken.getsockname()[1])
+        done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", port, "--no-open"])
+    assert done.exit_code == 1
+    assert done.stderr.startswith(f"omote: port {port} on 127.0.0.1 cannot be opened")
+    assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.usefixtures("no_show")
+def test_a_show_that_is_played_already_is_one_sentence(tmp_path: Path) -> None:
+    lock_show(tmp_path / "a.omote")
+    done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
+    assert done.exit_code == 1
+    assert "another Omote plays" in done.stderr
+
+
+@pytest.mark.usefixtures("no_show")
+def test_a_corrupt_show_file_does_not_keep_the_show_from_opening(tmp_path: Path) -> None:
+    (tmp_path / "a.omote").write_bytes(b"noise" * 1000)
+    assert runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"]).exit_code == 0
+
+
+@pytest.mark.usefixtures("no_show")
+def test_pages_that_are_not_built_are_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing() -> None:
+        raise FileNotFoundError("the pages are not built: run `make web`.")
+
+    monkeypatch.setattr("omote.server.bundle.read_bundle", missing)
+    done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
+    assert (done.exit_code, done.stderr) == (1, "omote: the pages are not built: run `make web`.\n")
+
+
+def test_on_windows_it_says_where_it_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("omote.cli.sys.platform", "win32")
+    done = runner.invoke(app, ["show"])
+    assert done.exit_code == 1
+    assert "WSL" in done.stderr
+
+
+@pytest.mark.parametrize(("host", "warned"), [("127.0.0.1", False), ("localhost", False), ("0.0.0.0", True)])
+def test_off_loopback_it_warns(capsys: pytest.CaptureFixture[str], host: str, warned: bool) -> None:
+    announce(host, 8090, browser=False)
+    assert ("everybody on this network can play" in capsys.readouterr().err) is warned
+
+
+@pytest.mark.parametrize("screen", [True, False])
+def test_a_browser_opens_where_there_is_a_screen(monkeypatch: pytest.MonkeyPatch, screen: bool) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr(cli, "has_screen", lambda: screen)
+    monkeypatch.setattr("omote.cli.webbrowser.open", opened.append)
+    announce("127.0.0.1", 8090, browser=True)
+    assert opened == (["http://127.0.0.1:8090/stage", "http://127.0.0.1:8090/console"] if screen else [])
+
+
+def test_a_screen_is_known_by_its_display(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("omote.cli.sys.platform", "linux")
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    assert not has_screen()
+    monkeypatch.setenv("WAYLAND_DISPLAY", "wayland-0")
+    assert has_screen()
+
+
+def test_the_real_show_opens_and_ends(tmp_path: Path) -> None:
+    command = [sys.executable, "-c", "from omote.cli import main; main()", "show", str(tmp_path / "a.omote")]
+    show = subprocess.Popen([*command, "--port", "0", "--no-open"], stdout=subprocess.PIPE, text=True)
+    assert show.stdout is not None
+    with show.stdout as said:
+        assert "/stage" in said.readline()
+        show.send_signal(signal.SIGINT)
+        assert show.wait(60.0) == 0
