@@ -17,12 +17,17 @@ COMMANDS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stab
 MAC_APPLICATION = Path("/Applications/Google Chrome.app/Contents/MacOS/Google Chrome")
 DOWNLOADED = ("chromium-*/chrome-linux*/chrome", "chromium-*/chrome-mac*/*.app/Contents/MacOS/*")
 
-# Without the last three Chromium falls back to a renderer that is three times slower.
-DEBIAN_RENDERER = ("libegl1", "libegl-mesa0", "libgl1-mesa-dri")
+# Libraries that a bare Debian lacks, and their packages. Without EGL Chromium falls back to a renderer that is three
+# times slower; Playwright's driver does not start without atomic.
+DEBIAN_LIBRARIES = {"EGL": ("libegl1", "libegl-mesa0", "libgl1-mesa-dri"), "atomic": ("libatomic1",)}
+DEBIAN = ("chromium", *(package for packages in DEBIAN_LIBRARIES.values() for package in packages))
 SENTENCE = (
     "No browser for the browser tests: none is installed and none could be fetched. Install Chromium "
-    "(Debian, Ubuntu: sudo apt-get install chromium " + " ".join(DEBIAN_RENDERER) + ") "
+    "(Debian, Ubuntu: sudo apt-get install " + " ".join(DEBIAN) + ") "
     "or set OMOTE_BROWSER to the path of a Chromium or Chrome, then run the command again."
+)
+NO_DRIVER = (
+    "Playwright, which drives the browser, does not start ({}); on Debian, Ubuntu: sudo apt-get install libatomic1"
 )
 
 
@@ -67,17 +72,35 @@ def install_playwright() -> bool:
     return subprocess.run(command, env=environment, check=False).returncode == 0
 
 
+def missing_libraries() -> list[str]:
+    """The Debian packages of libraries that are not here."""
+    return [name for library, names in DEBIAN_LIBRARIES.items() if find_library(library) is None for name in names]
+
+
 def provide_browser() -> Path | None:
     """A browser, installed where none was; None where that was not possible."""
     browser = find_browser()
-    if browser is None and can_use_apt():
-        install_debian("chromium", *DEBIAN_RENDERER)
+    wanted = [*(["chromium"] if browser is None else []), *missing_libraries()]
+    if wanted and can_use_apt():
+        install_debian(*wanted)
         browser = find_browser()
-    elif browser is not None and can_use_apt() and find_library("EGL") is None:
-        install_debian(*DEBIAN_RENDERER)
     if browser is None and install_playwright():
         browser = find_browser()
     return browser
+
+
+def driver_trouble() -> str | None:
+    """Why Playwright's driver does not start, in its own words; None where it does."""
+    run = subprocess.run([sys.executable, "-m", "playwright", "--version"], capture_output=True, text=True, check=False)
+    return None if run.returncode == 0 else (run.stderr.strip().splitlines() or ["no reason given"])[-1]
+
+
+def refusal(browser: Path | None) -> str | None:
+    """The sentence that says what is missing; None where the tests can run."""
+    if browser is None:
+        return SENTENCE
+    trouble = driver_trouble()
+    return None if trouble is None else NO_DRIVER.format(trouble)
 
 
 def main() -> int:
@@ -87,11 +110,9 @@ def main() -> int:
     except FileNotFoundError as error:
         print(error, file=sys.stderr)
         return 1
-    if browser is None:
-        print(SENTENCE, file=sys.stderr)
-        return 1
-    print(f"  browser for the tests: {browser}")
-    return 0
+    refused = refusal(browser)
+    print(refused or f"  browser for the tests: {browser}", file=sys.stderr if refused else sys.stdout)
+    return 1 if refused else 0
 
 
 if __name__ == "__main__":

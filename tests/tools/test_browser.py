@@ -48,43 +48,56 @@ def test_where_there_is_none_the_sentence_says_what_to_install(tmp_path: Path) -
 
 
 @pytest.fixture
-def bare_machine(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """A machine without a browser, where neither Debian nor Playwright can help; the list says who was asked."""
+def asked(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """What is asked for on a machine with nothing, where neither Debian nor Playwright can help."""
     asked: list[str] = []
     monkeypatch.setattr(browser, "find_browser", lambda: None)
+    monkeypatch.setattr(browser, "find_library", lambda name: None)
     monkeypatch.setattr(browser, "can_use_apt", lambda: True)
-    monkeypatch.setattr(browser, "install_debian", lambda *packages: asked.append("debian"))
+    monkeypatch.setattr(browser, "install_debian", lambda *packages: asked.extend(packages))
     monkeypatch.setattr(browser, "install_playwright", lambda: asked.append("playwright"))
     return asked
 
 
 def test_debian_is_asked_first_then_playwright_then_one_sentence_is_said(
-    bare_machine: list[str], capsys: pytest.CaptureFixture[str]
+    asked: list[str], capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert browser.main() == 1
-    assert bare_machine == ["debian", "playwright"]
+    assert asked == [*browser.DEBIAN, "playwright"]
     assert capsys.readouterr().err == SENTENCE + "\n"
 
 
-def test_debian_is_not_asked_where_it_is_not_ours(bare_machine: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_debian_is_not_asked_where_it_is_not_ours(asked: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(browser, "can_use_apt", lambda: False)
     assert browser.provide_browser() is None
-    assert bare_machine == ["playwright"]
+    assert asked == ["playwright"]
 
 
-def test_nothing_is_installed_where_a_browser_is(
-    bare_machine: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+def test_nothing_is_installed_where_all_is_there(
+    asked: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr(browser, "find_browser", lambda: executable(tmp_path / "chromium"))
-    monkeypatch.setattr(browser, "find_library", lambda name: "libEGL.so.1")
+    monkeypatch.setattr(browser, "find_library", lambda name: "lib.so")
     assert browser.provide_browser() == tmp_path / "chromium"
-    assert bare_machine == []
+    assert asked == []
 
 
-def test_a_browser_without_its_fast_renderer_gets_it(
-    bare_machine: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+def test_a_browser_on_a_bare_machine_gets_its_libraries_only(
+    asked: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr(browser, "find_browser", lambda: executable(tmp_path / "chromium"))
-    monkeypatch.setattr(browser, "find_library", lambda name: None)
     assert browser.provide_browser() == tmp_path / "chromium"
-    assert bare_machine == ["debian"]
+    assert asked == [package for package in browser.DEBIAN if package != "chromium"]
+
+
+def test_a_driver_that_does_not_start_is_said_in_one_sentence(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    monkeypatch.setattr(browser, "provide_browser", lambda: tmp_path / "chromium")
+    monkeypatch.setattr(browser, "driver_trouble", lambda: "libatomic.so.1: no such file")
+    assert browser.main() == 1
+    assert capsys.readouterr().err == browser.NO_DRIVER.format("libatomic.so.1: no such file") + "\n"
+
+
+def test_the_driver_starts_here() -> None:
+    assert browser.driver_trouble() is None
