@@ -86,7 +86,7 @@ export const style = css`
       grid-template:
         "status status" auto
         "air air" 420px
-        "facebar exprbar" 300px
+        "facebar exprbar" 340px
         "faces faces" auto
         "expressions expressions" auto
         "hands hands" 270px

@@ -123,7 +123,6 @@ export class Desk {
     this.online = online;
     this.#holds.clear();
     this.#outbox.clear();
-    this.era += 1;
     if (!online) this.latency = null;
     this.#tell("link");
   }

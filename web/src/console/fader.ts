@@ -63,13 +63,17 @@ export class Fader extends PaintedElement {
 
   #drag(): Drag {
     const knob = () => this.desk.channel(this.channel);
+    const read = () => {
+      this.#travel = travelOf(knob().value(performance.now()));
+    };
     return {
       start: () => {
         this.#era = this.desk.era;
-        this.#travel = travelOf(knob().value(performance.now()));
+        read();
       },
       move: (_dx, dy) => {
         if (this.#era !== this.desk.era || dy === 0) return;
+        if (!this.desk.online) read(); // nothing is pretended: when the link is back the drag goes on from there
         this.#travel = within(this.#travel + dy * (CHANNEL.high - CHANNEL.low), CHANNEL);
         knob().grip(weightAt(this.#travel));
       },

@@ -10,6 +10,8 @@ import { base } from "./theme";
 /** A pointer this near to the dot (of the pad's width) takes it along; elsewhere the dot comes to the pointer. */
 const NEAR = 0.12;
 const STEP = 0.05;
+/** Milliseconds for which a spring waits for a lost link; later the direction may belong to somebody else. */
+const OWED = 3000;
 
 /**
  * A direction of the head or of the gaze. The operator looks at the face, so right on the pad is the character's left
@@ -33,6 +35,7 @@ export class Pad extends PaintedElement {
   /** What is on its way back to the centre, and when it was last moved. */
   #returning: Knob[] = [];
   #last = 0;
+  #left = 0;
 
   static override styles = [base, style];
 
@@ -123,6 +126,7 @@ export class Pad extends PaintedElement {
       },
       move: (dx, dy) => {
         if (this.#era !== this.desk.era) return;
+        if (!this.desk.online) this.#at = this.#place(performance.now()); // nothing is pretended
         this.#at = [this.#at[0] + dx, this.#at[1] + dy];
         this.#grip();
       },
@@ -147,6 +151,7 @@ export class Pad extends PaintedElement {
       },
       move: (dx) => {
         if (this.#era !== this.desk.era) return;
+        if (!this.desk.online) this.#roll = knob().value(performance.now());
         this.#roll = within(this.#roll + dx * (HEAD_ROLL.high - HEAD_ROLL.low), HEAD_ROLL);
         knob().grip(this.#roll);
       },
@@ -180,19 +185,26 @@ export class Pad extends PaintedElement {
 
   #let(...knobs: Knob[]): void {
     for (const knob of knobs) knob.leave();
-    if (this.springs && this.#era === this.desk.era) this.#returning = knobs;
+    if (this.springs) this.#returning = knobs;
+    this.#left = performance.now();
   }
 
   paint(now: number): void {
     const elapsed = now - this.#last;
     this.#last = now;
-    if (this.#era !== this.desk.era) this.#returning = [];
+    if (!this.desk.online) {
+      if (now - this.#left > OWED) this.#returning = [];
+    } else this.#spring(elapsed, now);
+    this.#paintPlace(now);
+  }
+
+  /** What was let go comes back to the centre. */
+  #spring(elapsed: number, now: number): void {
     this.#returning = this.#returning.filter((knob) => {
       const rest = sprung(knob.value(now), elapsed);
       knob.nudge(rest);
       return rest !== 0;
     });
-    this.#paintPlace(now);
   }
 
   #paintPlace(now: number): void {

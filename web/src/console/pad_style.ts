@@ -122,4 +122,15 @@ export const style = css`
     color: var(--dim);
     pointer-events: none;
   }
+  @media (max-width: 1100px) {
+    header {
+      gap: 2px;
+    }
+    header button {
+      padding: 0 4px;
+    }
+    h2 {
+      letter-spacing: 0.04em;
+    }
+  }
 `;

@@ -75,11 +75,16 @@ export const style = css`
     letter-spacing: 0.06em;
     line-height: 10px;
   }
-  .panic:hover,
   .panic:active,
   .panic.done {
     color: #000;
     background: var(--attention);
+  }
+  @media (hover: hover) {
+    .panic:hover {
+      color: #fff0c4;
+      border-color: #fff0c4;
+    }
   }
   @media (max-width: 900px) {
     .mark,

@@ -74,14 +74,18 @@ export class TBar extends PaintedElement {
 
   #drag(): Drag {
     const knob = () => this.desk.bar(this.axis);
+    const read = () => {
+      this.#position = knob().value(performance.now());
+    };
     return {
       start: () => {
         this.#era = this.desk.era;
-        this.#position = knob().value(performance.now());
         this.#touched = true;
+        read();
       },
       move: (_dx, dy) => {
         if (this.#era !== this.desk.era) return;
+        if (!this.desk.online) read(); // nothing is pretended: when the link is back the drag goes on from there
         this.#position = within(this.#position + dy, UNIT);
         knob().grip(this.#position);
       },

@@ -79,9 +79,11 @@ export const base = css`
     cursor: pointer;
     touch-action: manipulation;
   }
-  button:hover {
-    color: var(--text);
-    border-color: var(--edge);
+  @media (hover: hover) {
+    button:hover {
+      color: var(--text);
+      border-color: var(--edge);
+    }
   }
   button:active {
     background: #22262b;
