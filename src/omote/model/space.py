@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from types import MappingProxyType
 from typing import Literal
 
@@ -105,10 +106,12 @@ class ParameterSpace:
         """Vertices of the skin, V."""
         return len(self.points)
 
-    @property
+    @cached_property
     def location_triangles(self) -> NDArray[np.int32]:
         """Sheet and membranes (L, 3), seams welded: what points are located in."""
-        return np.concatenate([mesh.weld(self.points)[self.skin_triangles], self.membranes])
+        welded = np.concatenate([mesh.weld(self.points)[self.skin_triangles], self.membranes])
+        welded.setflags(write=False)
+        return welded
 
     def with_parts(self, *parts: Part) -> ParameterSpace:
         """This space with these parts bound to it."""
