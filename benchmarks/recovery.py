@@ -76,7 +76,7 @@ class Follower:
         while self._socket is None:
             try:
                 opening = http.ws_connect(self._url, max_msg_size=0)
-                self._socket = await asyncio.wait_for(opening, timeout=1.0)
+                self._socket = await asyncio.wait_for(opening, timeout=10.0)
                 await self._socket.send_bytes(encode(Hello("console", PROTOCOL_VERSION)))
             except (aiohttp.ClientError, OSError, TimeoutError):
                 self._socket = None

@@ -91,12 +91,12 @@ def played(cast: Cast) -> tuple[ShowServer, Kept, Playing, int]:
     return show, journal, Playing(show, journal, near), far  # type: ignore[arg-type]
 
 
-def test_a_moving_show_is_kept_every_fiftieth_of_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+def test_a_moving_show_is_kept_thirty_times_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
     show, journal, playing, _ = played
     show.session.receive("a", wire.CallFace("1", "broad", 10.0, "smooth"), 0.0)
     for number in range(300):
         playing.tick(number)
-    assert len(journal.entries) == 100
+    assert len(journal.entries) == 150
 
 
 def test_a_resting_show_is_kept_once_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:

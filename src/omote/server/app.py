@@ -60,7 +60,10 @@ class ShowServer:
     async def link(self, request: web.Request) -> web.WebSocketResponse:
         """A browser's link, from its first byte to its last."""
         ws = web.WebSocketResponse(compress=False, max_msg_size=MESSAGE_LIMIT, heartbeat=HEARTBEAT)
-        await ws.prepare(request)
+        try:
+            await ws.prepare(request)
+        except ConnectionResetError:  # gone before it was let in
+            return ws
         if request.transport is None:
             return ws
         link = self.links.open(ws, request.transport)

@@ -18,8 +18,8 @@ from omote.show.messages import STATE_RATE
 
 LATE_TICKS = 6
 """After a longer pause (a sleeping laptop) the beat starts anew; it never catches up in a burst."""
-JOURNAL_TICKS = 3
-"""Ticks between two entries of the journal while something moves: 50 ms."""
+JOURNAL_TICKS = 2
+"""Ticks between two entries of the journal while something moves: 33 ms."""
 RESTING_TICKS = 60
 """Ticks between two entries while nothing moves but the clock, and between two roll calls."""
 

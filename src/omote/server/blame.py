@@ -22,7 +22,7 @@ class Blame:
             self._deaths.append(now)
 
     def hung(self, now: float) -> None:
-        """A server had to be killed because it hung."""
+        """A server hung before its first tick and had to be killed."""
         self._deaths.append(now)
 
     def blames_state(self, now: float) -> bool:

@@ -24,6 +24,7 @@ from omote.perform.performer import Performer
 from omote.server.child import Material, Pipes, built_in_material, report, run
 from omote.server.library import Library
 from omote.server.orders import Ended, Order, Ready, Started, take_order, tell
+from omote.server.priority import first_in_line
 from omote.show.assets import compound_asset
 from omote.show.messages import STATE_RATE
 
@@ -49,6 +50,7 @@ def main(arguments: list[str] | None = None, load: Callable[[], Material] = buil
             pipes = Pipes(options.listen, control, pulse)
             return fork(line, lambda: run(material, order, show=options.show, pipes=pipes))
 
+        first_in_line()
         tell(line, Ready())
         obey(line, start)
     return 0

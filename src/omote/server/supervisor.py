@@ -22,6 +22,7 @@ from pathlib import Path
 
 from omote.server.blame import Blame
 from omote.server.orders import Ended, News, Order, Ready, Started, give_order, read_news
+from omote.server.priority import first_in_line
 
 PROGRAM = (sys.executable, "-m", "omote.server.standby")
 HANG_SECONDS = 1.0
@@ -82,7 +83,7 @@ class Supervisor:
         self._server: Server | None = None
         self._blame = Blame()
         self._epoch = self._failures = 0
-        self._not_before = 0.0
+        self._not_before = self._checked = 0.0
         self._played = self._ending = False
         self._selector = selectors.DefaultSelector()
 
@@ -111,9 +112,13 @@ class Supervisor:
         self._ending = True
 
     def _keep_playing(self, now: float) -> bool:
+        if self._server is not None and now - self._checked > HANG_SECONDS / 2:
+            self._server.heard = now  # we got no time ourselves, so its silence proves nothing
+        self._checked = now
         if self._server is not None and self._server.hangs(now):
             self._report("the server hangs; another one takes over.")
-            self._blame.hung(now)
+            if not self._server.playing:
+                self._blame.hung(now)
             self._lose_server(self._server)
         if now >= self._not_before:
             if self._standby is None:
@@ -194,6 +199,7 @@ class Supervisor:
         if not server.playing:
             server.playing = True
             self._failures = 0
+            first_in_line()
             if not self._played:
                 self._played = True
                 self._opened()
