@@ -69,24 +69,30 @@ INTERVALS = """seconds => new Promise((done) => {
     };
     requestAnimationFrame(look);
 })"""
-# Reads the mouth's pixels after each drawn frame; resolves with its clock (ms) when they change.
-FIRST_CHANGE = """() => { window.changed = new Promise((done) => {
+# Resolves with the page's clock (ms) when the mouth's pixels are no longer those of now. Pixels are read back only from
+# the frame on in which the stage draws another pose, because reading waits for the renderer and would slow every frame.
+FIRST_CHANGE = """() => {
     const gl = document.querySelector("canvas").getContext("webgl2");
-    const pixels = new Uint8Array(4 * 96 * 96);
-    let before = null;
-    const look = () => {
-        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    const read = () => {
+        const pixels = new Uint8Array(4 * 96 * 96);
         const [left, bottom] = [gl.drawingBufferWidth / 2 - 48, gl.drawingBufferHeight / 4];
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         gl.readPixels(left, bottom, 96, 96, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-        if (before === null) before = pixels.slice();
-        else if (pixels.some((value, at) => value !== before[at])) {
-            done(performance.now());
-            return;
-        }
-        requestAnimationFrame(look);
+        return pixels;
     };
-    requestAnimationFrame(look);
-}); }"""
+    return new Promise((ready) => requestAnimationFrame(() => {
+        const [pixels, pose] = [read(), JSON.stringify(window.omoteStage.pose())];
+        window.changed = new Promise((done) => {
+            const look = () => {
+                const other = JSON.stringify(window.omoteStage.pose()) !== pose;
+                if (other && read().some((value, at) => value !== pixels[at])) done(performance.now());
+                else requestAnimationFrame(look);
+            };
+            requestAnimationFrame(look);
+        });
+        ready();
+    }));
+}"""
 
 Play = Callable[[], Awaitable[None]]
 
@@ -132,14 +138,14 @@ class Player:
             await asyncio.sleep(0.5)
 
     async def sixty(self) -> None:
-        """Sixty channels move, each thirty times a second, and a face fades all the time, for ever."""
+        """Sixty channels move, each fifteen times a second, and a face fades all the time, for ever."""
         for tick in range(sys.maxsize):
-            if tick % 30 == 0:
+            if tick % 15 == 0:
                 await self.call(2.0, ())
-            levels = 0.06 * (1.2 + np.sin(tick / 5.0 + np.arange(CHANNELS)))
+            levels = 0.06 * (1.2 + np.sin(tick / 2.5 + np.arange(CHANNELS)))
             for name, level in zip(self.channels, levels.tolist(), strict=True):
                 await self.send(SetChannel(name, level))
-            await asyncio.sleep(1 / 30)
+            await asyncio.sleep(1 / 15)
 
     async def rest(self) -> None:
         """Everything stands still."""
