@@ -16,10 +16,12 @@ from rich.table import Table
 
 import omote
 from omote.model.cast import Cast
+from omote.model.compound import compound, compound_parts, turned_eyes
 from omote.model.expression import Expression
+from omote.model.extract import extract
 from omote.model.face import Face
 from omote.model.fitted import fit
-from omote.model.transfer import compile_expression, compound, compound_parts, extract, slide, turned_eyes
+from omote.model.transfer import compile_expression, slide
 
 BAR_SHEET, BAR_REST, BAR_INSIDE = 0.001, 0.1, 0.99
 """Millimetres on the sheet, millimetres of inner skin and parts, share of moved vertices whose walks ended inside."""
@@ -63,7 +65,7 @@ def measure(cast: Cast, face: Face, expression: Expression, found: Found) -> Non
 
 def main() -> int:
     """Prints the table; 0 when every bar is held."""
-    cast, console = omote.load_cast(), Console(width=120)
+    cast, console = omote.load_cast().under("paper"), Console(width=120)
     units = {
         name: cast.expressions[name] for name, title in cast.titles.items() if title.kind in ("arkit", "makehuman")
     }

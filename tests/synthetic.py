@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from omote.model.cast import Cast
 from omote.model.expression import Expression
+from omote.model.extract import extract
 from omote.model.face import Face
 from omote.model.fitted import fit
 from omote.model.parts import Part, bind_to_head, bind_to_jaw, eye_rotation
 from omote.model.space import ParameterSpace
-from omote.model.transfer import extract
 
 Points = NDArray[np.float64]
 

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from omote.builtin import load_cast as load_cast
     from omote.model.cast import Cast as Cast
+    from omote.model.compound import compound as compound
     from omote.model.control_net import ControlNet as ControlNet
     from omote.model.expression import Expression as Expression
+    from omote.model.extract import extract as extract
     from omote.model.face import Face as Face
     from omote.model.space import ParameterSpace as ParameterSpace
-    from omote.model.transfer import compound as compound
-    from omote.model.transfer import extract as extract
     from omote.perform.evaluate import evaluate as evaluate
     from omote.perform.evaluate import evaluate_parts as evaluate_parts
     from omote.perform.performer import Performer as Performer
@@ -29,10 +29,10 @@ _HOMES = {
     "Face": "omote.model.face",
     "ParameterSpace": "omote.model.space",
     "Performer": "omote.perform.performer",
-    "compound": "omote.model.transfer",
+    "compound": "omote.model.compound",
     "evaluate": "omote.perform.evaluate",
     "evaluate_parts": "omote.perform.evaluate",
-    "extract": "omote.model.transfer",
+    "extract": "omote.model.extract",
     "load_cast": "omote.builtin",
 }
 

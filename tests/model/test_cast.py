@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from omote.model.cast import Cast, Look
+from omote.model.extract import extract
 from omote.model.face import Face
-from omote.model.transfer import extract
 from tests.synthetic import cast, head, space
 
 

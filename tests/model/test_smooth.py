@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import omote
+from omote.model.compound import compound
 from omote.model.smooth import Carrier, carried, carrier_of, folds
-from omote.model.transfer import compound
 from tests.model.test_lines import line
 
 BLINKS = {"eyeBlinkLeft": 0, "eyeBlinkRight": 1}

@@ -7,11 +7,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from omote.model.compound import compound, compound_parts, turned_eyes
 from omote.model.expression import Expression
+from omote.model.extract import extract
 from omote.model.face import Face
 from omote.model.fitted import fit
 from omote.model.space import ParameterSpace
-from omote.model.transfer import compile_expression, compound, compound_parts, extract, slide, turned_eyes
+from omote.model.transfer import compile_expression, slide
 from tests.synthetic import cast, head, space
 
 MICROMETRE = 1e-6
@@ -30,7 +32,7 @@ def landed(used: ParameterSpace, face: Face, displacement: np.ndarray, expressio
 @pytest.mark.parametrize("face", ["generic", "broad", "long"])
 @pytest.mark.parametrize("name", ["jawOpen", "browInnerUp", "smile"])
 def test_extract_then_apply_gives_the_displacement_back(face: str, name: str, radius: str) -> None:
-    used = ParameterSpace.build(*head(), radius=radius)  # type: ignore[arg-type]
+    used = ParameterSpace.build(*head(), radius=radius, transfer="paper")  # type: ignore[arg-type]
     wearer = Face(face, cast().faces[face].positions)
     source = compound(space(), cast().faces["generic"], cast().expressions[name]).astype(float) - space().points
     displacement = source + 1e-4 * np.sin(np.arange(source.size)).reshape(source.shape)
@@ -80,7 +82,7 @@ def test_weight_scales_the_field(weight: float) -> None:
 
 
 def test_a_face_twice_as_large_wears_a_compound_twice_as_large() -> None:
-    used = ParameterSpace.build(*head(), axis=(0.0, 0.0))
+    used = ParameterSpace.build(*head(), axis=(0.0, 0.0), transfer="paper")
     generic = Face("generic", used.points)
     expression = extract(
         used, generic, compound(space(), cast().faces["generic"], cast().expressions["smile"]) - used.points
@@ -92,7 +94,7 @@ def test_a_face_twice_as_large_wears_a_compound_twice_as_large() -> None:
 def test_a_head_turned_about_the_axis_wears_its_compound_turned() -> None:
     """The map knows no front: turning face and displacement about the axis turns what is extracted and applied."""
     points, triangles = head()
-    used = ParameterSpace.build(points, triangles, axis=(0.0, 0.0))
+    used = ParameterSpace.build(points, triangles, axis=(0.0, 0.0), transfer="paper")
     turn = np.array([[np.cos(0.3), 0, np.sin(0.3)], [0, 1, 0], [-np.sin(0.3), 0, np.cos(0.3)]])
     face = Face("generic", points)
     displacement = compound(space(), cast().faces["generic"], cast().expressions["smile"]) - points

@@ -3,7 +3,7 @@
 import numpy as np
 
 from omote.model.cast import Cast
-from omote.model.transfer import compound, compound_parts
+from omote.model.compound import compound, compound_parts
 from omote.perform.compounds import Compounds, compounds_of
 
 

@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.model.compound import compound, compound_parts
 from omote.model.fitted import fit
 from omote.model.parts import eye_rotation
-from omote.model.transfer import compound, compound_parts
 from omote.perform.evaluate import MODES, Mode, evaluate, evaluate_parts, warm
 from omote.perform.frame import Frame, Gaze, Head
 from tests.synthetic import EXPRESSIONS, FACES

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
-from omote.model.transfer import compound
+from omote.model.compound import compound
 from omote.perform.axis import Axis, slot_rates, slots, weights
 from omote.perform.frozen import FrozenSlots
 from omote.perform.mix import Weights

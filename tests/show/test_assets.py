@@ -11,7 +11,7 @@ from hypothesis.extra import numpy as hnp
 
 from omote.builtin import BakedMesh
 from omote.model.cast import Cast, Title
-from omote.model.transfer import compound, compound_parts
+from omote.model.compound import compound, compound_parts
 from omote.perform.evaluate import evaluate, evaluate_parts
 from omote.perform.frame import Frame
 from omote.show.assets import (

@@ -13,9 +13,9 @@ from omote.builtin.binding import PARTS, PartMesh, head_space
 from omote.builtin.castfile import FORMAT, SKIN
 from omote.model.cast import GENERIC, NEUTRAL
 from omote.model.expression import Expression
+from omote.model.extract import extract
 from omote.model.face import Face
 from omote.model.space import ParameterSpace
-from omote.model.transfer import extract
 from tools.baking.basemesh import BaseMesh, Floats
 from tools.baking.expressions import ARKIT, PERFORMED, label, region
 from tools.baking.head import Head, Piece

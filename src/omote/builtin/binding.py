@@ -16,6 +16,9 @@ EYES = {"eye_left": "left", "eye_right": "right"}
 STILL = (*EYES, "teeth_upper")
 JAW = ("teeth_lower", "tongue")
 LASHES = "lashes"
+TEETH = ("teeth_upper", "teeth_lower")
+LIDS = {"lid_left": "eye_left", "lid_right": "eye_right"}
+LIPS = "lips"
 PARTS = (*STILL, *JAW, LASHES)
 
 
@@ -30,7 +33,7 @@ class PartMesh:
 def head_space(
     points: NDArray[np.float64], triangles: NDArray[np.int32], parts: Mapping[str, PartMesh], jaw: NDArray[np.int32]
 ) -> ParameterSpace:
-    """The parameter space of the baked head with its parts bound.
+    """The parameter space of the baked head with its parts bound, its lids and lips named.
 
     points (V, 3) metres, triangles (F, 3) of the generic skin; parts by the names in PARTS; jaw (m,): the skin vertices
     that show where the jaw is.
@@ -38,7 +41,10 @@ def head_space(
     space = ParameterSpace.build(points, triangles, axis=AXIS)
     sheet = np.flatnonzero(space.on_sheet).astype(np.int32)
     jaw = np.intersect1d(jaw, sheet).astype(np.int32)
-    return space.with_parts(*(_bind(name, parts[name], space.points, sheet, jaw) for name in PARTS))
+    bound = space.with_parts(*(_bind(name, parts[name], space.points, sheet, jaw) for name in PARTS))
+    for line, eye in LIDS.items():
+        bound = bound.with_line(line, "lids", parts[eye].points.mean(axis=0))
+    return bound.with_line(LIPS, "lips", np.concatenate([parts[name].points for name in TEETH]).mean(axis=0))
 
 
 def _bind(

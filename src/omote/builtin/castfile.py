@@ -95,4 +95,5 @@ def _expression(arrays: Arrays, row: int, space: ParameterSpace) -> Expression:
         parts={part: rest for part, rest in rests.items() if rest.any()},
         eyes=arrays["eyes"][row],
         radius=space.radius,
+        transfer=space.transfer,
     )

@@ -13,7 +13,7 @@ import numpy as np
 from omote.model.expression import Expression
 from omote.model.face import Face
 from omote.model.fitted import fit
-from omote.model.space import ParameterSpace
+from omote.model.space import ParameterSpace, Transfer
 from omote.model.transfer import compile_expression
 
 GENERIC, NEUTRAL = "generic", "neutral"
@@ -89,6 +89,11 @@ class Cast:
             compile_expression(self.space, expression)
         return replace(self, expressions={**self.expressions, **expressions})
 
+    def under(self, transfer: Transfer, /) -> Cast:
+        """This cast with another transfer rule: the fields stay, the map from S to the faces changes."""
+        fields = {name: replace(expression, transfer=transfer) for name, expression in self.expressions.items()}
+        return replace(self, space=self.space.under(transfer), expressions=fields)
+
     @cached_property
     def digest(self) -> str:
         """A name for exactly this content, hexadecimal: what is computed from the cast may be kept under it for
@@ -112,7 +117,7 @@ class Cast:
             state.update(np.ascontiguousarray(array).data)
         state.update(
             repr(
-                (*self.faces, *self.expressions, *self.looks.values(), *self.titles.values(), self.space.radius)
+                (*self.faces, *self.expressions, *self.looks.values(), *self.titles.values(), *self.space.rules)
             ).encode()
         )
         return state.hexdigest()

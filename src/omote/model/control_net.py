@@ -91,7 +91,7 @@ class ControlNet:
         field = np.concatenate([given, still]) - [0.0, 0.0, 1.0]
         dtheta, dh, over = (self.basis @ field).T
         inner = np.zeros((len(self.space.inner.vertices), 3))
-        return Expression(dtheta, dh, 1.0 + over, inner, radius=self.space.radius)
+        return Expression(dtheta, dh, 1.0 + over, inner, radius=self.space.radius, transfer=self.space.transfer)
 
     def points_on(self, face: Face, /) -> Values:
         """Where the artist's control points lie on a face: (own, 3) metres (paper, figure 6: the needles)."""

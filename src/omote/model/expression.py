@@ -18,7 +18,8 @@ class Expression:
 
     dtheta (V,) radians, dh (V,) metres, ratio (V,) of radii (zero, zero, one where nothing moves and off the sheet);
     residual (inner, 3) and parts (n, 3) by name: metres on the generic face over what the bindings predict;
-    eyes (2, 2): yaw and pitch of the left and the right eyeball, radians; radius: the rule under which R was taken.
+    eyes (2, 2): yaw and pitch of the left and the right eyeball, radians; radius, transfer: the rules under
+    which it was taken.
     Raises ValueError on other shapes, values that are not finite and ratios that are not positive.
     """
 
@@ -29,6 +30,7 @@ class Expression:
     parts: Mapping[str, Values] = field(default_factory=lambda: MappingProxyType({}))
     eyes: Values = field(default_factory=lambda: np.zeros((2, 2)))
     radius: str = "origin"
+    transfer: str = "smooth"
 
     def __post_init__(self) -> None:
         count = np.shape(self.dtheta)

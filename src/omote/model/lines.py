@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import heapq
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import dijkstra
 
 from omote.geometry import mesh
 from omote.geometry.cylinder import Cylinder, wrap
@@ -79,49 +80,37 @@ def _shortest_around(points: Values, sheet: Indices, plane: Values, centre: Valu
     # An opening of a face is narrower than a third of the sheet's height.
     reach = 0.2 * float(np.ptp(plane[sheet, 1]))
     edges = edges[(np.linalg.norm(plane - centre, axis=1) < reach)[edges].all(axis=1)]
-    a, b = plane[edges[:, 0]] - centre, plane[edges[:, 1]] - centre
-    crossing = (a[:, 1] > 0) != (b[:, 1] > 0)
-    rise = np.where(crossing, b[:, 1] - a[:, 1], 1.0)
-    crossing &= a[:, 0] - (b[:, 0] - a[:, 0]) * a[:, 1] / rise > 0
-    lengths = np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
-    ways: dict[int, list[tuple[int, float, bool]]] = {}
-    for (one, other), length, crosses in zip(edges.tolist(), lengths.tolist(), crossing.tolist(), strict=True):
-        ways.setdefault(one, []).append((other, length, crosses))
-        ways.setdefault(other, []).append((one, length, crosses))
-    best, path = np.inf, list[int]()
-    for start in np.unique(edges[crossing]).tolist():
-        length, found = _around(ways, start, best)
-        if length < best:
-            best, path = length, found
-    return path
+    near, numbered = np.unique(edges, return_inverse=True)
+    one, other = numbered.reshape(-1, 2).T
+    crosses = _crossing(plane[edges] - centre)
+    if not crosses.any():
+        return []
+    # Every vertex twice, before and after the ray: a way around leads from a vertex to its other self.
+    count, lengths = len(near), np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
+    rows = np.concatenate([one, one + count])
+    cols = np.concatenate([other + count * crosses, other + count * ~crosses])
+    graph = coo_array((np.tile(lengths, 2), (rows, cols)), shape=(2 * count, 2 * count)).tocsr()
+    starts = np.unique(one[crosses])
+    distance, before = dijkstra(graph, directed=False, indices=starts, return_predecessors=True)
+    best = int(distance[np.arange(len(starts)), starts + count].argmin())
+    return [int(near[v % count]) for v in _back(before[best], starts[best] + count, starts[best])]
 
 
-def _around(ways: dict[int, list[tuple[int, float, bool]]], start: int, limit: float) -> tuple[float, list[int]]:
-    """Dijkstra's shortest path from a vertex back to itself on the other side of the ray."""
-    distance, before = {(start, False): 0.0}, dict[tuple[int, bool], tuple[int, bool]]()
-    queue = [(0.0, start, False)]
-    while queue:
-        length, here, side = heapq.heappop(queue)
-        if (here, side) == (start, True):
-            return length, _back(before, (start, True), (start, False))
-        if length > distance[here, side] or length >= limit:
-            continue
-        for other, step, crosses in ways[here]:
-            key = (other, side != crosses)
-            if length + step < distance.get(key, np.inf):
-                distance[key], before[key] = length + step, (here, side)
-                heapq.heappush(queue, (length + step, *key))
-    return np.inf, []
+def _crossing(ends: Values) -> NDArray[np.bool_]:
+    """Which edges with ends (E, 2, 2) cross the ray from the origin along the first axis."""
+    a, b = ends[:, 0], ends[:, 1]
+    across = (a[:, 1] > 0) != (b[:, 1] > 0)
+    rise = np.where(across, b[:, 1] - a[:, 1], 1.0)
+    result: NDArray[np.bool_] = across & (a[:, 0] - (b[:, 0] - a[:, 0]) * a[:, 1] / rise > 0)
+    return result
 
 
-def _back(
-    before: dict[tuple[int, bool], tuple[int, bool]], end: tuple[int, bool], start: tuple[int, bool]
-) -> list[int]:
+def _back(before: Indices, end: int, start: int) -> list[int]:
     path, here = list[int](), end
-    while here != start:
-        path.append(here[0])
-        here = before[here]
-    return path
+    while here != start and here >= 0:
+        path.append(here)
+        here = int(before[here])
+    return path if here == start else []
 
 
 def _rungs(points: Values, loop: Indices) -> tuple[Indices, Values]:

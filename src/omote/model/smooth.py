@@ -16,6 +16,8 @@ Mask = NDArray[np.bool_]
 
 # Rounds with the lines held and small patches, then with the lines free, larger patches, weaker anchors.
 _HELD_ROUNDS, _FREE_ROUNDS = 6, 8
+# Steps of the inverse at most, and the error in metres at which it ends.
+_INVERSIONS, _EXACT = 100, 1e-10
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,12 +45,31 @@ def carrier_of(generic: Values, positions: Values, triangles: NDArray[np.int32],
 
 
 def carried(carrier: Carrier, displacement: Values, /) -> Values:
-    """The face (V, 3) moved as the generic face is by a displacement (V, 3); only the sheet's vertices have a
-    meaning."""
-    moved, positions = carrier.generic + displacement, carrier.positions + displacement
+    """The face (V, 3) moved as the generic face is by a displacement (V, 3); only the sheet has a meaning."""
+    moved = carrier.generic + displacement
+    return _unfolded(carrier, _in_contact(carrier, displacement), moved)
+
+
+def uncarried(carrier: Carrier, positions: Values, /) -> Values:
+    """The displacement (V, 3) of the generic face that is carried to positions (V, 3): the inverse of `carried`.
+
+    Exact where the positions fold nothing that the generic face does not. Half steps: a line twice as wide answers a
+    whole step with one as large the other way.
+    """
+    displacement = positions - carrier.positions
+    for _ in range(_INVERSIONS):
+        lack = positions - _in_contact(carrier, displacement)
+        if np.abs(lack).max() < _EXACT:
+            break
+        displacement = displacement + 0.5 * lack
+    return displacement
+
+
+def _in_contact(carrier: Carrier, displacement: Values) -> Values:
+    positions = carrier.positions + displacement
     for contact in carrier.contacts:
-        closed(contact, positions, moved)
-    return _unfolded(carrier, positions, moved)
+        closed(contact, positions, carrier.generic + displacement)
+    return positions
 
 
 def folds(carrier: Carrier, positions: Values, moved: Values, /) -> Mask:

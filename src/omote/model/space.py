@@ -16,10 +16,13 @@ from omote.geometry.cylinder import Cylinder
 from omote.geometry.laplacian import harmonic_weights, smoothing
 from omote.geometry.locate import Landing, Strip
 from omote.model import sheet
+from omote.model.lines import Kind, Line, find_line
 from omote.model.parts import Part
 
 Radius = Literal["origin", "surface"]
 RADIUS_RULES: tuple[Radius, ...] = ("origin", "surface")
+Transfer = Literal["smooth", "paper"]
+TRANSFERS: tuple[Transfer, ...] = ("smooth", "paper")
 
 # More anchors than this along the sheet's boundary add nothing to the inner skin and make large heads slow to set up.
 _MOST_ANCHORS = 400
@@ -48,8 +51,8 @@ class ParameterSpace:
     """The generic face, its cylinder and the one-layered sheet on which expressions live; made by `build`.
 
     points (V, 3) metres and triangles (F, 3) of the generic face; skin_triangles: the sheet; membranes: triangles
-    over its
-    holes, for location only; theta, h (V,) radians and metres; radius: which rule gives a moved point its radius.
+    over its holes, for location only; theta, h (V,) radians and metres; radius: which rule gives a moved point its
+    radius; transfer: which map carries expressions to other faces; lines: where lids and lips meet.
     """
 
     points: NDArray[np.float64]
@@ -65,6 +68,8 @@ class ParameterSpace:
     inner: InnerSkin
     on_sheet: NDArray[np.bool_]
     parts: Mapping[str, Part] = field(default_factory=lambda: MappingProxyType({}))
+    transfer: Transfer = "smooth"
+    lines: tuple[Line, ...] = ()
 
     def __post_init__(self) -> None:
         for name in ("points", "triangles", "skin_triangles", "membranes", "theta", "h", "on_sheet"):
@@ -74,7 +79,8 @@ class ParameterSpace:
 
     @staticmethod
     def build(
-        points: ArrayLike, triangles: ArrayLike, radius: Radius = "origin", *, axis: tuple[float, float] | None = None
+        points: ArrayLike, triangles: ArrayLike, radius: Radius = "origin", *,
+        axis: tuple[float, float] | None = None, transfer: Transfer = "smooth",
     ) -> ParameterSpace:  # fmt: skip
         """The parameter space of any head, y up, +z forward: axis, skin sheet and membranes are found here.
 
@@ -84,6 +90,8 @@ class ParameterSpace:
         """
         if radius not in RADIUS_RULES:
             raise ValueError(f"radius is {radius!r}; expected one of {', '.join(map(repr, RADIUS_RULES))}")
+        if transfer not in TRANSFERS:
+            raise ValueError(f"transfer is {transfer!r}; expected one of {', '.join(map(repr, TRANSFERS))}")
         checked = mesh.checked_points(points)
         faces = mesh.checked_triangles(triangles, len(checked))
         sheet.refuse_degenerate(checked, faces)
@@ -97,9 +105,14 @@ class ParameterSpace:
         on_sheet = np.isin(joined, corners)
         return ParameterSpace(
             points=checked, triangles=faces, skin_triangles=faces[skin], membranes=membranes, cylinder=cylinder,
-            radius=radius, theta=theta, h=h, strip=strip, fans=_fans(corners, joined),
+            radius=radius, transfer=transfer, theta=theta, h=h, strip=strip, fans=_fans(corners, joined),
             inner=_inner_skin(checked, faces, on_sheet), on_sheet=on_sheet,
         )  # fmt: skip
+
+    @property
+    def rules(self) -> tuple[Radius, Transfer]:
+        """The rules under which fields on this space are taken and applied."""
+        return self.radius, self.transfer
 
     @property
     def vertex_count(self) -> int:
@@ -116,6 +129,19 @@ class ParameterSpace:
     def with_parts(self, *parts: Part) -> ParameterSpace:
         """This space with these parts bound to it."""
         return replace(self, parts=MappingProxyType({**self.parts, **{part.name: part for part in parts}}))
+
+    def with_line(self, name: str, kind: Kind, near: ArrayLike, /) -> ParameterSpace:
+        """This space with a line of lids or lips named: the one around the opening nearest to a point (3,), metres."""
+        skin = self.location_triangles[: len(self.skin_triangles)]
+        (goal,) = mesh.checked_points(np.reshape(near, (1, -1)), name="near")
+        line = find_line(name, kind, self.points, skin, self.membranes, self.cylinder, goal)
+        return replace(self, lines=(*(known for known in self.lines if known.name != name), line))
+
+    def under(self, transfer: Transfer, /) -> ParameterSpace:
+        """This space with another transfer rule; expressions are taken anew in it."""
+        if transfer not in TRANSFERS:
+            raise ValueError(f"transfer is {transfer!r}; expected one of {', '.join(map(repr, TRANSFERS))}")
+        return replace(self, transfer=transfer)
 
     def locate(self, theta: NDArray[np.float64], h: NDArray[np.float64], vertices: NDArray[np.int32], /) -> Landing:
         """The triangles of S that hold the points (theta, h) (N,), walking from the fans of vertices (N,) on the

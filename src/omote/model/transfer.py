@@ -1,4 +1,4 @@
-"""The paper's map between a face and S: extract, compile, compound (paper, section 2.2; method.md, section 3)."""
+"""The paper's map between a face and S: slide, compile, wear (paper, section 2.2; method.md, section 3)."""
 
 from __future__ import annotations
 
@@ -7,22 +7,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from numba import njit
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from omote.geometry import mesh
-from omote.geometry.cylinder import wrap
 from omote.geometry.locate import Landing, walk_face
 from omote.model.expression import Expression
-from omote.model.face import Face
-from omote.model.fitted import Fitted, fit
-from omote.model.parts import eye_angles, eye_rotation
+from omote.model.fitted import Fitted
 from omote.model.space import ParameterSpace
 
 Floats = NDArray[np.float32]
 Indices = NDArray[np.int32]
-
-# Displacements below a nanometre are rest: fields stay empty where nothing moves.
-_REST = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,52 +40,18 @@ def _refuse_foreign(space: ParameterSpace, expression: Expression) -> None:
             f"the expression has {len(expression.dtheta)} vertices, {len(expression.residual)} of them inner skin; "
             f"expected {space.vertex_count} and {len(space.inner.vertices)}: it was made on another space"
         )
-    if expression.radius != space.radius:
-        raise ValueError(
-            f"the expression was taken with radius={expression.radius!r} and the space has radius={space.radius!r}; "
-            "fields made under different rules do not mix: extract it again in this space"
-        )
+    for rule in ("radius", "transfer"):
+        mine, own = getattr(expression, rule), getattr(space, rule)
+        if mine != own:
+            raise ValueError(
+                f"the expression was taken with {rule}={mine!r} and the space has {rule}={own!r}; "
+                "fields made under different rules do not mix: extract it again in this space"
+            )
     for name, residual in expression.parts.items():
         if name not in space.parts or len(residual) != len(space.parts[name].points):
             raise ValueError(
                 f"the expression moves a part {name!r} of {len(residual)} vertices; the space has {sorted(space.parts)}"
             )
-
-
-def extract(
-    space: ParameterSpace, face: Face, displacement: ArrayLike, /, *, parts: Mapping[str, ArrayLike] | None = None
-) -> Expression:
-    """The expression that moves a face by a displacement (paper, section 2.2, steps 1a-1d).
-
-    displacement (V, 3) metres on the face; parts: displacements (n, 3) of parts by name (an eyeball's is read as a turn
-    about its centre and a rest). Raises ValueError on other shapes and on values that are not finite.
-    """
-    fitted = fit(space, face)
-    moved = mesh.checked_points(displacement, name="displacement")
-    if len(moved) != space.vertex_count:
-        raise ValueError(
-            f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
-        )
-    before = face.positions.astype(np.float64)
-    after = before + moved
-    vertices = np.flatnonzero(space.on_sheet & (np.abs(moved) > _REST).any(axis=1)).astype(np.int32)
-    landing = slide(space, before, after[vertices], vertices)
-    dtheta, dh, ratio = np.zeros(len(before)), np.zeros(len(before)), np.ones(len(before))
-    corners = space.location_triangles[landing.triangles]
-    from_first = wrap(space.theta[corners] - space.theta[corners[:, :1]])
-    theta = space.theta[corners[:, 0]] + (landing.weights * from_first).sum(axis=1)
-    dtheta[vertices] = wrap(theta - space.theta[vertices])
-    dh[vertices] = (landing.weights * space.h[corners]).sum(axis=1) - space.h[vertices]
-    reference = (
-        before[vertices] if space.radius == "origin" else (landing.weights[..., None] * before[corners]).sum(axis=1)
-    )
-    ratio[vertices] = _radius(space, after[vertices]) / np.maximum(_radius(space, reference), 1e-9)
-    bare = Expression(dtheta, dh, ratio, np.zeros((len(space.inner.vertices), 3)), radius=space.radius)
-    return _with_rest(space, face, fitted, bare, moved, parts or {})
-
-
-def _radius(space: ParameterSpace, points: NDArray[np.float64]) -> NDArray[np.float64]:
-    return space.cylinder.unroll(points)[2]
 
 
 def slide(
@@ -108,41 +67,6 @@ def slide(
         targets, start, triangles, weights, inside,
     )  # fmt: skip
     return Landing(triangles, weights, inside)
-
-
-def _with_rest(
-    space: ParameterSpace, face: Face, fitted: Fitted, bare: Expression, moved: NDArray[np.float64], parts:
-    Mapping[str, ArrayLike]
-) -> Expression:  # fmt: skip
-    """The expression with its residuals: what inner skin and parts do over what the sheet's motion predicts."""
-    sheet = compound(space, face, bare).astype(np.float64) - face.positions
-    inner = space.inner.vertices
-    residual = (moved[inner] - sheet[inner]) / fitted.scale[:, None]
-    residual[np.abs(residual).max(axis=1) < _REST] = 0.0
-    eyes = np.zeros((2, 2))
-    rest: dict[str, NDArray[np.float64]] = {}
-    for name, given in parts.items():
-        if name not in space.parts:
-            raise ValueError(f"parts has a displacement of {name!r}; expected one of {sorted(space.parts)}")
-        part, before = space.parts[name], fitted.parts[name].astype(np.float64)
-        shift = mesh.checked_points(given, name=f"displacement of part {name!r}")
-        if len(shift) != len(before):
-            raise ValueError(f"displacement of part {name!r} has {len(shift)} rows; expected {len(before)}")
-        after = before + shift
-        if part.eye:
-            angles = eye_angles(before, after)
-            eyes[0 if part.eye == "left" else 1] = angles
-            # Turned back about the centre, so that what remains is turned with the ball.
-            after = (after - fitted.centres[name]) @ eye_rotation(*angles) + fitted.centres[name]
-        rest[name] = (after - before - predicted(space, name, sheet)) / fitted.sizes[name]
-    return Expression(bare.dtheta, bare.dh, bare.ratio, residual, rest, eyes, space.radius)
-
-
-def predicted(space: ParameterSpace, name: str, displacement: NDArray[np.float64], /) -> NDArray[np.float64]:
-    """The displacement (n, 3) of a part that follows from that of the skin (V, 3)."""
-    part = space.parts[name]
-    result: NDArray[np.float64] = np.einsum("nk,nkc->nc", part.weights, displacement[part.anchors])
-    return result
 
 
 def compile_expression(space: ParameterSpace, expression: Expression, /, weight: float = 1.0) -> Compiled:
@@ -248,48 +172,3 @@ def follow(
         out[v, 0] = positions[v, 0] + dx
         out[v, 1] = positions[v, 1] + dy
         out[v, 2] = positions[v, 2] + dz
-
-
-def compound(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> Floats:
-    """A face wearing an expression: positions (V, 3) float32, metres (paper, sections 2.2 and 2.4).
-
-    weight scales the field. Raises ValueError where face or expression does not belong to the space.
-    """
-    return wear(space, fit(space, face), compile_expression(space, expression, weight))
-
-
-def compound_parts(
-    space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0
-) -> dict[str, Floats]:
-    """The parts of a face wearing an expression: {part: (n, 3)} metres; eyeballs before their turn (see
-    `turned_eyes`)."""
-    fitted, compiled = fit(space, face), compile_expression(space, expression, weight)
-    return moved_parts(space, fitted, wear(space, fitted, compiled), compiled.parts)
-
-
-def moved_parts(
-    space: ParameterSpace, fitted: Fitted, worn: Floats, rest: Mapping[str, NDArray[np.float64]], /
-) -> dict[str, Floats]:
-    """The parts where the skin has gone to worn (V, 3), with the expression's own rest per part."""
-    displacement = worn.astype(np.float64) - fitted.positions
-    result = {}
-    for name, placed in fitted.parts.items():
-        own = fitted.sizes[name] * rest[name] if name in rest else 0.0
-        result[name] = (placed + predicted(space, name, displacement) + own).astype(np.float32)
-    return result
-
-
-def turned_eyes(
-    space: ParameterSpace,
-    parts: Mapping[str, Floats],
-    centres: Mapping[str, NDArray[np.float64]],
-    eyes: NDArray[np.float64],
-    /,
-) -> dict[str, Floats]:
-    """The parts with both eyeballs turned about centres (3,) by eyes (2, 2): yaw and pitch, left and right."""
-    result = dict(parts)
-    for name, part in space.parts.items():
-        if part.eye:
-            rotation = eye_rotation(*eyes[0 if part.eye == "left" else 1])
-            result[name] = ((parts[name] - centres[name]) @ rotation.T + centres[name]).astype(np.float32)
-    return result

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
-from omote.model.transfer import compound, compound_parts
+from omote.model.compound import compound, compound_parts, generic_face
 
 Floats = NDArray[np.float32]
 
@@ -33,6 +33,10 @@ class Compounds:
         """The compound's skin and inner skin (V, 3)."""
         return self._get(face, expression, parts=False)[""]
 
+    def source(self, expression: str) -> Floats:
+        """The generic face's compound (V, 3), by the paper's map."""
+        return self._get("", expression, parts=False)[""]
+
     def parts(self, face: str, expression: str) -> Mapping[str, Floats]:
         """The compound's parts by name, each (n, 3); eyeballs before their turn."""
         return self._get(face, expression, parts=True)
@@ -45,7 +49,8 @@ class Compounds:
         return self._kept[key]
 
     def _made(self, face: str, expression: str, *, parts: bool) -> Mapping[str, Floats]:
-        wearer, worn = self._faces[face], self._expressions[expression]
+        worn = self._expressions[expression]
+        wearer = self._faces[face] if face else generic_face(self._space)
         if parts:
             return compound_parts(self._space, wearer, worn)
         return {"": compound(self._space, wearer, worn)}

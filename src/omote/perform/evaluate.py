@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import NEUTRAL, Cast
+from omote.model.compound import generic_face, moved_parts, turned_eyes
 from omote.model.fitted import Fitted, fit
-from omote.model.transfer import moved_parts, turned_eyes, wear
+from omote.model.transfer import Compiled, wear
 from omote.perform.blend import weighted_sum
 from omote.perform.channels import effective_channels, eye_angles
 from omote.perform.compounds import compounds_of
@@ -29,17 +30,15 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
     """The skin and inner skin (V, 3) of a frame, metres.
 
     bilinear (paper, eq. 3, with channels): sum_i s_i [sum_j t_j P_ij + sum_k c_k (P_ik - M_i)];
-    exact: the face sum_i s_i M_i wears the expression sum_j t_j D_j + sum_k c_k D_k, located anew.
+    exact: the face sum_i s_i M_i wears the expression sum_j t_j D_j + sum_k c_k D_k, located anew (transfer="paper");
+    with transfer="smooth" the generic face wears it so, and the faces follow by their own compounds.
     Raises ValueError on an unknown mode, on names that are not in the cast and on weights that are not finite.
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
     if mode == "exact":
         return _exact(cast, frame, channels)
-    compounds = compounds_of(cast)
-    terms = [(cast.faces[face].positions, weight) for face, weight in _rests(frame, channels).items()]
-    terms += [(compounds.skin(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
-    return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
+    return _bilinear(cast, frame, channels)
 
 
 def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
@@ -75,9 +74,31 @@ def _rests(frame: Frame, channels: Mapping[str, float]) -> dict[str, float]:
     return {face: -s * doubled for face, s in frame.faces.items()} if doubled else {}
 
 
+def _bilinear(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
+    compounds = compounds_of(cast)
+    terms = [(cast.faces[face].positions, weight) for face, weight in _rests(frame, channels).items()]
+    terms += [(compounds.skin(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
+    return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
+
+
 def _exact(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
-    worn = fields_of(cast).mixed(combined(((1.0, frame.expressions), (1.0, channels))))
-    return wear(cast.space, _mixed_face(cast, frame.faces), worn)
+    weights = combined(((1.0, frame.expressions), (1.0, channels)))
+    worn = fields_of(cast).mixed(weights)
+    if cast.space.transfer == "paper":
+        return wear(cast.space, _mixed_face(cast, frame.faces), worn)
+    return _bilinear(cast, frame, channels) + _bent(cast, weights, worn)
+
+
+def _bent(cast: Cast, weights: Mapping[str, float], worn: Compiled) -> Floats:
+    """What the generic face wears when fields add on S, less the same mix of its compounds: (V, 3), metres.
+
+    The smooth map carries displacements, and carries this one as it is: nothing where one expression is worn.
+    """
+    source = fit(cast.space, generic_face(cast.space))
+    compounds = compounds_of(cast)
+    terms = [(wear(cast.space, source, worn), 1.0), (source.positions, math.fsum(weights.values()) - 1.0)]
+    terms += [(compounds.source(name), -weight) for name, weight in weights.items()]
+    return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
 
 
 def _mixed_face(cast: Cast, weights: Mapping[str, float]) -> Fitted:
@@ -107,7 +128,7 @@ def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dic
     rest = {
         part: _sum((worn[name], cast.expressions[name].parts[part]) for name in names) for part, names in moving.items()
     }
-    return moved_parts(cast.space, face, wear(cast.space, face, fields_of(cast).mixed(worn)), rest)
+    return moved_parts(cast.space, face, _exact(cast, frame, channels), rest)
 
 
 def _bilinear_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dict[str, Floats]:

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
 from omote.model.cast import Cast
+from omote.model.compound import moved_parts, worn
 from omote.model.face import Face
 from omote.model.fitted import fit
-from omote.model.transfer import compile_expression, moved_parts, wear
+from omote.model.transfer import compile_expression
 from omote.show.messages import (
     PROTOCOL_VERSION,
     CompoundAsset,
@@ -85,9 +86,9 @@ def rest_positions(cast: Cast, face: Face) -> Points:
 def compound_positions(cast: Cast, face: Face, expression: str) -> Points:
     """The positions of a face wearing an expression, (vertices, 3) metres; eyeballs before their turn."""
     fitted, compiled = fit(cast.space, face), compile_expression(cast.space, cast.expressions[expression])
-    worn = wear(cast.space, fitted, compiled)
-    parts = moved_parts(cast.space, fitted, worn, compiled.parts)
-    return np.concatenate([worn, *(parts[name] for name in cast.space.parts)])
+    skin = worn(cast.space, face, compiled)
+    parts = moved_parts(cast.space, fitted, skin, compiled.parts)
+    return np.concatenate([skin, *(parts[name] for name in cast.space.parts)])
 
 
 def compound_asset(cast: Cast, face: Face, expression: str) -> CompoundAsset:

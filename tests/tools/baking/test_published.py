@@ -5,7 +5,8 @@ import pytest
 from numpy.typing import NDArray
 
 import omote
-from omote.model.transfer import compile_expression, compound_parts, turned_eyes
+from omote.model.compound import compound_parts, turned_eyes
+from omote.model.transfer import compile_expression
 from tools.baking.expressions import PERFORMED, unit_weights
 from tools.baking.head import Head
 from tools.baking.layout import islands, unwrap
