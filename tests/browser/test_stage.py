@@ -86,7 +86,7 @@ class Pool:
     @classmethod
     def drawn(cls, cast: Cast, rng: np.random.Generator) -> Pool:
         expressions = [name for name in cast.expressions if name != "neutral"]
-        return cls(rng.permutation(list(cast.faces))[:5].tolist(), rng.permutation(expressions)[:40].tolist())
+        return cls(rng.permutation(list(cast.faces))[:4].tolist(), rng.permutation(expressions)[:24].tolist())
 
 
 def random_frame(pool: Pool, rng: np.random.Generator) -> Frame:
