@@ -121,6 +121,8 @@ void main() {
   float tip = vStrand.y / mix(0.35 + 0.30 * chance, 0.62 + 0.38 * chance, vStrand.z);
   float width = mix(0.34, 0.55, vStrand.z) * (1.0 - tip * tip);
   float alpha = smoothstep(width + 0.25, width - 0.10, across) * (1.0 - smoothstep(0.75, 1.0, tip)) * step(-0.3, vStrand.y);
+  float even = max(width, 0.0) * mix(0.85, 1.3, vStrand.z) * (1.0 - smoothstep(0.75, 1.0, tip)) * step(-0.3, vStrand.y);
+  alpha = mix(alpha, even, smoothstep(0.3, 0.9, fwidth(vStrand.x))); // from afar a shade, not a scatter of dots
   alpha *= mix(0.5, 1.0, vStrand.z);
   if (alpha < 0.02) discard;
   colour = premultiplied(brow * 0.08, alpha);
