@@ -17,6 +17,8 @@ from tools.browser import SENTENCE, find_browser
 ROOT = Path(__file__).resolve().parent.parent.parent
 # llvmpipe instead of SwiftShader, which blocks the page's main thread.
 RENDERER = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]
+# As stages run: a busy machine must not make Chromium kill its GPU process, nor refuse pictures after that.
+KIOSK = ["--disable-gpu-watchdog", "--disable-gpu-process-crash-limit", "--disable-domain-blocking-for-3d-apis"]
 QUIET = [
     "--disable-quic",
     "--no-first-run",
@@ -50,7 +52,7 @@ def browser() -> Iterator[Browser]:
         pytest.fail(SENTENCE)
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(
-            executable_path=str(path), chromium_sandbox=False, args=[*RENDERER, *QUIET]
+            executable_path=str(path), chromium_sandbox=False, args=[*RENDERER, *KIOSK, *QUIET]
         )
         yield chromium
         chromium.close()
