@@ -81,6 +81,10 @@ class ShowFile:
             )
             self._connection.execute("UPDATE journal SET snapshot = NULL")
 
+    def again(self) -> ShowFile:
+        """The same file opened a second time, for a thread that flushes while another writes."""
+        return ShowFile(sqlite3.connect(self.path, timeout=1.0, check_same_thread=False), self.path)
+
     def flush(self) -> None:
         """Makes all that is committed survive a loss of power."""
         self._connection.execute("PRAGMA wal_checkpoint(PASSIVE)").fetchone()

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sqlite3
 import threading
-import time
 from collections.abc import Callable
+from functools import partial
 
 from omote.files.showfile import JournalEntry, ShowFile
 
@@ -14,17 +14,22 @@ FLUSH_SECONDS = 1.0
 
 
 class JournalWriter:
-    """A thread that writes the newest state; older ones that it could not write in time are dropped."""
+    """A thread that writes the newest state; older ones that it could not write in time are dropped.
 
-    def __init__(self, show: ShowFile, report: Callable[[str], None]) -> None:
+    A second thread flushes: syncing a disk takes tens of milliseconds, and a state must not wait for it.
+    """
+
+    def __init__(self, show: ShowFile, report: Callable[[str], None], *, flush_seconds: float = FLUSH_SECONDS) -> None:
         self._show, self._report = show, report
         self._newest: JournalEntry | None = None
         self._closing = False
         self._waiting = threading.Condition()
         self._failing = False
-        self._flushed = time.monotonic()
+        self._flush_seconds, self._done = flush_seconds, threading.Event()
         self._thread = threading.Thread(target=self._run, name="journal", daemon=True)
+        self._flusher = threading.Thread(target=self._flush, name="journal-flush", daemon=True)
         self._thread.start()
+        self._flusher.start()
 
     def offer(self, entry: JournalEntry) -> None:
         """Hands over the newest state; returns at once."""
@@ -38,6 +43,7 @@ class JournalWriter:
             self._closing = True
             self._waiting.notify()
         self._thread.join(timeout=2.0)
+        self._flusher.join(timeout=2.0)
 
     def _run(self) -> None:
         while True:
@@ -46,18 +52,21 @@ class JournalWriter:
                 entry, self._newest = self._newest, None
             if entry is None:
                 break
-            self._write(entry)
+            self._failing = not self._tried(partial(self._show.write_journal, entry))
+        self._done.set()
         self._show.close()
 
-    def _write(self, entry: JournalEntry) -> None:
+    def _flush(self) -> None:
+        show = self._show.again()
+        while not self._done.wait(self._flush_seconds):
+            self._tried(show.flush)
+        show.close()
+
+    def _tried(self, work: Callable[[], None]) -> bool:
         try:
-            self._show.write_journal(entry)
-            if time.monotonic() - self._flushed > FLUSH_SECONDS:
-                self._show.flush()
-                self._flushed = time.monotonic()
+            work()
         except sqlite3.Error as error:
             if not self._failing:
                 self._report(f"the journal {self._show.path} cannot be written ({error}); the show goes on without it.")
-            self._failing = True
-        else:
-            self._failing = False
+            return False
+        return True
