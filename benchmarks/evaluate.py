@@ -56,6 +56,8 @@ LINEAR = 2.0
 """How much more a vertex may cost against its peer on the finest head than on the built-in one."""
 SECONDS = 0.6
 """Spent on each pair at each size, at least."""
+ROUNDS = 25
+"""Looked at, at least, of each pair at each size."""
 
 Floats = NDArray[np.float32]
 Values = NDArray[np.float64]
@@ -212,9 +214,9 @@ def _copy_again(source: Floats, out: Floats, times: int) -> None:
 
 
 def _fastest(ours: Callable[[], object], peer: Callable[[], object]) -> tuple[float, float]:
-    """The shortest times of both in seconds, taken in turns."""
+    """The shortest times of both in seconds, taken in turns: other programs on the machine only ever lengthen them."""
     best, rounds, end = [np.inf, np.inf], 0, perf_counter() + SECONDS
-    while rounds < 7 or perf_counter() < end:
+    while rounds < ROUNDS or perf_counter() < end:
         for side, function in enumerate((ours, peer)):
             start = perf_counter()
             function()
