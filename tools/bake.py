@@ -8,7 +8,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import Progress
 
-from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, mesh_arrays
+from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, mesh_arrays, space_of
 from tools.baking.basemesh import read_base_mesh
 from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED
 from tools.baking.head import cut_head
@@ -18,12 +18,14 @@ from tools.baking.moves import all_moves, jaw_vertices
 from tools.baking.notice import notice
 from tools.baking.package import BakeError, Package, find_wheel
 from tools.baking.people import PEOPLE
+from tools.baking.sculpts import read_sculpts, sculpt_arrays, sculpt_paths
 from tools.baking.write import npz_bytes, png_bytes, write_file
 
 ROOT = Path(__file__).resolve().parent.parent
 CACHE = ROOT / "build" / "cast"
 TARGET = ROOT / "src" / "omote" / "builtin"
-STEPS = len(PEOPLE) + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + 4
+FACES = len(PEOPLE) + len(sculpt_paths())
+STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + 4
 
 
 def bake(package: Package, step: Step) -> dict[str, bytes]:
@@ -38,8 +40,10 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
     moves = all_moves(package, base, head)
     step("targets of the units")
     arrays["jaw"] = jaw_vertices(moves)
-    arrays.update(field_arrays(arrays, moves, step))
-    arrays.update(about(moves))
+    space, sculpts = space_of(arrays), read_sculpts()
+    arrays.update(sculpt_arrays(arrays, space, sculpts, step))
+    arrays.update(field_arrays(arrays, space, moves, step))
+    arrays.update(about(moves, sculpts))
     mask = png_bytes(paint_mask(head.skin, generic, layout))
     step("region mask")
     return {"mask.png": mask, "NOTICE-CC0.md": notice(package), "cast.npz": npz_bytes(arrays)}
@@ -64,7 +68,7 @@ def main() -> int:
         print(f"The cast was not baked: {error}", file=sys.stderr)
         return 1
     sizes = ", ".join(f"{name} {len(data) / 1e6:.2f} MB" for name, data in files.items())
-    print(f"{len(PEOPLE)} faces, {STEPS - len(PEOPLE) - 3} expressions: {sizes}")
+    print(f"{FACES} faces, {STEPS - FACES - 3} expressions: {sizes}")
     return 0
 
 

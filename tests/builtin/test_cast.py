@@ -46,9 +46,9 @@ def test_the_skin_is_the_designs() -> None:
     assert (CAST.space.vertex_count, len(CAST.space.triangles)) == (4278, 8508)
 
 
-def test_there_are_twelve_people() -> None:
+def test_there_are_twelve_people_and_five_sculpted_faces() -> None:
     assert {"generic", "kaori", "round", "child", "old", "doll"} < CAST.faces.keys()
-    assert len(CAST.faces) == 12
+    assert [*CAST.faces][12:] == ["auntie", "cat", "count", "dog", "noh"]
 
 
 def test_the_generic_face_is_the_spaces_own() -> None:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from omote.model.cast import GENERIC, NEUTRAL
 from omote.model.expression import Expression
 from omote.model.extract import extract
 from omote.model.face import Face
+from omote.model.sculpt import Sculpt
 from omote.model.space import ParameterSpace
 from tools.baking.basemesh import BaseMesh, Floats
 from tools.baking.expressions import ARKIT, PERFORMED, label, region
@@ -65,11 +67,21 @@ def _drawn(name: str, piece: Piece, uvs: Floats) -> Arrays:
     }
 
 
-def field_arrays(arrays: Arrays, moves: Mapping[str, Move], step: Step) -> Arrays:
-    """Every expression as a field on S, taken from the generic face by the paper's map; first the one at rest."""
-    generic = Face(GENERIC, arrays[f"face/{GENERIC}"], {part: arrays[f"face/{GENERIC}/{part}"] for part in PARTS})
+def face_of(arrays: Arrays, name: str) -> Face:
+    """A face of the arrays."""
+    return Face(name, arrays[f"face/{name}"], {part: arrays[f"face/{name}/{part}"] for part in PARTS})
+
+
+def space_of(arrays: Arrays) -> ParameterSpace:
+    """The parameter space of the generic face, its parts bound; the arrays hold its meshes and `jaw`."""
+    generic = face_of(arrays, GENERIC)
     parts = {part: PartMesh(generic.parts[part].astype(np.float64), arrays[f"part/{part}"]) for part in PARTS}
-    space = head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
+    return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
+
+
+def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move], step: Step) -> Arrays:
+    """Every expression as a field on S, taken from the generic face by the paper's map; first the one at rest."""
+    generic = face_of(arrays, GENERIC)
     expressions = [_at_rest(space)]
     for name, move in moves.items():
         expressions.append(extract(space, generic, move.skin, parts=move.parts))
@@ -97,9 +109,10 @@ def _stacked(expressions: list[Expression], space: ParameterSpace) -> Arrays:
     return {name: np.stack(stack).astype(np.float32) for name, stack in stacks.items()}
 
 
-def about(moves: Mapping[str, Move]) -> Arrays:
+def about(moves: Mapping[str, Move], sculpts: Sequence[Sculpt]) -> Arrays:
     """Names, looks and titles as JSON, and the format's number."""
     faces = {name: dict(person.look) for name, person in PEOPLE.items()}
+    faces |= {sculpt.name: asdict(sculpt.look) for sculpt in sculpts}
     rows = [{"name": NEUTRAL, "label": label(NEUTRAL), "kind": "neutral", "region": "whole"}]
     rows += [{"name": name, "label": label(name), "kind": _kind(name), "region": region(name)} for name in moves]
     text = json.dumps({"faces": faces, "expressions": rows}, indent=1)

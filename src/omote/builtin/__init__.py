@@ -1,4 +1,4 @@
-"""The baked cast: twelve people and what they can do, ready to be called.
+"""The baked cast: twelve people, five sculpted faces and what they can do, ready to be called.
 
 cast.npz, mask.png and the notice of their origin are written beside this file by `make bake` (tools/bake.py).
 """

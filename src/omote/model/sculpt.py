@@ -108,7 +108,7 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
     move = warp(sculpt)
     skin, parts = _base(space, sculpt, faces or {})
     eyes = [name for name, part in space.parts.items() if part.eye]
-    wanted = {name: heights(skin, parts[name]) for name in eyes}
+    wanted = {name: heights(space.points, space.parts[name].points) for name in eyes}
     skin += move(space.points) - space.points
     for name, part in space.parts.items():
         there = move(part.points)

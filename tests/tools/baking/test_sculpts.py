@@ -1,0 +1,83 @@
+"""The sculpted faces of the cast: named as their files, unfolded, eyes where everybody has them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import omote
+from omote.builtin.binding import EYES
+from omote.model.face import Face
+from omote.model.sculpt import Sculpt, sculpted, warp
+from omote.model.socket import heights
+from tools.baking.package import BakeError
+from tools.baking.sculpts import read_sculpts
+
+CAST = omote.load_cast()
+SCULPTS = read_sculpts()
+each_sculpt = pytest.mark.parametrize("sculpt", SCULPTS, ids=lambda sculpt: sculpt.name)
+
+
+def made(sculpt: Sculpt) -> Face:
+    return sculpted(CAST.space, sculpt, CAST.faces)
+
+
+def test_the_sculpts_of_the_cast() -> None:
+    assert [sculpt.name for sculpt in SCULPTS] == ["auntie", "cat", "count", "dog", "noh"]
+
+
+@each_sculpt
+def test_the_cast_has_the_sculpt_with_its_eyes_in_place(sculpt: Sculpt) -> None:
+    face, baked = made(sculpt), CAST.faces[sculpt.name]
+    shift = baked.positions - face.positions
+    assert np.ptp(shift, axis=0).max() < 1e-6
+    for part, points in baked.parts.items():
+        assert np.allclose(points - face.parts[part], shift[0], atol=1e-6)
+    assert CAST.looks[sculpt.name] == sculpt.look
+
+
+@each_sculpt
+def test_the_map_turns_nothing_inside_out(sculpt: Sculpt) -> None:
+    points, step, move = CAST.space.points, 1e-6, warp(sculpt)
+    slopes = [(move(points + step * axis) - move(points - step * axis)) / (2 * step) for axis in np.eye(3)]
+    assert np.linalg.det(np.stack(slopes, axis=2)).min() > 0.05
+
+
+@each_sculpt
+def test_eyeballs_are_round_and_lids_lie_on_them(sculpt: Sculpt) -> None:
+    face = made(sculpt)
+    for eye in EYES:
+        ball = face.parts[eye].astype(np.float64)
+        assert np.abs(heights(ball, ball) - 1.0).max() < 0.03  # as round as the people's
+        rest = heights(CAST.space.points, CAST.space.parts[eye].points)
+        lids = (rest > 1.0) & (rest < 1.1)
+        over = heights(face.positions, ball)[lids]
+        assert 0.98 < over.min() <= over.max() < 1.2
+
+
+def test_a_dog_has_a_muzzle_and_hanging_ears_and_a_cat_pricked_ones() -> None:
+    skin = {name: CAST.faces[name].positions for name in ("generic", "dog", "cat")}
+    tip = int(skin["generic"][:, 2].argmax())
+    lobe = int(np.abs(skin["generic"] - [0.073, -0.046, 0.058]).sum(axis=1).argmin())
+    rim = int(np.abs(skin["generic"] - [0.084, 0.014, 0.030]).sum(axis=1).argmin())
+    highest = skin["generic"][skin["cat"][:, 1].argmax()]
+    assert skin["dog"][tip, 2] - skin["generic"][tip, 2] > 0.06
+    assert skin["dog"][lobe, 1] < skin["dog"][rim, 1] - 0.05
+    assert abs(highest[0]) > 0.07
+    assert highest[1] < 0.03
+
+
+def test_a_sculpt_is_named_as_its_file_and_not_as_a_person(tmp_path: Path) -> None:
+    text = 'name = "NAME"\n[points]\n' + "\n".join(f"p{i} = {{ at = [{i}, 0, 0] }}" for i in range(4))
+    (tmp_path / "mine.toml").write_text(text.replace("NAME", "yours"))
+    with pytest.raises(BakeError, match=r"mine\.toml holds a sculpt named 'yours'; expected its file's name"):
+        read_sculpts(tmp_path)
+    (tmp_path / "mine.toml").write_text("name = 1")
+    with pytest.raises(BakeError, match=r"mine\.toml: the sculpt has no control points"):
+        read_sculpts(tmp_path)
+    (tmp_path / "mine.toml").rename(tmp_path / "old.toml")
+    (tmp_path / "old.toml").write_text(text.replace("NAME", "old"))
+    with pytest.raises(BakeError, match="and no person's"):
+        read_sculpts(tmp_path)
