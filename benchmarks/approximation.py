@@ -59,7 +59,7 @@ def candidates(cast: Cast) -> list[tuple[float, Pair, Pair]]:
 
 def main() -> None:
     """Searches, and prints the ten worst pairs."""
-    cast = omote.load_cast()
+    cast = omote.load_cast().under("paper")
     found = [(*along(cast, faces, worn), faces, worn) for _, faces, worn in candidates(cast)]
     table = Table(title="Bilinear against exact, along the path: the ten worst pairs", title_justify="left")
     for column in ("faces", "expressions", "largest, mm", "rms, mm", "where"):

@@ -124,10 +124,14 @@ def _lattice(side: int) -> tuple[Values, Indices]:
 def finer(cast: Cast, count: int) -> Cast:
     """The cast on a head of `count` vertices: two faces and sixty expressions, cut out of the coarse ones."""
     names = ["neutral", *sorted(set(cast.expressions) - {"neutral"})][:ACTIVE]
-    chosen = {name: replace(cast.expressions[name], parts={}) for name in names}
+    chosen = {name: replace(cast.expressions[name], parts={}, transfer="paper") for name in names}
     space = cast.space
     if count == space.vertex_count:
-        return Cast(replace(space, parts={}), {name: Face(name, cast.faces[name].positions) for name in FACES}, chosen)
+        return Cast(
+            replace(space, parts={}, transfer="paper"),
+            {name: Face(name, cast.faces[name].positions) for name in FACES},
+            chosen,
+        )
     # Sheet, membranes and the rest are cut as one mesh, so that they still share their edges.
     rest = space.triangles[~_rows_in(space.triangles, space.skin_triangles)]
     fine = cut(np.concatenate([space.skin_triangles, space.membranes, rest]).astype(np.int32), count)
@@ -159,6 +163,7 @@ def _finer_space(space: ParameterSpace, fine: Cut) -> ParameterSpace:
         membranes=fine.triangles[(fine.parents >= skins) & (fine.parents < skins + holes)],
         cylinder=space.cylinder,
         radius=space.radius,
+        transfer="paper",
         theta=theta,
         h=h,
         strip=Strip.of(unwrapped(theta, located), h[located], mesh.neighbours(located)),
@@ -193,7 +198,9 @@ def _finer_expression(worn: Expression, fine: Cut, space: ParameterSpace) -> Exp
     still = ~space.on_sheet
     dtheta, dh, ratio = (fine.at(values) for values in (worn.dtheta, worn.dh, worn.ratio))
     dtheta[still], dh[still], ratio[still] = 0.0, 0.0, 1.0
-    return Expression(dtheta, dh, ratio, np.zeros((len(space.inner.vertices), 3)), radius=space.radius)
+    return Expression(
+        dtheta, dh, ratio, np.zeros((len(space.inner.vertices), 3)), radius=space.radius, transfer="paper"
+    )
 
 
 # --- the pairs --------------------------------------------------------------------------------------------------------
