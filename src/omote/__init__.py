@@ -7,12 +7,17 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from omote.builtin import load_cast as load_cast
+    from omote.files.sculptfile import read_sculpt as read_sculpt
     from omote.model.cast import Cast as Cast
     from omote.model.compound import compound as compound
     from omote.model.control_net import ControlNet as ControlNet
     from omote.model.expression import Expression as Expression
     from omote.model.extract import extract as extract
     from omote.model.face import Face as Face
+    from omote.model.regions import caricature as caricature
+    from omote.model.regions import regional as regional
+    from omote.model.sculpt import Sculpt as Sculpt
+    from omote.model.sculpt import sculpted as sculpted
     from omote.model.space import ParameterSpace as ParameterSpace
     from omote.perform.evaluate import evaluate as evaluate
     from omote.perform.evaluate import evaluate_parts as evaluate_parts
@@ -29,11 +34,16 @@ _HOMES = {
     "Face": "omote.model.face",
     "ParameterSpace": "omote.model.space",
     "Performer": "omote.perform.performer",
+    "Sculpt": "omote.model.sculpt",
+    "caricature": "omote.model.regions",
     "compound": "omote.model.compound",
     "evaluate": "omote.perform.evaluate",
     "evaluate_parts": "omote.perform.evaluate",
     "extract": "omote.model.extract",
     "load_cast": "omote.builtin",
+    "read_sculpt": "omote.files.sculptfile",
+    "regional": "omote.model.regions",
+    "sculpted": "omote.model.sculpt",
 }
 
 __all__ = [*_HOMES]
