@@ -130,6 +130,10 @@ def test_a_caricature_adds_form_and_no_detail() -> None:
     assert 1.15 < wider[int(np.abs(CAST.space.points - [0.06, -0.02, 0.1]).sum(axis=1).argmin())] < 1.22
 
 
+def test_a_caricature_has_a_name_of_its_own() -> None:
+    assert caricature(space(), cast().faces["long"], 1.5).name == "long_150"
+
+
 @pytest.mark.parametrize("amount", [float("nan"), float("inf")])
 def test_an_amount_that_is_not_finite_is_refused(amount: float) -> None:
     with pytest.raises(ValueError, match="a caricature's amount is"):

@@ -96,8 +96,8 @@ def regional(
 def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     """What distinguishes a face from the generic one, times amount: 0 the generic face, 1 the face, 2 twice itself.
 
-    Up to one it is the linear mix; beyond, only the smooth form grows, so wrinkles and lids stay what they are. Raises
-    ValueError on an amount that is not finite or that tears the face.
+    Up to one it is the linear mix; beyond, only the smooth form grows, so wrinkles and lids stay what they are. It is
+    named after face and amount ("kaori_150"). Raises ValueError on an amount that is not finite or that tears the face.
     """
     if not np.isfinite(amount):
         raise ValueError(f"a caricature's amount is {amount!r}; expected a finite number such as 1.5")
@@ -111,7 +111,13 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
         for name, part in space.parts.items():
             further = fitted.parts[name] - part.points if part.eye else _form(space, difference, part.points)
             parts[name] += beyond * further
-    return _checked(space, face.name, skin, parts, {eye: _heights(fitted, eye) for eye in _eyes(space) if beyond > 0.0})
+    return _checked(
+        space,
+        f"{face.name}_{100 * amount:.0f}",
+        skin,
+        parts,
+        {eye: _heights(fitted, eye) for eye in _eyes(space) if beyond > 0.0},
+    )
 
 
 def _form(space: ParameterSpace, difference: Values, where: Values) -> Values:
