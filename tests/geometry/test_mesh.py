@@ -91,6 +91,16 @@ def test_weld_names_the_first_of_equal_points() -> None:
         (np.zeros((0, 3)), r"shape \(0, 3\)"),
         ([[0, 0, np.nan]], r"points\[0\] is .*nan.*finite"),
         ([[0, 0, 0], [np.inf, 0, 0]], r"points\[1\]"),
+        ([[0, 0, 0], [0, 0, 1e39]], r"points\[1\] is .*at most 1e\+06 from zero"),
+        (None, "points has no numbers but NoneType: expected"),
+        ("abc", "points has no numbers but str"),
+        ([["1", "2", "3"]], "points has no numbers but str"),
+        (np.zeros((1, 3), complex), "points has no numbers but complex128"),
+        (np.zeros((1, 3), bool), "points has no numbers but bool"),
+        (np.zeros((1, 3), object), "points has no numbers but object"),
+        (np.zeros((1, 3), "M8[s]"), "points has no numbers but datetime64"),
+        ([[0, 0, 0], [1, 2]], "points has rows of different lengths"),
+        (np.ma.masked_equal(np.zeros((1, 3)), 0), "points has masked values"),
     ],
 )
 def test_points_are_refused(points: Any, sentence: str) -> None:
@@ -106,6 +116,9 @@ def test_points_are_refused(points: Any, sentence: str) -> None:
         ([[0, 1, 7]], r"indices from 0 to 3"),
         ([[0, -1, 2]], r"indices from 0 to 3"),
         ([[0, 2, 2]], "degenerate"),
+        ([[0, 1, 2], [0, 1]], "triangles has rows of different lengths"),
+        ([[True, False, True]], "dtype bool"),
+        ([[0, 1, 2], [1, 2, 3], [2, 0, 1]], r"triangle 2 is \[2 0 1\], as triangle 0 is.*remove one of them"),
     ],
 )
 def test_triangles_are_refused(triangles: Any, sentence: str) -> None:

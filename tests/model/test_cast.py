@@ -41,6 +41,23 @@ def test_casts_are_refused() -> None:
     foreign = extract(other, face, np.zeros_like(space().points))
     with pytest.raises(ValueError, match="different rules do not mix"):
         cast().with_expressions(foreign=foreign)
+    with pytest.raises(TypeError, match=r"the face is a ndarray; expected an omote.Face"):
+        cast().with_faces(space().points)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match=r"the expression is a str; expected an omote.Expression"):
+        cast().with_expressions(smile="smile")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="an expression is named ''; expected a text of 1 to 80"):
+        cast().with_expressions(**{"": smile})
+    with pytest.raises(ValueError, match="there is a look for 'nobody'; expected one of"):
+        cast().with_faces(looks={"nobody": Look()})
+    with pytest.raises(TypeError, match="the look of 'generic' is a str; expected a Look"):
+        cast().with_faces(looks={"generic": "red"})  # type: ignore[dict-item]
+
+
+def test_the_generic_face_and_the_field_at_rest_cannot_be_others() -> None:
+    with pytest.raises(ValueError, match=r"face 'generic' is not the face the space was built from.*another name"):
+        cast().with_faces(Face("generic", space().points * [1.2, 1, 1]))
+    with pytest.raises(ValueError, match=r"expression 'neutral' moves something.*another name"):
+        cast().with_expressions(neutral=cast().expressions["smile"])
 
 
 @pytest.mark.parametrize("colour", ["red", "#12345", "#12345g", 7])

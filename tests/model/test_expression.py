@@ -32,10 +32,16 @@ def test_an_expression_keeps_copies_nobody_can_write() -> None:
         ({"residual": np.zeros((2, 2))}, r"residual of an expression has shape \(2, 2\)"),
         ({"eyes": np.zeros(2)}, r"eyes of an expression has shape \(2,\)"),
         ({"parts": {"tongue": np.full((1, 3), np.inf)}}, r"part 'tongue'\[0\]"),
+        ({"parts": None}, "parts of an expression are a NoneType; expected a mapping"),
+        ({"parts": {"tongue": 3}}, r"part 'tongue' of an expression has shape \(\)"),
+        ({"dtheta": None}, "dtheta of an expression has no numbers but NoneType"),
+        ({"dh": np.zeros(4, complex)}, "dh of an expression has no numbers but complex128"),
+        ({"dh": np.full(4, 1e308)}, r"dh\[0\] of an expression is 1e\+308"),
+        ({"residual": None}, "residual of an expression has no numbers but NoneType"),
     ],
 )
 def test_expressions_are_refused(change: dict[str, Any], sentence: str) -> None:
-    with pytest.raises(ValueError, match=sentence):
+    with pytest.raises((ValueError, TypeError), match=sentence):
         Expression(**{**rest(), **change})
 
 

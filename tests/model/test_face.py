@@ -40,5 +40,12 @@ def test_faces_are_refused() -> None:
         Face("a", np.zeros((4, 2)))
     with pytest.raises(ValueError, match=r"positions of face 'a'\[0\]"):
         Face("a", np.full((4, 3), np.nan))
+    with pytest.raises(ValueError, match="part 'eye' of face 'a' has no numbers but NoneType"):
+        Face("a", np.zeros((4, 3)), {"eye": None})  # type: ignore[dict-item]
+    with pytest.raises(TypeError, match="parts of face 'a' are a NoneType; expected a mapping"):
+        Face("a", np.zeros((4, 3)), None)  # type: ignore[arg-type]
+    for name in ("x" * 81, "a\nb", "\ud800", 3):
+        with pytest.raises(ValueError, match=r"a face is named .*; expected a text of 1 to 80 printable characters"):
+            Face(name, np.zeros((4, 3)))  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="part 'eye' of face 'a'"):
         Face("a", np.zeros((4, 3)), {"eye": np.full((1, 3), np.inf)})

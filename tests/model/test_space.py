@@ -104,5 +104,22 @@ def test_a_space_refuses_what_is_no_head() -> None:
         ParameterSpace.build(points, triangles[:, ::-1])
     with pytest.raises(ValueError, match=r"outside the head|straight ahead"):
         ParameterSpace.build(points, triangles, axis=(0.0, -0.5))
+    for axis in (
+        3.0,
+        (0.0,),
+        (0.0, 0.0, 0.0),
+        "ab",
+        (None, 0.0),
+        (True, False),
+        (1j, 0.0),
+        (np.inf, 0.0),
+        (1e300, 0.0),
+    ):
+        with pytest.raises(ValueError, match=r"axis .*expected (two|finite|an array)|axis has no numbers"):
+            ParameterSpace.build(points, triangles, axis=axis)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"radius is array.*expected one of"):
+        ParameterSpace.build(points, triangles, radius=np.zeros(3))  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"no vertex lies in the upper half .*expected a head"):
+        ParameterSpace.build([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
     with pytest.raises(ValueError, match="radius is 'paper'; expected one of 'origin', 'surface'"):
         ParameterSpace.build(points, triangles, radius="paper")  # type: ignore[arg-type]

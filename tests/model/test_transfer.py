@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -123,23 +125,21 @@ def test_fields_of_another_rule_or_another_space_are_refused() -> None:
         compound(space(), cast().faces["generic"], small)
 
 
-def test_displacements_are_refused() -> None:
-    face, count = cast().faces["generic"], space().vertex_count
-    broken = np.zeros((count, 3))
-    broken[4, 2] = np.inf
-    with pytest.raises(ValueError, match=r"displacement\[4\]"):
-        extract(space(), face, broken)
-    with pytest.raises(ValueError, match=f"displacement has 5 rows; expected {count}"):
-        extract(space(), face, np.zeros((5, 3)))
-    with pytest.raises(ValueError, match="'beak'; expected one of"):
-        extract(space(), face, np.zeros((count, 3)), parts={"beak": np.zeros((2, 3))})
-    with pytest.raises(ValueError, match="part 'eye_left' has 2 rows"):
-        extract(space(), face, np.zeros((count, 3)), parts={"eye_left": np.zeros((2, 3))})
-
-
-@pytest.mark.parametrize(("weight", "sentence"), [(float("nan"), "weight is nan"), (1e4, "keeps it positive")])
-def test_weights_are_refused(weight: float, sentence: str) -> None:
-    with pytest.raises(ValueError, match=sentence):
+@pytest.mark.parametrize(
+    ("weight", "sentence"),
+    [
+        (float("nan"), "weight is nan"),
+        (1e4, "keeps it positive"),
+        (-1e300, r"weight is -1e\+300; expected a number from -1e\+06 to 1e\+06"),
+        (10**400, "weight is far too large"),
+        (True, "weight must be a number, not True"),
+        (None, "weight must be a number, not None"),
+        (1j, "weight must be a number, not 1j"),
+        (np.zeros(2), "weight must be a number, not array"),
+    ],
+)
+def test_weights_are_refused(weight: Any, sentence: str) -> None:
+    with pytest.raises((ValueError, TypeError), match=sentence):
         compound(space(), cast().faces["generic"], cast().expressions["jawOpen"], weight=weight)
 
 
@@ -148,3 +148,16 @@ def test_a_part_that_the_space_does_not_have_is_refused() -> None:
     beaked = Expression(smile.dtheta, smile.dh, smile.ratio, smile.residual, {"beak": np.zeros((4, 3))})
     with pytest.raises(ValueError, match="moves a part 'beak'"):
         compound(space(), cast().faces["generic"], beaked)
+
+
+def test_what_is_no_space_face_or_expression_is_refused() -> None:
+    nothing: Any = None
+    array: Any = space().points
+    face, smile = cast().faces["generic"], cast().expressions["smile"]
+    for wrong, kind in ((nothing, "NoneType"), (array, "ndarray")):
+        with pytest.raises(TypeError, match=f"the face is a {kind}; expected an omote.Face"):
+            compound(space(), wrong, smile)
+        with pytest.raises(TypeError, match=f"the expression is a {kind}; expected an omote.Expression"):
+            compound(space(), face, wrong)
+        with pytest.raises(TypeError, match=f"the space is a {kind}; expected an omote.ParameterSpace"):
+            compound(wrong, face, smile)

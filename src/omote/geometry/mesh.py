@@ -2,25 +2,60 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Points = NDArray[np.float64]
 Triangles = NDArray[np.int32]
 
+FARTHEST = 1e6
+"""No number of a mesh lies farther from zero: float32 would keep nothing of a face, and squares would overflow."""
+
+
+def checked_numbers(values: ArrayLike, /, *, name: str) -> NDArray[np.float64]:
+    """A new float64 array of real numbers, in any shape.
+
+    Raises ValueError on rows of different lengths, on masked values and on what is no number: text, bool, complex,
+    objects. Whether the numbers are finite is left to whoever knows what their rows are.
+    """
+    given = _regular(values, name)
+    if given.dtype.kind not in "iuf" and given.size:
+        kind = type(values).__name__ if given.dtype.kind in "OU" and given.ndim == 0 else given.dtype.name
+        raise ValueError(f"{name} has no numbers but {kind}: expected an array of real numbers, such as float32")
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name} has masked values; expected all of them: fill them in first")
+    return np.array(given, dtype=np.float64)
+
+
+def out_of_reach(values: NDArray[np.float64], /) -> NDArray[np.intp]:
+    """The rows of values that are not finite, or farther than FARTHEST from zero."""
+    near = np.abs(values) <= FARTHEST  # not so for NaN
+    return np.flatnonzero(~near.all(axis=tuple(range(1, near.ndim))))
+
+
+def _regular(values: ArrayLike, name: str) -> NDArray[Any]:
+    try:
+        return np.asarray(values)
+    except (ValueError, TypeError) as error:
+        raise ValueError(f"{name} has rows of different lengths; expected an array of numbers") from error
+
 
 def checked_points(points: ArrayLike, /, *, name: str = "points") -> Points:
     """Points as float64.
 
-    points (V, 3), metres. Raises ValueError on another shape and on values that are not finite.
+    points (V, 3), metres. Raises ValueError on another shape, on what is no real number and on values that are not
+    finite or out of all reach.
     """
-    result = np.array(points, dtype=np.float64)
+    result = checked_numbers(points, name=name)
     if result.ndim != 2 or result.shape[1] != 3 or len(result) == 0:
         raise ValueError(f"{name} has shape {result.shape}; expected (V, 3), one row of x, y, z per vertex")
-    bad = np.flatnonzero(~np.isfinite(result).all(axis=1))
+    bad = out_of_reach(result)
     if len(bad):
         raise ValueError(
-            f"{name}[{bad[0]}] is {result[bad[0]]}; expected finite numbers in every one of its {len(result)} rows"
+            f"{name}[{bad[0]}] is {result[bad[0]]}; expected finite numbers in every one of its {len(result)} rows, "
+            f"at most {FARTHEST:g} from zero"
         )
     return result
 
@@ -29,9 +64,9 @@ def checked_triangles(triangles: ArrayLike, vertex_count: int, /) -> Triangles:
     """Triangles as int32.
 
     triangles (F, 3), vertex indices counter-clockwise from outside. Raises ValueError on another shape, on indices
-    outside 0..vertex_count-1 and on a triangle that names a vertex twice.
+    outside 0..vertex_count-1, on a triangle that names a vertex twice and on one that is there twice.
     """
-    result = np.asarray(triangles)
+    result = _regular(triangles, "triangles")
     if result.ndim != 2 or result.shape[1] != 3 or len(result) == 0:
         raise ValueError(f"triangles has shape {result.shape}; expected (F, 3), three vertex indices per triangle")
     if not np.issubdtype(result.dtype, np.integer):
@@ -44,7 +79,23 @@ def checked_triangles(triangles: ArrayLike, vertex_count: int, /) -> Triangles:
         raise ValueError(
             f"triangle {twice[0]} is {result[twice[0]]}; expected three different vertices (degenerate triangle)"
         )
+    _refuse_doubled(result)
     return result.astype(np.int32)
+
+
+def _refuse_doubled(triangles: NDArray[np.integer]) -> None:
+    """An edge of two equal triangles has four sides: the sheet would tear there."""
+    turn = (triangles.argmin(axis=1)[:, None] + np.arange(3)) % 3
+    _, first, inverse = np.unique(
+        np.take_along_axis(triangles, turn, axis=1), axis=0, return_index=True, return_inverse=True
+    )
+    same = first[inverse.reshape(-1)]
+    late = np.flatnonzero(same != np.arange(len(triangles)))
+    if len(late):
+        raise ValueError(
+            f"triangle {late[0]} is {triangles[late[0]]}, as triangle {same[late[0]]} is, and {len(late) - 1} more; "
+            "expected every triangle once: remove one of them"
+        )
 
 
 def weld(points: Points, /) -> NDArray[np.int32]:

@@ -11,12 +11,15 @@ from types import MappingProxyType
 import numpy as np
 
 from omote.model.expression import Expression
-from omote.model.face import Face
+from omote.model.face import Face, refuse_name
 from omote.model.fitted import fit
 from omote.model.space import ParameterSpace, Transfer
 from omote.model.transfer import compile_expression
 
 GENERIC, NEUTRAL = "generic", "neutral"
+
+# Radians, metres: a field extracted where nothing moves holds the rounding of float32.
+_REST = 1e-6
 
 
 @dataclass(frozen=True)
@@ -46,6 +49,24 @@ class Title:
     region: str = "whole"
 
 
+def _refuse_others_at_rest(cast: Cast) -> None:
+    """Panic and every start of a show go to these two, so no others may bear their names."""
+    generic, neutral = cast.faces.get(GENERIC), cast.expressions[NEUTRAL]
+    if generic is not None and not np.array_equal(generic.positions, cast.space.points.astype(np.float32)):
+        raise ValueError(f"face {GENERIC!r} is not the face the space was built from; give it another name")
+    rests = (neutral.dtheta, neutral.dh, neutral.ratio - 1.0, neutral.residual, neutral.eyes, *neutral.parts.values())
+    if any(np.abs(values).max(initial=0.0) > _REST for values in rests):
+        raise ValueError(f"expression {NEUTRAL!r} moves something; expected the field at rest: give it another name")
+
+
+def _refuse_strange_looks(cast: Cast) -> None:
+    for name, look in cast.looks.items():
+        if name not in cast.faces:
+            raise ValueError(f"there is a look for {name!r}; expected one of the faces {', '.join(cast.faces)}")
+        if not isinstance(look, Look):
+            raise TypeError(f"the look of {name!r} is a {type(look).__name__}; expected a Look")
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Cast:
     """Faces and expressions by name, on one space; "generic" is M0 itself and "neutral" the field at rest.
@@ -62,11 +83,15 @@ class Cast:
 
     def __post_init__(self) -> None:
         for name, face in self.faces.items():
+            fit(self.space, face)
             if name != face.name:
                 raise ValueError(f"the face under {name!r} is named {face.name!r}; expected one name for both")
-            fit(self.space, face)
         if NEUTRAL not in self.expressions:
             raise ValueError(f"the cast has no expression {NEUTRAL!r}; expected the field at rest under that name")
+        for name in self.expressions:
+            refuse_name(name, "an expression")
+        _refuse_others_at_rest(self)
+        _refuse_strange_looks(self)
         looks = {name: self.looks.get(name, Look()) for name in self.faces}
         titles = {name: self.titles.get(name, Title(name.replace("_", " "))) for name in self.expressions}
         for attribute, value in (
@@ -79,6 +104,8 @@ class Cast:
 
     def with_faces(self, *faces: Face, looks: Mapping[str, Look] | None = None) -> Cast:
         """A new cast with these faces added (or, by name, replaced)."""
+        for face in faces:
+            fit(self.space, face)
         return replace(
             self, faces={**self.faces, **{face.name: face for face in faces}}, looks={**self.looks, **(looks or {})}
         )

@@ -9,6 +9,8 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from omote.geometry import mesh
+
 Values = NDArray[np.float64]
 
 
@@ -38,7 +40,7 @@ class Expression:
             ("dtheta", count),
             ("dh", count),
             ("ratio", count),
-            ("residual", (len(self.residual), 3)),
+            ("residual", (*np.shape(self.residual)[:1], 3)),
             ("eyes", (2, 2)),
         ):
             object.__setattr__(self, name, _checked(getattr(self, name), name, shape))
@@ -47,16 +49,25 @@ class Expression:
         low = int(self.ratio.argmin()) if len(self.ratio) else 0
         if len(self.ratio) and self.ratio[low] <= 0:
             raise ValueError(f"ratio[{low}] is {self.ratio[low]}; expected a positive ratio of radii")
-        parts = {name: _checked(value, f"part {name!r}", (len(value), 3)) for name, value in self.parts.items()}
+        if not isinstance(self.parts, Mapping):
+            raise TypeError(
+                f"parts of an expression are a {type(self.parts).__name__}; expected a mapping by part name"
+            )
+        parts = {
+            name: _checked(value, f"part {name!r}", (*np.shape(value)[:1], 3)) for name, value in self.parts.items()
+        }
         object.__setattr__(self, "parts", MappingProxyType(parts))
 
 
 def _checked(value: ArrayLike, name: str, shape: tuple[int, ...]) -> Values:
-    result = np.array(value, dtype=np.float64)
+    result = mesh.checked_numbers(value, name=f"{name} of an expression")
     if result.shape != shape:
         raise ValueError(f"{name} of an expression has shape {result.shape}; expected {shape}")
-    if not np.isfinite(result).all():
-        row = int(np.flatnonzero(~np.isfinite(result).reshape(len(result), -1).all(axis=1))[0])
-        raise ValueError(f"{name}[{row}] of an expression is {result[row]}; expected finite numbers")
+    bad = mesh.out_of_reach(result)
+    if len(bad):
+        raise ValueError(
+            f"{name}[{bad[0]}] of an expression is {result[bad[0]]}; "
+            f"expected finite numbers, at most {mesh.FARTHEST:g} from zero"
+        )
     result.setflags(write=False)
     return result

@@ -15,7 +15,7 @@ from omote.model.face import Face
 from omote.model.fitted import fit
 from omote.model.parts import eye_angles, eye_rotation
 from omote.model.smooth import uncarried
-from omote.model.space import ParameterSpace
+from omote.model.space import ParameterSpace, refuse_no_space
 from omote.model.transfer import slide
 
 Values = NDArray[np.float64]
@@ -34,6 +34,10 @@ def extract(
     displacement (V, 3) metres on the face; parts: displacements (n, 3) of parts by name (an eyeball's is read as a turn
     about its centre and a rest). Raises ValueError on other shapes and on values that are not finite.
     """
+    refuse_no_space(space)
+    fit(space, face)
+    if not isinstance(parts, Mapping | None):
+        raise TypeError(f"parts is a {type(parts).__name__}; expected a mapping from part names to (n, 3) metres")
     moved = mesh.checked_points(displacement, name="displacement")
     if len(moved) != space.vertex_count:
         raise ValueError(

@@ -12,6 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from omote.geometry import mesh
 from omote.model.parts import similarity
 
+LONGEST_NAME = 80
+"""Characters; what a message of a console may hold (`show/messages.py`)."""
+
 
 @dataclass(frozen=True, eq=False)
 class Face:
@@ -27,11 +30,23 @@ class Face:
     parts: Mapping[str, NDArray[np.floating]] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
-        if not isinstance(self.name, str) or not self.name:
-            raise ValueError(f"a face is named {self.name!r}; expected a text that is not empty")
+        refuse_name(self.name, "a face")
+        if not isinstance(self.parts, Mapping):
+            raise TypeError(
+                f"parts of face {self.name!r} are a {type(self.parts).__name__}; expected a mapping by part name"
+            )
         object.__setattr__(self, "positions", _frozen(self.positions, f"positions of face {self.name!r}"))
         parts = {part: _frozen(points, f"part {part!r} of face {self.name!r}") for part, points in self.parts.items()}
         object.__setattr__(self, "parts", MappingProxyType(parts))
+
+
+def refuse_name(name: object, what: str, /) -> None:
+    """Raises ValueError on a name that nobody could call on the wire, where names are keys, or read on a console."""
+    if not isinstance(name, str) or not 1 <= len(name) <= LONGEST_NAME or not name.isprintable():
+        shown = repr(name)
+        raise ValueError(
+            f"{what} is named {shown[:LONGEST_NAME]}; expected a text of 1 to {LONGEST_NAME} printable characters"
+        )
 
 
 def _frozen(points: ArrayLike, name: str) -> NDArray[np.float32]:

@@ -40,8 +40,11 @@ _fitted: WeakKeyDictionary[Face, tuple[ParameterSpace, Fitted]] = WeakKeyDiction
 def fit(space: ParameterSpace, face: Face, /) -> Fitted:
     """The face ready for compounds, remembered as long as the face lives.
 
-    Raises ValueError where the face has another topology, triangles without area, or does not stand around the axis.
+    Raises ValueError where the face has another topology, triangles without area, or does not stand around the axis;
+    TypeError where it is none.
     """
+    if not isinstance(face, Face):
+        raise TypeError(f"the face is a {type(face).__name__}; expected an omote.Face, such as cast.faces['generic']")
     known = _fitted.get(face)
     if known is None or known[0] is not space:
         known = (space, _fit(space, face))

@@ -43,6 +43,11 @@ def find_axis(points: Points, triangles: Triangles, /) -> tuple[float, float]:
         slice_ = head[np.abs(head[:, 1] - (low + share * (high - low))) < 0.04 * (high - low)]
         if len(slice_):
             centres.append((slice_[:, [0, 2]].min(axis=0) + slice_[:, [0, 2]].max(axis=0)) / 2)
+    if not centres:
+        raise ValueError(
+            f"no vertex lies in the upper half of the mesh, between heights {low:.4g} and {high:.4g}; "
+            "expected a head, y up and +z forward"
+        )
     x, z = np.mean(centres, axis=0)
     return float(x), float(z)
 

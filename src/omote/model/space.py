@@ -88,15 +88,13 @@ class ParameterSpace:
         ValueError on arrays that are no mesh, on triangles without area, on an axis outside the head and where no sheet
         is found (method.md, section 2).
         """
-        if radius not in RADIUS_RULES:
-            raise ValueError(f"radius is {radius!r}; expected one of {', '.join(map(repr, RADIUS_RULES))}")
-        if transfer not in TRANSFERS:
-            raise ValueError(f"transfer is {transfer!r}; expected one of {', '.join(map(repr, TRANSFERS))}")
+        _refuse_unknown(radius, RADIUS_RULES, "radius")
+        _refuse_unknown(transfer, TRANSFERS, "transfer")
         checked = mesh.checked_points(points)
         faces = mesh.checked_triangles(triangles, len(checked))
         sheet.refuse_degenerate(checked, faces)
         joined = mesh.weld(checked)
-        cylinder = Cylinder(*(sheet.find_axis(checked, faces) if axis is None else axis))
+        cylinder = _cylinder(sheet.find_axis(checked, faces) if axis is None else axis)
         theta, h, _ = cylinder.unroll(checked)
         skin, membranes = sheet.cut(checked, joined[faces], theta, h, cylinder)
         corners = np.concatenate([joined[faces[skin]], membranes])
@@ -139,14 +137,33 @@ class ParameterSpace:
 
     def under(self, transfer: Transfer, /) -> ParameterSpace:
         """This space with another transfer rule; expressions are taken anew in it."""
-        if transfer not in TRANSFERS:
-            raise ValueError(f"transfer is {transfer!r}; expected one of {', '.join(map(repr, TRANSFERS))}")
+        _refuse_unknown(transfer, TRANSFERS, "transfer")
         return replace(self, transfer=transfer)
 
     def locate(self, theta: NDArray[np.float64], h: NDArray[np.float64], vertices: NDArray[np.int32], /) -> Landing:
         """The triangles of S that hold the points (theta, h) (N,), walking from the fans of vertices (N,) on the
         sheet."""
         return self.strip.locate(theta, h, self.fans.triangles[self.fans.starts[vertices]])
+
+
+def refuse_no_space(space: object, /) -> None:
+    """Raises TypeError where a space was expected and something else came."""
+    if not isinstance(space, ParameterSpace):
+        raise TypeError(f"the space is a {type(space).__name__}; expected an omote.ParameterSpace, such as cast.space")
+
+
+def _refuse_unknown(value: object, rules: tuple[str, ...], name: str) -> None:
+    if not isinstance(value, str) or value not in rules:
+        raise ValueError(f"{name} is {value!r}; expected one of {', '.join(map(repr, rules))}")
+
+
+def _cylinder(axis: ArrayLike) -> Cylinder:
+    place = mesh.checked_numbers(axis, name="axis")
+    if place.shape != (2,):
+        raise ValueError(f"axis has shape {place.shape}; expected two numbers, x and z in metres")
+    if len(mesh.out_of_reach(place)):
+        raise ValueError(f"axis is {place}; expected finite metres, x and z, at most {mesh.FARTHEST:g} from zero")
+    return Cylinder(float(place[0]), float(place[1]))
 
 
 def _fans(corners: NDArray[np.int32], joined: NDArray[np.int32]) -> Fans:

@@ -4,18 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from numbers import Real
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
 from omote.geometry.locate import Landing, walk_face
+from omote.geometry.mesh import FARTHEST
 from omote.model.expression import Expression
 from omote.model.fitted import Fitted
-from omote.model.space import ParameterSpace
+from omote.model.space import ParameterSpace, refuse_no_space
 
 Floats = NDArray[np.float32]
 Indices = NDArray[np.int32]
+
+_WEIGHTS = f"expected a number from {-FARTHEST:g} to {FARTHEST:g}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,7 +38,25 @@ class Compiled:
     inside: NDArray[np.bool_]
 
 
+def _checked_weight(weight: object) -> float:
+    if isinstance(weight, bool) or not isinstance(weight, Real):
+        raise TypeError(f"weight must be a number, not {weight!r}; 1 wears the expression as it is")
+    try:
+        number = float(weight)
+    except OverflowError as error:
+        raise ValueError(f"weight is far too large; {_WEIGHTS}") from error
+    if not abs(number) <= FARTHEST:  # also catches NaN
+        raise ValueError(f"weight is {number}; {_WEIGHTS}")
+    return number
+
+
 def _refuse_foreign(space: ParameterSpace, expression: Expression) -> None:
+    refuse_no_space(space)
+    if not isinstance(expression, Expression):
+        raise TypeError(
+            f"the expression is a {type(expression).__name__}; "
+            "expected an omote.Expression, such as cast.expressions['smile']"
+        )
     if len(expression.dtheta) != space.vertex_count or len(expression.residual) != len(space.inner.vertices):
         raise ValueError(
             f"the expression has {len(expression.dtheta)} vertices, {len(expression.residual)} of them inner skin; "
@@ -73,11 +95,10 @@ def compile_expression(space: ParameterSpace, expression: Expression, /, weight:
     """The expression located on S, to be worn by any face; weight scales the field: w dtheta, w dh, 1 + w (R - 1).
 
     Raises ValueError on an expression of another space or rule and on a weight that is not finite or turns a radius
-    over.
+    over; TypeError on what is no space, expression or number.
     """
     _refuse_foreign(space, expression)
-    if not np.isfinite(weight):
-        raise ValueError(f"weight is {weight}; expected a finite number")
+    weight = _checked_weight(weight)
     ratios = 1.0 + weight * (expression.ratio - 1.0)
     if ratios.min() <= 0:
         raise ValueError(
