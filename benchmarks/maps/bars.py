@@ -1,0 +1,80 @@
+"""What issue and design ask of the map, each as a figure of the whole run against its bar."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchmarks.maps.figures import Figures, Worst
+from benchmarks.maps.methods import DEFORMATION, OURS
+from benchmarks.maps.source import NOT_HUMAN
+
+Faces = Mapping[str, Figures]
+Run = Mapping[str, Faces]
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One bar: what is measured, what was found, what is allowed (at most), and the face it happened on."""
+
+    name: str
+    found: float
+    bar: float
+    face: str = ""
+
+    @property
+    def met(self) -> bool:
+        """Whether the figure stays within its bar."""
+        return self.found <= self.bar + 1e-12
+
+
+def verdicts(run: Run) -> list[Verdict]:
+    """Every bar of a run over the methods and faces."""
+    ours, peer = run[OURS], run[DEFORMATION]
+    people = {name: figures for name, figures in ours.items() if name not in NOT_HUMAN}
+    return [
+        Verdict("folds per hundred compounds, people", per_hundred(people), 1.0),
+        Verdict("folds, all faces, against a fifth of deformation transfer's", folds(ours), folds(peer) / 5),
+        Verdict("folds of triples against deformation transfer's", triple_folds(ours), triple_folds(peer)),
+        _worst("lids, mean", ours, lambda f: f.lids[0], 0.05),
+        _worst("lids, along", ours, lambda f: f.lids[1], 0.10),
+        _worst("lips, mean", ours, lambda f: f.lips[0], 0.05),
+        _worst("lips, along", ours, lambda f: f.lips[1], 0.10),
+        _worst("eyes pierce, mm more than on the source", ours, lambda f: f.eyes, 0.3, 1e3),
+        _worst("teeth pierce, mm more than on the source", ours, lambda f: f.teeth, 0.3, 1e3),
+        Verdict("roughness against deformation transfer's", rough(ours), rough(peer)),
+        Verdict("milliseconds, 95th percentile", 1e3 * slow(ours), 10.0),
+    ]
+
+
+def _worst(name: str, faces: Faces, of: Callable[[Figures], Worst], bar: float, scale: float = 1.0) -> Verdict:
+    face = max(faces, key=lambda name: of(faces[name]).value)
+    worst = of(faces[face])
+    return Verdict(name, scale * worst.value, bar, f"{face}, {worst.unit}" if worst.unit else "")
+
+
+def folds(faces: Faces) -> float:
+    """Folded triangles of all units."""
+    return float(sum(figures.folds for figures in faces.values()))
+
+
+def per_hundred(faces: Faces) -> float:
+    """Folded triangles per hundred compounds."""
+    return 100 * folds(faces) / sum(figures.units for figures in faces.values())
+
+
+def triple_folds(faces: Faces) -> float:
+    """Folded triangles of all sums of three."""
+    return float(sum(figures.triple_folds for figures in faces.values()))
+
+
+def rough(faces: Faces) -> float:
+    """Roughness against the source's, the mean of the faces."""
+    return float(np.mean([figures.rough for figures in faces.values()]))
+
+
+def slow(faces: Faces) -> float:
+    """The 95th percentile of the times of all compounds, seconds."""
+    return float(np.quantile([time for figures in faces.values() for time in figures.times], 0.95))

@@ -1,0 +1,50 @@
+"""The maps that are compared, each prepared once per face: a unit's name in, the face's positions out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks.maps.deformation import DeformationTransfer, rims
+from benchmarks.maps.source import Source
+from omote.model.compound import carrier, worn
+from omote.model.face import Face
+
+Values = NDArray[np.float64]
+Map = Callable[[str], Values]
+
+
+def added(source: Source, face: Face) -> Map:
+    """Added deltas: what blendshape tools do."""
+    positions = face.positions.astype(np.float64)
+    return lambda unit: positions + source.moves[unit]
+
+
+def deformation(source: Source, face: Face) -> Map:
+    """Deformation transfer after Sumner & Popovic (2004)."""
+    held = rims(source.space.location_triangles)
+    solver = DeformationTransfer(source.positions, face.positions.astype(np.float64), source.sheet, held)
+    return lambda unit: solver(source.moves[unit])
+
+
+def plain(source: Source, face: Face) -> Map:
+    """The paper's map as it stands: located on S once for all faces, one gather (section 2.2)."""
+    reference = source.cast.under("paper")
+    return lambda unit: worn(reference.space, face, source.compiled[unit]).astype(np.float64)
+
+
+def smooth(source: Source, face: Face) -> Map:
+    """Ours: contact kept, nothing folded (method.md, section 3, the recipe)."""
+    carrier(source.space, face)
+    return lambda unit: worn(source.space, face, source.compiled[unit]).astype(np.float64)
+
+
+DELTAS, DEFORMATION, PAPER, OURS = "added deltas", "deformation transfer", "the paper's map", "ours"
+METHODS: dict[str, Callable[[Source, Face], Map]] = {
+    DELTAS: added,
+    DEFORMATION: deformation,
+    PAPER: plain,
+    OURS: smooth,
+}

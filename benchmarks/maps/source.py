@@ -1,0 +1,66 @@
+"""What every map starts from: the generic face wearing each unit, its lines, and random sums of units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import omote
+from omote.model.cast import GENERIC, Cast
+from omote.model.compound import compound, on_generic
+from omote.model.lines import Line
+from omote.model.space import ParameterSpace
+from omote.model.transfer import Compiled, compile_expression
+
+Values = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+KINDS = ("arkit", "makehuman")
+SEED, TRIPLES = 1993, 200
+# Faces of the cast that nobody would call a person; all others are human.
+NOT_HUMAN = frozenset({"doll", "goblin", "alien", "dog", "cat", "noh"})
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """The generic face with positions (V, 3) and sheet (T, 3), its lines, and what each unit does to it.
+
+    compiled: each unit located on S, once for all faces; moves: what it does here, displacement (V, 3), by the paper's
+    map; triples: three units each, drawn with SEED.
+    """
+
+    cast: Cast
+    positions: Values
+    sheet: Indices
+    lines: tuple[Line, ...]
+    compiled: Mapping[str, Compiled]
+    moves: Mapping[str, Values]
+    triples: tuple[tuple[str, str, str], ...]
+
+    @property
+    def space(self) -> ParameterSpace:
+        """The parameter space of the cast."""
+        return self.cast.space
+
+    def worn(self, unit: str, weight: float) -> Values:
+        """The generic face (V, 3) wearing a unit's field at a weight."""
+        return compound(self.space, self.cast.faces[GENERIC], self.cast.expressions[unit], weight).astype(np.float64)
+
+
+def load_source(units: int | None = None) -> Source:
+    """The built-in cast as a source; units: how many of them, spread over all, where fewer are enough."""
+    cast = omote.load_cast()
+    names = [name for name, title in cast.titles.items() if title.kind in KINDS]
+    if units is not None:
+        names = [names[i] for i in np.linspace(0, len(names) - 1, units).astype(int)]
+    space = cast.space
+    compiled = {name: compile_expression(space, cast.expressions[name]) for name in names}
+    moves = {name: on_generic(space, compiled[name]) for name in names}
+    sheet = space.location_triangles[: len(space.skin_triangles)]
+    draw = np.random.default_rng(SEED)
+    triples = tuple(tuple(draw.choice(names, 3, replace=False).tolist()) for _ in range(TRIPLES))
+    positions = cast.faces[GENERIC].positions.astype(np.float64)
+    return Source(cast, positions, sheet, space.lines, compiled, moves, triples)
