@@ -143,3 +143,24 @@ def test_a_folder_that_cannot_be_made_is_refused(tmp_path: Path) -> None:
 def test_without_a_file_the_journal_lives_in_the_state_directory() -> None:
     assert default_path({"XDG_STATE_HOME": "/state"}) == Path("/state/omote/show.omote")
     assert default_path({}) == Path.home() / ".local/state/omote/show.omote"
+
+
+@pytest.mark.parametrize(
+    "tables", ["", "CREATE TABLE journal (a)", "CREATE TABLE journal (slot, epoch, written, snapshot)"]
+)
+def test_a_show_file_without_its_tables_is_corrupt(tmp_path: Path, tables: str) -> None:
+    open_show(tmp_path / "a.omote").close()
+    with sqlite3.connect(tmp_path / "a.omote") as connection:
+        connection.executescript(f"DROP TABLE journal; DROP TABLE journal_aside; {tables}")
+    connection.close()
+    with pytest.raises(CorruptShowFileError, match=r"a\.omote is no readable show file \(no such"):
+        open_show(tmp_path / "a.omote")
+
+
+@pytest.mark.parametrize("epoch", [-1, 2**53 + 1, 2**63 - 1])
+def test_an_epoch_that_no_server_wrote_is_not_believed(tmp_path: Path, epoch: int) -> None:
+    show = open_show(tmp_path / "a.omote")
+    show.write_journal(JournalEntry(epoch, 0.0, b"state"))
+    with pytest.raises(sqlite3.DatabaseError, match=f"epoch {epoch}"):
+        show.journal()
+    show.close()

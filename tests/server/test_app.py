@@ -1,5 +1,7 @@
 """The web server over real sockets: pages, documents, links."""
 
+import asyncio
+
 import msgspec
 import pytest
 
@@ -167,3 +169,12 @@ async def test_a_compound_that_is_being_computed_holds_up_no_state(
     response = await house.client.get(f"/compounds/{cast.digest}/broad/smile")
     assert await response.read() == b"smile"
     assert waiting == ["broad"]
+
+
+async def test_a_stranger_who_speaks_no_http_fills_no_terminal(house: House, caplog: pytest.LogCaptureFixture) -> None:
+    for noise in (b"\x00" * 100, b"GET / HTTP/9.9\r\n\r\n", b"GET /" + b"a" * 20000 + b" HTTP/1.1\r\n\r\n"):
+        reader, writer = await asyncio.open_connection(house.client.host, house.client.port)
+        writer.write(noise)
+        assert (await reader.readline()).startswith(b"HTTP/1.0 400")
+        writer.close()
+    assert caplog.records == []

@@ -36,3 +36,20 @@ def test_who_inherits_the_lock_holds_it(tmp_path: Path) -> None:
     heir.kill()
     heir.communicate()
     os.close(lock_show(tmp_path / "a.omote"))
+
+
+def test_what_is_no_file_is_refused_untouched(tmp_path: Path) -> None:
+    with pytest.raises(OSError, match=r"is a folder, not a show file: name a file, such as .*show\.omote"):
+        lock_show(tmp_path)
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(OSError, match=r"pipe is a device, not a show file: name a file"):
+        lock_show(tmp_path / "pipe")
+    assert [entry.name for entry in tmp_path.iterdir()] == ["pipe"]
+    assert not tmp_path.with_name(tmp_path.name + ".lock").exists()
+
+
+def test_a_place_where_no_file_can_be_is_refused_in_a_sentence(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    for path in (tmp_path / "file" / "a.omote", tmp_path / ("x" * 300)):
+        with pytest.raises(OSError, match=rf"{path.name} cannot be opened \(.*\); name another file\.$"):
+            lock_show(path)

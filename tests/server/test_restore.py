@@ -123,6 +123,14 @@ def test_a_file_of_a_newer_version_is_left_alone(tmp_path: Path, cast: Cast, rep
     assert restore(cast, None, ORDER, report).tick(0.0).number == 1
 
 
+def test_an_epoch_out_of_range_does_not_stop_the_show(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = open_show(tmp_path / "a.omote")
+    show.write_journal(JournalEntry(2**63 - 1, 0.0, b"state"))
+    assert restore(cast, show, ORDER, report).epoch < 2**53
+    assert "its epoch 9223372036854775807 was written by no server" in report.said[0]
+    show.close()
+
+
 def test_a_disk_that_fails_at_the_start_does_not_stop_the_show(tmp_path: Path, cast: Cast, report: Terminal) -> None:
     show = kept(tmp_path / "a.omote", cast)
     show.close()  # every use of it fails from here on

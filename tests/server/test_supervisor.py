@@ -196,3 +196,14 @@ def test_a_port_in_use_is_said_in_a_sentence() -> None:
 def test_any_free_port_is_found() -> None:
     with listen_on("127.0.0.1", 0) as listening:
         assert listening.getsockname()[1] > 0
+
+
+def test_no_host_is_not_every_host() -> None:
+    with pytest.raises(OSError, match=r"--host is empty: .*0\.0\.0\.0 for the whole network"):
+        listen_on("", 0)
+
+
+@pytest.mark.parametrize("host", ["nowhere.invalid", "a..b", "x" * 80])
+def test_a_host_that_is_none_is_said_in_a_sentence(host: str) -> None:
+    with pytest.raises(OSError, match=r"is no address of this machine \(.*\): name another with --host\.$"):
+        listen_on(host, 0)

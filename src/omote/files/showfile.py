@@ -30,6 +30,9 @@ CREATE TABLE journal_aside (
 ASIDE_LIMIT = 20
 """Snapshots kept that no server could start from; older ones go."""
 
+HIGHEST_EPOCH = 2**53
+"""Epochs are numbers in the browser too; beyond this they would not be told apart."""
+
 
 class ShowFileError(RuntimeError):
     """The show file cannot be used, and why, in one sentence; the file is untouched."""
@@ -56,9 +59,12 @@ class ShowFile:
         self.path = path
 
     def journal(self) -> JournalEntry:
-        """The last state; epoch 0 and no snapshot in a new file."""
+        """The last state; epoch 0 and no snapshot in a new file. sqlite3.Error where it cannot be read."""
         row = self._connection.execute("SELECT epoch, written, snapshot FROM journal").fetchone()
-        return JournalEntry(*row) if row else JournalEntry(epoch=0, written=0.0, snapshot=None)
+        entry = JournalEntry(*row) if row else JournalEntry(epoch=0, written=0.0, snapshot=None)
+        if not 0 <= entry.epoch <= HIGHEST_EPOCH:
+            raise sqlite3.DatabaseError(f"its epoch {entry.epoch} was written by no server")
+        return entry
 
     def write_journal(self, entry: JournalEntry) -> None:
         """Replaces the last state; returns when it is committed."""
@@ -163,4 +169,10 @@ def _prepare(connection: sqlite3.Connection) -> None:
         connection.executescript(
             f"BEGIN; PRAGMA application_id = {APPLICATION_ID}; PRAGMA user_version = {SCHEMA_VERSION}; {SCHEMA} COMMIT;"
         )
-    connection.execute("SELECT epoch, written, snapshot FROM journal").fetchone()
+    try:
+        connection.execute("SELECT slot, epoch, written, snapshot FROM journal").fetchone()
+        connection.execute("SELECT epoch, reason, snapshot FROM journal_aside").fetchone()
+    except sqlite3.OperationalError as error:
+        if "no such" not in str(error):
+            raise
+        raise sqlite3.DatabaseError(str(error)) from error

@@ -10,7 +10,7 @@ from aiohttp import WSMsgType, web
 from omote.server.bundle import PAGES, Page
 from omote.server.library import Library
 from omote.server.links import Link, Links
-from omote.server.security import add_headers, guard
+from omote.server.security import add_headers, guard, mute_strangers
 from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, Refused
 from omote.show.session import Outgoing, ShowSession
 from omote.show.wire import encode
@@ -35,6 +35,7 @@ class ShowServer:
 
     def application(self, names: frozenset[str]) -> web.Application:
         """The aiohttp application; `names` are the hosts it answers to, beside addresses in figures."""
+        mute_strangers()
         application = web.Application(middlewares=[guard(names)], client_max_size=MESSAGE_LIMIT)
         application.on_response_prepare.append(add_headers)
         application.router.add_get(LINK_PATH, self.link)

@@ -252,9 +252,14 @@ class Supervisor:
 
 def listen_on(host: str, port: int) -> socket.socket:
     """The listening socket of a show; OSError, in a sentence, when the port is taken or the address is not ours."""
+    if not host:
+        raise OSError("--host is empty: give 127.0.0.1 for this machine alone, 0.0.0.0 for the whole network.")
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     try:
         return socket.create_server((host, port), family=family, backlog=512)
-    except OSError as error:
-        reason = os.strerror(error.errno) if error.errno and error.errno > 0 else str(error)
+    except (OSError, UnicodeError) as error:
+        number = error.errno if isinstance(error, OSError) and error.errno else 0
+        reason = os.strerror(number) if number > 0 else str(error).split(" (while")[0]
+        if number <= 0:  # not even looked up
+            raise OSError(f"{host} is no address of this machine ({reason}): name another with --host.") from error
         raise OSError(f"port {port} on {host} cannot be opened ({reason}): name another with --port.") from error
