@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from omote.model.socket import FAR, NEAR, heights, radius_of, seated
+from omote.model.socket import FAR, NEAR, heights, radius_of, rolled, seated
 from tests.synthetic import space
 
 
@@ -41,3 +41,13 @@ def test_the_radius_of_a_ball_is_how_far_its_vertices_are_from_their_centre() ->
 def test_heights_are_counted_in_radii() -> None:
     octahedron = np.concatenate([np.eye(3), -np.eye(3)])
     assert np.allclose(heights(0.04 * octahedron + 1.0, 0.02 * octahedron + 1.0), 2.0)
+
+
+def test_a_rolled_ball_goes_and_grows_with_another_and_stays_round() -> None:
+    octahedron = np.concatenate([np.eye(3), -np.eye(3)])
+    before, ball = 0.02 * octahedron, 0.03 * octahedron + 1.0
+    after = before * [1.0, 2.0, 3.0] + [0.0, 0.1, 0.0]
+    result = rolled(ball, before, after)
+    larger = np.sqrt((1.0 + 4.0 + 9.0) / 3.0)
+    assert np.allclose(result, 0.03 * larger * octahedron + [1.0, 1.1, 1.0])
+    assert np.allclose(rolled(ball, before, before), ball)

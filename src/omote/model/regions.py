@@ -13,7 +13,7 @@ from scipy.spatial.distance import cdist
 from omote.geometry import mesh
 from omote.model.face import Face
 from omote.model.fitted import Fitted, fit
-from omote.model.socket import heights, seated
+from omote.model.socket import heights, rolled, seated
 from omote.model.space import ParameterSpace
 
 Values = NDArray[np.float64]
@@ -109,8 +109,8 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     if beyond > 0.0:
         skin += beyond * _form(space, difference, space.points)
         for name, part in space.parts.items():
-            further = fitted.parts[name] - part.points if part.eye else _form(space, difference, part.points)
-            parts[name] += beyond * further
+            further = part.points + beyond * _form(space, difference, part.points)
+            parts[name] = rolled(parts[name], part.points, further) if part.eye else parts[name] + further - part.points
     return _checked(
         space,
         f"{face.name}_{100 * amount:.0f}",

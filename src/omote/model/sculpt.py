@@ -16,7 +16,7 @@ from omote.geometry import mesh
 from omote.model.cast import Look
 from omote.model.face import Face
 from omote.model.fitted import fit
-from omote.model.socket import heights, radius_of, seated
+from omote.model.socket import heights, rolled, seated
 from omote.model.space import ParameterSpace
 
 Values = NDArray[np.float64]
@@ -112,7 +112,7 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
     skin += move(space.points) - space.points
     for name, part in space.parts.items():
         there = move(part.points)
-        parts[name] = _ball(part.points, parts[name], there) if part.eye else parts[name] + there - part.points
+        parts[name] = rolled(parts[name], part.points, there) if part.eye else parts[name] + there - part.points
     face = Face(sculpt.name, seated(skin, {name: parts[name] for name in eyes}, wanted), parts)
     fit(space, face)
     return face
@@ -131,14 +131,6 @@ def _base(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face]) -> t
         for part, points in parts.items():
             points += weight * (fitted.parts[part] - space.parts[part].points)
     return skin, parts
-
-
-def _ball(generic: Values, here: Values, there: Values) -> Values:
-    """An eyeball where the map carries it: larger and elsewhere, but round, and looking straight ahead."""
-    middle = here.mean(axis=0)
-    larger = radius_of(there) / radius_of(generic)
-    result: Values = (here - middle) * larger + middle + there.mean(axis=0) - generic.mean(axis=0)
-    return result
 
 
 def _kernel(kernel: Kernel, where: Values, centres: Values) -> Values:

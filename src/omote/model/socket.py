@@ -31,6 +31,14 @@ def seated(skin: Values, balls: Mapping[str, Values], wanted: Mapping[str, Value
     return result
 
 
+def rolled(ball: Values, before: Values, after: Values, /) -> Values:
+    """An eyeball (n, 3) elsewhere and of another size, as another went from before to after (n, 3): round as it was
+    and looking where it looked, whatever happened to the other's form."""
+    middle, larger = ball.mean(axis=0), radius_of(after) / radius_of(before)
+    result: Values = (ball - middle) * larger + middle + after.mean(axis=0) - before.mean(axis=0)
+    return result
+
+
 def radius_of(ball: NDArray[np.floating], /) -> float:
     """The root mean square distance of an eyeball's vertices (n, 3) to their centre, metres."""
     return float(np.sqrt(((ball - ball.mean(axis=0)) ** 2).sum(axis=1).mean()))
