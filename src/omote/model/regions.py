@@ -13,7 +13,7 @@ from scipy.spatial.distance import cdist
 from omote.geometry import mesh
 from omote.model.face import Face
 from omote.model.fitted import Fitted, fit
-from omote.model.socket import heights, rolled, seated
+from omote.model.socket import NEAR, falling, heights, rolled, rolled_at, seated
 from omote.model.space import ParameterSpace
 
 Values = NDArray[np.float64]
@@ -22,6 +22,8 @@ REGIONS: tuple[Region, ...] = get_args(Region)
 
 # What a caricature enlarges is the form that a bell of this width leaves, in distances between the eyes.
 _BELL = 0.3
+# Up to so many radii of the ball the surroundings of an eye go and grow with it, less and less.
+_EYE = 2.4
 
 
 @dataclass(frozen=True)
@@ -107,9 +109,9 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     skin = space.points + within * difference
     parts = {name: part.points + within * (fitted.parts[name] - part.points) for name, part in space.parts.items()}
     if beyond > 0.0:
-        skin += beyond * _form(space, difference, space.points)
+        skin += beyond * _form(space, fitted, space.points)
         for name, part in space.parts.items():
-            further = part.points + beyond * _form(space, difference, part.points)
+            further = part.points + beyond * _form(space, fitted, part.points)
             parts[name] = rolled(parts[name], part.points, further) if part.eye else parts[name] + further - part.points
     return _checked(
         space,
@@ -120,9 +122,20 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     )
 
 
-def _form(space: ParameterSpace, difference: Values, where: Values) -> Values:
-    """The sheet's difference (V, 3) without its details, at any points (n, 3) of the generic head: what lies behind the
-    skin goes where the skin goes."""
+def _form(space: ParameterSpace, fitted: Fitted, where: Values) -> Values:
+    """The face's difference from the generic one without its details, at any points (n, 3) of the generic head: what
+    lies behind the skin goes where the skin goes, what lies around an eye goes and grows with the eyeball."""
+    result = _bell(space, fitted.positions - space.points, where)
+    for eye in _eyes(space):
+        ball = space.parts[eye].points
+        hold = falling((heights(where, ball) - NEAR) / (_EYE - NEAR))
+        with_ball = rolled_at(where, ball, fitted.parts[eye]) - where
+        result += hold[:, None] * (with_ball - result)
+    return result
+
+
+def _bell(space: ParameterSpace, difference: Values, where: Values) -> Values:
+    """The sheet's difference (V, 3), each point's the mean under a bell around it."""
     width = _BELL * _frame(space)[1]
     sheet = np.unique(space.skin_triangles)
     area = np.zeros(space.vertex_count)

@@ -25,7 +25,7 @@ def seated(skin: Values, balls: Mapping[str, Values], wanted: Mapping[str, Value
     result = skin.copy()
     for name, ball in balls.items():
         now, rest = heights(result, ball), wanted[name]
-        hold = _falling((rest - NEAR) / (FAR - NEAR))
+        hold = falling((rest - NEAR) / (FAR - NEAR))
         share = hold * (rest - now) / np.maximum(now, 1e-9)
         result += (result - ball.mean(axis=0)) * share[:, None]
     return result
@@ -34,8 +34,14 @@ def seated(skin: Values, balls: Mapping[str, Values], wanted: Mapping[str, Value
 def rolled(ball: Values, before: Values, after: Values, /) -> Values:
     """An eyeball (n, 3) elsewhere and of another size, as another went from before to after (n, 3): round as it was
     and looking where it looked, whatever happened to the other's form."""
-    middle, larger = ball.mean(axis=0), radius_of(after) / radius_of(before)
-    result: Values = (ball - middle) * larger + middle + after.mean(axis=0) - before.mean(axis=0)
+    shift = before.mean(axis=0) - ball.mean(axis=0)
+    return rolled_at(ball + shift, before, after) - shift
+
+
+def rolled_at(points: Values, before: NDArray[np.floating], after: NDArray[np.floating], /) -> Values:
+    """Points (m, 3) that go and grow with an eyeball from before to after (n, 3)."""
+    larger = radius_of(after) / radius_of(before)
+    result: Values = (points - before.mean(axis=0)) * larger + after.mean(axis=0)
     return result
 
 
@@ -44,8 +50,8 @@ def radius_of(ball: NDArray[np.floating], /) -> float:
     return float(np.sqrt(((ball - ball.mean(axis=0)) ** 2).sum(axis=1).mean()))
 
 
-def _falling(share: Values) -> Values:
-    """1 up to zero, 0 from one on, C1 between."""
+def falling(share: Values) -> Values:
+    """1 up to zero, 0 from one on, with a soft step between."""
     inside = np.clip(share, 0.0, 1.0)
     result: Values = 1.0 - inside * inside * (3.0 - 2.0 * inside)
     return result
