@@ -95,13 +95,17 @@ def fetch(url: str) -> bytes:
     return body
 
 
+def welcomed(heard: list[dict[str, Any]]) -> bool:
+    return any(message["type"] == "welcome" for message in heard)
+
+
 async def first_states(address: str, count: int) -> list[dict[str, Any]]:
-    """The first messages that a stage gets, up to and including that many states."""
+    """What a stage hears until it has its welcome and that many states; states may come before it has said hello."""
     heard: list[dict[str, Any]] = []
     async with aiohttp.ClientSession() as session, session.ws_connect(f"{address}/link") as link:
         version = msgspec.msgpack.decode(fetch(f"{address}/manifest"))["version"]
         await link.send_bytes(msgspec.msgpack.encode({"type": "hello", "role": "stage", "version": version}))
-        while sum(message["type"] == "state" for message in heard) < count:
+        while [message["type"] for message in heard].count("state") < count or not welcomed(heard):
             heard.append(msgspec.msgpack.decode(await link.receive_bytes(timeout=10)))
     return heard
 
@@ -163,10 +167,11 @@ def test_the_show_serves_the_head(address: str) -> None:
 def test_the_show_plays(address: str) -> None:
     heard = asyncio.run(first_states(address, 3))
     states = [message for message in heard if message["type"] == "state"]
-    assert heard[0]["type"] == "welcome"
-    assert [sum(state["faces"].values()) for state in states] == pytest.approx([1.0] * 3)
-    assert [sum(state["expressions"].values()) for state in states] == pytest.approx([1.0] * 3)
-    assert states[0]["number"] < states[1]["number"] < states[2]["number"]
+    assert len(states) >= 3
+    assert [sum(state["faces"].values()) for state in states] == pytest.approx([1.0] * len(states))
+    assert [sum(state["expressions"].values()) for state in states] == pytest.approx([1.0] * len(states))
+    numbers = [state["number"] for state in states]
+    assert numbers == sorted(set(numbers))
 
 
 def test_the_machine_is_said_to_be_able_to_play(scripts: Path, bare: dict[str, str]) -> None:
