@@ -35,7 +35,8 @@ def rolled(ball: Values, before: Values, after: Values, /) -> Values:
     """An eyeball (n, 3) elsewhere and of another size, as another went from before to after (n, 3): round as it was
     and looking where it looked, whatever happened to the other's form."""
     shift = before.mean(axis=0) - ball.mean(axis=0)
-    return rolled_at(ball + shift, before, after) - shift
+    result: Values = rolled_at(ball + shift, before, after) - shift
+    return result
 
 
 def rolled_at(points: Values, before: NDArray[np.floating], after: NDArray[np.floating], /) -> Values:
