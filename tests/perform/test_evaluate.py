@@ -115,16 +115,39 @@ def test_the_lower_teeth_go_with_the_jaw_in_both_modes(cast: Cast) -> None:
         (Frame({"nobody": 1.0}, {"neutral": 1.0}), "there is no face 'nobody'"),
         (Frame({"generic": 1.0}, {"sulk": 1.0}), "there is no expression 'sulk'"),
         (Frame({"generic": 1.0}, {"neutral": 1.0}, {"tail": 1.0}), "there is no channel 'tail'"),
-        (Frame({"generic": math.nan}, {"neutral": 1.0}), "the face generic weighs nan"),
-        (Frame({"generic": 1.0}, {"neutral": 1.0}, {"smile": math.inf}), "the channel smile weighs inf"),
-        (Frame({}, {"neutral": 1.0}), "no face or no expression"),
-        (Frame({"generic": 1.0}, {}), "no face or no expression"),
+        (Frame({"generic": math.nan}, {"neutral": 1.0}), "the weight of the face generic is nan"),
+        (Frame({"generic": 1.0}, {"neutral": 1.0}, {"smile": math.inf}), "the channel smile is inf"),
+        (Frame({}, {"neutral": 1.0}), "faces sum to 0; expected one"),
+        (Frame({"generic": 1.0}, {}), "expressions sum to 0; expected one"),
     ],
 )
 def test_a_frame_that_this_cast_cannot_show_is_refused(cast: Cast, frame: Frame, sentence: str) -> None:
     for evaluator in (evaluate, evaluate_parts):
         with pytest.raises(ValueError, match=sentence):
             evaluator(cast, frame)
+
+
+@pytest.mark.parametrize(
+    ("frame", "sentence"),
+    [
+        (Frame({"long": 4.0, "broad": 5.0}, {"neutral": 1.0}), "faces sum to 9; expected one"),
+        (Frame({"generic": 1e308}, {"neutral": 1.0}), "face generic is 1e.308; give a number from -10 to 10"),
+        (Frame({"generic": 1.0}, {"neutral": 50.0, "smile": -49.0}), "from -10 to 10"),
+        (Frame({"generic": 1.0}, {"neutral": 1.0}, {"smile": 1.6}), "the channel smile is 1.6"),
+    ],
+)
+def test_weights_that_are_no_average_are_refused(cast: Cast, frame: Frame, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        evaluate(cast, frame)
+
+
+@pytest.mark.parametrize(
+    "frame",
+    [None, "frame", Frame({"generic": True}, {"neutral": 1.0}), Frame(None, {"neutral": 1.0})],  # type: ignore[dict-item, arg-type]
+)
+def test_what_is_no_frame_is_refused(cast: Cast, frame: Any) -> None:
+    with pytest.raises(TypeError, match="expected"):
+        evaluate(cast, frame)
 
 
 def test_an_unknown_mode_is_refused(cast: Cast) -> None:

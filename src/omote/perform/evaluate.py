@@ -18,12 +18,15 @@ from omote.perform.channels import effective_channels, eye_angles
 from omote.perform.compounds import compounds_of
 from omote.perform.fields import fields_of
 from omote.perform.frame import Frame
-from omote.perform.limits import known
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, known, within
 from omote.perform.mix import combined
 
 Floats = NDArray[np.float32]
 Mode = Literal["bilinear", "exact"]
 MODES: tuple[Mode, ...] = ("bilinear", "exact")
+FARTHEST = 10.0
+"""A weight's size at most: mixes made by hand may go far beyond their ends, and stay finite."""
+ROUNDING = 1e-4
 
 
 def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
@@ -32,7 +35,8 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
     bilinear (paper, eq. 3, with channels): sum_i s_i [sum_j t_j P_ij + sum_k c_k (P_ik - M_i)];
     exact: the face sum_i s_i M_i wears the expression sum_j t_j D_j + sum_k c_k D_k, located anew (transfer="paper");
     with transfer="smooth" the generic face wears it so, and the faces follow by their own compounds.
-    Raises ValueError on an unknown mode, on names that are not in the cast and on weights that are not finite.
+    Raises ValueError on an unknown mode, on names that are not in the cast, on weights that are not finite or do not
+    sum to one on an axis, and on channels out of range; TypeError on what is no number.
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
@@ -145,13 +149,26 @@ def _sum(terms: Iterable[tuple[float, NDArray[np.float64]]]) -> NDArray[np.float
 
 
 def _refuse_unplayable(cast: Cast, frame: Frame, mode: str) -> None:
-    if mode not in MODES:
+    if not isinstance(cast, Cast) or not isinstance(frame, Frame):
+        raise TypeError(f"evaluate got {type(cast).__name__} and {type(frame).__name__}; expected a Cast and a Frame")
+    if not isinstance(mode, str) or mode not in MODES:
         raise ValueError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}")
-    if not frame.faces or not frame.expressions:
-        raise ValueError("the frame has no face or no expression; expected weights that sum to one on both axes")
-    groups = ((frame.faces, cast.faces, "face"), (frame.expressions, cast.expressions, "expression"))
-    for weights, names, what in (*groups, (frame.channels, cast.expressions, "channel")):
-        for name, weight in weights.items():
-            known(name, names, what)
-            if not math.isfinite(weight):
-                raise ValueError(f"the {what} {name} weighs {weight!r}; expected a finite number")
+    _refuse_no_average(frame.faces, cast.faces, "face")
+    _refuse_no_average(frame.expressions, cast.expressions, "expression")
+    for name, weight in _pairs_of(frame.channels, "channel"):
+        within(weight, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {known(name, cast.expressions, 'channel')}")
+
+
+def _refuse_no_average(weights: Mapping[str, float], names: Mapping[str, object], what: str) -> None:
+    total = math.fsum(
+        within(weight, -FARTHEST, FARTHEST, f"the weight of the {what} {known(name, names, what)}")
+        for name, weight in _pairs_of(weights, what)
+    )
+    if abs(total - 1.0) > ROUNDING:
+        raise ValueError(f"the weights of the frame's {what}s sum to {total:.6g}; expected one: a mix is an average")
+
+
+def _pairs_of(weights: Mapping[str, float], what: str) -> Iterable[tuple[str, float]]:
+    if not isinstance(weights, Mapping):
+        raise TypeError(f"the frame's {what}s are {type(weights).__name__}; expected weights by name")
+    return weights.items()
