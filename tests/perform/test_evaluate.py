@@ -142,12 +142,16 @@ def test_weights_that_are_no_average_are_refused(cast: Cast, frame: Frame, sente
 
 
 @pytest.mark.parametrize(
-    "frame",
-    [None, "frame", Frame({"generic": True}, {"neutral": 1.0}), Frame(None, {"neutral": 1.0})],  # type: ignore[dict-item, arg-type]
+    ("faces", "sentence"), [({"generic": True}, "must be a number, not True"), (None, "expected weights by name")]
 )
-def test_what_is_no_frame_is_refused(cast: Cast, frame: Any) -> None:
-    with pytest.raises(TypeError, match="expected"):
-        evaluate(cast, frame)
+def test_weights_that_are_no_numbers_are_refused(cast: Cast, faces: Any, sentence: str) -> None:
+    with pytest.raises(TypeError, match=sentence):
+        evaluate(cast, Frame(faces, {"neutral": 1.0}))
+
+
+def test_what_is_no_frame_is_refused(cast: Cast) -> None:
+    with pytest.raises(TypeError, match="evaluate got Cast and str; expected a Cast and a Frame"):
+        evaluate(cast, "frame")  # type: ignore[arg-type]
 
 
 def test_an_unknown_mode_is_refused(cast: Cast) -> None:
