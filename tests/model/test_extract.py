@@ -15,14 +15,14 @@ UNITS = ("jawOpen", "eyeBlinkLeft", "mouthSmileRight", "mouthFunnel")
 
 @pytest.mark.parametrize("unit", UNITS)
 def test_extract_then_apply_on_another_face_gives_its_compound_back(unit: str) -> None:
-    """Within 0.01 mm; a blink's lid corners, which had to be unfolded, within a millimetre."""
+    """Within 0.01 mm; a blink's lids, unfolded or pushed out of the eyeball, within two millimetres."""
     built = omote.load_cast()
     for name in ("kaori", "baby", "doll"):
         face = built.faces[name]
         worn = compound(built.space, face, built.expressions[unit])
         error = np.abs(compound(built.space, face, extract(built.space, face, worn - face.positions)) - worn)
-        assert np.quantile(error, 0.98) < 1e-5, name
-        assert error.max() < 1e-3, name
+        assert np.quantile(error, 0.95) < 1e-5, name
+        assert error.max() < 2e-3, name
 
 
 def test_a_displacement_that_asks_for_no_unfolding_comes_back() -> None:
@@ -30,7 +30,8 @@ def test_a_displacement_that_asks_for_no_unfolding_comes_back() -> None:
     for name in ("kaori", "baby", "doll", "alien"):
         face = built.faces[name]
         lift = np.zeros((built.space.vertex_count, 3))
-        lift[:, 1] = 0.004 * np.exp(-(((face.positions - face.positions[0]) / 0.05) ** 2).sum(axis=1))
+        chin = face.positions[built.space.points[:, 2].argmax()] - [0.0, 0.05, 0.0]  # far from eyeballs
+        lift[:, 1] = 0.004 * np.exp(-(((face.positions - chin) / 0.02) ** 2).sum(axis=1))
         error = np.abs(compound(built.space, face, extract(built.space, face, lift)) - face.positions - lift)
         assert error[built.space.on_sheet].max() < 1e-5, name
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.geometry import mesh
+from omote.model.clearance import Ball
 from omote.model.expression import Expression
 from omote.model.face import Face
 from omote.model.fitted import Fitted, fit
@@ -75,9 +76,17 @@ def carrier(space: ParameterSpace, face: Face, /) -> Carrier:
         fitted, generic = fit(space, face), fit(space, generic_face(space))
         here, there = fitted.positions.astype(np.float64), generic.positions.astype(np.float64)
         sheet = space.location_triangles[: len(space.skin_triangles)]
-        known = (space, carrier_of(there, here, sheet, space.lines))
+        balls = tuple(zip(_balls(space, generic), _balls(space, fitted), strict=True))
+        known = (space, carrier_of(there, here, sheet, space.lines, balls))
         _carriers[face] = known
     return known[1]
+
+
+def _balls(space: ParameterSpace, fitted: Fitted) -> tuple[Ball, ...]:
+    """The eyeballs of a face: their centres, and the mean distance of their vertices."""
+    eyes = [name for name, part in space.parts.items() if part.eye]
+    radii = {name: float(np.linalg.norm(fitted.parts[name] - fitted.centres[name], axis=1).mean()) for name in eyes}
+    return tuple(Ball(fitted.centres[name], radii[name]) for name in eyes)
 
 
 def predicted(space: ParameterSpace, name: str, displacement: NDArray[np.float64], /) -> NDArray[np.float64]:

@@ -19,9 +19,12 @@ BINS = 3
 # A correction dies out over this share of the line's width, and is nothing beyond REACH widths.
 LENGTH, REACH = 0.2, 1.5
 # Of the source's relative opening: what lids may differ without being corrected, nothing at contact.
-TOLERANCE = 0.045
-# Lips' openings grow with the mouth's width to this power.
-GROWTH = 0.5
+TOLERANCE = 0.026
+# Lips open as the mouth is wide; widths that differ by less than this share change nothing: people's amplitudes do not
+# grow with their heads.
+ALIKE = 0.09
+# Where the jaw goes with the lips in full: (distance to the lids - to the lips) / their sum.
+JAW = 0.4
 _UP = np.array([0.0, 1.0, 0.0])
 
 
@@ -61,8 +64,14 @@ def contact_of(line: Line, generic: Values, positions: Values, sheet: Sheet, /) 
     near, answer = _answers(line, target, positions, sheet, widths[1])
     return Contact(
         line, hats(), source, target, long_here / long_there, (source * there).sum(axis=1), (target * here).sum(axis=1),
-        (widths[1] / widths[0]) ** GROWTH, long_here, near, answer,
+        _growth(widths[1] / widths[0]), long_here, near, answer,
     )  # fmt: skip
+
+
+def _growth(ratio: float) -> float:
+    """How much larger lips open where the mouth is `ratio` times as wide."""
+    far = np.log(ratio)
+    return float(np.exp(np.sign(far) * max(abs(far) - ALIKE, 0.0)))
 
 
 def hats() -> Values:
@@ -118,3 +127,26 @@ def closed(contact: Contact, positions: Values, moved: Values, /) -> None:
         slack = TOLERANCE * np.abs(contact.bins @ (contact.ratios * source) / lengths) * lengths
         lack = np.sign(lack) * np.maximum(np.abs(lack) - slack, 0.0)
     positions[contact.near] += np.einsum("vbc,b->vc", contact.answer, lack)
+
+
+def growth_of(generic: Values, contacts: tuple[Contact, ...], /) -> Values:
+    """How much larger a displacement of the generic face (V, 3) becomes at each vertex, (V,).
+
+    The jaw goes with lips that open less: as they do where a vertex is nearer to the lips than to the lids, by one
+    around these, smoothly between.
+    """
+    growth, lids = np.ones(len(generic)), np.full(len(generic), np.inf)
+    for contact in contacts:
+        if contact.line.kind == "lids":
+            lids = np.minimum(lids, _distance(generic, contact.line))
+    for contact in contacts:
+        if contact.line.kind == "lips" and np.isfinite(lids).all():
+            lips = _distance(generic, contact.line)
+            share = np.minimum(np.maximum((lids - lips) / (lids + lips) / JAW, 0.0), 1.0)
+            growth += (min(contact.growth, 1.0) - 1.0) * share * share * (3.0 - 2.0 * share)
+    return growth
+
+
+def _distance(points: Values, line: Line) -> Values:
+    result: Values = np.linalg.norm(points[:, None] - points[line.loop], axis=2).min(axis=1)
+    return result

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.contact import Contact, closed, contact_of
+from omote.model.clearance import Ball, Clearance, clearance_of, cleared
+from omote.model.contact import Contact, closed, contact_of, growth_of
+from omote.model.detail import Detail, detail_of, detailed
 from omote.model.lines import Line
 from omote.model.unfold import FAR, NEAR, Sheet, relax, sheet_of, turned_over
 
@@ -16,59 +18,96 @@ Mask = NDArray[np.bool_]
 
 # Rounds with the lines held and small patches, then with the lines free, larger patches, weaker anchors.
 _HELD_ROUNDS, _FREE_ROUNDS = 6, 8
-# Steps of the inverse at most, and the error in metres at which it ends.
-_INVERSIONS, _EXACT = 100, 1e-10
+# Steps of the inverse at most, the error in metres at which it ends, and how many steps it looks back.
+_INVERSIONS, _EXACT, _MEMORY = 120, 1e-8, 30
 
 
 @dataclass(frozen=True, eq=False)
 class Carrier:
-    """What is solved once per face: its sheet, its lines' contacts, and the vertices on the lines (V,)."""
+    """What is solved once per face: its sheet and detail, its lines' contacts, the vertices on the lines (V,), and its
+    eyeballs' clearances."""
 
     generic: Values
     positions: Values
     rest: Values
     sheet: Sheet
+    detail: Detail
     contacts: tuple[Contact, ...]
     on_line: Mask
+    clearances: tuple[Clearance, ...]
+    growth: Values
 
 
-def carrier_of(generic: Values, positions: Values, triangles: NDArray[np.int32], lines: tuple[Line, ...], /) -> Carrier:
+def carrier_of(
+    generic: Values, positions: Values, triangles: NDArray[np.int32], lines: tuple[Line, ...],
+    balls: tuple[tuple[Ball, Ball], ...] = (), /,
+) -> Carrier:  # fmt: skip
     """Ready to carry displacements of the generic face (V, 3) to the face with positions (V, 3); triangles: the
-    sheet's."""
+    sheet's; balls: each eyeball of the generic face with the same one of this face."""
     sheet = sheet_of(generic, positions, triangles)
     a, b, c = generic[triangles].transpose(1, 0, 2)
     on_line = np.zeros(len(generic), np.bool_)
     for line in lines:
         on_line[line.loop] = True
     contacts = tuple(contact_of(line, generic, positions, sheet) for line in lines)
-    return Carrier(generic, positions, np.cross(b - a, c - a), sheet, contacts, on_line)
+    clearances = tuple(clearance_of(generic, positions, triangles, there, here) for there, here in balls)
+    rest = np.cross(b - a, c - a)
+    growth = growth_of(generic, contacts)
+    return Carrier(generic, positions, rest, sheet, detail_of(sheet), contacts, on_line, clearances, growth)
 
 
 def carried(carrier: Carrier, displacement: Values, /) -> Values:
     """The face (V, 3) moved as the generic face is by a displacement (V, 3); only the sheet has a meaning."""
     moved = carrier.generic + displacement
-    return _unfolded(carrier, _in_contact(carrier, displacement), moved)
+    positions = _in_contact(carrier, displacement)
+    _clear(carrier, positions, moved)
+    positions = _unfolded(carrier, positions, moved)
+    pushed = positions.copy()
+    # Unfolding may push lids into the ball again; out they go, and what that folds is unfolded once more.
+    return _unfolded(carrier, pushed, moved) if _clear(carrier, pushed, moved) else positions
+
+
+def _clear(carrier: Carrier, positions: Values, moved: Values) -> bool:
+    pushed = [cleared(clearance, positions, moved) for clearance in carrier.clearances]
+    return any(pushed)
 
 
 def uncarried(carrier: Carrier, positions: Values, /) -> Values:
     """The displacement (V, 3) of the generic face that is carried to positions (V, 3): the inverse of `carried`.
 
-    Exact where the positions fold nothing that the generic face does not. Half steps: a line twice as wide answers a
-    whole step with one as large the other way.
+    Exact where the positions fold nothing that the generic face does not and no eyeball pierces. By fixed points with
+    memory (Anderson 1965): plain steps do not end where a face's triangles are much larger than the generic one's.
     """
     displacement = positions - carrier.positions
+    steps, changes = list[Values](), list[Values]()
+    before: tuple[Values, Values] | None = None
     for _ in range(_INVERSIONS):
         lack = positions - _in_contact(carrier, displacement)
         if np.abs(lack).max() < _EXACT:
             break
-        displacement = displacement + 0.5 * lack
+        if before is not None:
+            steps, changes = [*steps, before[0]][-_MEMORY:], [*changes, lack - before[1]][-_MEMORY:]
+        step = _next_step(lack, steps, changes)
+        before = (step, lack)
+        displacement = displacement + step
     return displacement
 
 
+def _next_step(lack: Values, steps: list[Values], changes: list[Values]) -> Values:
+    """Half of what lacks, after those earlier steps, together, whose changes explain it best."""
+    if not steps:
+        return 0.5 * lack
+    known = np.stack(changes)
+    share, *_ = np.linalg.lstsq(known.reshape(len(known), -1).T, lack.ravel(), rcond=1e-10)
+    result: Values = 0.5 * (lack - np.tensordot(share, known, 1)) - np.tensordot(share, np.stack(steps), 1)
+    return result
+
+
 def _in_contact(carrier: Carrier, displacement: Values) -> Values:
-    positions = carrier.positions + displacement
+    moved = carrier.generic + displacement
+    positions = carrier.positions + detailed(carrier.detail, displacement, moved, carrier.growth)
     for contact in carrier.contacts:
-        closed(contact, positions, carrier.generic + displacement)
+        closed(contact, positions, moved)
     return positions
 
 
