@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from omote.builtin.binding import EYES, PARTS
 from omote.files.sculptfile import read_sculpt
@@ -47,11 +48,16 @@ def sculpt_arrays(arrays: Arrays, space: ParameterSpace, sculpts: tuple[Sculpt, 
     for sculpt in sculpts:
         face = sculpted(space, sculpt, people)
         shift = _eyes(people[GENERIC]) - _eyes(face)
-        found[f"face/{face.name}"] = (face.positions + shift).astype(np.float32)
+        found[f"face/{face.name}"] = _settled(face.positions + shift)
         for part in PARTS:
-            found[f"face/{face.name}/{part}"] = (face.parts[part] + shift).astype(np.float32)
+            found[f"face/{face.name}/{part}"] = _settled(face.parts[part] + shift)
         step(face.name)
     return found
+
+
+def _settled(points: Floats) -> NDArray[np.float32]:
+    """To the nanometre: a solver's last bits, which depend on the machine, are gone, and the midline is at zero."""
+    return np.asarray(np.round(points, 9) + 0.0, np.float32)
 
 
 def _eyes(face: Face) -> Floats:
