@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +22,8 @@ Mask = NDArray[np.bool_]
 _HELD_ROUNDS, _FREE_ROUNDS = 6, 8
 # Steps of the inverse at most, the error in metres at which it ends, and how many steps it looks back.
 _INVERSIONS, _EXACT, _MEMORY = 120, 1e-8, 30
+# Steps of the inverse through clearance and unfolding, which are no smooth maps, and the error that asks for them.
+_POLISHING, _CLOSE = 60, 2e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,22 +79,34 @@ def _clear(carrier: Carrier, positions: Values, moved: Values) -> bool:
 def uncarried(carrier: Carrier, positions: Values, /) -> Values:
     """The displacement (V, 3) of the generic face that is carried to positions (V, 3): the inverse of `carried`.
 
-    Exact where the positions fold nothing that the generic face does not and no eyeball pierces. By fixed points with
-    memory (Anderson 1965): plain steps do not end where a face's triangles are much larger than the generic one's.
+    Exact where the positions fold nothing that the generic face does not and no eyeball pierces; there the whole map is
+    inverted as far as it goes. By fixed points with memory (Anderson 1965): plain steps do not end where a face's
+    triangles are much larger than the generic one's.
     """
-    displacement = positions - carrier.positions
+    smooth = _solved(partial(_in_contact, carrier), positions, positions - carrier.positions, _INVERSIONS)
+    if np.abs(carried(carrier, smooth) - positions).max() < _CLOSE:
+        return smooth
+    return _solved(partial(carried, carrier), positions, smooth, _POLISHING)
+
+
+def _solved(map_: Callable[[Values], Values], positions: Values, start: Values, most: int) -> Values:
+    """Where a map gives the positions (V, 3), or the nearest it came to them in so many steps."""
+    displacement, best, least = start, start, np.inf
     steps, changes = list[Values](), list[Values]()
     before: tuple[Values, Values] | None = None
-    for _ in range(_INVERSIONS):
-        lack = positions - _in_contact(carrier, displacement)
-        if np.abs(lack).max() < _EXACT:
+    for _ in range(most):
+        lack = positions - map_(displacement)
+        error = float(np.abs(lack).max())
+        if error < least:
+            best, least = displacement, error
+        if error < _EXACT:
             break
         if before is not None:
             steps, changes = [*steps, before[0]][-_MEMORY:], [*changes, lack - before[1]][-_MEMORY:]
         step = _next_step(lack, steps, changes)
         before = (step, lack)
         displacement = displacement + step
-    return displacement
+    return best
 
 
 def _next_step(lack: Values, steps: list[Values], changes: list[Values]) -> Values:
