@@ -106,6 +106,15 @@ def test_skin_and_parts_go_where_the_map_carries_them_and_eyeballs_stay_round() 
     assert np.allclose(face.positions[away], move(space().points)[away], atol=1e-7)
 
 
+def test_teeth_are_scaled_about_their_middle_and_nothing_else_is() -> None:
+    whole, small = (sculpted(space(), sculpt(teeth=scale)) for scale in (1.0, 0.8))
+    teeth = whole.parts["teeth_lower"], small.parts["teeth_lower"]
+    assert np.ptp(teeth[1], axis=0) == pytest.approx(0.8 * np.ptp(teeth[0], axis=0), abs=1e-7)
+    assert teeth[1].mean(axis=0) == pytest.approx(teeth[0].mean(axis=0), abs=1e-6)
+    assert np.array_equal(whole.positions, small.positions)
+    assert np.array_equal(whole.parts["eye_left"], small.parts["eye_left"])
+
+
 def test_a_base_adds_what_distinguishes_its_faces() -> None:
     broad = Face("broad", space().points * [1.2, 1.0, 1.0])
     still = np.zeros_like(POINTS)
@@ -133,6 +142,7 @@ def with_row(point: tuple[float, float, float], move: tuple[float, float, float]
         (with_row((0.04, -0.04, 0.07)), "two control points of sculpt 'a' lie at"),
         (with_row((0.00003, 0.0, 0.08)), "mirror images count"),
         ({"base": {"old": float("inf")}}, "starts from 'old' by inf; expected a finite weight"),
+        ({"teeth": 0.2}, "teeth of sculpt 'a' is 0.2; expected a scale from 0.5 to 1.5"),
     ],
 )
 def test_what_contradicts_itself_is_refused(changes: dict[str, Any], sentence: str) -> None:

@@ -17,7 +17,7 @@ from omote.model.sculpt import KERNELS, Sculpt
 Values = NDArray[np.float64]
 
 UNITS = {"mm": 0.001, "m": 1.0}
-HEADINGS = ("name", "unit", "symmetric", "kernel", "base", "look", "points")
+HEADINGS = ("name", "unit", "symmetric", "kernel", "teeth", "base", "look", "points")
 POINT_KEYS = ("at", "to", "by", "reach", "size")
 
 
@@ -54,6 +54,7 @@ def parse_sculpt(text: str, /) -> Sculpt:
         points=points * UNITS[unit],
         moves=(targets - points) * UNITS[unit],
         symmetric=symmetric,
+        teeth=_number("teeth", table.get("teeth", 1.0)),
         kernel=_choice(table, "kernel", KERNELS, "triharmonic"),  # type: ignore[arg-type]
         look=_look(_table(table, "look")),
         base={name: _number(f"base {name!r}", weight) for name, weight in _table(table, "base").items()},

@@ -23,6 +23,7 @@ Values = NDArray[np.float64]
 Kernel = Literal["biharmonic", "triharmonic"]
 KERNELS: tuple[Kernel, ...] = get_args(Kernel)
 
+MOUTH = ("teeth_upper", "teeth_lower", "tongue")
 FARTHEST = 0.06
 """How far from the generic head a control point may lie, metres."""
 _NEAREST = 1e-4  # Two control points closer than this, metres, would tear the skin between them.
@@ -37,8 +38,9 @@ class Sculpt:
 
     points, moves (n, 3) metres; symmetric: a point beside the midline stands for its mirror image too, one on it stays
     on it; kernel: "biharmonic" (|r|: lively, a little pointed at the points) or "triharmonic" (|r|^3: smooth); look:
-    the face's colours; base: other faces by weight, whose difference from the generic one is added. Raises ValueError
-    on points that decide no shape or contradict each other.
+    the face's colours; base: other faces by weight, whose difference from the generic one is added; teeth: the scale of
+    teeth and tongue about their middle, so that they stay behind the lips. Raises ValueError on points that decide no
+    shape or contradict each other.
     """
 
     name: str
@@ -48,6 +50,7 @@ class Sculpt:
     kernel: Kernel = "triharmonic"
     look: Look = field(default_factory=Look)
     base: Mapping[str, float] = field(default_factory=dict)
+    teeth: float = 1.0
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name:
@@ -57,6 +60,8 @@ class Sculpt:
                 f"the kernel of sculpt {self.name!r} is {self.kernel!r}; expected one of "
                 + ", ".join(map(repr, KERNELS))
             )
+        if not 0.5 <= self.teeth <= 1.5:
+            raise ValueError(f"teeth of sculpt {self.name!r} is {self.teeth!r}; expected a scale from 0.5 to 1.5")
         for attribute in ("points", "moves"):
             rows = np.array(mesh.checked_points(getattr(self, attribute), name=f"{attribute} of sculpt {self.name!r}"))
             rows.setflags(write=False)
@@ -113,9 +118,18 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
     for name, part in space.parts.items():
         there = move(part.points)
         parts[name] = rolled(parts[name], part.points, there) if part.eye else parts[name] + there - part.points
+    _scale_mouth(parts, sculpt.teeth)
     face = Face(sculpt.name, seated(skin, {name: parts[name] for name in eyes}, wanted), parts)
     fit(space, face)
     return face
+
+
+def _scale_mouth(parts: dict[str, Values], scale: float) -> None:
+    mouth = [name for name in MOUTH if name in parts]
+    if mouth:
+        middle = np.concatenate([parts[name] for name in mouth]).mean(axis=0)
+        for name in mouth:
+            parts[name] = middle + scale * (parts[name] - middle)
 
 
 def _base(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face]) -> tuple[Values, dict[str, Values]]:
