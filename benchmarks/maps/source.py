@@ -59,7 +59,7 @@ def load_source(units: int | None = None) -> Source:
     space = cast.space
     compiled = {name: compile_expression(space, cast.expressions[name]) for name in names}
     moves = {name: on_generic(space, compiled[name]) for name in names}
-    sheet = space.location_triangles[: len(space.skin_triangles)]
+    sheet = space.sheet_triangles
     draw = np.random.default_rng(SEED)
     triples = tuple(tuple(draw.choice(names, 3, replace=False).tolist()) for _ in range(TRIPLES))
     positions = cast.faces[GENERIC].positions.astype(np.float64)

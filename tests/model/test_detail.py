@@ -16,7 +16,7 @@ ONES = np.ones(omote.load_cast().space.vertex_count)
 
 def sheet(positions: np.ndarray) -> Sheet:
     space = omote.load_cast().space
-    return sheet_of(space.points, positions, space.location_triangles[: len(space.skin_triangles)])
+    return sheet_of(space.points, positions, space.sheet_triangles)
 
 
 def displacement(name: str) -> np.ndarray:

@@ -18,7 +18,7 @@ def space() -> ParameterSpace:
 def line(space: ParameterSpace, name: str) -> Line:
     eye = space.parts["eye_left"].points.mean(axis=0)
     near = {"lid_left": eye, "lid_right": eye * [-1, 1, 1], "lips": np.array([0.0, -0.067, 0.148])}[name]
-    sheet = space.location_triangles[: len(space.skin_triangles)]
+    sheet = space.sheet_triangles
     kind = "lips" if name == "lips" else "lids"
     return find_line(name, kind, space.points, sheet, space.membranes, space.cylinder, near)  # type: ignore[arg-type]
 

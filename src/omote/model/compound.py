@@ -8,7 +8,6 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.geometry import mesh
 from omote.model.clearance import Ball
 from omote.model.expression import Expression
 from omote.model.face import Face
@@ -62,8 +61,7 @@ def carried_over(space: ParameterSpace, face: Face, displacement: Values, residu
     """A face moved as the generic face is: the sheet carried smoothly, the inner skin behind it with its residual."""
     fitted = fit(space, face)
     moved = carried(carrier(space, face), displacement)
-    joined = mesh.weld(space.points)
-    out = np.where(space.on_sheet[:, None], moved[joined], fitted.positions).astype(np.float32)
+    out = np.where(space.on_sheet[:, None], moved[space.welded], fitted.positions).astype(np.float32)
     inner = space.inner
     follow(fitted.positions, inner.vertices, inner.anchors, inner.weights, residual, fitted.scale, out)
     return out
@@ -75,9 +73,8 @@ def carrier(space: ParameterSpace, face: Face, /) -> Carrier:
     if known is None or known[0] is not space:
         fitted, generic = fit(space, face), fit(space, generic_face(space))
         here, there = fitted.positions.astype(np.float64), generic.positions.astype(np.float64)
-        sheet = space.location_triangles[: len(space.skin_triangles)]
         balls = tuple(zip(_balls(space, generic), _balls(space, fitted), strict=True))
-        known = (space, carrier_of(there, here, sheet, space.lines, balls))
+        known = (space, carrier_of(there, here, space.sheet_triangles, space.lines, balls))
         _carriers[face] = known
     return known[1]
 

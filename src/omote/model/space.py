@@ -118,11 +118,19 @@ class ParameterSpace:
         return len(self.points)
 
     @cached_property
+    def welded(self) -> NDArray[np.int32]:
+        """For each vertex, the first one at its place (V,): texture seams double vertices."""
+        return _read_only(mesh.weld(self.points))
+
+    @cached_property
+    def sheet_triangles(self) -> NDArray[np.int32]:
+        """The sheet (F, 3), seams welded."""
+        return _read_only(self.welded[self.skin_triangles])
+
+    @cached_property
     def location_triangles(self) -> NDArray[np.int32]:
         """Sheet and membranes (L, 3), seams welded: what points are located in."""
-        welded = np.concatenate([mesh.weld(self.points)[self.skin_triangles], self.membranes])
-        welded.setflags(write=False)
-        return welded
+        return _read_only(np.concatenate([self.sheet_triangles, self.membranes]))
 
     def with_parts(self, *parts: Part) -> ParameterSpace:
         """This space with these parts bound to it."""
@@ -130,9 +138,8 @@ class ParameterSpace:
 
     def with_line(self, name: str, kind: Kind, near: ArrayLike, /) -> ParameterSpace:
         """This space with a line of lids or lips named: the one around the opening nearest to a point (3,), metres."""
-        skin = self.location_triangles[: len(self.skin_triangles)]
         (goal,) = mesh.checked_points(np.reshape(near, (1, -1)), name="near")
-        line = find_line(name, kind, self.points, skin, self.membranes, self.cylinder, goal)
+        line = find_line(name, kind, self.points, self.sheet_triangles, self.membranes, self.cylinder, goal)
         return replace(self, lines=(*(known for known in self.lines if known.name != name), line))
 
     def under(self, transfer: Transfer, /) -> ParameterSpace:
@@ -164,6 +171,11 @@ def _cylinder(axis: ArrayLike) -> Cylinder:
     if len(mesh.out_of_reach(place)):
         raise ValueError(f"axis is {place}; expected finite metres, x and z, at most {mesh.FARTHEST:g} from zero")
     return Cylinder(float(place[0]), float(place[1]))
+
+
+def _read_only(indices: NDArray[np.int32]) -> NDArray[np.int32]:
+    indices.setflags(write=False)
+    return indices
 
 
 def _fans(corners: NDArray[np.int32], joined: NDArray[np.int32]) -> Fans:
