@@ -8,19 +8,16 @@ from __future__ import annotations
 
 import base64
 import html
-import subprocess
 import sys
-import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Browser, FloatRect, Page, sync_playwright
+from playwright.sync_api import Browser, FloatRect, Page
 
 import omote
-from tools.browser import SENTENCE, find_browser
-from tools.draw_show import CHROMIUM, READY, opened
+from tools.draw_show import READY, opened_show
 
 PICTURES = Path(__file__).resolve().parent.parent / "docs" / "pictures"
 QUALITY = 82
@@ -154,25 +151,15 @@ def table(sheet: Sheet, faces: Sequence[str], drawn: Sequence[str]) -> str:
 def main() -> int:
     """Draws the sheets, or those whose names are given."""
     wanted = [sheet for sheet in SHEETS if sheet.name in sys.argv[1:] or len(sys.argv) == 1]
-    path = find_browser()
-    if path is None or not wanted:
-        print(SENTENCE if path is None else f"expected some of {', '.join(sheet.name for sheet in SHEETS)}")
+    if not wanted:
+        print(f"expected some of {', '.join(sheet.name for sheet in SHEETS)}")
         return 1
     faces = list(omote.load_cast().faces)
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        command = [sys.executable, "-c", "from omote.cli import main; main()", "show", f"{folder}/sheet.omote"]
-        with subprocess.Popen([*command, "--port", "0", "--no-open"], stdout=subprocess.PIPE, text=True) as process:
-            browser = playwright.chromium.launch(executable_path=str(path), chromium_sandbox=False, args=CHROMIUM)
-            try:
-                url = opened(process)
-                for sheet in wanted:
-                    target = PICTURES / f"contact-{sheet.name}.jpg"
-                    target.write_bytes(draw(browser, url, sheet, faces))
-                    print(f"docs/pictures/{target.name}: {len(faces)} faces, {target.stat().st_size // 1000} kB")
-            finally:
-                browser.close()
-                process.terminate()
-                process.wait(20)
+    with opened_show() as (browser, address):
+        for sheet in wanted:
+            target = PICTURES / f"contact-{sheet.name}.jpg"
+            target.write_bytes(draw(browser, address, sheet, faces))
+            print(f"docs/pictures/{target.name}: {len(faces)} faces, {target.stat().st_size // 1000} kB")
     return 0
 
 

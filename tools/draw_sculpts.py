@@ -6,16 +6,13 @@ sculpts: every sculpted face at rest, turned, barking, smiling, angry and with c
 from __future__ import annotations
 
 import base64
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page
 
 from tools.baking.sculpts import sculpt_paths
-from tools.browser import SENTENCE, find_browser
-from tools.draw_show import CHROMIUM, READY, Pose, opened, pose
+from tools.draw_show import READY, Pose, opened_show, pose
 
 PICTURES = Path(__file__).resolve().parent.parent / "docs" / "pictures"
 WIDTH, HEIGHT, COLUMNS, QUALITY = 200, 190, 6, 85
@@ -64,24 +61,12 @@ def sheet(browser: Browser, pictures: list[str]) -> bytes:
 
 def main() -> int:
     """Draws both pictures."""
-    path = find_browser()
-    if path is None:
-        print(SENTENCE, file=sys.stderr)
-        return 1
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        command = [sys.executable, "-c", "from omote.cli import main; main()", "show", f"{folder}/show.omote"]
-        process = subprocess.Popen([*command, "--port", "0", "--no-open"], stdout=subprocess.PIPE, text=True)
-        try:
-            browser = playwright.chromium.launch(executable_path=str(path), chromium_sandbox=False, args=CHROMIUM)
-            page = browser.new_page(viewport={"width": WIDTH, "height": HEIGHT}, device_scale_factor=1, bypass_csp=True)
-            page.goto(f"{opened(process)}/stage?quality=high")
-            page.wait_for_function(READY)
-            for name, poses in (("sculpts", sculpts()), ("morphs", morphs())):
-                (PICTURES / f"{name}.jpg").write_bytes(sheet(browser, drawn(page, poses)))
-            browser.close()
-        finally:
-            process.terminate()
-            process.wait(20.0)
+    with opened_show() as (browser, address):
+        page = browser.new_page(viewport={"width": WIDTH, "height": HEIGHT}, device_scale_factor=1, bypass_csp=True)
+        page.goto(f"{address}/stage?quality=high")
+        page.wait_for_function(READY)
+        for name, poses in (("sculpts", sculpts()), ("morphs", morphs())):
+            (PICTURES / f"{name}.jpg").write_bytes(sheet(browser, drawn(page, poses)))
     return 0
 
 

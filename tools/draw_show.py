@@ -10,6 +10,8 @@ import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -76,22 +78,31 @@ def opened(process: subprocess.Popen[str]) -> str:
     raise RuntimeError("the show did not open")
 
 
-def main() -> int:
-    """Draws the picture."""
+@contextmanager
+def opened_show() -> Iterator[tuple[Browser, str]]:
+    """A browser and the address of a show that nobody else plays; both end with the block.
+
+    RuntimeError with a sentence where there is no browser.
+    """
     path = find_browser()
     if path is None:
-        print(SENTENCE, file=sys.stderr)
-        return 1
+        raise RuntimeError(SENTENCE)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         command = [sys.executable, "-c", "from omote.cli import main; main()", "show", f"{folder}/show.omote"]
         process = subprocess.Popen([*command, "--port", "0", "--no-open"], stdout=subprocess.PIPE, text=True)
         try:
             browser = playwright.chromium.launch(executable_path=str(path), chromium_sandbox=False, args=CHROMIUM)
-            TARGET.write_bytes(sheet(browser, pictures(browser, opened(process))))
+            yield browser, opened(process)
             browser.close()
         finally:
             process.terminate()
-            process.wait(20.0)
+            process.communicate(timeout=20.0)
+
+
+def main() -> int:
+    """Draws the picture."""
+    with opened_show() as (browser, address):
+        TARGET.write_bytes(sheet(browser, pictures(browser, address)))
     return 0
 
 
