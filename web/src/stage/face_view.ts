@@ -6,9 +6,12 @@ import { Blender, type Eyeballs } from "./blender";
 import { frame, portraitCamera, type Shot, tileView } from "./framing";
 import { buildBackdrop, buildHead, type EyeUniforms, eyeUniforms, type HeadUniforms, headUniforms } from "./head";
 import { Holdings, namesOf } from "./holdings";
+import { mixLights } from "./light";
+import { writeLight } from "./light_uniforms";
 import { drawsInSoftware } from "./machine";
 import type { Tile } from "./parameters";
 import { type Pose, resting } from "./pose";
+import { FEATURES, type Features, firstLevel, type Level, pixelRatio } from "./quality";
 import { faceWeights } from "./weights";
 
 /** How a view draws; everything may be left out. */
@@ -19,8 +22,8 @@ export interface FaceViewOptions {
   tile?: Tile | undefined;
   /** Device pixels per CSS pixel, at most. */
   pixelRatio?: number;
-  /** Light per vertex and no antialiasing; by default on machines without a graphics processor. */
-  fast?: boolean | undefined;
+  /** What the picture may cost; by default what suits the machine. */
+  level?: Level | undefined;
   shot?: Shot;
 }
 
@@ -48,6 +51,7 @@ export class FaceView {
   private pose: Pose;
   private blended = "";
   private drawnAt: number | undefined;
+  private features: Features;
   /** False while the graphics context is lost. */
   alive = true;
 
@@ -58,7 +62,8 @@ export class FaceView {
     private readonly mask: ImageBitmap | undefined,
     private readonly options: FaceViewOptions,
   ) {
-    this.renderer = createRenderer(canvas, options);
+    this.features = FEATURES[options.level ?? firstLevel(drawsInSoftware())];
+    this.renderer = createRenderer(canvas, this.features);
     this.eyes = { rows: anatomy.eyeRows, centres: new Float32Array(6), turns: new Float32Array(18) };
     this.looks = new Map(library.manifest.faces.map((face) => [face.name, readLook(face)]));
     this.pose = resting(library.manifest.faces[0]?.name ?? "generic");
@@ -86,9 +91,8 @@ export class FaceView {
 
   /** Sets the size in CSS pixels. */
   resize(width: number, height: number): void {
-    this.renderer.setPixelRatio(
-      Math.min(globalThis.devicePixelRatio ?? 1, this.options.pixelRatio ?? (isFast(this.options) ? 1 : 2)),
-    );
+    const display = Math.min(globalThis.devicePixelRatio ?? 1, this.options.pixelRatio ?? 2);
+    this.renderer.setPixelRatio(pixelRatio(this.features, width, height, display));
     this.renderer.setSize(Math.max(1, width), Math.max(1, height), false);
   }
 
@@ -134,14 +138,12 @@ export class FaceView {
     this.blender = new Blender(gl, this.library.manifest.vertices, this.anatomy.fans);
     this.holdings ??= new Holdings(this.library);
     this.shared = headUniforms(this.blender.positions, this.blender.normals);
-    this.shared.mask.value = maskTexture(this.mask, isFast(this.options));
+    this.shared.mask.value = maskTexture(this.mask, this.features);
     this.scene = new THREE.Scene();
     this.backdrop = buildBackdrop();
     if (!this.options.transparent) this.scene.add(this.backdrop);
-    const { library, anatomy, shared } = this;
-    this.scene.add(
-      buildHead({ meshes: library.meshes, anatomy, shared, eyes: this.eyeUniforms, fast: isFast(this.options) }),
-    );
+    const { library, anatomy, shared, features } = this;
+    this.scene.add(buildHead({ meshes: library.meshes, anatomy, shared, eyes: this.eyeUniforms, features }));
     this.blended = "";
     this.renderer.resetState();
   }
@@ -196,6 +198,7 @@ export class FaceView {
     backdrop.aspect.value = fullWidth / fullHeight;
     this.turnHead();
     this.dress();
+    writeLight(mixLights({}), this.shared);
     this.renderer.render(this.scene, this.camera);
   }
 
@@ -228,8 +231,6 @@ export class FaceView {
   }
 }
 
-const isFast = (options: FaceViewOptions): boolean => options.fast ?? drawsInSoftware();
-
 type FaceLook = Record<"skin" | "lip" | "brow" | "blush" | "iris", THREE.Color> & {
   eyeRadius: number;
   centres: number[];
@@ -259,10 +260,10 @@ function writeTurn(yaw: number, pitch: number, into: Float32Array, at: number): 
   into.set([cy, 0, -sy, -sy * sp, cp, -cy * sp, sy * cp, sp, cy * cp], at);
 }
 
-function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas, options: FaceViewOptions): THREE.WebGLRenderer {
+function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas, features: Features): THREE.WebGLRenderer {
   const context = canvas.getContext("webgl2", {
     alpha: true,
-    antialias: !isFast(options),
+    antialias: features.multisample,
     premultipliedAlpha: true,
     powerPreference: "high-performance",
   }) as WebGL2RenderingContext | null;
@@ -275,15 +276,15 @@ function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas, options: Fa
   return renderer;
 }
 
-function maskTexture(mask: ImageBitmap | undefined, fast: boolean): THREE.Texture {
+function maskTexture(mask: ImageBitmap | undefined, { anisotropy }: Features): THREE.Texture {
   const texture =
     mask === undefined ? new THREE.DataTexture(Uint8Array.of(0, 0, 0, 255), 1, 1) : new THREE.Texture(mask);
   texture.flipY = false; // texture coordinates as in glTF: (0, 0) is the upper left corner
   texture.premultiplyAlpha = false;
   texture.generateMipmaps = true;
-  texture.minFilter = fast ? THREE.LinearMipmapNearestFilter : THREE.LinearMipmapLinearFilter;
+  texture.minFilter = anisotropy > 1 ? THREE.LinearMipmapLinearFilter : THREE.LinearMipmapNearestFilter;
   texture.magFilter = THREE.LinearFilter;
-  texture.anisotropy = fast ? 1 : 4;
+  texture.anisotropy = anisotropy;
   texture.needsUpdate = true;
   return texture;
 }

@@ -4,6 +4,7 @@ import type { Anatomy } from "./anatomy";
 import { collar } from "./collar";
 import * as parts from "./part_shaders";
 import * as setting from "./setting_shaders";
+import { definesOf, type Features } from "./quality";
 import * as skins from "./skin_shaders";
 import { extent } from "./topology";
 
@@ -74,8 +75,8 @@ export interface HeadParts {
   anatomy: Anatomy;
   shared: HeadUniforms;
   eyes: [EyeUniforms, EyeUniforms];
-  /** Light per vertex instead of per pixel, for machines without a graphics processor. */
-  fast: boolean;
+  /** What the picture may cost. */
+  features: Features;
 }
 
 /** The whole head as a scene. */
@@ -86,11 +87,15 @@ export function buildHead(from: HeadParts): THREE.Group {
     const cloth = material(setting.COLLAR_VERTEX, setting.COLLAR_FRAGMENT, from.shared);
     head.add(new THREE.Mesh(collar(from.anatomy), cloth));
   }
-  for (const child of head.children) child.frustumCulled = false; // the vertices are where the GPU puts them
+  for (const child of head.children) {
+    child.frustumCulled = false; // the vertices are where the GPU puts them
+    const look = (child as THREE.Mesh).material as THREE.RawShaderMaterial;
+    look.defines = { ...look.defines, ...definesOf(from.features) };
+  }
   return head;
 }
 
-function drawn(mesh: Mesh, { anatomy, shared, eyes, fast }: HeadParts): THREE.Mesh {
+function drawn(mesh: Mesh, { anatomy, shared, eyes }: HeadParts): THREE.Mesh {
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
   geometry.setAttribute("source", new THREE.BufferAttribute(Float32Array.from(mesh.source), 1));
@@ -108,20 +113,13 @@ function drawn(mesh: Mesh, { anatomy, shared, eyes, fast }: HeadParts): THREE.Me
     case "lashes":
       return lashes(geometry, mesh, anatomy, shared);
     default:
-      return skin(geometry, mesh, anatomy, material(skins.SKIN_VERTEX, skins.SKIN_FRAGMENT, shared), fast);
+      return skin(geometry, mesh, anatomy, material(skins.SKIN_VERTEX, skins.SKIN_FRAGMENT, shared));
   }
 }
 
-function skin(
-  geometry: THREE.BufferGeometry,
-  mesh: Mesh,
-  anatomy: Anatomy,
-  look: THREE.RawShaderMaterial,
-  fast: boolean,
-): THREE.Mesh {
+function skin(geometry: THREE.BufferGeometry, mesh: Mesh, anatomy: Anatomy, look: THREE.RawShaderMaterial): THREE.Mesh {
   geometry.setAttribute("uv", new THREE.BufferAttribute(mesh.uv, 2));
   geometry.setAttribute("traits", new THREE.BufferAttribute(gather(anatomy.traits, mesh.source, 4), 4));
-  if (fast) look.defines = { FAST: "" };
   return new THREE.Mesh(geometry, look);
 }
 

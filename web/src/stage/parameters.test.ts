@@ -4,7 +4,7 @@ import { ParameterError, readParameters } from "./parameters";
 
 describe("a stage's address", () => {
   it("needs no parameter", () => {
-    expect(readParameters("")).toEqual({ transparent: false, hud: false, quality: undefined, tile: undefined });
+    expect(readParameters("")).toEqual({ transparent: false, hud: false, quality: "auto", tile: undefined });
   });
 
   it("switches with or without =1", () => {

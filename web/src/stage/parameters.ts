@@ -1,3 +1,5 @@
+import { LEVELS, type Level } from "./quality";
+
 /** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */
 export interface Tile {
   column: number;
@@ -8,19 +10,17 @@ export interface Tile {
   bezel: [number, number];
 }
 
-export type Quality = "low" | "high";
-
 /** Everything a stage is told by its address. */
 export interface StageParameters {
   transparent: boolean;
   hud: boolean;
-  /** Undefined: what the machine can do. */
-  quality: Quality | undefined;
+  /** What the picture may cost; "auto": as much as the machine draws in time. */
+  quality: Level | "auto";
   tile: Tile | undefined;
 }
 
 const KNOWN = ["transparent", "tile", "of", "bezel", "quality", "hud"];
-const QUALITIES: readonly string[] = ["low", "high"];
+const QUALITIES: readonly string[] = ["auto", ...LEVELS];
 
 /** A parameter that cannot be obeyed; its message is a sentence for the page. */
 export class ParameterError extends Error {}
@@ -46,10 +46,11 @@ function readSwitch(given: URLSearchParams, name: string): boolean {
   throw new ParameterError(`${name}=${value} is neither on nor off; write ${name}=1 or leave it out.`);
 }
 
-function readQuality(value: string | null): Quality | undefined {
-  if (value === null) return undefined;
-  if (!QUALITIES.includes(value)) throw new ParameterError(`quality=${value} is unknown; write low or high.`);
-  return value as Quality;
+function readQuality(value: string | null): Level | "auto" {
+  if (value === null) return "auto";
+  if (!QUALITIES.includes(value))
+    throw new ParameterError(`quality=${value} is unknown; write one of ${QUALITIES.join(", ")}.`);
+  return value as Level | "auto";
 }
 
 function readTile(given: URLSearchParams): Tile | undefined {

@@ -132,7 +132,7 @@ const loadView = (canvas: HTMLCanvasElement, library: Library, parameters: Stage
   FaceView.load(canvas, library, {
     transparent: parameters.transparent,
     tile: parameters.tile,
-    fast: parameters.quality === undefined ? undefined : parameters.quality === "low",
+    level: parameters.quality === "auto" ? undefined : parameters.quality,
   });
 
 /** What the running calls will need. */
