@@ -2,9 +2,10 @@ import * as THREE from "three";
 import type { Mesh } from "../link/assets";
 import type { Anatomy } from "./anatomy";
 import { collar } from "./collar";
+import { type LightUniforms, lightUniforms } from "./light_uniforms";
 import * as parts from "./part_shaders";
-import * as setting from "./setting_shaders";
 import { definesOf, type Features } from "./quality";
+import * as setting from "./setting_shaders";
 import * as skins from "./skin_shaders";
 import { extent } from "./topology";
 
@@ -21,7 +22,7 @@ export interface BlendedLook {
 type Uniforms = Record<string, THREE.IUniform>;
 
 /** The uniforms all materials share; written once a frame. */
-export interface HeadUniforms extends Uniforms {
+export interface HeadUniforms extends Uniforms, LightUniforms {
   positions: THREE.IUniform<THREE.Texture>;
   normals: THREE.IUniform<THREE.Texture>;
   headTurn: THREE.IUniform<THREE.Matrix3>;
@@ -49,6 +50,7 @@ const ARCH = 0.034;
 
 export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): HeadUniforms {
   return {
+    ...lightUniforms(),
     positions: { value: new THREE.ExternalTexture(positions) },
     normals: { value: new THREE.ExternalTexture(normals) },
     headTurn: { value: new THREE.Matrix3() },

@@ -39,8 +39,9 @@ void main() {
 
   vec3 upright = normal * headTurn; // in the head's frame
   float lidShadow = mix(0.22, 1.0, smoothstep(0.50, -0.05, upright.y)) * smoothstep(-0.15, 0.70, upright.z);
+  lidShadow = shaded(lidShadow);
   float key = clamp(dot(normal, KEY) * 0.75 + 0.25, 0.0, 1.0);
-  vec3 light = albedo * (KEY_LIGHT * key * 0.62 + FILL_LIGHT * 0.6 + 0.16) * lidShadow;
+  vec3 light = albedo * (KEY_LIGHT * key * 0.62 + FILL_LIGHT * 0.6 + 1.6 * ambient(normal)) * lidShadow;
   // the light on the far side of the cornea, as a lens gathers it
   light += iris * KEY_LIGHT * disc * (1.0 - pupil) * 0.35 * max(dot(local.xy, -(KEY * eyeTurn).xy), 0.0) * lidShadow;
   vec3 bulge = normalize(normal + 0.35 * disc * (normal - (eyeTurn * vec3(0.0, 0.0, 1.0))));
@@ -75,7 +76,7 @@ vec3 lit(vec3 albedo, float wet) {
   vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
   float open = pow(clamp(1.0 - vPlace.x, 0.0, 1.0), 2.0);
   float key = clamp((dot(normal, KEY) + 0.7) / 1.7, 0.0, 1.0);
-  vec3 light = albedo * (KEY_LIGHT * key * 0.85 + FILL_LIGHT * 0.5 + vec3(0.10, 0.07, 0.06)) * open;
+  vec3 light = albedo * (KEY_LIGHT * key * 0.85 + FILL_LIGHT * 0.5 + ambient(normal)) * open;
   return light + KEY_LIGHT * wet * shine(normal, view, KEY, 50.0) * open;
 }
 `;

@@ -22,17 +22,31 @@ vec3 turnedNormal(vec3 normal, float part) { return normalize(mix(normal, headTu
 vec4 project(vec3 point) { return projectionMatrix * viewMatrix * vec4(point, 1.0); }
 `;
 
-/** Light and tone that every fragment shader of the head shares: a warm key, a cool fill, two rims. */
+/**
+ * The light on stage, the same for every shader of the head (`light_uniforms.ts` writes it): a key, a fill, two rims,
+ * and what comes from everywhere. SHADE: how much hollows count, 0 in even light; whoever darkens a hollow uses `shaded`.
+ */
 export const LIGHTS = `
 uniform vec3 cameraPosition;
+uniform vec3 KEY;
+uniform vec3 FILL;
+uniform vec3 RIM_LEFT;
+uniform vec3 RIM_RIGHT;
+uniform vec3 KEY_LIGHT;
+uniform vec3 FILL_LIGHT;
+uniform vec3 RIM_LIGHT;
+uniform vec3 SKY_LIGHT;
+uniform vec3 GROUND_LIGHT;
+uniform float SHADE;
 
-const vec3 KEY = normalize(vec3(-0.68, 0.62, 0.66));
-const vec3 FILL = normalize(vec3(0.85, 0.0, 0.5));
-const vec3 RIM_LEFT = normalize(vec3(-0.9, 0.25, -0.45));
-const vec3 RIM_RIGHT = normalize(vec3(0.9, 0.35, -0.5));
-const vec3 KEY_LIGHT = vec3(1.72, 1.52, 1.34);
-const vec3 FILL_LIGHT = vec3(0.25, 0.24, 0.27);
-const vec3 RIM_LIGHT = vec3(0.62, 0.70, 0.90);
+/** Light from everywhere. */
+vec3 ambient(vec3 normal) { return mix(GROUND_LIGHT, SKY_LIGHT, normal.y * 0.5 + 0.5); }
+
+/** What a hollow leaves of the light (0..1), as much as this light counts it. */
+float shaded(float open) { return mix(1.0, open, SHADE); }
+
+/** How much of the key light comes to a point, 0..1. */
+float shadow(vec3 point, vec3 normal) { return 1.0; }
 
 /** A lobe of shine. */
 float shine(vec3 normal, vec3 view, vec3 light, float sharpness) {
@@ -44,11 +58,12 @@ export const FRAGMENT_HEAD = `
 precision highp float;
 precision highp sampler2D;
 ${LIGHTS}
+uniform float EXPOSURE;
 out vec4 colour;
 
 /** Linear light to the display, with a shoulder for the highlights. */
 vec3 display(vec3 light) {
-  vec3 x = max(light, 0.0);
+  vec3 x = max(light * EXPOSURE, 0.0);
   x = x * (1.0 + x * 0.12) / (1.0 + x * 0.72);
   vec3 root = sqrt(x); // the sRGB curve by square roots: no logarithms on a software renderer
   vec3 fourth = sqrt(root);
