@@ -6,6 +6,8 @@ import { Blender, type Eyeballs } from "./blender";
 import { frame, portraitCamera, type Shot, tileView } from "./framing";
 import { buildBackdrop, buildHead, type EyeUniforms, eyeUniforms, type HeadUniforms, headUniforms } from "./head";
 import { Holdings, namesOf } from "./holdings";
+import { mixLights } from "./light";
+import { writeLight } from "./light_uniforms";
 import { drawsInSoftware } from "./machine";
 import type { Tile } from "./parameters";
 import { type Pose, resting } from "./pose";
@@ -196,6 +198,7 @@ export class FaceView {
     backdrop.aspect.value = fullWidth / fullHeight;
     this.turnHead();
     this.dress();
+    writeLight(mixLights({}), this.shared);
     this.renderer.render(this.scene, this.camera);
   }
 
