@@ -10,7 +10,7 @@ from rich.progress import Progress
 
 from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, mesh_arrays, space_of
 from tools.baking.basemesh import read_base_mesh
-from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED
+from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
 from tools.baking.head import cut_head
 from tools.baking.layout import unwrap
 from tools.baking.mask import paint_mask
@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parent.parent
 CACHE = ROOT / "build" / "cast"
 TARGET = ROOT / "src" / "omote" / "builtin"
 FACES = len(PEOPLE) + len(sculpt_paths())
-STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + 4
+STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OWN) + 4
 
 
 def bake(package: Package, step: Step) -> dict[str, bytes]:

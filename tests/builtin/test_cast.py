@@ -14,7 +14,7 @@ from omote.model.compound import compound_parts
 from omote.model.face import Face
 from omote.model.sheet import refuse_axis_outside
 from tests.pictures import read_png
-from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED
+from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED, PUPILS
 
 CAST = omote.load_cast()
 GENERIC = CAST.faces["generic"]
@@ -69,9 +69,10 @@ def test_all_units_are_there_by_their_exact_names() -> None:
     for name in CAST.expressions:
         kinds.setdefault(CAST.titles[name].kind, []).append(name)
     expected = {"neutral": ["neutral"], "performed": [*PERFORMED], "arkit": [*ARKIT], "makehuman": [*MAKEHUMAN]}
+    expected["own"] = [*OWN]
     assert kinds == expected
     assert {kind: len(names) for kind, names in kinds.items()} == {
-        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34,
+        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "own": 2,
     }  # fmt: skip
     assert {
         "smile",
@@ -98,7 +99,12 @@ def test_every_expression_but_neutral_moves_something() -> None:
         still = (
             moved_skin(name).max() < 1e-5 and still_parts(name) == {*PARTS} and not CAST.expressions[name].eyes.any()
         )
-        assert still == (name == "neutral"), name
+        assert still == (name == "neutral" or name in OWN), name
+
+
+def test_pupils_move_by_what_the_table_says() -> None:
+    for name, expression in CAST.expressions.items():
+        assert expression.pupil == pytest.approx({**PUPILS, **OWN}.get(name, 0.0)), name
 
 
 @pytest.mark.parametrize("face", FACES, ids=name_of)

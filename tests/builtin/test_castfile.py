@@ -61,7 +61,9 @@ def test_another_format_is_refused(tmp_path: Path, arrays: Arrays) -> None:
     assert "it has format 99, this version reads format 1" in refusal(tmp_path, arrays)
 
 
-@pytest.mark.parametrize("name", ["dtheta", "face/kaori", "face/old/tongue", "jaw", "about", "format", "rest/lashes"])
+@pytest.mark.parametrize(
+    "name", ["dtheta", "face/kaori", "face/old/tongue", "jaw", "about", "format", "rest/lashes", "pupil"]
+)
 def test_a_missing_array_is_refused_by_its_name(tmp_path: Path, arrays: Arrays, name: str) -> None:
     del arrays[name]
     assert name in refusal(tmp_path, arrays)

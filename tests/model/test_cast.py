@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -58,6 +60,21 @@ def test_the_generic_face_and_the_field_at_rest_cannot_be_others() -> None:
         cast().with_faces(Face("generic", space().points * [1.2, 1, 1]))
     with pytest.raises(ValueError, match=r"expression 'neutral' moves something.*another name"):
         cast().with_expressions(neutral=cast().expressions["smile"])
+
+
+def test_the_pupil_of_an_expression_belongs_to_the_digest() -> None:
+    wide = replace(cast().expressions["smile"], pupil=0.5)
+    assert cast().with_expressions(smile=wide).digest != cast().digest
+    with pytest.raises(ValueError, match="expression 'neutral' moves something"):
+        cast().with_expressions(neutral=replace(cast().expressions["neutral"], pupil=0.5))
+
+
+@pytest.mark.parametrize(
+    "trait", [{"slit": 1.2}, {"slit": True}, {"iris_size": 0.2}, {"lashes": "many"}, {"lashes": float("nan")}]
+)
+def test_traits_are_refused(trait: dict[str, float]) -> None:
+    with pytest.raises(ValueError, match=r"of a look is .*; expected a number from 0"):
+        Look(**trait)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("colour", ["red", "#12345", "#12345g", 7])

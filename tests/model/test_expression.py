@@ -37,6 +37,8 @@ def test_an_expression_keeps_copies_nobody_can_write() -> None:
         ({"dtheta": None}, "dtheta of an expression has no numbers but NoneType"),
         ({"dh": np.zeros(4, complex)}, "dh of an expression has no numbers but complex128"),
         ({"dh": np.full(4, 1e308)}, r"dh\[0\] of an expression is 1e\+308"),
+        ({"pupil": np.nan}, r"pupil\[0\] of an expression is nan"),
+        ({"pupil": "wide"}, "pupil of an expression"),
         ({"residual": None}, "residual of an expression has no numbers but NoneType"),
     ],
 )

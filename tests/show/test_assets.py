@@ -38,6 +38,15 @@ def written(cast: Cast) -> Manifest:
     return documents(cast, meshes(cast), mask="/assets/mask").manifest
 
 
+def test_lines_and_pupils_are_those_of_the_cast(cast: Cast) -> None:
+    wide = dataclasses.replace(cast.expressions["smile"], pupil=0.25)
+    manifest = written(cast.with_expressions(smile=wide))
+    pupils = {expression.name: expression.pupil for expression in manifest.expressions}
+    assert pupils == {**dict.fromkeys(cast.expressions, 0.0), "smile": 0.25}
+    lines = {line.name: np.frombuffer(line.loop, "<u4").tolist() for line in manifest.lines}
+    assert lines == {line.name: line.loop.tolist() for line in cast.space.lines}
+
+
 @given(moves=hnp.arrays(np.float64, st.tuples(st.integers(0, 50), st.just(3)), elements=st.floats(-0.05, 0.05)))
 def test_quantised_moves_come_back_within_half_a_count(moves: np.ndarray) -> None:
     asset = quantised(moves)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,7 @@ from omote.model.face import Face
 from omote.model.sculpt import Sculpt
 from omote.model.space import ParameterSpace
 from tools.baking.basemesh import BaseMesh, Floats
-from tools.baking.expressions import ARKIT, PERFORMED, label, region
+from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, label, region
 from tools.baking.head import Head, Piece
 from tools.baking.moves import Move
 from tools.baking.neck import settle_throat
@@ -80,11 +80,16 @@ def space_of(arrays: Arrays) -> ParameterSpace:
 
 
 def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move], step: Step) -> Arrays:
-    """Every expression as a field on S, taken from the generic face by the paper's map; first the one at rest."""
+    """Every expression as a field on S, taken from the generic face by the paper's map; first the one at rest, last
+    those that move only the pupils."""
     generic = face_of(arrays, GENERIC)
     expressions = [_at_rest(space)]
     for name, move in moves.items():
-        expressions.append(extract(space, generic, move.skin, parts=move.parts))
+        taken = extract(space, generic, move.skin, parts=move.parts)
+        expressions.append(replace(taken, pupil=PUPILS.get(name, 0.0)))
+        step(name)
+    for name, pupil in OWN.items():
+        expressions.append(replace(_at_rest(space), pupil=pupil))
         step(name)
     return _stacked(expressions, space)
 
@@ -102,6 +107,7 @@ def _stacked(expressions: list[Expression], space: ParameterSpace) -> Arrays:
         "swell": [expression.ratio - 1.0 for expression in expressions],
         "residual": [expression.residual for expression in expressions],
         "eyes": [expression.eyes for expression in expressions],
+        "pupil": [np.array(expression.pupil) for expression in expressions],
     }
     for part in PARTS:
         still = np.zeros_like(space.parts[part].points)
@@ -114,12 +120,14 @@ def about(moves: Mapping[str, Move], sculpts: Sequence[Sculpt]) -> Arrays:
     faces = {name: dict(person.look) for name, person in PEOPLE.items()}
     faces |= {sculpt.name: asdict(sculpt.look) for sculpt in sculpts}
     rows = [{"name": NEUTRAL, "label": label(NEUTRAL), "kind": "neutral", "region": "whole"}]
-    rows += [{"name": name, "label": label(name), "kind": _kind(name), "region": region(name)} for name in moves]
+    rows += [
+        {"name": name, "label": label(name), "kind": _kind(name), "region": region(name)} for name in (*moves, *OWN)
+    ]
     text = json.dumps({"faces": faces, "expressions": rows}, indent=1)
     return {"format": np.array(FORMAT), "about": np.frombuffer(text.encode(), dtype=np.uint8)}
 
 
 def _kind(name: str) -> str:
-    if name in PERFORMED:
-        return "performed"
+    if name in PERFORMED or name in OWN:
+        return "performed" if name in PERFORMED else "own"
     return "arkit" if name in ARKIT else "makehuman"

@@ -39,10 +39,10 @@ class Person:
     size: scale about the eyes, so that children fill a stage that is framed for adults;
     eyeballs: scale of each eyeball about its centre, where the lids were opened very wide;
     teeth: scale of teeth and tongue about their middle, so that they stay behind a narrow jaw;
-    look: the colours skin, lip, brow, blush, iris
+    look: the colours skin, lip, brow, blush, iris, and traits (model.cast.Look)
     """
 
-    look: Mapping[str, str]
+    look: Mapping[str, str | float]
     build: Build | None = None
     shape: Mapping[str, float] = field(default_factory=dict)
     size: float = 1.0

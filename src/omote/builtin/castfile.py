@@ -8,7 +8,7 @@ Arrays, V vertices of the skin, n of a part, E expressions:
     face/NAME (V, 3)    metres                       face/NAME/PART (n, 3)
     part/PART (t, 3)    triangles of a part
     dtheta, dh, swell (E, V)                         fields on S, radians, metres and R - 1
-    residual (E, i, 3)  of the inner skin            rest/PART (E, n, 3)  eyes (E, 2, 2)
+    residual (E, i, 3)  of the inner skin            rest/PART (E, n, 3)  eyes (E, 2, 2)  pupil (E,)
     drawn/MESH/source (k,), drawn/MESH/uv (k, 2), drawn/MESH/triangles (t, 3)
 """
 
@@ -96,4 +96,5 @@ def _expression(arrays: Arrays, row: int, space: ParameterSpace) -> Expression:
         eyes=arrays["eyes"][row],
         radius=space.radius,
         transfer=space.transfer,
+        pupil=float(arrays["pupil"][row]),
     )

@@ -22,21 +22,44 @@ GENERIC, NEUTRAL = "generic", "neutral"
 _REST = 1e-6
 
 
+TRAITS: Mapping[str, tuple[float, float]] = MappingProxyType(
+    {"iris_size": (0.5, 2.0), "slit": (0.0, 1.0), "lashes": (0.0, 1.0)}
+)
+"""What of a look is a number, and from where to where it goes."""
+
+
 @dataclass(frozen=True)
 class Look:
-    """The colours of a face, "#rrggbb" each."""
+    """The colours of a face, "#rrggbb" each, and its traits, which are numbers: all of them mix with the faces.
+
+    iris_size: the iris' radius over a person's; slit: 0 a round pupil, 1 an upright slit; lashes: how many there are.
+    """
 
     skin: str = "#d9a98c"
     lip: str = "#b5645c"
     brow: str = "#3a2a20"
     blush: str = "#d98a7a"
     iris: str = "#5a4632"
+    iris_size: float = 1.0
+    slit: float = 0.0
+    lashes: float = 0.8
 
     def __post_init__(self) -> None:
-        for name, colour in vars(self).items():
+        for name, value in vars(self).items():
+            if name in TRAITS:
+                object.__setattr__(self, name, _checked_trait(name, value))
+                continue
+            colour = value
             digits = colour[1:] if isinstance(colour, str) else ""
             if len(digits) != 6 or colour[0] != "#" or not all(digit in "0123456789abcdefABCDEF" for digit in digits):
                 raise ValueError(f"{name} of a look is {colour!r}; expected a colour such as '#c08a70'")
+
+
+def _checked_trait(name: str, value: object) -> float:
+    low, high = TRAITS[name]
+    if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
+        raise ValueError(f"{name} of a look is {value!r}; expected a number from {low:g} to {high:g}")
+    return float(value)
 
 
 @dataclass(frozen=True)
@@ -55,7 +78,7 @@ def _refuse_others_at_rest(cast: Cast) -> None:
     if generic is not None and not np.array_equal(generic.positions, cast.space.points.astype(np.float32)):
         raise ValueError(f"face {GENERIC!r} is not the face the space was built from; give it another name")
     rests = (neutral.dtheta, neutral.dh, neutral.ratio - 1.0, neutral.residual, neutral.eyes, *neutral.parts.values())
-    if any(np.abs(values).max(initial=0.0) > _REST for values in rests):
+    if neutral.pupil or any(np.abs(values).max(initial=0.0) > _REST for values in rests):
         raise ValueError(f"expression {NEUTRAL!r} moves something; expected the field at rest: give it another name")
 
 
@@ -138,6 +161,7 @@ class Cast:
                 expression.ratio,
                 expression.residual,
                 expression.eyes,
+                np.array(expression.pupil),
                 *expression.parts.values(),
             ]
         for array in arrays:

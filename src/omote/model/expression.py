@@ -21,7 +21,7 @@ class Expression:
     dtheta (V,) radians, dh (V,) metres, ratio (V,) of radii (zero, zero, one where nothing moves and off the sheet);
     residual (inner, 3) and parts (n, 3) by name: metres on the generic face over what the bindings predict;
     eyes (2, 2): yaw and pitch of the left and the right eyeball, radians; radius, transfer: the rules under
-    which it was taken.
+    which it was taken; pupil: what it adds to the pupils, 1 as wide as they go, -1 as narrow.
     Raises ValueError on other shapes, values that are not finite and ratios that are not positive.
     """
 
@@ -33,6 +33,7 @@ class Expression:
     eyes: Values = field(default_factory=lambda: np.zeros((2, 2)))
     radius: str = "origin"
     transfer: str = "smooth"
+    pupil: float = 0.0
 
     def __post_init__(self) -> None:
         count = np.shape(self.dtheta)
@@ -44,6 +45,7 @@ class Expression:
             ("eyes", (2, 2)),
         ):
             object.__setattr__(self, name, _checked(getattr(self, name), name, shape))
+        object.__setattr__(self, "pupil", float(_checked([self.pupil], "pupil", (1,))[0]))
         if len(count) != 1:
             raise ValueError(f"dtheta has shape {count}; expected (V,), one angle per vertex")
         low = int(self.ratio.argmin()) if len(self.ratio) else 0

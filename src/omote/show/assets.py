@@ -23,6 +23,7 @@ from omote.show.messages import (
     FaceAsset,
     FaceDocument,
     Kind,
+    LineDocument,
     Look,
     Manifest,
     MeshDocument,
@@ -56,6 +57,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         vertices=sum(len(part.points) for part in cast.space.parts.values()) + cast.space.vertex_count,
         skin=cast.space.vertex_count,
         meshes=[_mesh_document(mesh, starts) for mesh in meshes],
+        lines=[LineDocument(line.name, _little(line.loop, "<u4")) for line in cast.space.lines],
         mask=mask,
         faces=[_face_document(cast, face, urls[name]) for name, face in cast.faces.items()],
         expressions=[_expression_document(cast, name) for name in cast.expressions],
@@ -135,8 +137,9 @@ def _face_document(cast: Cast, face: Face, url: str) -> FaceDocument:
 
 def _expression_document(cast: Cast, name: str) -> ExpressionDocument:
     title, eyes = cast.titles[name], cast.expressions[name].eyes.ravel().tolist()
-    kind = msgspec.convert(title.kind, Kind)
-    return ExpressionDocument(name, title.label, kind, title.region, eyes=(eyes[0], eyes[1], eyes[2], eyes[3]))
+    kind, pupil = msgspec.convert(title.kind, Kind), cast.expressions[name].pupil
+    angles = (eyes[0], eyes[1], eyes[2], eyes[3])
+    return ExpressionDocument(name, title.label, kind, title.region, eyes=angles, pupil=pupil)
 
 
 def _vector(point: NDArray[np.floating] | None) -> Vector:

@@ -212,13 +212,24 @@ FromServer = Welcome | State | Pong | Refused | Crew
 
 
 class Look(msgspec.Struct, frozen=True):
-    """Colours of a face, each `#rrggbb`."""
+    """Colours of a face, each `#rrggbb`, and its traits, plain numbers (`model.cast.Look`)."""
 
     skin: str
     lip: str
     brow: str
     blush: str
     iris: str
+    iris_size: float
+    slit: float
+    lashes: float
+
+
+class LineDocument(msgspec.Struct, frozen=True):
+    """A line around an opening, `lid_left`, `lid_right` or `lips`: `loop` (n,) u32 little-endian, rows of the skin in
+    walking order."""
+
+    name: str
+    loop: bytes
 
 
 class MeshDocument(msgspec.Struct, frozen=True):
@@ -242,13 +253,15 @@ class FaceDocument(msgspec.Struct, frozen=True):
 
 
 class ExpressionDocument(msgspec.Struct, frozen=True):
-    """An expression: its palette, its region, and its eyeball angles in radians (left yaw, pitch, right yaw, pitch)."""
+    """An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
+    what it adds to the pupils (1 as wide as they go, -1 as narrow)."""
 
     name: str
     label: str
     kind: Kind
     region: str
     eyes: tuple[float, float, float, float]
+    pupil: float
 
 
 class Manifest(msgspec.Struct, frozen=True):
@@ -259,6 +272,7 @@ class Manifest(msgspec.Struct, frozen=True):
     vertices: int
     skin: int
     meshes: list[MeshDocument]
+    lines: list[LineDocument]
     mask: str
     faces: list[FaceDocument]
     expressions: list[ExpressionDocument]

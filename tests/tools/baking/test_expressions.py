@@ -2,12 +2,18 @@
 
 import pytest
 
-from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED, label, region, unit_weights
+from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED, PUPILS, label, region, unit_weights
 
 
 def test_no_name_stands_twice() -> None:
-    names = [*ARKIT, *MAKEHUMAN, *PERFORMED]
-    assert len(set(names)) == len(names) == 52 + 34 + 20
+    names = [*ARKIT, *MAKEHUMAN, *PERFORMED, *OWN]
+    assert len(set(names)) == len(names) == 52 + 34 + 20 + 2
+
+
+def test_fear_and_surprise_widen_the_pupils_anger_and_disgust_narrow_them() -> None:
+    assert PUPILS.keys() <= PERFORMED.keys()
+    assert min(PUPILS["fear"], PUPILS["surprise"]) > 0.0 > max(PUPILS["angry"], PUPILS["disgust"])
+    assert all(-1.0 <= pupil <= 1.0 for pupil in (*PUPILS.values(), *OWN.values()))
 
 
 @pytest.mark.parametrize("name", PERFORMED)
@@ -28,6 +34,7 @@ def test_a_star_stands_for_left_and_right() -> None:
     [
         ("eyebrows-left-up", "brows"), ("eye-left-slit", "eyes"), ("jawOpen", "jaw"), ("tongueOut", "tongue"),
         ("neck-platysma", "whole"), ("smile", "whole"), ("noseSneerLeft", "nose"), ("mouth-open", "mouth"),
+        ("pupils-wide", "eyes"),
     ],
 )  # fmt: skip
 def test_regions(name: str, where: str) -> None:

@@ -8,6 +8,7 @@ const unit = (name: string, kind: ExpressionDocument["kind"] = "arkit", region =
   kind,
   region,
   eyes: [0, 0, 0, 0],
+  pupil: 0,
 });
 
 describe("the region of an expression", () => {

@@ -158,13 +158,25 @@ export interface Crew {
   consoles: number;
 }
 
-/** Colours of a face, each `#rrggbb`. */
+/** Colours of a face, each `#rrggbb`, and its traits, plain numbers (`model.cast.Look`). */
 export interface Look {
   skin: string;
   lip: string;
   brow: string;
   blush: string;
   iris: string;
+  iris_size: number;
+  slit: number;
+  lashes: number;
+}
+
+/**
+ * A line around an opening, `lid_left`, `lid_right` or `lips`: `loop` (n,) u32 little-endian, rows of the skin in
+ * walking order.
+ */
+export interface LineDocument {
+  name: string;
+  loop: Uint8Array;
 }
 
 /** A drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32. */
@@ -185,13 +197,17 @@ export interface FaceDocument {
   look: Look;
 }
 
-/** An expression: its palette, its region, and its eyeball angles in radians (left yaw, pitch, right yaw, pitch). */
+/**
+ * An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
+ * what it adds to the pupils (1 as wide as they go, -1 as narrow).
+ */
 export interface ExpressionDocument {
   name: string;
   label: string;
   kind: "neutral" | "performed" | "arkit" | "makehuman" | "own";
   region: string;
   eyes: [number, number, number, number];
+  pupil: number;
 }
 
 /** All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes. */
@@ -201,6 +217,7 @@ export interface Manifest {
   vertices: number;
   skin: number;
   meshes: MeshDocument[];
+  lines: LineDocument[];
   mask: string;
   faces: FaceDocument[];
   expressions: ExpressionDocument[];
