@@ -9,6 +9,7 @@ from omote.model.cast import Cast
 from omote.server.app import FOR_EVER
 from omote.server.library import Library
 from omote.server.security import HEADERS
+from omote.server.workshop import FailedOrderError
 from omote.show import messages as wire
 from omote.show.assets import compound_asset, rest_positions
 from omote.show.messages import LINK_PATH, CompoundAsset, FaceAsset, Manifest
@@ -69,9 +70,9 @@ async def test_a_message_too_long_closes_its_link_and_no_other(house: House) -> 
 
 async def test_the_roll_is_called(house: House) -> None:
     stage, console = await house.link("stage"), await house.link("console")
-    await obeyed(stage, wire.Drawing(59.5))
+    await obeyed(stage, wire.Drawing(59.5, "low"))
     house.show.call_the_roll()
-    assert await answer(stage) == await answer(console) == wire.Crew(stages=[59.5], consoles=1)
+    assert await answer(stage) == await answer(console) == wire.Crew(stages=[wire.StageReport(59.5, "low")], consoles=1)
 
 
 async def test_who_goes_is_gone(house: House) -> None:
@@ -150,6 +151,18 @@ async def test_what_the_cast_has_not_is_not_found(house: House, cast: Cast, path
     response = await house.client.get(path.format(cast.digest))
     assert response.status == 404
     assert "load /manifest again" in await response.text()
+
+
+async def test_a_compound_that_cannot_be_computed_now_may_be_asked_for_again(
+    house: House, cast: Cast, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def failing(self: Library, face: str, expression: str) -> bytes:
+        raise FailedOrderError("broad wearing smile cannot be computed")
+
+    monkeypatch.setattr(Library, "compound", failing)
+    response = await house.client.get(f"/compounds/{cast.digest}/broad/smile")
+    assert response.status == 503
+    assert "cannot be computed" in await response.text()
 
 
 async def test_a_compound_that_is_being_computed_holds_up_no_state(

@@ -173,24 +173,24 @@ def test_a_stage_shows_and_does_not_play(cast: Cast) -> None:
     session = opened(cast)
     session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
     assert "only a console plays" in reasons(session.receive("s", wire.Panic(), 0.0))[0]
-    assert session.receive("s", wire.Drawing(60.0), 0.0) == []
+    assert session.receive("s", wire.Drawing(60.0, "high"), 0.0) == []
 
 
 @pytest.mark.parametrize("fps", [math.nan, math.inf, -1.0, 1e9])
 def test_a_stage_cannot_draw_at_no_rate(cast: Cast, fps: float) -> None:
     session = opened(cast)
     session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
-    session.receive("s", wire.Drawing(50.0), 0.0)
-    assert len(reasons(session.receive("s", wire.Drawing(fps), 0.0))) == 1
-    assert session.crew_now(0.0).stages == [50.0]
+    session.receive("s", wire.Drawing(50.0, "low"), 0.0)
+    assert len(reasons(session.receive("s", wire.Drawing(fps, "low"), 0.0))) == 1
+    assert session.crew_now(0.0).stages == [wire.StageReport(50.0, "low")]
 
 
 def test_the_crew_is_who_said_hello_and_silent_stages_show(cast: Cast) -> None:
     session = opened(cast, "a", "b")
     for who in ("s", "t"):
         session.receive(who, wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
-    session.receive("s", wire.Drawing(60.0), 10.0)
-    assert session.crew_now(10.0 + SILENCE) == wire.Crew(stages=[60.0, None], consoles=2)
+    session.receive("s", wire.Drawing(60.0, "high"), 10.0)
+    assert session.crew_now(10.0 + SILENCE) == wire.Crew(stages=[wire.StageReport(60.0, "high"), None], consoles=2)
     session.leave("s")
     session.leave("b")
     session.leave("nobody")

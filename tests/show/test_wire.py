@@ -20,6 +20,7 @@ BAD = {
     "a field missing": msgspec.msgpack.encode({"type": "fade_face"}),
     "text for a number": msgspec.msgpack.encode({"type": "fade_face", "value": "0.5"}),
     "a bool for a number": msgspec.msgpack.encode({"type": "fade_face", "value": True}),
+    "a level that there is not": msgspec.msgpack.encode({"type": "drawing", "fps": 60.0, "level": "best"}),
     "a message of the server": msgspec.msgpack.encode({"type": "refused", "reason": "no"}),
     "no name": msgspec.msgpack.encode({"type": "set_channel", "name": "", "value": 0.5}),
     "a name without end": msgspec.msgpack.encode({"type": "set_channel", "name": "x" * 81, "value": 0.5}),

@@ -21,6 +21,7 @@ STATE_RATE = 60.0
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 CallId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
 Role = Literal["stage", "console"]
+Level = Literal["lowest", "low", "medium", "high"]
 Kind = Literal["neutral", "performed", "arkit", "makehuman", "own"]
 
 
@@ -114,9 +115,10 @@ class Ping(Message, frozen=True):
 
 
 class Drawing(Message, frozen=True):
-    """A stage's heartbeat, once a second, from frames it really drew."""
+    """A stage's heartbeat, once a second, from frames it really drew, and the level of quality it draws them at."""
 
     fps: float
+    level: Level
 
 
 # --- server to client -------------------------------------------------------------------------------------------------
@@ -183,10 +185,17 @@ class Refused(Message, frozen=True):
     reason: str
 
 
-class Crew(Message, frozen=True):
-    """Who is connected, once a second: for each stage the frames it draws per second (`None`: it does not say)."""
+class StageReport(msgspec.Struct, frozen=True):
+    """What a stage last said of itself: frames per second, and the level of quality."""
 
-    stages: list[float | None]
+    fps: float
+    level: Level
+
+
+class Crew(Message, frozen=True):
+    """Who is connected, once a second: for each stage what it says of itself (`None`: it is silent)."""
+
+    stages: list[StageReport | None]
     consoles: int
 
 
@@ -212,13 +221,15 @@ FromServer = Welcome | State | Pong | Refused | Crew
 
 
 class Look(msgspec.Struct, frozen=True):
-    """Colours of a face, each `#rrggbb`, and its traits, plain numbers (`model.cast.Look`)."""
+    """Colours of a face, each `#rrggbb`, the name of its hair style ("": none), and its traits, plain numbers (`model.cast.Look`)."""
 
     skin: str
     lip: str
     brow: str
     blush: str
     iris: str
+    hair: str
+    hair_style: str
     iris_size: float
     slit: float
     lashes: float
@@ -264,6 +275,13 @@ class ExpressionDocument(msgspec.Struct, frozen=True):
     pupil: float
 
 
+class HairDocument(msgspec.Struct, frozen=True):
+    """A hair style: where its strands are."""
+
+    name: str
+    url: str
+
+
 class Manifest(msgspec.Struct, frozen=True):
     """All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes."""
 
@@ -276,12 +294,33 @@ class Manifest(msgspec.Struct, frozen=True):
     mask: str
     faces: list[FaceDocument]
     expressions: list[ExpressionDocument]
+    hair: list[HairDocument]
 
 
 class FaceAsset(msgspec.Struct, frozen=True):
     """The positions of a face, (vertices, 3) f32 little-endian, metres."""
 
     positions: bytes
+
+
+class HairAsset(msgspec.Struct, frozen=True):
+    """Strands of hair on the generic face (`model.hair.HairStyle`), little-endian; n strands of `stations` places.
+
+    `scale`: metres per count of `points` (n, stations, 3) i16; `rows` (n, stations, links) u32 and `weights` u8 (counts
+    that are to be divided by their sum); `anchors` (n,) u32; `facing` (n, stations, 3) i8, 127 is one; `light`
+    (n, stations) u8, 255 is one; `width` metres.
+    """
+
+    stations: int
+    links: int
+    width: float
+    scale: float
+    points: bytes
+    rows: bytes
+    weights: bytes
+    anchors: bytes
+    facing: bytes
+    light: bytes
 
 
 class CompoundAsset(msgspec.Struct, frozen=True):
@@ -294,4 +333,4 @@ class CompoundAsset(msgspec.Struct, frozen=True):
 
 CLIENT_MESSAGES: tuple[type[Message], ...] = get_args(FromClient)
 SERVER_MESSAGES: tuple[type[Message], ...] = get_args(FromServer)
-DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, CompoundAsset)
+DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, HairAsset, CompoundAsset)

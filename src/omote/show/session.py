@@ -35,10 +35,10 @@ class Outgoing:
 
 @dataclass(frozen=True)
 class Member:
-    """A client that said hello: its role, and the frames per second it drew when it was last heard."""
+    """A client that said hello: its role, and what it said of itself when it was last heard."""
 
     role: wire.Role
-    fps: float = 0.0
+    report: wire.StageReport | None = None
     heard: float = -math.inf
 
 
@@ -108,7 +108,7 @@ class ShowSession:
     def crew_now(self, now: float) -> wire.Crew:
         """Who is connected, and what each stage draws."""
         members = list(self.crew.values())
-        stages = [m.fps if now - m.heard <= SILENCE else None for m in members if m.role == "stage"]
+        stages = [m.report if now - m.heard <= SILENCE else None for m in members if m.role == "stage"]
         return wire.Crew(stages=stages, consoles=sum(m.role == "console" for m in members))
 
     def _answer(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
@@ -118,7 +118,8 @@ class ShowSession:
             case wire.Ping():
                 return [Outgoing(who, wire.Pong(sent=number(message.sent, door.SENT), time=self.clock(now)))]
             case wire.Drawing():
-                self.crew[who] = Member(self._member(who).role, number(message.fps, door.FPS), heard=now)
+                report = wire.StageReport(number(message.fps, door.FPS), message.level)
+                self.crew[who] = Member(self._member(who).role, report, heard=now)
             case wire.CallFace() | wire.CallExpression() if message.id in self._calls:
                 pass  # a retry or a bouncing key: each call executes once
             case _:

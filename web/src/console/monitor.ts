@@ -1,8 +1,8 @@
 import { css, html } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";
-import type { State } from "../link/messages";
 import { FaceView } from "../stage/face_view";
+import { poseKey } from "../stage/pose";
 import { PaintedElement } from "./element";
 import { base } from "./theme";
 
@@ -95,6 +95,3 @@ export class Monitor extends PaintedElement {
     view.render(now / 1000);
   }
 }
-
-const poseKey = ({ faces, expressions, channels, lids, head, eyes }: State): string =>
-  JSON.stringify([faces, expressions, channels, lids, head, eyes]);

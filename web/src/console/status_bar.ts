@@ -1,5 +1,6 @@
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { levelsOf } from "./crew";
 import type { Topic } from "./desk";
 import { RigElement } from "./element";
 import { style } from "./status_bar_style";
@@ -77,8 +78,8 @@ export class StatusBar extends RigElement {
       <div class="item link"><span class="lamp"></span><b>live</b> ${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</div>
       <div class="item stages ${crew !== null && stages.length === 0 ? "slow" : ""}">
         <b>${stages.length}</b> ${stages.length === 1 ? "stage" : "stages"}
-        ${stages.slice(0, 9).map((fps) => html`<b class=${fps === null || fps < SLOW ? "slow" : ""}>${fps === null ? "–" : Math.round(fps)}</b>`)}
-        ${stages.length > 0 ? "fps" : nothing}
+        ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stage?.level ?? "silent"}>${stage === null ? "–" : Math.round(stage.fps)}</b>`)}
+        ${stages.length > 0 ? "fps" : nothing} <span class="level" title="quality">${levelsOf(stages)}</span>
       </div>
       <div class="item consoles"><b>${crew?.consoles ?? 0}</b> ${crew?.consoles === 1 ? "console" : "consoles"}</div>
     `;

@@ -1,18 +1,19 @@
 import * as THREE from "three";
 import type { Library } from "../link/assets";
-import type { FaceDocument } from "../link/messages";
 import { type Anatomy, study } from "./anatomy";
 import { Blender, type Eyeballs } from "./blender";
+import { Crossfade } from "./crossfade";
 import { frame, portraitCamera, type Shot, tileView } from "./framing";
 import { buildBackdrop, buildHead, type EyeUniforms, eyeUniforms, type HeadUniforms, headUniforms } from "./head";
 import { Holdings, namesOf } from "./holdings";
 import { mixLights } from "./light";
 import { writeLight } from "./light_uniforms";
+import { Looks } from "./looks";
 import { drawsInSoftware } from "./machine";
 import type { Tile } from "./parameters";
 import { type Pose, resting } from "./pose";
 import { FEATURES, type Features, firstLevel, type Level, pixelRatio } from "./quality";
-import { faceWeights } from "./weights";
+import { createRenderer } from "./renderer";
 
 /** How a view draws; everything may be left out. */
 export interface FaceViewOptions {
@@ -41,7 +42,7 @@ export class FaceView {
   private readonly camera = portraitCamera();
   private readonly eyes: Eyeballs;
   private readonly eyeUniforms: [EyeUniforms, EyeUniforms] = [eyeUniforms(), eyeUniforms()];
-  private readonly looks: ReadonlyMap<string, FaceLook>;
+  private readonly looks: Looks;
   private readonly size = new THREE.Vector2();
   private scene = new THREE.Scene();
   private backdrop = buildBackdrop();
@@ -51,7 +52,12 @@ export class FaceView {
   private pose: Pose;
   private blended = "";
   private drawnAt: number | undefined;
-  private features: Features;
+  private readonly crossfade: Crossfade;
+  private head = new THREE.Group();
+  private nextHead: { level: Level; head: THREE.Group } | undefined;
+  private wanted: Level;
+  /** The level of quality that is drawn. */
+  level: Level;
   /** False while the graphics context is lost. */
   alive = true;
 
@@ -62,10 +68,11 @@ export class FaceView {
     private readonly mask: ImageBitmap | undefined,
     private readonly options: FaceViewOptions,
   ) {
-    this.features = FEATURES[options.level ?? firstLevel(drawsInSoftware())];
-    this.renderer = createRenderer(canvas, this.features);
+    this.level = this.wanted = options.level ?? firstLevel(drawsInSoftware());
+    this.renderer = createRenderer(canvas, FEATURES[this.level]);
+    this.crossfade = new Crossfade(this.renderer);
     this.eyes = { rows: anatomy.eyeRows, centres: new Float32Array(6), turns: new Float32Array(18) };
-    this.looks = new Map(library.manifest.faces.map((face) => [face.name, readLook(face)]));
+    this.looks = new Looks(library.manifest.faces);
     this.pose = resting(library.manifest.faces[0]?.name ?? "generic");
     this.build();
     canvas.addEventListener("webglcontextlost", this.contextLost);
@@ -89,10 +96,19 @@ export class FaceView {
     this.holdings.want([...faces, ...coming.faces], [...expressions, ...coming.expressions]);
   }
 
+  /** Draws at another level from when its shaders are ready on, fading over to it. */
+  async change(level: Level): Promise<void> {
+    if (level === this.wanted) return;
+    this.wanted = level;
+    const head = this.buildHead(level);
+    await this.renderer.compileAsync(head, this.camera, this.scene);
+    if (this.wanted === level) this.nextHead = { level, head };
+  }
+
   /** Sets the size in CSS pixels. */
   resize(width: number, height: number): void {
     const display = Math.min(globalThis.devicePixelRatio ?? 1, this.options.pixelRatio ?? 2);
-    this.renderer.setPixelRatio(pixelRatio(this.features, width, height, display));
+    this.renderer.setPixelRatio(pixelRatio(FEATURES[this.level], width, height, display));
     this.renderer.setSize(Math.max(1, width), Math.max(1, height), false);
   }
 
@@ -102,7 +118,9 @@ export class FaceView {
     const seconds = Math.min(0.1, Math.max(0, time - (this.drawnAt ?? time)));
     this.drawnAt = time;
     this.blend(seconds, atOnce);
+    if (this.nextHead !== undefined) this.exchange(this.nextHead);
     this.paint();
+    this.crossfade.paint(seconds);
     return true;
   }
 
@@ -117,6 +135,11 @@ export class FaceView {
   /** Whether all of the present pose shows in full. */
   get settled(): boolean {
     return this.alive && this.holdings.settled(this.pose, this.blender);
+  }
+
+  /** The graphics context that the view draws with. */
+  get context(): WebGL2RenderingContext {
+    return this.renderer.getContext() as WebGL2RenderingContext;
   }
 
   /** The blended positions, (vertices, 3) metres, read back from the GPU (slow: for tests). */
@@ -134,18 +157,38 @@ export class FaceView {
   }
 
   private build(): void {
-    const gl = this.renderer.getContext() as WebGL2RenderingContext;
-    this.blender = new Blender(gl, this.library.manifest.vertices, this.anatomy.fans);
+    this.blender = new Blender(this.context, this.library.manifest.vertices, this.anatomy.fans);
     this.holdings ??= new Holdings(this.library);
     this.shared = headUniforms(this.blender.positions, this.blender.normals);
-    this.shared.mask.value = maskTexture(this.mask, this.features);
+    this.shared.mask.value = maskTexture(this.mask, FEATURES[this.wanted]);
     this.scene = new THREE.Scene();
     this.backdrop = buildBackdrop();
     if (!this.options.transparent) this.scene.add(this.backdrop);
-    const { library, anatomy, shared, features } = this;
-    this.scene.add(buildHead({ meshes: library.meshes, anatomy, shared, eyes: this.eyeUniforms, features }));
+    this.level = this.wanted;
+    this.head = this.buildHead(this.level);
+    this.scene.add(this.head);
+    this.nextHead = undefined;
     this.blended = "";
     this.renderer.resetState();
+  }
+
+  private buildHead(level: Level): THREE.Group {
+    const { library, anatomy, shared } = this;
+    const features: Features = FEATURES[level];
+    return buildHead({ meshes: library.meshes, anatomy, shared, eyes: this.eyeUniforms, features });
+  }
+
+  /** Keeps the picture of the old level to fade from, and puts the head of the new one on the stage. */
+  private exchange({ level, head }: { level: Level; head: THREE.Group }): void {
+    this.nextHead = undefined;
+    this.paint();
+    this.crossfade.begin();
+    this.scene.remove(this.head);
+    for (const child of this.head.children) if (child instanceof THREE.Mesh) child.geometry.dispose();
+    this.scene.add(head);
+    [this.level, this.head] = [level, head];
+    this.renderer.getSize(this.size);
+    this.resize(this.size.x, this.size.y);
   }
 
   private readonly contextLost = (event: Event): void => {
@@ -165,20 +208,11 @@ export class FaceView {
     const key = JSON.stringify([entries, this.pose.eyes]);
     if (key === this.blended) return;
     this.blended = key;
-    this.placeEyes();
+    this.looks.writeCentres(this.pose, this.eyes.centres);
     writeTurn(this.pose.eyes[0], this.pose.eyes[1], this.eyes.turns, 0);
     writeTurn(this.pose.eyes[2], this.pose.eyes[3], this.eyes.turns, 9);
     this.blender.blend(entries, this.eyes);
     this.renderer.resetState();
-  }
-
-  /** The eyeballs turn about the mix of the faces' own centres, as `omote.evaluate_parts` has it. */
-  private placeEyes(): void {
-    this.eyes.centres.fill(0);
-    for (const [face, weight] of faceWeights(this.pose, (name) => (this.looks.has(name) ? 1 : 0)))
-      (this.looks.get(face) as FaceLook).centres.forEach((part, at) => {
-        this.eyes.centres[at] = (this.eyes.centres[at] as number) + weight * part;
-      });
   }
 
   private paint(): void {
@@ -197,7 +231,7 @@ export class FaceView {
     );
     backdrop.aspect.value = fullWidth / fullHeight;
     this.turnHead();
-    this.dress();
+    this.looks.dress(this.pose, this.shared, this.eyeUniforms);
     writeLight(mixLights({}), this.shared);
     this.renderer.render(this.scene, this.camera);
   }
@@ -217,63 +251,12 @@ export class FaceView {
       eye.eyeTurn.value.fromArray(this.eyes.turns, 9 * side).premultiply(this.shared.headTurn.value);
     });
   }
-
-  /** The looks of the faces on air, mixed in linear light. */
-  private dress(): void {
-    const weights = faceWeights(this.pose, (face) => (this.looks.has(face) ? 1 : 0));
-    for (const part of ["skin", "lip", "brow", "blush", "iris"] as const) {
-      const colour = this.shared[part].value.setRGB(0, 0, 0);
-      for (const [face, weight] of weights) addScaled(colour, (this.looks.get(face) as FaceLook)[part], weight);
-    }
-    let radius = 0;
-    for (const [face, weight] of weights) radius += weight * (this.looks.get(face) as FaceLook).eyeRadius;
-    for (const eye of this.eyeUniforms) eye.radius.value = radius;
-  }
-}
-
-type FaceLook = Record<"skin" | "lip" | "brow" | "blush" | "iris", THREE.Color> & {
-  eyeRadius: number;
-  centres: number[];
-};
-
-function readLook(face: FaceDocument): FaceLook {
-  const { skin, lip, brow, blush, iris } = face.look;
-  const colour = (hex: string) => new THREE.Color().setStyle(hex); // sRGB in, linear out
-  return {
-    skin: colour(skin),
-    lip: colour(lip),
-    brow: colour(brow),
-    blush: colour(blush),
-    iris: colour(iris),
-    eyeRadius: face.eye_radius,
-    centres: face.centres.flat(),
-  };
-}
-
-function addScaled(sum: THREE.Color, colour: THREE.Color, weight: number): void {
-  sum.setRGB(sum.r + colour.r * weight, sum.g + colour.g * weight, sum.b + colour.b * weight);
 }
 
 /** The rotation that turns a gaze straight ahead to yaw (+ = +x) and pitch (+ = up), column by column. */
 function writeTurn(yaw: number, pitch: number, into: Float32Array, at: number): void {
   const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
   into.set([cy, 0, -sy, -sy * sp, cp, -cy * sp, sy * cp, sp, cy * cp], at);
-}
-
-function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas, features: Features): THREE.WebGLRenderer {
-  const context = canvas.getContext("webgl2", {
-    alpha: true,
-    antialias: features.multisample,
-    premultipliedAlpha: true,
-    powerPreference: "high-performance",
-  }) as WebGL2RenderingContext | null;
-  if (context === null)
-    throw new Error(
-      "This browser gives no WebGL2, so no face can be drawn; update the graphics driver or use another browser.",
-    );
-  const renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true, premultipliedAlpha: true });
-  renderer.setClearColor(0x000000, 0);
-  return renderer;
 }
 
 function maskTexture(mask: ImageBitmap | undefined, { anisotropy }: Features): THREE.Texture {

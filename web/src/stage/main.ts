@@ -24,9 +24,9 @@ function showCounters(stage: Stage): void {
   const hud = document.body.appendChild(document.createElement("pre"));
   hud.id = "hud";
   setInterval(() => {
-    const { fps, received, ignored, number, connected } = stage.counters();
+    const { fps, level, received, ignored, number, connected } = stage.counters();
     const faces = Object.keys(stage.shown?.faces ?? {}).join(" + ");
-    hud.textContent = `${connected ? "on air" : "no server"}  ${fps} fps  state ${number} (${received}, late ${ignored})\n${faces}`;
+    hud.textContent = `${connected ? "on air" : "no server"}  ${fps} fps  ${level}  state ${number} (${received}, late ${ignored})\n${faces}`;
   }, 500);
 }
 

@@ -5,6 +5,10 @@ export type Pose = Pick<State, "faces" | "expressions" | "channels" | "lids" | "
 
 type Weights = Record<string, number>;
 
+/** The same text for the same pose. */
+export const poseKey = ({ faces, expressions, channels, lids, head, eyes }: Pose): string =>
+  JSON.stringify([faces, expressions, channels, lids, head, eyes]);
+
 /** The pose at rest: one face, neutral. */
 export const resting = (face: string, expression = "neutral"): Pose => ({
   faces: { [face]: 1 },

@@ -1,5 +1,6 @@
 import type { Pose } from "./pose";
 import { resting } from "./pose";
+import type { Level } from "./quality";
 import type { Counters, Stage } from "./stage";
 
 /** What tests and curious operators may ask of a stage: `window.omoteStage`. */
@@ -8,6 +9,8 @@ export interface StageProbe {
   hold(pose: Partial<Pose> | null): Promise<void>;
   /** Like `hold`, for an animation: does not wait, and holds back what is not loaded. */
   set(pose: Partial<Pose>): void;
+  /** Draws at a level of quality, from when its shaders are ready on; with `?quality=auto` the stage may choose again. */
+  change(level: Level): Promise<void>;
   /** The blended positions (vertices x 3, metres), read back from the GPU. */
   readPositions(): number[];
   counters(): Counters;
@@ -33,6 +36,7 @@ export function exposeProbe(stage: Stage): void {
     set: (pose) => {
       stage.held = { ...resting("generic"), ...pose };
     },
+    change: (level) => stage.view.change(level),
     readPositions: () => Array.from(stage.view.readPositions()),
     counters: () => stage.counters(),
     pose: () => stage.shown,

@@ -3,10 +3,13 @@ import { now } from "../link/clock";
 import { STATE_RATE, type State, type Welcome } from "../link/messages";
 import { Link } from "../link/socket";
 import { Breath } from "./breath";
+import { LevelChooser } from "./chooser";
 import { FaceView } from "./face_view";
+import { HeadRoom } from "./head_room";
 import { Lateness } from "./lateness";
 import type { StageParameters } from "./parameters";
-import type { Pose } from "./pose";
+import { type Pose, poseKey } from "./pose";
+import type { Level } from "./quality";
 import { Rate } from "./rate";
 import { Timeline } from "./timeline";
 
@@ -17,12 +20,16 @@ const WALL_DELAY = 0.06;
 /** Seconds of silence after which the face breathes by itself. */
 const ALONE = 1.0;
 
+/** Seconds without a change on air after which the stage is calm. */
+const CALM = 0.5;
+
 /** What a stage counts; for the heads-up display and for tests. */
 export interface Counters {
   received: number;
   ignored: number;
   drawn: number;
   fps: number;
+  level: Level;
   epoch: number;
   number: number;
   connected: boolean;
@@ -41,6 +48,10 @@ export class Stage {
   private drawn = 0;
   private received = 0;
   private reloading = false;
+  private readonly chooser: LevelChooser | undefined;
+  private headRoom: HeadRoom;
+  private air = "";
+  private movedAt = 0;
   /** The pose last drawn. */
   shown: Pose | undefined;
   /** A pose that is drawn instead of the server's, in full; for tests. */
@@ -51,6 +62,8 @@ export class Stage {
     public view: FaceView,
     private readonly parameters: StageParameters,
   ) {
+    if (parameters.quality === "auto") this.chooser = new LevelChooser(view.level);
+    this.headRoom = new HeadRoom(view.context);
     this.link = new Link("stage", {
       state: (state) => this.receive(state),
       welcome: (welcome) => void this.greet(welcome),
@@ -66,12 +79,14 @@ export class Stage {
 
   /** Draws the frame of our time `time`, seconds. */
   frame(time: number): void {
+    if (this.held === undefined) this.choose(time - this.last, time);
     this.shown = this.held ?? this.live(time);
     this.last = time;
     if (this.shown !== undefined) this.view.show(this.shown, coming(this.state));
     if (this.view.render(time) && this.shown !== undefined) {
       this.drawn += 1;
       this.rate.tick(time);
+      this.headRoom.drawn();
     }
     this.report(time);
   }
@@ -82,10 +97,19 @@ export class Stage {
       ignored: this.link.newest.ignored,
       drawn: this.drawn,
       fps: this.rate.at(time),
+      level: this.view.level,
       epoch: this.state?.epoch ?? -1,
       number: this.state?.number ?? -1,
       connected: this.link.connected,
     };
+  }
+
+  /** As good as the machine can: judged by how long the last frame took, `interval` seconds. */
+  private choose(interval: number, time: number): void {
+    const calling = this.state !== undefined && (this.state.face_call !== null || this.state.expression_call !== null);
+    const calm = !calling && time - this.movedAt > CALM;
+    const level = this.chooser?.after({ interval, early: this.headRoom.take(), calm });
+    if (level !== undefined) void this.view.change(level);
   }
 
   private live(time: number): Pose | undefined {
@@ -99,6 +123,9 @@ export class Stage {
     this.received += 1;
     this.state = state;
     const time = now();
+    const air = poseKey(state);
+    if (air !== this.air) this.movedAt = time;
+    this.air = air;
     this.timeline.push(state, time);
     this.lateness.arrived((this.link.clock.at(time) ?? state.time) - state.time);
   }
@@ -108,9 +135,10 @@ export class Stage {
     if (welcome.digest === this.view.library.manifest.digest || this.reloading) return;
     this.reloading = true;
     try {
-      const view = await loadView(this.canvas, await Library.open(), this.parameters);
+      const view = await loadView(this.canvas, await Library.open(), this.parameters, this.view.level);
       this.view.dispose();
       this.view = view;
+      this.headRoom = new HeadRoom(view.context);
       this.fit();
     } finally {
       this.reloading = false;
@@ -119,20 +147,26 @@ export class Stage {
 
   private fit(): void {
     this.view.resize(innerWidth, innerHeight);
+    this.chooser?.forget();
   }
 
   private report(time: number): void {
     if (time - this.reported < 1) return;
     this.reported = time;
-    this.link.send({ type: "drawing", fps: this.rate.at(time) });
+    this.link.send({ type: "drawing", fps: this.rate.at(time), level: this.view.level });
   }
 }
 
-const loadView = (canvas: HTMLCanvasElement, library: Library, parameters: StageParameters): Promise<FaceView> =>
+const loadView = (
+  canvas: HTMLCanvasElement,
+  library: Library,
+  parameters: StageParameters,
+  level?: Level,
+): Promise<FaceView> =>
   FaceView.load(canvas, library, {
     transparent: parameters.transparent,
     tile: parameters.tile,
-    level: parameters.quality === "auto" ? undefined : parameters.quality,
+    level: parameters.quality === "auto" ? level : parameters.quality,
   });
 
 /** What the running calls will need. */

@@ -1,0 +1,57 @@
+import * as THREE from "three";
+import type { FaceDocument } from "../link/messages";
+import type { EyeUniforms, HeadUniforms } from "./head";
+import type { Pose } from "./pose";
+import { faceWeights } from "./weights";
+
+const COLOURS = ["skin", "lip", "brow", "blush", "iris"] as const;
+
+type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
+  eyeRadius: number;
+  centres: number[];
+};
+
+/** The looks of a cast's faces, mixed with the weights of the faces on air. */
+export class Looks {
+  private readonly looks: ReadonlyMap<string, FaceLook>;
+
+  constructor(faces: readonly FaceDocument[]) {
+    this.looks = new Map(faces.map((face) => [face.name, readLook(face)]));
+  }
+
+  /** The mix in linear light, for the shaders. */
+  dress(pose: Pose, shared: HeadUniforms, eyes: readonly EyeUniforms[]): void {
+    const shares = this.shares(pose);
+    for (const part of COLOURS) {
+      const colour = shared[part].value.setRGB(0, 0, 0);
+      for (const [look, share] of shares) addScaled(colour, look[part], share);
+    }
+    const radius = shares.reduce((sum, [look, share]) => sum + share * look.eyeRadius, 0);
+    for (const eye of eyes) eye.radius.value = radius;
+  }
+
+  /** The mix of the eyeballs' centres, left then right, metres: eyeballs turn about it, as `omote.evaluate_parts` has it. */
+  writeCentres(pose: Pose, into: Float32Array): void {
+    into.fill(0);
+    for (const [look, share] of this.shares(pose))
+      look.centres.forEach((part, at) => {
+        into[at] = (into[at] as number) + share * part;
+      });
+  }
+
+  private shares(pose: Pose): [FaceLook, number][] {
+    const weights = faceWeights(pose, (face) => (this.looks.has(face) ? 1 : 0));
+    return [...weights]
+      .filter(([face]) => this.looks.has(face))
+      .map(([face, weight]) => [this.looks.get(face) as FaceLook, weight]);
+  }
+}
+
+function readLook(face: FaceDocument): FaceLook {
+  const colours = COLOURS.map((part) => [part, new THREE.Color().setStyle(face.look[part])]); // sRGB in, linear out
+  return { ...Object.fromEntries(colours), eyeRadius: face.eye_radius, centres: face.centres.flat() } as FaceLook;
+}
+
+function addScaled(sum: THREE.Color, colour: THREE.Color, weight: number): void {
+  sum.setRGB(sum.r + colour.r * weight, sum.g + colour.g * weight, sum.b + colour.b * weight);
+}
