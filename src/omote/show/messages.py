@@ -221,15 +221,13 @@ FromServer = Welcome | State | Pong | Refused | Crew
 
 
 class Look(msgspec.Struct, frozen=True):
-    """Colours of a face, each `#rrggbb`, the name of its hair style ("": none), and its traits, plain numbers (`model.cast.Look`)."""
+    """Colours of a face, each `#rrggbb`, and its traits, plain numbers (`model.cast.Look`)."""
 
     skin: str
     lip: str
     brow: str
     blush: str
     iris: str
-    hair: str
-    hair_style: str
     iris_size: float
     slit: float
     lashes: float
@@ -275,13 +273,6 @@ class ExpressionDocument(msgspec.Struct, frozen=True):
     pupil: float
 
 
-class HairDocument(msgspec.Struct, frozen=True):
-    """A hair style: where its strands are."""
-
-    name: str
-    url: str
-
-
 class Manifest(msgspec.Struct, frozen=True):
     """All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes."""
 
@@ -294,33 +285,12 @@ class Manifest(msgspec.Struct, frozen=True):
     mask: str
     faces: list[FaceDocument]
     expressions: list[ExpressionDocument]
-    hair: list[HairDocument]
 
 
 class FaceAsset(msgspec.Struct, frozen=True):
     """The positions of a face, (vertices, 3) f32 little-endian, metres."""
 
     positions: bytes
-
-
-class HairAsset(msgspec.Struct, frozen=True):
-    """Strands of hair on the generic face (`model.hair.HairStyle`), little-endian; n strands of `stations` places.
-
-    `scale`: metres per count of `points` (n, stations, 3) i16; `rows` (n, stations, links) u32 and `weights` u8 (counts
-    that are to be divided by their sum); `anchors` (n,) u32; `facing` (n, stations, 3) i8, 127 is one; `light`
-    (n, stations) u8, 255 is one; `width` metres.
-    """
-
-    stations: int
-    links: int
-    width: float
-    scale: float
-    points: bytes
-    rows: bytes
-    weights: bytes
-    anchors: bytes
-    facing: bytes
-    light: bytes
 
 
 class CompoundAsset(msgspec.Struct, frozen=True):
@@ -333,4 +303,4 @@ class CompoundAsset(msgspec.Struct, frozen=True):
 
 CLIENT_MESSAGES: tuple[type[Message], ...] = get_args(FromClient)
 SERVER_MESSAGES: tuple[type[Message], ...] = get_args(FromServer)
-DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, HairAsset, CompoundAsset)
+DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, CompoundAsset)

@@ -165,15 +165,13 @@ export interface Crew {
   consoles: number;
 }
 
-/** Colours of a face, each `#rrggbb`, the name of its hair style ("": none), and its traits, plain numbers (`model.cast.Look`). */
+/** Colours of a face, each `#rrggbb`, and its traits, plain numbers (`model.cast.Look`). */
 export interface Look {
   skin: string;
   lip: string;
   brow: string;
   blush: string;
   iris: string;
-  hair: string;
-  hair_style: string;
   iris_size: number;
   slit: number;
   lashes: number;
@@ -219,12 +217,6 @@ export interface ExpressionDocument {
   pupil: number;
 }
 
-/** A hair style: where its strands are. */
-export interface HairDocument {
-  name: string;
-  url: string;
-}
-
 /** All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes. */
 export interface Manifest {
   version: number;
@@ -236,31 +228,11 @@ export interface Manifest {
   mask: string;
   faces: FaceDocument[];
   expressions: ExpressionDocument[];
-  hair: HairDocument[];
 }
 
 /** The positions of a face, (vertices, 3) f32 little-endian, metres. */
 export interface FaceAsset {
   positions: Uint8Array;
-}
-
-/**
- * Strands of hair on the generic face (`model.hair.HairStyle`), little-endian; n strands of `stations` places.
- * `scale`: metres per count of `points` (n, stations, 3) i16; `rows` (n, stations, links) u32 and `weights` u8 (counts
- * that are to be divided by their sum); `anchors` (n,) u32; `facing` (n, stations, 3) i8, 127 is one; `light`
- * (n, stations) u8, 255 is one; `width` metres.
- */
-export interface HairAsset {
-  stations: number;
-  links: number;
-  width: number;
-  scale: number;
-  points: Uint8Array;
-  rows: Uint8Array;
-  weights: Uint8Array;
-  anchors: Uint8Array;
-  facing: Uint8Array;
-  light: Uint8Array;
 }
 
 /** A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16. */
