@@ -91,7 +91,8 @@ def played(cast: Cast) -> tuple[ShowServer, Kept, Playing, int]:
     return show, journal, Playing(show, journal, near), far  # type: ignore[arg-type]
 
 
-def test_a_moving_show_is_kept_thirty_times_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+@pytest.mark.asyncio
+async def test_a_moving_show_is_kept_thirty_times_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
     show, journal, playing, _ = played
     show.session.receive("a", wire.CallFace("1", "broad", 10.0, "smooth"), 0.0)
     for number in range(300):
@@ -99,14 +100,16 @@ def test_a_moving_show_is_kept_thirty_times_a_second(played: tuple[ShowServer, K
     assert len(journal.entries) == 150
 
 
-def test_a_resting_show_is_kept_once_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+@pytest.mark.asyncio
+async def test_a_resting_show_is_kept_once_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
     _, journal, playing, _ = played
     for number in range(10 * RESTING_TICKS):
         playing.tick(number)
     assert len(journal.entries) == 10
 
 
-def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+@pytest.mark.asyncio
+async def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, Playing, int]) -> None:
     show, journal, playing, _ = played
     for number in range(30):
         playing.tick(number)
@@ -117,7 +120,8 @@ def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, Playin
     assert len(journal.entries) == before + 1
 
 
-def test_ten_pulses_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+@pytest.mark.asyncio
+async def test_ten_pulses_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
     _, _, playing, far = played
     for number in range(60):
         playing.tick(number)
@@ -134,7 +138,8 @@ def test_a_supervisor_that_does_not_listen_holds_up_no_tick() -> None:
     os.close(near)
 
 
-def test_a_show_without_a_journal_plays(cast: Cast) -> None:
+@pytest.mark.asyncio
+async def test_a_show_without_a_journal_plays(cast: Cast) -> None:
     session = ShowSession(cast, Performer(cast))
     far, near = os.pipe()
     show = ShowServer(session, material().library, PAGES)

@@ -1,15 +1,19 @@
 """The documents of a cast, ready to send."""
 
 import asyncio
+import os
+import signal
 
 import msgspec
 import pytest
 
 from omote.model.cast import Cast
+from omote.perform.performer import Performer
 from omote.server import library as module
 from omote.server.library import Library, built_in
+from omote.server.workshop import open_workshop
 from omote.show.messages import CompoundAsset, Manifest
-from tests import synthetic
+from omote.show.session import ShowSession
 from tests.server.synthetic_server import MASK, meshes
 
 
@@ -37,20 +41,44 @@ def test_a_compound_is_computed_once(library: Library, monkeypatch: pytest.Monke
     library.close()
 
 
+def test_a_face_that_is_called_is_computed_in_full(library: Library, monkeypatch: pytest.MonkeyPatch) -> None:
+    session = ShowSession(library.cast, Performer(library.cast), epoch=1)
+    session.performer.call_face("broad")
+    state = session.tick(0.0)
+
+    async def all_of_it() -> list[bytes]:
+        library.serve(state)
+        return [await library.compound("broad", name) for name in reversed(list(library.cast.expressions))]
+
+    assert asyncio.run(all_of_it()) == [
+        library.compute("broad", name) for name in reversed(list(library.cast.expressions))
+    ]
+    monkeypatch.setattr(module, "compound_asset", None)
+    ask(library, *(("broad", name) for name in library.cast.expressions))
+    library.close()
+
+
+def test_a_workshop_computes_the_same(library: Library) -> None:
+    alone = library.compute("broad", "smile")
+    said: list[str] = []
+    library.employ(open_workshop(library.compute), said.append)
+
+    async def together() -> tuple[bytes, bytes]:
+        made = await library.compound("broad", "smile")
+        assert library._workshop is not None
+        os.kill(library._workshop.keeper, signal.SIGKILL)
+        other = await library.compound("long", "smile")
+        library.close()
+        return made, other
+
+    assert asyncio.run(together()) == (alone, library.compute("long", "smile"))
+    assert said == ["the process that computes compounds is gone; the server computes them itself."]
+
+
 @pytest.mark.parametrize("pair", [("nobody", "smile"), ("broad", "nothing")])
 def test_names_that_the_cast_has_not_are_refused(library: Library, pair: tuple[str, str]) -> None:
     with pytest.raises(KeyError):
         ask(library, pair)
-
-
-def test_the_memory_for_compounds_is_bounded(library: Library, monkeypatch: pytest.MonkeyPatch) -> None:
-    pairs = [(face, expression) for face in synthetic.FACES for expression in synthetic.EXPRESSIONS]
-    limit = 4000
-    monkeypatch.setattr(module, "CACHE_BYTES", limit)
-    answers = ask(library, *pairs)
-    assert sum(map(len, library._compounds.values())) == library._size <= limit + max(map(len, answers))
-    assert ask(library, *pairs) == answers
-    library.close()
 
 
 def test_every_address_of_the_manifest_is_there(library: Library) -> None:

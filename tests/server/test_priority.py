@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from omote.server.priority import NICE, first_in_line
+from omote.server.priority import BEHIND, NICE, behind_the_show, first_in_line
 
 
 def test_a_process_goes_first_or_says_that_it_may_not() -> None:
@@ -22,3 +22,11 @@ def test_no_right_to_it_is_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(os, "setpriority", forbidden)
     assert not first_in_line()
+
+
+def test_a_process_goes_behind_the_show() -> None:
+    pid = os.fork()
+    if pid == 0:
+        behind_the_show()
+        os._exit(0 if os.getpriority(os.PRIO_PROCESS, 0) == BEHIND else 1)
+    assert os.waitpid(pid, 0) == (pid, 0)

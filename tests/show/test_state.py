@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from omote.model.cast import Cast
 from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.performer import Performer
-from omote.show.state import call_state, lids, state_of
+from omote.show.state import call_state, lids, names_on_air, state_of
 from tests.conftest import Command, shows
 
 
@@ -54,3 +54,13 @@ def test_channels_and_lids_together_are_what_acts(channels: dict[str, float], mo
 
 def test_no_call_is_no_state() -> None:
     assert call_state(None) is None
+
+
+def test_names_on_air_are_those_with_weight_and_those_called(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.call_face("broad", seconds=math.inf)
+    performer.call_expression("smile", seconds=math.inf)
+    performer.set_channel("jawOpen", 0.5)
+    faces, expressions = names_on_air(state_of(cast, performer.advance(0.0), epoch=1, number=1, revision=1))
+    assert faces == {"generic", "broad"}
+    assert expressions == {"neutral", "smile", "jawOpen"}

@@ -11,6 +11,7 @@ from omote.server.bundle import PAGES, Page
 from omote.server.library import Library
 from omote.server.links import Link, Links
 from omote.server.security import add_headers, guard, mute_strangers
+from omote.server.workshop import FailedOrderError
 from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, Refused
 from omote.show.session import Outgoing, ShowSession
 from omote.show.wire import encode
@@ -49,7 +50,9 @@ class ShowServer:
     def tick(self) -> None:
         """One state for everybody."""
         now = self.clock()
-        self.links.broadcast(encode(self.session.tick(now)), now)
+        state = self.session.tick(now)
+        self.links.broadcast(encode(state), now)
+        self.library.serve(state)
 
     def call_the_roll(self) -> None:
         """Tells everybody who is connected."""
@@ -101,6 +104,8 @@ class ShowServer:
             data = await self.library.compound(request.match_info["face"], request.match_info["expression"])
         except KeyError as error:
             raise web.HTTPNotFound(text=f"there is no {str(error)[:80]} in this cast: load /manifest again.") from error
+        except FailedOrderError as error:
+            raise web.HTTPServiceUnavailable(text=f"{error}.") from error
         return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": FOR_EVER})
 
     async def page(self, request: web.Request) -> web.Response:

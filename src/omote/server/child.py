@@ -20,6 +20,7 @@ from omote.server.library import Library, built_in
 from omote.server.orders import Order
 from omote.server.restore import journal_entry, open_journal, restore
 from omote.server.security import own_names
+from omote.server.workshop import open_workshop
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,7 @@ def report(sentence: str) -> None:
 
 def run(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
     """Plays to the end, on the fastest event loop there is."""
+    employ_workshop(material.library)  # while there is neither thread nor loop, which no copy may have
     playing = play(material, order, show=show, pipes=pipes)
     try:
         import uvloop
@@ -58,6 +60,14 @@ def run(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
         asyncio.run(playing)
     else:
         uvloop.run(playing)
+
+
+def employ_workshop(library: Library) -> None:
+    """Has compounds computed beside the server; where no process can be made, in a thread of it."""
+    try:
+        library.employ(open_workshop(library.compute), report)
+    except OSError as error:
+        report(f"no process can be made to compute compounds ({error}); the server computes them itself.")
 
 
 async def play(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:

@@ -6,6 +6,8 @@ import os
 
 NICE = -10
 """Well before ordinary programs, well behind what the system itself needs."""
+BEHIND = 5
+"""Behind ordinary programs: a stage in a browser on this machine draws first."""
 
 
 def first_in_line() -> bool:
@@ -15,3 +17,8 @@ def first_in_line() -> bool:
     except OSError:
         return False
     return True
+
+
+def behind_the_show() -> None:
+    """Lets this process, and those it makes, run after others."""
+    os.setpriority(os.PRIO_PROCESS, 0, BEHIND)

@@ -16,12 +16,12 @@ import signal
 import socket
 import sys
 import time
-import traceback
 from collections.abc import Callable
 from pathlib import Path
 
 from omote.perform.performer import Performer
 from omote.server.child import Material, Pipes, built_in_material, report, run
+from omote.server.copies import copied
 from omote.server.library import Library
 from omote.server.orders import Ended, Order, Ready, Started, take_order, tell
 from omote.server.priority import first_in_line
@@ -108,21 +108,12 @@ def see_out(servers: set[int], wake: int) -> None:
 
 def fork(line: socket.socket, play: Callable[[], None]) -> int:
     """The process id of a copy of this process that plays and ends; it leaves the line to its parent."""
-    pid = os.fork()
-    if pid:
-        return pid
-    code = 1
-    try:
-        signal.set_wakeup_fd(-1)
-        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+
+    def played() -> None:
         line.close()
         play()
-        code = 0
-    except BaseException:
-        traceback.print_exc()
-    finally:
-        sys.stderr.flush()
-        os._exit(code)  # not further up: what follows there belongs to the parent
+
+    return copied(played)
 
 
 def gone() -> list[Ended]:

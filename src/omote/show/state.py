@@ -54,3 +54,10 @@ def lids(channels: Mapping[str, float], effective: Mapping[str, float]) -> dict[
     """What the gaze adds to the channels, name by name."""
     added = {name: weight - channels.get(name, 0.0) for name, weight in effective.items()}
     return {name: weight for name, weight in added.items() if weight}
+
+
+def names_on_air(state: State) -> tuple[frozenset[str], frozenset[str]]:
+    """The faces and the expressions (channels are expressions too) that are on air or called."""
+    faces = state.faces.keys() | ({state.face_call.target} if state.face_call else set())
+    called = {state.expression_call.target} if state.expression_call else set()
+    return frozenset(faces), frozenset(state.expressions.keys() | state.channels.keys() | state.lids.keys() | called)

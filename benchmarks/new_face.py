@@ -1,0 +1,278 @@
+"""A face that was never called is on air at once, with all its expressions, and the show loses no frame for it.
+
+Starts `omote show` as a user does and puts ten compounds on air: an expression and nine channels. Then it calls one
+face after the other that nobody called before, and does what a stage does: when the call is heard in a state, it
+fetches the face, its ten compounds on air, and after them all the rest, six requests at a time as browsers do. Another
+process only listens, and writes down when each state came.
+
+Printed: the seconds from a call until everything on air has come, and until all compounds of that face have, as
+multiples too of the time that one core needs to compute them (in this run, alone, afterwards); the intervals between
+states while faces are computed beside those while nothing is; states that were lost. `--faces N` for fewer faces,
+`--plain` to fetch only what is on air.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import multiprocessing
+import os
+import subprocess
+import tempfile
+import time
+from dataclasses import dataclass, field
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+import aiohttp
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+import omote
+from benchmarks.recovery import COMMAND, opened
+from omote.model.cast import Cast
+from omote.show.assets import compound_asset
+from omote.show.messages import (
+    LINK_PATH,
+    PROTOCOL_VERSION,
+    CallExpression,
+    CallFace,
+    FromClient,
+    Hello,
+    Manifest,
+    SetChannel,
+    State,
+)
+from omote.show.wire import decode_answer, encode
+
+LIMIT, WORST_RATIO = 1.0, 1.5
+"""Seconds until a face is complete; p99 of the intervals, times that of a show with nothing to compute (issue 3)."""
+EXPRESSION = "smile"
+CHANNELS = (
+    "jawOpen", "eyeBlinkLeft", "eyeBlinkRight", "browInnerUp", "mouthFunnel", "mouthLeft", "cheekPuff",
+    "noseSneerLeft", "tongueOut",
+)  # fmt: skip
+CONNECTIONS = 6
+REST_SECONDS = 1.2
+"""Pause after each face; its states are the idle ones that the busy ones are compared with."""
+
+Values = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Arrival:
+    """A state as it came: when, which, and what the show's clock said; seconds."""
+
+    received: float
+    number: int
+    time: float
+
+
+@dataclass(frozen=True)
+class Called:
+    """One call: when it was sent, when all on air had come, when everything had."""
+
+    face: str
+    sent: float
+    on_air: float
+    complete: float
+
+
+@dataclass
+class Stage:
+    """A stage without a screen: it follows states and fetches compounds."""
+
+    url: str
+    http: aiohttp.ClientSession
+    manifest: Manifest
+    state: State | None = None
+    changed: asyncio.Event = field(default_factory=asyncio.Event)
+
+    async def follow(self, link: aiohttp.ClientWebSocketResponse) -> None:
+        """Takes every state of a link."""
+        async for message in link:
+            answer = decode_answer(message.data)
+            if isinstance(answer, State):
+                self.state = answer
+                self.changed.set()
+
+    async def until(self, face: str) -> State:
+        """The first state in which a face is on air or called."""
+        while True:
+            await self.changed.wait()
+            self.changed.clear()
+            state = self.state
+            if state and (face in state.faces or (state.face_call and state.face_call.target == face)):
+                return state
+
+    async def fetch(self, path: str) -> None:
+        """One document."""
+        async with self.http.get(self.url + path) as response:
+            response.raise_for_status()
+            await response.read()
+
+    async def fetch_compounds(self, face: str, expressions: list[str]) -> None:
+        """Compounds of a face, as many at once as there are connections."""
+        await asyncio.gather(*(self.fetch(f"/compounds/{self.manifest.digest}/{face}/{name}") for name in expressions))
+
+
+def listen(url: str, orders: Connection) -> None:
+    """Writes down every state until told to stop; a process of its own, so that nothing else delays it."""
+
+    async def follow() -> list[Arrival]:
+        arrivals: list[Arrival] = []
+        async with aiohttp.ClientSession() as http, http.ws_connect(url + LINK_PATH, max_msg_size=0) as link:
+            await link.send_bytes(encode(Hello("stage", PROTOCOL_VERSION)))
+            while not orders.poll():
+                answer = decode_answer(await link.receive_bytes())
+                if isinstance(answer, State):
+                    arrivals.append(Arrival(time.monotonic(), answer.number, answer.time))
+        return arrivals
+
+    orders.send(asyncio.run(follow()))
+
+
+async def call(stage: Stage, console: aiohttp.ClientWebSocketResponse, face: str, *, plain: bool) -> Called:
+    """Calls a face and fetches it as a stage would."""
+    sent = time.monotonic()
+    await console.send_bytes(encode(CallFace(f"{os.getpid()} {face}", face, 1.0, "smooth")))
+    state = await stage.until(face)
+    on_air = [name for name in (state.expressions | state.channels | state.lids) if name != "neutral"]
+    url = next(each.url for each in stage.manifest.faces if each.name == face)
+    await asyncio.gather(stage.fetch(url), stage.fetch_compounds(face, on_air))
+    here = time.monotonic()
+    if not plain:
+        rest = [each.name for each in stage.manifest.expressions if each.name not in on_air]
+        await stage.fetch_compounds(face, rest)
+    return Called(face, sent, here, time.monotonic())
+
+
+async def play(url: str, faces: int | None, *, plain: bool) -> list[Called]:
+    """Calls every face but the one on air, with a pause after each."""
+    connector = aiohttp.TCPConnector(limit_per_host=CONNECTIONS + 2)  # two are links
+    async with aiohttp.ClientSession(connector=connector) as http:
+        async with http.get(url + "/manifest") as response:
+            manifest = msgspec.msgpack.decode(await response.read(), type=Manifest)
+        stage = Stage(url, http, manifest)
+        async with http.ws_connect(url + LINK_PATH) as console, http.ws_connect(url + LINK_PATH) as link:
+            await link.send_bytes(encode(Hello("stage", PROTOCOL_VERSION)))
+            following = asyncio.create_task(stage.follow(link))
+            on_air: list[FromClient] = [SetChannel(name, 0.3) for name in CHANNELS]
+            for message in (
+                Hello("console", PROTOCOL_VERSION),
+                CallExpression("e", EXPRESSION, 0.1, "smooth"),
+                *on_air,
+            ):
+                await console.send_bytes(encode(message))
+            await asyncio.sleep(2 * REST_SECONDS)
+            names = [
+                each.name for each in manifest.faces if each.name not in (stage.state.faces if stage.state else {})
+            ]
+            calls = []
+            for name in names[:faces]:
+                calls.append(await call(stage, console, name, plain=plain))
+                await asyncio.sleep(REST_SECONDS)
+            following.cancel()
+            return calls
+
+
+def measured(url: str, faces: int | None, *, plain: bool) -> tuple[list[Called], list[Arrival]]:
+    """The calls, and every state that came meanwhile."""
+    ours, theirs = multiprocessing.Pipe()
+    listener = multiprocessing.get_context("spawn").Process(target=listen, args=(url, theirs))
+    listener.start()
+    try:
+        calls = asyncio.run(play(url, faces, plain=plain))
+        ours.send("enough")
+        arrivals: list[Arrival] = ours.recv()
+    finally:
+        listener.join(5.0)
+        listener.kill()
+    return calls, arrivals
+
+
+def one_core(cast: Cast, faces: list[str], expressions: list[str]) -> list[float]:
+    """Seconds that one core needs to compute these compounds of each face, with nothing else to do."""
+    compound_asset(cast, cast.faces["generic"], EXPRESSION)  # kernels are loaded
+    seconds = []
+    for face in faces:
+        begun = time.monotonic()
+        for name in expressions:
+            compound_asset(cast, cast.faces[face], name)
+        seconds.append(time.monotonic() - begun)
+    return seconds
+
+
+def intervals(arrivals: list[Arrival], calls: list[Called]) -> tuple[Values, Values]:
+    """Seconds between consecutive states: while a face was computed, and while nothing was."""
+    received = np.array([each.received for each in arrivals])
+    between, middles = np.diff(received), 0.5 * (received[1:] + received[:-1])
+    busy = np.zeros(len(between), np.bool_)
+    for each in calls:
+        busy |= (middles > each.sent) & (middles < each.complete)
+    begun = calls[0].sent - REST_SECONDS
+    return between[busy], between[~busy & (middles > begun) & (middles < calls[-1].complete + REST_SECONDS)]
+
+
+def print_times(name: str, seconds: Values, cores: Values) -> None:
+    """A line: median and largest, in seconds and in multiples of one core's time."""
+    times = seconds / cores
+    print(
+        f"  {name:22} median {np.median(seconds):6.3f} s   max {seconds.max():6.3f} s   limit {LIMIT} s"
+        f"   x one core: median {np.median(times):5.2f}   max {times.max():5.2f}"
+    )
+
+
+def print_intervals(busy: Values, idle: Values) -> float:
+    """A line each for p50, p99 and max; the ratio of p99."""
+    print(f"intervals between states, {len(busy)} busy, {len(idle)} idle")
+    for name, share in (("p50", 50), ("p99", 99), ("max", 100)):
+        a, b = np.percentile(busy, share) * 1e3, np.percentile(idle, share) * 1e3
+        print(f"  {name}  busy {a:6.2f} ms   idle {b:6.2f} ms   ratio {a / b:5.2f}")
+    return float(np.percentile(busy, 99) / np.percentile(idle, 99))
+
+
+def verdict(calls: list[Called], arrivals: list[Arrival], *, plain: bool) -> bool:
+    """Prints the figures beside their limits; whether they hold."""
+    cast = omote.load_cast()
+    few = [EXPRESSION, *CHANNELS]
+    names = [each.face for each in calls]
+    on_air = np.array([each.on_air - each.sent for each in calls])
+    print(f"{len(calls)} faces never called before, on {os.cpu_count()} cores")
+    print_times(f"{len(few)} compounds on air", on_air, np.array(one_core(cast, names, few)))
+    good = float(np.median(on_air)) <= LIMIT
+    if not plain:
+        cast, complete = omote.load_cast(), np.array([each.complete - each.sent for each in calls])
+        print_times(
+            f"all {len(cast.expressions)} compounds", complete, np.array(one_core(cast, names, list(cast.expressions)))
+        )
+        good = good and float(np.median(complete)) <= LIMIT
+    ratio = print_intervals(*intervals(arrivals, calls))
+    lost = int((np.diff([each.number for each in arrivals]) - 1).sum())
+    skipped = float(np.diff([each.time for each in arrivals]).max())
+    print(f"  lost states {lost}   longest step of the show's clock {skipped * 1e3:.2f} ms")
+    good = good and ratio <= WORST_RATIO and lost == 0
+    print("holds" if good else "DOES NOT HOLD")
+    return good
+
+
+def main() -> int:
+    """Runs the show, calls its faces, prints; exit status 1 when a limit is missed."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--faces", type=int)
+    parser.add_argument("--plain", action="store_true")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        command = [*COMMAND, str(Path(folder) / "show.omote"), "--port", "0", "--no-open"]
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        try:
+            calls, arrivals = measured(opened(process).removesuffix(LINK_PATH), options.faces, plain=options.plain)
+        finally:
+            process.terminate()
+            process.wait(10.0)
+    return 0 if verdict(calls, arrivals, plain=options.plain) else 1
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,100 @@
+"""Compounds by name, each made once: first what is on air, then what is asked for, then what may be asked for next."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import OrderedDict
+from collections.abc import Awaitable, Callable, Collection
+
+MEMORY = 128 << 20
+"""Bytes of compounds kept."""
+
+Key = tuple[str, str]
+"""A face and an expression."""
+
+
+class Supply:
+    """Makes one compound at a time, keeps the last used; `all_expressions` of a face on air are made ahead."""
+
+    def __init__(
+        self, make: Callable[[str, str], Awaitable[bytes]], all_expressions: Collection[str], *, memory: int = MEMORY
+    ) -> None:
+        self._make, self._expressions, self._memory = make, tuple(all_expressions), memory
+        self._made: OrderedDict[Key, bytes] = OrderedDict()
+        self._size = 0
+        self._asked: dict[Key, asyncio.Future[bytes]] = {}
+        self._ahead: dict[Key, None] = {}
+        self._on_air: tuple[frozenset[str], frozenset[str]] = (frozenset(), frozenset())
+        self._working: asyncio.Task[None] | None = None
+
+    async def get(self, key: Key) -> bytes:
+        """A compound, as soon as it is made; raises what making it raises."""
+        if key in self._made:
+            self._made.move_to_end(key)
+            return self._made[key]
+        if key not in self._asked:
+            self._asked[key] = asyncio.get_running_loop().create_future()
+            self._work()
+        return await asyncio.shield(self._asked[key])  # others may wait for the same
+
+    def serve(self, faces: frozenset[str], expressions: frozenset[str]) -> None:
+        """Tells what is on air or coming: it goes first, and a face that was not there before is made ahead in full."""
+        if (faces, expressions) == self._on_air:
+            return
+        new = faces - self._on_air[0]
+        self._on_air = faces, expressions
+        coming = [(face, name) for face in sorted(new) for name in self._expressions]
+        stays = [key for key in self._ahead if key[0] in faces]
+        self._ahead = dict.fromkeys(key for key in (*coming, *stays) if key not in self._made)
+        if self._ahead:
+            self._work()
+
+    def close(self) -> None:
+        """Stops; who still waits is cancelled."""
+        if self._working is not None:
+            self._working.cancel()
+        for waiting in self._asked.values():
+            if not waiting.done():
+                waiting.cancel()
+
+    def _work(self) -> None:
+        if self._working is None or self._working.done():
+            self._working = asyncio.get_running_loop().create_task(self._make_all())
+
+    async def _make_all(self) -> None:
+        while (key := self._next()) is not None:
+            self._ahead.pop(key, None)
+            if key in self._made:
+                continue
+            try:
+                made = await self._make(*key)
+            except Exception as error:
+                self._answer(key, error)
+            else:
+                self._keep(key, made)
+                self._answer(key, made)
+
+    def _next(self) -> Key | None:
+        """On air before not, asked for before not; then in the order in which they came."""
+        for waiting in (self._asked, self._ahead):
+            for key in waiting:
+                if key[0] in self._on_air[0] and key[1] in self._on_air[1]:
+                    return key
+        return next(iter(self._asked), None) or next(iter(self._ahead), None)
+
+    def _answer(self, key: Key, made: bytes | Exception) -> None:
+        waiting = self._asked.pop(key, None)
+        if waiting is None or waiting.done():
+            return
+        if isinstance(made, bytes):
+            waiting.set_result(made)
+        else:
+            waiting.set_exception(made)
+            waiting.exception()  # read, even if whoever asked has gone
+
+    def _keep(self, key: Key, data: bytes) -> None:
+        self._size += len(data) - len(self._made.get(key, b""))
+        self._made[key] = data
+        while self._size > self._memory and len(self._made) > 1:
+            _, old = self._made.popitem(last=False)
+            self._size -= len(old)
