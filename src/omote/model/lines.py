@@ -114,13 +114,18 @@ def _back(before: Indices, end: int, start: int) -> list[int]:
 
 
 def _rungs(points: Values, loop: Indices) -> tuple[Indices, Values]:
+    (a, wa), (b, wb) = (_at_shares(points, chain) for chain in chains(points, loop))
+    return np.concatenate([a, b], axis=1).astype(np.int32), np.concatenate([wa, -wb], axis=1)
+
+
+def chains(points: Values, loop: Indices, /) -> tuple[Indices, Indices]:
+    """The upper and the lower half of a loop, each from its right corner (least x) to its left one, corners
+    included."""
     across = points[loop, 0]
     right, left, count = int(across.argmin()), int(across.argmax()), len(loop)
     one = loop[(right + np.arange((left - right) % count + 1)) % count]
     other = loop[(right - np.arange((right - left) % count + 1)) % count]
-    upper, lower = (one, other) if points[one, 1].mean() > points[other, 1].mean() else (other, one)
-    (a, wa), (b, wb) = _at_shares(points, upper), _at_shares(points, lower)
-    return np.concatenate([a, b], axis=1).astype(np.int32), np.concatenate([wa, -wb], axis=1)
+    return (one, other) if points[one, 1].mean() > points[other, 1].mean() else (other, one)
 
 
 def _at_shares(points: Values, chain: Indices) -> tuple[Indices, Values]:

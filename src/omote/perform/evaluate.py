@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import NEUTRAL, Cast
-from omote.model.compound import generic_face, moved_parts, turned_eyes
+from omote.model.compound import generic_face, moved_parts, predicted, turned_eyes
 from omote.model.fitted import Fitted, fit
+from omote.model.settling import settling_of
 from omote.model.transfer import Compiled, wear
 from omote.perform.blend import weighted_sum
 from omote.perform.channels import effective_channels, eye_angles
@@ -20,6 +21,7 @@ from omote.perform.fields import fields_of
 from omote.perform.frame import Frame
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, known, within
 from omote.perform.mix import combined
+from omote.perform.settle import Balls, settled
 
 Floats = NDArray[np.float32]
 Mode = Literal["bilinear", "exact"]
@@ -40,9 +42,7 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
-    if mode == "exact":
-        return _exact(cast, frame, channels)
-    return _bilinear(cast, frame, channels)
+    return _settled(cast, frame, channels, _mixed(cast, frame, channels, mode))
 
 
 def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
@@ -53,9 +53,14 @@ def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[st
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
     moved = _exact_parts(cast, frame, channels) if mode == "exact" else _bilinear_parts(cast, frame, channels)
+    moved |= _stuck(cast, frame, channels, mode, moved)
     fitted = [(weight, fit(cast.space, cast.faces[face])) for face, weight in frame.faces.items()]
     centres = {part: _sum((weight, face.centres[part]) for weight, face in fitted) for part in cast.space.parts}
     return turned_eyes(cast.space, moved, centres, eye_angles(cast.expressions, frame.expressions, channels))
+
+
+def _mixed(cast: Cast, frame: Frame, channels: Mapping[str, float], mode: Mode) -> Floats:
+    return _exact(cast, frame, channels) if mode == "exact" else _bilinear(cast, frame, channels)
 
 
 def warm(cast: Cast) -> None:
@@ -83,6 +88,40 @@ def _bilinear(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats
     terms = [(cast.faces[face].positions, weight) for face, weight in _rests(frame, channels).items()]
     terms += [(compounds.skin(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
     return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
+
+
+def _settled(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
+    """The mix put right where compounds together fold or pierce what none does alone."""
+    settling = settling_of(cast.space)
+    pairs = {key: abs(weight) for key, weight in _pairs(frame, channels).items() if key[1] != NEUTRAL and weight}
+    if settling is None or not pairs:
+        return mixed
+    compounds, fitted = compounds_of(cast), [fit(cast.space, cast.faces[face]) for face in frame.faces]
+    factors = list(frame.faces.values())
+    angles = eye_angles(cast.expressions, frame.expressions, channels)
+    balls = [Balls.of(face, settling.eyes, angles) for face in fitted]
+    whole = Balls(
+        np.asarray(_sum((s, ball.centres) for s, ball in zip(factors, balls, strict=True))),
+        np.asarray(sum(s * ball.radii for s, ball in zip(factors, balls, strict=True))), angles,
+    )  # fmt: skip
+    rest = weighted_sum([face.positions for face in fitted], factors)
+    allowed = weighted_sum([compounds.allowance(*key) for key in pairs], list(pairs.values()))
+    return settled(settling, rest, mixed, allowed, whole)
+
+
+def _stuck(
+    cast: Cast, frame: Frame, channels: Mapping[str, float], mode: Mode, moved: Mapping[str, Floats]
+) -> dict[str, Floats]:  # fmt: skip
+    """The parts that stick to the skin, gone with it where it settled."""
+    settling = settling_of(cast.space)
+    if settling is None:
+        return {}
+    mixed = _mixed(cast, frame, channels, mode)
+    settled_skin = _settled(cast, frame, channels, mixed)
+    if settled_skin is mixed:
+        return {}
+    move = settled_skin.astype(np.float64) - mixed
+    return {part: (moved[part] + predicted(cast.space, part, move)).astype(np.float32) for part in settling.sticking}
 
 
 def _exact(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
