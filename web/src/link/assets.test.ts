@@ -11,6 +11,7 @@ const mesh = {
   triangles: bytes(Uint32Array.from([0, 1, 2])),
 };
 const manifest = {
+  lines: [],
   version: 1,
   digest: "d",
   vertices: 3,

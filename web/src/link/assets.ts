@@ -1,6 +1,6 @@
 import { decode } from "@msgpack/msgpack";
 import { Backoff } from "./backoff";
-import type { CompoundAsset, FaceAsset, Manifest, MeshDocument } from "./messages";
+import type { CompoundAsset, FaceAsset, LineDocument, Manifest, MeshDocument } from "./messages";
 
 /** A drawn mesh; `source` maps its vertices to rows of the positions, `uv` (0, 0) is the upper left corner. */
 export interface Mesh {
@@ -59,6 +59,14 @@ export function readMesh(mesh: MeshDocument, vertices: number): Mesh {
   return { name: mesh.name, source, uv, triangles };
 }
 
+/** The rows of a line around an opening, in walking order; an Error when one points past the positions. */
+export function readLine(line: LineDocument, vertices: number): Uint32Array {
+  const loop = new Uint32Array(aligned(line.loop));
+  if (loop.some((row) => row >= vertices))
+    throw new Error(`Line ${line.name} points past its ${vertices} positions; bake the cast again.`);
+  return loop;
+}
+
 /** A compound as typed arrays; an Error when it does not fit `vertices` positions. */
 export function readCompound(bytes: Uint8Array, vertices: number): Compound {
   const asset = decode(bytes) as CompoundAsset;
@@ -72,6 +80,8 @@ export function readCompound(bytes: Uint8Array, vertices: number): Compound {
 /** The cast as documents: the manifest, and faces and compounds that are fetched once, when first asked for. */
 export class Library {
   readonly meshes: readonly Mesh[];
+  /** Rows of the lines around the openings, by name, in walking order. */
+  readonly lines: ReadonlyMap<string, Uint32Array>;
   private readonly faceUrls: ReadonlyMap<string, string>;
   private readonly expressions: ReadonlySet<string>;
   private readonly faces = new Map<string, Promise<Float32Array>>();
@@ -83,6 +93,7 @@ export class Library {
     private readonly read: Fetch = fetchBytes,
   ) {
     this.meshes = manifest.meshes.map((mesh) => readMesh(mesh, manifest.vertices));
+    this.lines = new Map(manifest.lines.map((line) => [line.name, readLine(line, manifest.vertices)]));
     this.faceUrls = new Map(manifest.faces.map((face) => [face.name, face.url]));
     this.expressions = new Set(manifest.expressions.map((expression) => expression.name));
   }

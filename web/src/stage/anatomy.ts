@@ -14,6 +14,8 @@ export interface Anatomy {
   eyeRows: Int32Array;
   /** The generic face, (rows, 3) metres. */
   positions: Float32Array;
+  /** Rows of the lines around the openings, by name, in walking order. */
+  lines: ReadonlyMap<string, Uint32Array>;
 }
 
 const NECK = 0.075; // metres along the skin in which the neck comes to turn with the head
@@ -34,7 +36,7 @@ async function examine(library: Library): Promise<Anatomy> {
   const skin = library.meshes.findIndex((mesh) => mesh.name === "skin");
   const rim = skin < 0 ? [] : lowestBorder(triangles[skin] as Uint32Array, positions);
   const traits = readTraits(around, positions, rim, library.manifest.skin, triangles);
-  return { fans: around, traits, rim, eyeRows: eyeRows(library.meshes), positions };
+  return { fans: around, traits, rim, eyeRows: eyeRows(library.meshes), positions, lines: library.lines };
 }
 
 function firstFace(library: Library): string {

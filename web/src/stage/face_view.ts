@@ -14,6 +14,7 @@ import type { Tile } from "./parameters";
 import { type Pose, resting } from "./pose";
 import { FEATURES, type Features, firstLevel, type Level, pixelRatio } from "./quality";
 import { createRenderer } from "./renderer";
+import { type Named, named, traitsOf, writeTraits } from "./traits";
 
 /** How a view draws; everything may be left out. */
 export interface FaceViewOptions {
@@ -43,6 +44,7 @@ export class FaceView {
   private readonly eyes: Eyeballs;
   private readonly eyeUniforms: [EyeUniforms, EyeUniforms] = [eyeUniforms(), eyeUniforms()];
   private readonly looks: Looks;
+  private readonly named: Named;
   private readonly size = new THREE.Vector2();
   private scene = new THREE.Scene();
   private backdrop = buildBackdrop();
@@ -73,6 +75,7 @@ export class FaceView {
     this.crossfade = new Crossfade(this.renderer);
     this.eyes = { rows: anatomy.eyeRows, centres: new Float32Array(6), turns: new Float32Array(18) };
     this.looks = new Looks(library.manifest.faces);
+    this.named = named(library.manifest);
     this.pose = resting(library.manifest.faces[0]?.name ?? "generic");
     this.build();
     canvas.addEventListener("webglcontextlost", this.contextLost);
@@ -232,6 +235,7 @@ export class FaceView {
     backdrop.aspect.value = fullWidth / fullHeight;
     this.turnHead();
     this.looks.dress(this.pose, this.shared, this.eyeUniforms);
+    writeTraits(traitsOf(this.pose, this.named), this.shared);
     writeLight(mixLights({}), this.shared);
     this.renderer.render(this.scene, this.camera);
   }

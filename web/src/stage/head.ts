@@ -2,7 +2,9 @@ import * as THREE from "three";
 import type { Mesh } from "../link/assets";
 import type { Anatomy } from "./anatomy";
 import { collar } from "./collar";
+import { eyeball } from "./eyes";
 import { type LightUniforms, lightUniforms } from "./light_uniforms";
+import { material, type Uniforms } from "./material";
 import * as parts from "./part_shaders";
 import { definesOf, type Features } from "./quality";
 import * as setting from "./setting_shaders";
@@ -19,8 +21,6 @@ export interface BlendedLook {
   eyeRadius: number;
 }
 
-type Uniforms = Record<string, THREE.IUniform>;
-
 /** The uniforms all materials share; written once a frame. */
 export interface HeadUniforms extends Uniforms, LightUniforms {
   positions: THREE.IUniform<THREE.Texture>;
@@ -34,6 +34,10 @@ export interface HeadUniforms extends Uniforms, LightUniforms {
   brow: THREE.IUniform<THREE.Color>;
   blush: THREE.IUniform<THREE.Color>;
   iris: THREE.IUniform<THREE.Color>;
+  irisSize: THREE.IUniform<number>;
+  slit: THREE.IUniform<number>;
+  lashes: THREE.IUniform<number>;
+  pupil: THREE.IUniform<number>;
 }
 
 /** What differs between the two eyeballs. */
@@ -62,6 +66,10 @@ export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): He
     brow: { value: new THREE.Color() },
     blush: { value: new THREE.Color() },
     iris: { value: new THREE.Color() },
+    irisSize: { value: 1 },
+    slit: { value: 0 },
+    lashes: { value: 1 },
+    pupil: { value: 0 },
   };
 }
 
@@ -97,15 +105,15 @@ export function buildHead(from: HeadParts): THREE.Group {
   return head;
 }
 
-function drawn(mesh: Mesh, { anatomy, shared, eyes }: HeadParts): THREE.Mesh {
+function drawn(mesh: Mesh, { anatomy, shared, eyes, features }: HeadParts): THREE.Mesh {
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
   geometry.setAttribute("source", new THREE.BufferAttribute(Float32Array.from(mesh.source), 1));
   switch (mesh.name) {
     case "eye_left":
     case "eye_right": {
-      const own = eyes[mesh.name === "eye_left" ? 0 : 1];
-      return new THREE.Mesh(geometry, material(parts.EYE_VERTEX, parts.EYE_FRAGMENT, { ...shared, ...own }));
+      const side = mesh.name === "eye_left" ? 0 : 1;
+      return eyeball(side, anatomy, { ...shared, ...eyes[side] }, !features.pixelLight);
     }
     case "teeth_upper":
     case "teeth_lower":
@@ -181,19 +189,6 @@ function eyeCentre(anatomy: Anatomy, side: number): [number, number, number] {
   for (let row = first; row < end; row++)
     for (const axis of [0, 1, 2] as const) sum[axis] += (anatomy.positions[3 * row + axis] as number) / (end - first);
   return sum;
-}
-
-function material(vertexShader: string, fragmentShader: string, uniforms: Uniforms): THREE.RawShaderMaterial {
-  return new THREE.RawShaderMaterial({
-    glslVersion: THREE.GLSL3,
-    vertexShader,
-    fragmentShader,
-    uniforms,
-    blending: THREE.CustomBlending,
-    blendSrc: THREE.OneFactor,
-    blendDst: THREE.OneMinusSrcAlphaFactor,
-    transparent: false,
-  });
 }
 
 /** The backdrop of the stage; `window` is this picture's part of the wall's. */

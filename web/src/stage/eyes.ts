@@ -1,0 +1,40 @@
+import * as THREE from "three";
+import type { Anatomy } from "./anatomy";
+import { ballFrame, dome } from "./eye_mesh";
+import { EYE_FRAGMENT, EYE_VERTEX } from "./eye_shaders";
+import { material, type Uniforms } from "./material";
+import { type Opening, opening } from "./openings";
+
+/** Rings and spokes of a drawn eyeball, near and far from what the machine can do. */
+const FINE: [number, number] = [26, 40];
+const COARSE: [number, number] = [16, 24];
+
+/** The rows of an opening's edges, for the shaders. */
+export const edgeUniforms = ({ upper, lower }: Opening): Uniforms => ({
+  upperRows: { value: upper },
+  lowerRows: { value: lower },
+});
+
+/** An eyeball, left (0) or right (1), as it is drawn: a fine dome on the axes of the cast's own coarse ball. */
+export function eyeball(side: 0 | 1, anatomy: Anatomy, uniforms: Uniforms, fast: boolean): THREE.Mesh {
+  const { directions, triangles } = dome(...(fast ? COARSE : FINE));
+  const geometry = new THREE.BufferGeometry();
+  geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
+  geometry.setAttribute("direction", new THREE.BufferAttribute(directions, 3));
+  const [first, end] = [anatomy.eyeRows[2 * side] as number, anatomy.eyeRows[2 * side + 1] as number];
+  const { rows, fromPairs } = ballFrame(anatomy.positions, first, end);
+  const look = material(EYE_VERTEX, EYE_FRAGMENT, {
+    ...uniforms,
+    ...edgeUniforms(lids(side, anatomy, rows)),
+    frameRows: { value: rows },
+    fromPairs: { value: new THREE.Matrix3().fromArray(fromPairs) },
+  });
+  return new THREE.Mesh(geometry, look);
+}
+
+/** The lids' edges; a cast that names none has an eye that is always wide open. */
+function lids(side: 0 | 1, anatomy: Anatomy, frame: readonly number[]): Opening {
+  const line = anatomy.lines.get(side === 0 ? "lid_left" : "lid_right");
+  const [top, bottom] = [frame[2] as number, frame[3] as number];
+  return opening(line === undefined ? [top, bottom] : [...line], anatomy.positions);
+}
