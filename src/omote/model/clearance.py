@@ -38,12 +38,13 @@ class Ball:
 class Clearance:
     """The lids around one eyeball of a face.
 
-    near (m,): the sheet's vertices around it; shares (m, m): SHARE where two are neighbours, else zero; rest (m, 3): on
-    the generic face at rest; deeper (m,): how much deeper in the ball than there they lie here, metres.
+    near (m,): the sheet's vertices around it; starts (m,), neighbours: the rings around each, itself among them; rest
+    (m, 3): on the generic face at rest; deeper (m,): how much deeper in the ball than there they lie here, metres.
     """
 
     near: Indices
-    shares: Values
+    starts: Indices
+    neighbours: Indices
     source: Ball
     ball: Ball
     rest: Values
@@ -57,9 +58,9 @@ def clearance_of(generic: Values, positions: Values, triangles: Indices, source:
     """
     used = np.unique(triangles)
     near = used[np.linalg.norm(positions[used] - ball.centre, axis=1) < REACH * ball.radius].astype(np.int32)
-    shares = np.where(smoothing(triangles, len(positions))[near][:, near].toarray() > 0, SHARE, 0.0)
+    rings = smoothing(triangles, len(positions))[near][:, near]
     deeper = np.maximum(depth(ball, positions[near]) - depth(source, generic[near]), 0.0)
-    return Clearance(near, shares, source, ball, generic[near], deeper)
+    return Clearance(near, rings.indptr[:-1], rings.indices, source, ball, generic[near], deeper)
 
 
 def depth(ball: Ball, points: Values, /) -> Values:
@@ -83,7 +84,7 @@ def cleared(clearance: Clearance, positions: Values, moved: Values, /) -> bool:
     if not push.any():
         return False
     for _ in range(RINGS):
-        push = np.maximum(push, (clearance.shares * push).max(axis=1))
+        push = np.maximum(push, np.maximum.reduceat(SHARE * push[clearance.neighbours], clearance.starts))
     outward = points - clearance.ball.centre
     outward /= np.maximum(np.linalg.norm(outward, axis=1, keepdims=True), 1e-9)
     positions[clearance.near] = points + push[:, None] * outward

@@ -54,10 +54,15 @@ def sheet_of(generic: Values, positions: Values, triangles: Indices, /) -> Sheet
 
 def frames(positions: Values, triangles: Indices, /) -> Values:
     """Two edges and the scaled normal of each triangle as columns: (T, 3, 3) (Sumner & Popovic 2004, section 3)."""
-    a, b, c = positions[triangles].transpose(1, 0, 2)
-    normal = np.cross(b - a, c - a)
-    normal /= np.sqrt(np.linalg.norm(normal, axis=1))[:, None]
-    return np.stack([b - a, c - a, normal], axis=2)
+    a, b, c = positions.T[:, triangles.T].transpose(1, 0, 2)
+    first, second = b - a, c - a
+    normal = np.stack([
+        first[1] * second[2] - first[2] * second[1],
+        first[2] * second[0] - first[0] * second[2],
+        first[0] * second[1] - first[1] * second[0],
+    ])  # fmt: skip
+    normal /= np.sqrt(np.sqrt((normal * normal).sum(axis=0)))
+    return np.stack([first, second, normal], axis=2).transpose(1, 0, 2)
 
 
 def nearest_turns(matrices: Values, /) -> Values:
