@@ -14,6 +14,7 @@ import type { Tile } from "./parameters";
 import { type Pose, resting } from "./pose";
 import { FEATURES, type Features, firstLevel, type Level, pixelRatio } from "./quality";
 import { createRenderer } from "./renderer";
+import { Shadow } from "./shadow";
 import { type Named, named, traitsOf, writeTraits } from "./traits";
 
 /** How a view draws; everything may be left out. */
@@ -51,6 +52,7 @@ export class FaceView {
   private shared!: HeadUniforms;
   private blender!: Blender;
   private holdings!: Holdings;
+  private shadow!: Shadow;
   private pose: Pose;
   private blended = "";
   private drawnAt: number | undefined;
@@ -156,6 +158,7 @@ export class FaceView {
     this.canvas.removeEventListener("webglcontextlost", this.contextLost);
     this.canvas.removeEventListener("webglcontextrestored", this.contextRestored);
     this.blender.dispose();
+    this.shadow.dispose();
     this.renderer.dispose();
   }
 
@@ -163,6 +166,7 @@ export class FaceView {
     this.blender = new Blender(this.context, this.library.manifest.vertices, this.anatomy.fans);
     this.holdings ??= new Holdings(this.library);
     this.shared = headUniforms(this.blender.positions, this.blender.normals);
+    this.shadow = new Shadow(this.shared);
     this.shared.mask.value = maskTexture(this.mask, FEATURES[this.wanted]);
     this.scene = new THREE.Scene();
     this.backdrop = buildBackdrop();
@@ -236,7 +240,9 @@ export class FaceView {
     this.turnHead();
     this.looks.dress(this.pose, this.shared, this.eyeUniforms);
     writeTraits(traitsOf(this.pose, this.named), this.shared);
-    writeLight(mixLights({}), this.shared);
+    const light = mixLights({});
+    writeLight(light, this.shared);
+    this.shadow.draw(this.renderer, light, this.head, FEATURES[this.level].shadow);
     this.renderer.render(this.scene, this.camera);
   }
 

@@ -8,6 +8,7 @@ import { material, type Uniforms } from "./material";
 import * as parts from "./part_shaders";
 import { definesOf, type Features } from "./quality";
 import * as setting from "./setting_shaders";
+import { type ShadowUniforms, shadowUniforms } from "./shadow";
 import * as skins from "./skin_shaders";
 import { extent } from "./topology";
 
@@ -22,7 +23,7 @@ export interface BlendedLook {
 }
 
 /** The uniforms all materials share; written once a frame. */
-export interface HeadUniforms extends Uniforms, LightUniforms {
+export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms {
   positions: THREE.IUniform<THREE.Texture>;
   normals: THREE.IUniform<THREE.Texture>;
   headTurn: THREE.IUniform<THREE.Matrix3>;
@@ -55,6 +56,7 @@ const ARCH = 0.034;
 export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): HeadUniforms {
   return {
     ...lightUniforms(),
+    ...shadowUniforms(),
     positions: { value: new THREE.ExternalTexture(positions) },
     normals: { value: new THREE.ExternalTexture(normals) },
     headTurn: { value: new THREE.Matrix3() },
@@ -130,7 +132,9 @@ function drawn(mesh: Mesh, { anatomy, shared, eyes, features }: HeadParts): THRE
 function skin(geometry: THREE.BufferGeometry, mesh: Mesh, anatomy: Anatomy, look: THREE.RawShaderMaterial): THREE.Mesh {
   geometry.setAttribute("uv", new THREE.BufferAttribute(mesh.uv, 2));
   geometry.setAttribute("traits", new THREE.BufferAttribute(gather(anatomy.traits, mesh.source, 4), 4));
-  return new THREE.Mesh(geometry, look);
+  const drawn = new THREE.Mesh(geometry, look);
+  drawn.castShadow = true;
+  return drawn;
 }
 
 function gather(values: Float32Array, rows: Uint32Array, width: number): Float32Array {

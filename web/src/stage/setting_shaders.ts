@@ -27,7 +27,7 @@ void main() {
   vec3 normal = normalize(vNormal);
   float edge = pow(1.0 - max(dot(normal, view), 0.0), 2.5);
   vec3 cloth = vec3(0.0055, 0.0055, 0.0075);
-  vec3 light = cloth * (KEY_LIGHT * max(dot(normal, KEY), 0.0) + FILL_LIGHT + ambient(normal));
+  vec3 light = cloth * (KEY_LIGHT * max(dot(normal, KEY), 0.0) * shadow(vPoint, normal) + FILL_LIGHT + ambient(normal));
   light += RIM_LIGHT * edge * 0.06 * (max(dot(normal, RIM_LEFT), 0.0) + max(dot(normal, RIM_RIGHT), 0.0));
   colour = premultiplied(light * vFade, 1.0);
 }

@@ -1,4 +1,5 @@
 import { ROW_SHIFT, ROW_WIDTH } from "./pass_shaders";
+import { NO_SHADOW, SHADOW } from "./shadow_shaders";
 
 /** What every vertex shader of the head shares: its row's blended position and normal, turned with the head. */
 export const VERTEX_HEAD = `
@@ -26,7 +27,7 @@ vec4 project(vec3 point) { return projectionMatrix * viewMatrix * vec4(point, 1.
  * The light on stage, the same for every shader of the head (`light_uniforms.ts` writes it): a key, a fill, two rims,
  * and what comes from everywhere. SHADE: how much hollows count, 0 in even light; whoever darkens a hollow uses `shaded`.
  */
-export const LIGHTS = `
+const LAMPS = `
 uniform vec3 cameraPosition;
 uniform vec3 KEY;
 uniform vec3 FILL;
@@ -45,19 +46,19 @@ vec3 ambient(vec3 normal) { return mix(GROUND_LIGHT, SKY_LIGHT, normal.y * 0.5 +
 /** What a hollow leaves of the light (0..1), as much as this light counts it. */
 float shaded(float open) { return mix(1.0, open, SHADE); }
 
-/** How much of the key light comes to a point, 0..1. */
-float shadow(vec3 point, vec3 normal) { return 1.0; }
-
 /** A lobe of shine. */
 float shine(vec3 normal, vec3 view, vec3 light, float sharpness) {
   return pow(max(dot(normal, normalize(light + view)), 0.0), sharpness);
 }
 `;
 
+/** The light for vertex shaders: without cast shadows. */
+export const LIGHTS = `${LAMPS}${NO_SHADOW}`;
+
 export const FRAGMENT_HEAD = `
 precision highp float;
 precision highp sampler2D;
-${LIGHTS}
+${LAMPS}${SHADOW}
 uniform float EXPOSURE;
 out vec4 colour;
 
