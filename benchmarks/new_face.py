@@ -6,9 +6,10 @@ fetches the face, its ten compounds on air, and after them all the rest, six req
 process only listens, and writes down when each state came.
 
 Printed: the seconds from a call until everything on air has come, and until all compounds of that face have, as
-multiples too of the time that one core needs to compute them (in this run, alone, afterwards); the intervals between
-states while faces are computed beside those while nothing is; states that were lost. `--faces N` for fewer faces,
-`--plain` to fetch only what is on air.
+multiples too of the time that one core needs to compute them (in this run, afterwards); the milliseconds to fetch one
+more compound a second later, when the server has made it ahead; the intervals between states, as they came and by the
+show's clock, while faces are computed beside those while nothing is; states that were lost. `--faces N` for fewer
+faces, `--plain` to fetch only what is on air and leave the rest to the server.
 """
 
 from __future__ import annotations
@@ -53,6 +54,7 @@ CHANNELS = (
     "jawOpen", "eyeBlinkLeft", "eyeBlinkRight", "browInnerUp", "mouthFunnel", "mouthLeft", "cheekPuff",
     "noseSneerLeft", "tongueOut",
 )  # fmt: skip
+LATER = "mouthPucker"
 CONNECTIONS = 6
 REST_SECONDS = 1.2
 """Pause after each face; its states are the idle ones that the busy ones are compared with."""
@@ -71,12 +73,13 @@ class Arrival:
 
 @dataclass(frozen=True)
 class Called:
-    """One call: when it was sent, when all on air had come, when everything had."""
+    """One call: when it was sent, when all on air had come, when everything had; seconds that one more took later."""
 
     face: str
     sent: float
     on_air: float
     complete: float
+    later: float
 
 
 @dataclass
@@ -145,7 +148,11 @@ async def call(stage: Stage, console: aiohttp.ClientWebSocketResponse, face: str
     if not plain:
         rest = [each.name for each in stage.manifest.expressions if each.name not in on_air]
         await stage.fetch_compounds(face, rest)
-    return Called(face, sent, here, time.monotonic())
+    complete = time.monotonic()
+    await asyncio.sleep(REST_SECONDS)
+    begun = time.monotonic()
+    await stage.fetch_compounds(face, [LATER])
+    return Called(face, sent, here, complete, time.monotonic() - begun)
 
 
 async def play(url: str, faces: int | None, *, plain: bool) -> list[Called]:
@@ -169,10 +176,7 @@ async def play(url: str, faces: int | None, *, plain: bool) -> list[Called]:
             names = [
                 each.name for each in manifest.faces if each.name not in (stage.state.faces if stage.state else {})
             ]
-            calls = []
-            for name in names[:faces]:
-                calls.append(await call(stage, console, name, plain=plain))
-                await asyncio.sleep(REST_SECONDS)
+            calls = [await call(stage, console, name, plain=plain) for name in names[:faces]]
             following.cancel()
             return calls
 
@@ -204,15 +208,16 @@ def one_core(cast: Cast, faces: list[str], expressions: list[str]) -> list[float
     return seconds
 
 
-def intervals(arrivals: list[Arrival], calls: list[Called]) -> tuple[Values, Values]:
-    """Seconds between consecutive states: while a face was computed, and while nothing was."""
+def intervals(arrivals: list[Arrival], calls: list[Called], times: Values) -> tuple[Values, Values]:
+    """Seconds between consecutive states' times: while a face was computed, and while nothing was."""
     received = np.array([each.received for each in arrivals])
-    between, middles = np.diff(received), 0.5 * (received[1:] + received[:-1])
-    busy = np.zeros(len(between), np.bool_)
+    middles = 0.5 * (received[1:] + received[:-1])
+    busy = np.zeros(len(middles), np.bool_)
     for each in calls:
         busy |= (middles > each.sent) & (middles < each.complete)
     begun = calls[0].sent - REST_SECONDS
-    return between[busy], between[~busy & (middles > begun) & (middles < calls[-1].complete + REST_SECONDS)]
+    idle = ~busy & (middles > begun) & (middles < calls[-1].complete + REST_SECONDS)
+    return np.diff(times)[busy], np.diff(times)[idle]
 
 
 def print_times(name: str, seconds: Values, cores: Values) -> None:
@@ -224,35 +229,44 @@ def print_times(name: str, seconds: Values, cores: Values) -> None:
     )
 
 
-def print_intervals(busy: Values, idle: Values) -> float:
+def print_intervals(name: str, busy: Values, idle: Values) -> float:
     """A line each for p50, p99 and max; the ratio of p99."""
-    print(f"intervals between states, {len(busy)} busy, {len(idle)} idle")
-    for name, share in (("p50", 50), ("p99", 99), ("max", 100)):
+    print(f"intervals between states, {name}: {len(busy)} busy, {len(idle)} idle")
+    for label, share in (("p50", 50), ("p99", 99), ("max", 100)):
         a, b = np.percentile(busy, share) * 1e3, np.percentile(idle, share) * 1e3
-        print(f"  {name}  busy {a:6.2f} ms   idle {b:6.2f} ms   ratio {a / b:5.2f}")
+        print(f"  {label}  busy {a:6.2f} ms   idle {b:6.2f} ms   ratio {a / b:5.2f}")
     return float(np.percentile(busy, 99) / np.percentile(idle, 99))
 
 
-def verdict(calls: list[Called], arrivals: list[Arrival], *, plain: bool) -> bool:
-    """Prints the figures beside their limits; whether they hold."""
-    cast = omote.load_cast()
-    few = [EXPRESSION, *CHANNELS]
-    names = [each.face for each in calls]
-    on_air = np.array([each.on_air - each.sent for each in calls])
-    print(f"{len(calls)} faces never called before, on {os.cpu_count()} cores")
+def print_calls(calls: list[Called], *, plain: bool) -> bool:
+    """Prints how soon faces were there; whether that is soon enough."""
+    few, names = [EXPRESSION, *CHANNELS], [each.face for each in calls]
+    cast, on_air = omote.load_cast(), np.array([each.on_air - each.sent for each in calls])
+    print(f"{len(calls)} faces never called before, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}")
     print_times(f"{len(few)} compounds on air", on_air, np.array(one_core(cast, names, few)))
     good = float(np.median(on_air)) <= LIMIT
     if not plain:
         cast, complete = omote.load_cast(), np.array([each.complete - each.sent for each in calls])
-        print_times(
-            f"all {len(cast.expressions)} compounds", complete, np.array(one_core(cast, names, list(cast.expressions)))
-        )
+        everything = list(cast.expressions)
+        print_times(f"all {len(everything)} compounds", complete, np.array(one_core(cast, names, everything)))
         good = good and float(np.median(complete)) <= LIMIT
-    ratio = print_intervals(*intervals(arrivals, calls))
+    later = 1e3 * np.array([each.later for each in calls])
+    print(f"  one more, made ahead   median {np.median(later):6.1f} ms  max {later.max():6.1f} ms")
+    return good
+
+
+def verdict(calls: list[Called], arrivals: list[Arrival], *, plain: bool) -> bool:
+    """Prints the figures beside their limits; whether they hold."""
+    good = print_calls(calls, plain=plain)
+    came = np.array([each.received for each in arrivals])
+    clock = np.array([each.time for each in arrivals])
+    ratios = [
+        print_intervals("as they came", *intervals(arrivals, calls, came)),
+        print_intervals("by the show's clock", *intervals(arrivals, calls, clock)),
+    ]
     lost = int((np.diff([each.number for each in arrivals]) - 1).sum())
-    skipped = float(np.diff([each.time for each in arrivals]).max())
-    print(f"  lost states {lost}   longest step of the show's clock {skipped * 1e3:.2f} ms")
-    good = good and ratio <= WORST_RATIO and lost == 0
+    print(f"  limit of both p99 ratios {WORST_RATIO}; lost states {lost}, limit 0")
+    good = good and max(ratios) <= WORST_RATIO and lost == 0
     print("holds" if good else "DOES NOT HOLD")
     return good
 

@@ -160,3 +160,11 @@ def test_frames_arrive_as_they_were_sent() -> None:
     ours.close()
     assert received(theirs) is None
     theirs.close()
+
+
+def test_a_line_whose_other_end_died_has_ended() -> None:
+    ours, theirs = socket.socketpair()
+    ours.sendall(framed(b"unread"))
+    theirs.close()
+    assert received(ours) is None
+    ours.close()

@@ -175,7 +175,10 @@ def received(line: socket.socket) -> bytes | None:
 def _exactly(line: socket.socket, size: int) -> bytes | None:
     data = bytearray()
     while len(data) < size:
-        more = line.recv(size - len(data))
+        try:
+            more = line.recv(size - len(data))
+        except ConnectionError:  # it died with something unread
+            return None
         if not more:
             return None
         data += more
