@@ -11,13 +11,13 @@ Fall fall(vec3 point, vec3 normal, float open, float hair) {
   vec3 view = normalize(cameraPosition - point);
   vec3 wrap = mix(vec3(0.34, 0.17, 0.12), vec3(0.05), hair);
   vec3 key = clamp((dot(normal, KEY) + wrap) / (1.0 + wrap), 0.0, 1.0);
-  float cast = shadow(point, normal);
-  key *= mix(vec3(cast, cast * cast, cast * cast), vec3(cast), 0.7); // light that bleeds into a penumbra is red
+  float unshadowed = shadow(point, normal);
+  key *= mix(vec3(unshadowed, unshadowed * unshadowed, unshadowed * unshadowed), vec3(unshadowed), 0.7); // light that bleeds into a penumbra is red
   key *= mix(vec3(1.0, 0.90, 0.86), vec3(1.0), key); // the terminator is warm: light that went through the skin
   float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
   vec3 shade = mix(vec3(open), vec3(sqrt(open), open, open), 0.6); // light that bounces in a hollow reddens
   vec3 diffuse = KEY_LIGHT * key * mix(vec3(1.0), shade, 0.8) + (FILL_LIGHT * fill + ambient(normal)) * shade * open;
-  vec2 gloss = vec2(cast * shine(normal, view, KEY, 22.0) + 0.15 * shine(normal, view, FILL, 22.0), cast * shine(normal, view, KEY, 70.0));
+  vec2 gloss = vec2(unshadowed * shine(normal, view, KEY, 22.0) + 0.15 * shine(normal, view, FILL, 22.0), unshadowed * shine(normal, view, KEY, 70.0));
   float edge = 1.0 - max(dot(normal, view), 0.0);
   float rim = edge * edge * edge * edge * (max(dot(normal, RIM_LEFT), 0.0) * 0.7 + max(dot(normal, RIM_RIGHT), 0.0));
   return Fall(diffuse, gloss, rim * open * open);
