@@ -121,6 +121,14 @@ def test_a_port_in_use_is_one_sentence(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("no_show")
+def test_a_refused_port_leaves_no_show_file(tmp_path: Path) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = str(taken.getsockname()[1])
+        runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", port, "--no-open"])
+    assert not (tmp_path / "a.omote").exists()
+
+
+@pytest.mark.usefixtures("no_show")
 def test_a_show_that_is_played_already_is_one_sentence(tmp_path: Path) -> None:
     lock_show(tmp_path / "a.omote")
     done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 import webbrowser
@@ -45,14 +46,10 @@ def show(
     try:
         bundle.read_bundle()
         lock = lock_show(path)
-        open_show(path).close()
-    except CorruptShowFileError:
-        pass  # the server keeps it aside and says so
+        listening = listen_on(host, port)  # before the file is made: a refused port leaves none
+        with contextlib.suppress(CorruptShowFileError):  # the server keeps it aside and says so
+            open_show(path).close()
     except (OSError, ShowFileError, ShowLockedError) as error:
-        fail(str(error))
-    try:
-        listening = listen_on(host, port)
-    except OSError as error:
         fail(str(error))
     port = listening.getsockname()[1]
     supervisor = Supervisor(listening, lock, path, report=say, opened=lambda: announce(host, port, browser=browser))
