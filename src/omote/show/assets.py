@@ -31,6 +31,7 @@ from omote.show.messages import (
 
 FINEST_STEP = 1e-6
 """Metres per count at least: what moves less than half of it rests, so that compounds stay sparse."""
+from omote.show.settling import allowance_document, ball_radii, settling_document
 MOST_COUNTS = 32767
 SKIN = "skin"
 
@@ -69,6 +70,13 @@ def content_name(data: bytes) -> str:
     """The name of exactly these bytes, hexadecimal."""
     return blake2b(data, digest_size=12).hexdigest()
 
+        hair=[HairDocument(name, url) for name, url in combed.items()],
+        settling=settling_document(cast, starts),
+    )
+    return Documents(
+        manifest,
+        faces={urls[name]: FaceAsset(_little(rest, "<f4")) for name, rest in rests.items()},
+        hair={combed[name]: asset for name, asset in hair.items()},
 
 def first_rows(cast: Cast) -> dict[str, int]:
     """The first row of the skin and of each part of all positions: skin, then parts in the space's order."""
@@ -95,7 +103,26 @@ def compound_positions(cast: Cast, face: Face, expression: str) -> Points:
 
 def compound_asset(cast: Cast, face: Face, expression: str) -> CompoundAsset:
     """The compound less its face, quantised: no vertex is further off than half of `scale` along each axis."""
-    return quantised(compound_positions(cast, face, expression).astype(np.float64) - rest_positions(cast, face))
+    positions = compound_positions(cast, face, expression)
+    moves = quantised(positions.astype(np.float64) - rest_positions(cast, face))
+    skin = positions[: cast.space.vertex_count]
+    return msgspec.structs.replace(moves, allowed=allowance_document(cast, face, expression, skin))
+
+
+def hair_asset(style: HairStyle) -> HairAsset:
+    """A hair style, quantised: places to 10 micrometres, weights to a 255th."""
+    return HairAsset(
+        stations=style.points.shape[1],
+        links=LINKS,
+        width=style.width,
+        scale=HAIR_STEP,
+        points=_little(np.rint(style.points / HAIR_STEP), "<i2"),
+        rows=_little(style.rows, "<u4"),
+        weights=_little(np.rint(style.weights * 255), "u1"),
+        anchors=_little(style.anchors, "<u4"),
+        facing=_little(np.rint(style.facing * 127), "i1"),
+        light=_little(np.rint(style.light * 255), "u1"),
+    )
 
 
 def quantised(moves: NDArray[np.float64]) -> CompoundAsset:
@@ -138,6 +165,7 @@ def _face_document(cast: Cast, face: Face, url: str) -> FaceDocument:
 def _expression_document(cast: Cast, name: str) -> ExpressionDocument:
     title, eyes = cast.titles[name], cast.expressions[name].eyes.ravel().tolist()
     kind, pupil = msgspec.convert(title.kind, Kind), cast.expressions[name].pupil
+        ball_radii=ball_radii(cast, face),
     angles = (eyes[0], eyes[1], eyes[2], eyes[3])
     return ExpressionDocument(name, title.label, kind, title.region, eyes=angles, pupil=pupil)
 

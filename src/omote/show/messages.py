@@ -251,7 +251,10 @@ class MeshDocument(msgspec.Struct, frozen=True):
 
 
 class FaceDocument(msgspec.Struct, frozen=True):
-    """A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours."""
+    """A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
+
+    `ball_radii`: of the left and the right eyeball, what lids must leave.
+    """
 
     name: str
     label: str
@@ -260,6 +263,7 @@ class FaceDocument(msgspec.Struct, frozen=True):
     eye_radius: float
     look: Look
 
+    ball_radii: tuple[float, float]
 
 class ExpressionDocument(msgspec.Struct, frozen=True):
     """An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
@@ -275,6 +279,52 @@ class ExpressionDocument(msgspec.Struct, frozen=True):
 
 class Manifest(msgspec.Struct, frozen=True):
     """All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes."""
+class HairDocument(msgspec.Struct, frozen=True):
+    """A hair style: where its strands are."""
+
+    name: str
+    url: str
+
+
+class CrossingDocument(msgspec.Struct, frozen=True):
+    """Where two lids or the lips may cross (`model.settling.Crossing`), little-endian.
+
+    `upward`: rungs open along +y, else as at rest. `vertices` (32, 4) u32 and `near` (p,) u32: places in the settling's
+    rows; `weights` (32, 4), `side`, `share` (p,) f32.
+    """
+
+    upward: bool
+    vertices: bytes
+    weights: bytes
+    near: bytes
+    side: bytes
+    share: bytes
+
+
+class SettlingDocument(msgspec.Struct, frozen=True):
+    """How stages put sums right (`model.settling`, `perform.settle`), little-endian.
+
+    `rows` (m,) u32: rows of the positions, all else counts in them: `triangles` (t, 3) u32, `lids` and `eye` (r,) u32
+    (0 left), `anchors` (f, k) u32; but `followers` (f,) u32 are rows of the positions too; `weights` (f, k) f32.
+    An allowance counts triangles, then 32 rungs a crossing, then lids.
+    """
+
+    rounds: int
+    upright: float
+    eager: float
+    flattest: float
+    bulge: float
+    cornea: float
+    rows: bytes
+    triangles: bytes
+    crossings: list[CrossingDocument]
+    lids: bytes
+    eye: bytes
+    followers: bytes
+    anchors: bytes
+    weights: bytes
+
+
 
     version: int
     digest: str
@@ -287,6 +337,8 @@ class Manifest(msgspec.Struct, frozen=True):
     expressions: list[ExpressionDocument]
 
 
+    hair: list[HairDocument]
+    settling: SettlingDocument | None = None
 class FaceAsset(msgspec.Struct, frozen=True):
     """The positions of a face, (vertices, 3) f32 little-endian, metres."""
 
@@ -295,12 +347,41 @@ class FaceAsset(msgspec.Struct, frozen=True):
 
 class CompoundAsset(msgspec.Struct, frozen=True):
     """A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16."""
+class HairAsset(msgspec.Struct, frozen=True):
+    """Strands of hair on the generic face (`model.hair.HairStyle`), little-endian; n strands of `stations` places.
+
+    `scale`: metres per count of `points` (n, stations, 3) i16; `rows` (n, stations, links) u32 and `weights` u8 (counts
+    that are to be divided by their sum); `anchors` (n,) u32; `facing` (n, stations, 3) i8, 127 is one; `light`
+    (n, stations) u8, 255 is one; `width` metres.
+    """
+
+    stations: int
+    links: int
+    width: float
+    scale: float
+    points: bytes
+    rows: bytes
+    weights: bytes
+    anchors: bytes
+    facing: bytes
+    light: bytes
+
+
+class AllowanceDocument(msgspec.Struct, frozen=True):
+    """What a compound alone uses up of what sums may not (`perform.settle`), little-endian: `places` (n,) u32, `values`
+    (n,) f32."""
+
+    places: bytes
+    values: bytes
+
+
 
     scale: float
     indices: bytes
     deltas: bytes
 
 
+    allowed: AllowanceDocument | None = None
 CLIENT_MESSAGES: tuple[type[Message], ...] = get_args(FromClient)
 SERVER_MESSAGES: tuple[type[Message], ...] = get_args(FromServer)
 DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, CompoundAsset)

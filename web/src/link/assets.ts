@@ -16,6 +16,8 @@ export interface Compound {
   indices: Uint32Array;
   deltas: Int16Array;
 }
+  /** What it uses up by itself of what sums may not (omote.perform.settle), where the cast says so. */
+  allowed: { places: Uint32Array; values: Float32Array } | undefined;
 
 /** Reads an address's bytes; may throw. */
 export type Fetch = (address: string) => Promise<Uint8Array>;
@@ -74,7 +76,15 @@ export function readCompound(bytes: Uint8Array, vertices: number): Compound {
   const deltas = new Int16Array(aligned(asset.deltas));
   if (!Number.isFinite(asset.scale) || deltas.length !== 3 * indices.length || indices.some((row) => row >= vertices))
     throw new Error(`A compound of ${indices.length} vertices does not fit the cast's ${vertices}.`);
-  return { scale: asset.scale, indices, deltas };
+  return { scale: asset.scale, indices, deltas, allowed: readAllowance(asset.allowed) };
+}
+
+function readAllowance(document: CompoundAsset["allowed"]): Compound["allowed"] {
+  if (document === null || document === undefined) return undefined;
+  return {
+    places: new Uint32Array(aligned(document.places)),
+    values: new Float32Array(aligned(document.values)),
+  };
 }
 
 /** The cast as documents: the manifest, and faces and compounds that are fetched once, when first asked for. */

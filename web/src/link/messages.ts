@@ -194,7 +194,10 @@ export interface MeshDocument {
   triangles: Uint8Array;
 }
 
-/** A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours. */
+/**
+ * A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
+ * `ball_radii`: of the left and the right eyeball, what lids must leave.
+ */
 export interface FaceDocument {
   name: string;
   label: string;
@@ -203,6 +206,7 @@ export interface FaceDocument {
   eye_radius: number;
   look: Look;
 }
+  ball_radii: [number, number];
 
 /**
  * An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
@@ -219,6 +223,49 @@ export interface ExpressionDocument {
 
 /** All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes. */
 export interface Manifest {
+/** A hair style: where its strands are. */
+export interface HairDocument {
+  name: string;
+  url: string;
+}
+
+/**
+ * Where two lids or the lips may cross (`model.settling.Crossing`), little-endian.
+ * `upward`: rungs open along +y, else as at rest. `vertices` (32, 4) u32 and `near` (p,) u32: places in the settling's
+ * rows; `weights` (32, 4), `side`, `share` (p,) f32.
+ */
+export interface CrossingDocument {
+  upward: boolean;
+  vertices: Uint8Array;
+  weights: Uint8Array;
+  near: Uint8Array;
+  side: Uint8Array;
+  share: Uint8Array;
+}
+
+/**
+ * How stages put sums right (`model.settling`, `perform.settle`), little-endian.
+ * `rows` (m,) u32: rows of the positions, all else counts in them: `triangles` (t, 3) u32, `lids` and `eye` (r,) u32
+ * (0 left), `anchors` (f, k) u32; but `followers` (f,) u32 are rows of the positions too; `weights` (f, k) f32.
+ * An allowance counts triangles, then 32 rungs a crossing, then lids.
+ */
+export interface SettlingDocument {
+  rounds: number;
+  upright: number;
+  eager: number;
+  flattest: number;
+  bulge: number;
+  cornea: number;
+  rows: Uint8Array;
+  triangles: Uint8Array;
+  crossings: CrossingDocument[];
+  lids: Uint8Array;
+  eye: Uint8Array;
+  followers: Uint8Array;
+  anchors: Uint8Array;
+  weights: Uint8Array;
+}
+
   version: number;
   digest: string;
   vertices: number;
@@ -230,6 +277,8 @@ export interface Manifest {
   expressions: ExpressionDocument[];
 }
 
+  hair: HairDocument[];
+  settling: SettlingDocument | null;
 /** The positions of a face, (vertices, 3) f32 little-endian, metres. */
 export interface FaceAsset {
   positions: Uint8Array;
@@ -237,11 +286,40 @@ export interface FaceAsset {
 
 /** A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16. */
 export interface CompoundAsset {
+/**
+ * Strands of hair on the generic face (`model.hair.HairStyle`), little-endian; n strands of `stations` places.
+ * `scale`: metres per count of `points` (n, stations, 3) i16; `rows` (n, stations, links) u32 and `weights` u8 (counts
+ * that are to be divided by their sum); `anchors` (n,) u32; `facing` (n, stations, 3) i8, 127 is one; `light`
+ * (n, stations) u8, 255 is one; `width` metres.
+ */
+export interface HairAsset {
+  stations: number;
+  links: number;
+  width: number;
+  scale: number;
+  points: Uint8Array;
+  rows: Uint8Array;
+  weights: Uint8Array;
+  anchors: Uint8Array;
+  facing: Uint8Array;
+  light: Uint8Array;
+}
+
+/**
+ * What a compound alone uses up of what sums may not (`perform.settle`), little-endian: `places` (n,) u32, `values`
+ * (n,) f32.
+ */
+export interface AllowanceDocument {
+  places: Uint8Array;
+  values: Uint8Array;
+}
+
   scale: number;
   indices: Uint8Array;
   deltas: Uint8Array;
 }
 
+  allowed: AllowanceDocument | null;
 export type FromClient =
   | Hello
   | CallFace

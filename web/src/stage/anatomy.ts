@@ -1,6 +1,7 @@
 import type { Library, Mesh } from "../link/assets";
 import { openness } from "./occlusion";
 import { smooth } from "./pose";
+import { readSettling, type Settling } from "./settling";
 import { distances, type Fans, fans, lowestBorder, rowTriangles, smoothed } from "./topology";
 
 /** What the stage works out once per cast from the generic face: all that is painted or turned by place. */
@@ -16,6 +17,8 @@ export interface Anatomy {
   positions: Float32Array;
   /** Rows of the lines around the openings, by name, in walking order. */
   lines: ReadonlyMap<string, Uint32Array>;
+  /** How sums are put right, where the cast says so. */
+  settling: Settling | undefined;
 }
 
 const NECK = 0.075; // metres along the skin in which the neck comes to turn with the head
@@ -36,7 +39,9 @@ async function examine(library: Library): Promise<Anatomy> {
   const skin = library.meshes.findIndex((mesh) => mesh.name === "skin");
   const rim = skin < 0 ? [] : lowestBorder(triangles[skin] as Uint32Array, positions);
   const traits = readTraits(around, positions, rim, library.manifest.skin, triangles);
-  return { fans: around, traits, rim, eyeRows: eyeRows(library.meshes), positions, lines: library.lines };
+  const document = library.manifest.settling;
+  const settling = document === null || document === undefined ? undefined : readSettling(document);
+  return { fans: around, traits, rim, eyeRows: eyeRows(library.meshes), positions, lines: library.lines, settling };
 }
 
 function firstFace(library: Library): string {

@@ -1,6 +1,8 @@
 import { createProgram, dataTexture, targetTexture } from "./gl";
 import { LayerTable } from "./layers";
 import { BLEND_FRAGMENT, NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "./pass_shaders";
+import { Settler } from "./settler";
+import type { Settling } from "./settling";
 import type { Fans } from "./topology";
 
 /** One summand for the GPU: a layer of the texture array and its weight. */
@@ -9,11 +11,20 @@ export interface Entry {
   weight: number;
 }
 
-/** The eyeballs, left then right: their rows, centres (metres) and turns (3x3, column by column). */
+/** The eyeballs, left then right: their rows, centres and radii (metres) and turns (3x3, column by column). */
 export interface Eyeballs {
   rows: Int32Array; // first and end row of the left, then of the right
   centres: Float32Array; // 6
+  radii: Float32Array; // 2
   turns: Float32Array; // 18
+}
+
+/** What is to be added up: all terms, those of them that are faces, and what the others are allowed. */
+export interface Mix {
+  entries: readonly Entry[];
+  rest: readonly Entry[];
+  /** Allowances, weighted and added (omote.perform.settle); undefined: nothing can be wrong, one compound is worn. */
+  allowed: Float32Array | undefined;
 }
 
 /** The entries one pass takes; the uniform block of 8 KB holds two in each vec4. */
@@ -36,12 +47,15 @@ export class Blender {
   private readonly ranges: WebGLTexture;
   private readonly corners: WebGLTexture;
   private readonly entryData = new Float32Array(2 * MOST_ENTRIES);
+  private readonly settler: Settler | undefined;
+  private rested = "";
   private store: WebGLTexture;
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
     private readonly rows: number,
     fan: Fans,
+    settling?: Settling,
   ) {
     if (gl.getExtension("EXT_color_buffer_float") === null)
       throw new Error("This graphics driver cannot draw into float textures (EXT_color_buffer_float); update it.");
@@ -63,6 +77,7 @@ export class Blender {
     for (let row = 0; row < rows; row++) spans.set([fan.starts[row] as number, fan.starts[row + 1] as number], 2 * row);
     this.ranges = dataTexture(gl, spans, ROW_WIDTH);
     this.corners = dataTexture(gl, fan.pairs, CORNER_WIDTH);
+    this.settler = settling === undefined ? undefined : new Settler(gl, settling, this.height);
   }
 
   /** Puts `rows` times (x, y, z, unused) into a layer, growing the array where it must. */
@@ -78,18 +93,17 @@ export class Blender {
     return new Float32Array(4 * ROW_WIDTH * this.height);
   }
 
-  /** One frame: blended positions with turned eyeballs, then normals. Entries past MOST_ENTRIES are left out. */
-  blend(entries: readonly Entry[], eyes: Eyeballs): void {
+  /** One frame: blended positions with turned eyeballs, put right, then normals. Entries past MOST_ENTRIES are left out. */
+  blend(mix: Mix, eyes: Eyeballs): void {
     const { gl } = this;
-    const count = this.writeEntries(entries);
     gl.disable(gl.BLEND);
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.SCISSOR_TEST);
     gl.disable(gl.CULL_FACE);
     gl.colorMask(true, true, true, true);
     gl.bindVertexArray(this.empty);
-    gl.viewport(0, 0, ROW_WIDTH, this.height);
-    this.blendPositions(count, eyes);
+    if (this.settler === undefined || mix.allowed === undefined) this.add(mix.entries, eyes, this.positionTarget);
+    else this.settle(this.settler, mix, mix.allowed, eyes);
     this.deriveNormals();
     gl.bindVertexArray(null);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -113,6 +127,7 @@ export class Blender {
       gl.deleteTexture(texture);
     for (const target of [this.positionTarget, this.normalTarget]) gl.deleteFramebuffer(target);
     for (const program of [this.blendPass, this.normalPass]) gl.deleteProgram(program);
+    this.settler?.dispose();
     gl.deleteBuffer(this.entryBuffer);
     gl.deleteVertexArray(this.empty);
   }
@@ -128,9 +143,25 @@ export class Blender {
     return count;
   }
 
-  private blendPositions(count: number, eyes: Eyeballs): void {
+  private settle(settler: Settler, { entries, rest }: Mix, allowed: Float32Array, eyes: Eyeballs): void {
+    const faces = JSON.stringify(rest);
+    if (faces !== this.rested) {
+      this.rested = faces;
+      this.add(rest, eyes, settler.rest[1]);
+      settler.rested();
+    }
+    this.add(entries, eyes, settler.mixed[1]);
+    const sights = [6, 7, 8, 15, 16, 17].map((at) => eyes.turns[at] as number);
+    settler.settle(this.positionTarget, allowed, { ...eyes, sights: Float32Array.from(sights) });
+  }
+
+  /** Draws the sum of some entries, the eyeballs turned, into a target. */
+  private add(entries: readonly Entry[], eyes: Eyeballs, target: WebGLFramebuffer): void {
     const { gl, blendPass } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.positionTarget);
+    const count = this.writeEntries(entries);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
+    gl.viewport(0, 0, ROW_WIDTH, this.height);
+    gl.bindVertexArray(this.empty);
     gl.useProgram(blendPass);
     gl.bindBuffer(gl.UNIFORM_BUFFER, this.entryBuffer);
     gl.bufferSubData(gl.UNIFORM_BUFFER, 0, this.entryData, 0, 4 * Math.ceil(count / 2));
@@ -150,6 +181,8 @@ export class Blender {
   private deriveNormals(): void {
     const { gl, normalPass } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.normalTarget);
+    gl.viewport(0, 0, ROW_WIDTH, this.height);
+    gl.bindVertexArray(this.empty);
     gl.useProgram(normalPass);
     [this.positions, this.ranges, this.corners].forEach((texture, unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);

@@ -75,7 +75,12 @@ export class FaceView {
     this.level = this.wanted = options.level ?? firstLevel(drawsInSoftware());
     this.renderer = createRenderer(canvas, FEATURES[this.level]);
     this.crossfade = new Crossfade(this.renderer);
-    this.eyes = { rows: anatomy.eyeRows, centres: new Float32Array(6), turns: new Float32Array(18) };
+    this.eyes = {
+      rows: anatomy.eyeRows,
+      centres: new Float32Array(6),
+      radii: new Float32Array(2),
+      turns: new Float32Array(18),
+    };
     this.looks = new Looks(library.manifest.faces);
     this.named = named(library.manifest);
     this.pose = resting(library.manifest.faces[0]?.name ?? "generic");
@@ -163,8 +168,9 @@ export class FaceView {
   }
 
   private build(): void {
-    this.blender = new Blender(this.context, this.library.manifest.vertices, this.anatomy.fans);
-    this.holdings ??= new Holdings(this.library);
+    const { fans, settling } = this.anatomy;
+    this.blender = new Blender(this.context, this.library.manifest.vertices, fans, settling);
+    this.holdings ??= new Holdings(this.library, settling?.size);
     this.shared = headUniforms(this.blender.positions, this.blender.normals);
     this.shadow = new Shadow(this.shared);
     this.shared.mask.value = maskTexture(this.mask, FEATURES[this.wanted]);
@@ -210,21 +216,22 @@ export class FaceView {
   };
 
   private blend(seconds: number, atOnce: boolean): void {
-    const entries = this.holdings.entries(this.pose, this.blender, seconds, atOnce);
-    if (entries.length === 0) return; // nothing loaded yet: what shows stays
-    const key = JSON.stringify([entries, this.pose.eyes]);
+    const mix = this.holdings.mix(this.pose, this.blender, seconds, atOnce);
+    if (mix.entries.length === 0) return; // nothing loaded yet: what shows stays
+    const key = JSON.stringify([mix.entries, this.pose.eyes]);
     if (key === this.blended) return;
     this.blended = key;
     this.looks.writeCentres(this.pose, this.eyes.centres);
     writeTurn(this.pose.eyes[0], this.pose.eyes[1], this.eyes.turns, 0);
     writeTurn(this.pose.eyes[2], this.pose.eyes[3], this.eyes.turns, 9);
-    this.blender.blend(entries, this.eyes);
+    this.blender.blend(mix, this.eyes);
     this.renderer.resetState();
   }
 
   private paint(): void {
     this.renderer.getSize(this.size);
     const { x: width, y: height } = this.size;
+    this.looks.writeRadii(this.pose, this.eyes.radii);
     const { tile } = this.options;
     frame(this.camera, this.options.shot ?? PORTRAIT, width, height, tile);
     const [fullWidth, fullHeight, left, top] =

@@ -51,3 +51,32 @@ export function dataTexture(gl: WebGL2RenderingContext, pairs: Uint32Array, widt
   gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RG_INTEGER, gl.UNSIGNED_INT, padded);
   return texture;
 }
+
+/** Numbers as a float texture, `parts` (1, 2 or 4) to a texel and `width` texels to a line. */
+export function floatTexture(
+  gl: WebGL2RenderingContext,
+  values: Float32Array,
+  parts: 1 | 2 | 4,
+  width: number,
+): WebGLTexture {
+  const height = Math.max(1, Math.ceil(values.length / parts / width));
+  const padded = new Float32Array(parts * width * height);
+  padded.set(values);
+  const [inside, format] = { 1: [gl.R32F, gl.RED], 2: [gl.RG32F, gl.RG], 4: [gl.RGBA32F, gl.RGBA] }[parts] as [
+    number,
+    number,
+  ];
+  const texture = nearestTexture(gl, inside, width, height);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, format, gl.FLOAT, padded);
+  return texture;
+}
+
+/** Whole numbers as a texture, four to a texel and `width` texels to a line. */
+export function wholeTexture(gl: WebGL2RenderingContext, values: Uint32Array, width: number): WebGLTexture {
+  const height = Math.max(1, Math.ceil(values.length / 4 / width));
+  const padded = new Uint32Array(4 * width * height);
+  padded.set(values);
+  const texture = nearestTexture(gl, gl.RGBA32UI, width, height);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, padded);
+  return texture;
+}

@@ -1,7 +1,7 @@
-import type { Library } from "../link/assets";
-import type { Blender, Entry } from "./blender";
+import type { Compound, Library } from "../link/assets";
+import type { Blender, Entry, Mix } from "./blender";
 import type { Pose } from "./pose";
-import { expressionWeights, terms } from "./weights";
+import { expressionWeights, faceWeights, type Term, terms } from "./weights";
 
 /** Writes a layer's values, (x, y, z, unused) per texel. */
 type Fill = (into: Float32Array) => void;
@@ -18,9 +18,17 @@ export class Holdings {
   private readonly asked = new Map<string, Promise<unknown>>();
   private readonly shares = new Map<string, number>();
   private readonly lost = new Set<string>();
+  private readonly allowances = new Map<string, NonNullable<Compound["allowed"]>>();
+  private readonly allowed: Float32Array;
   private scratch: Float32Array | undefined;
 
-  constructor(private readonly library: Library) {}
+  /** `size`: numbers in an allowance (settling.ts). */
+  constructor(
+    private readonly library: Library,
+    size = 0,
+  ) {
+    this.allowed = new Float32Array(size);
+  }
 
   /** Fetches these faces wearing these expressions; what is not in the cast is passed over. */
   want(faces: Iterable<string>, expressions: Iterable<string>): void {
@@ -38,15 +46,35 @@ export class Holdings {
   }
 
   /** The pose's terms as layers of the blender, after `seconds` more; `atOnce`: everything that is here, in full. */
-  entries(pose: Pose, blender: Blender, seconds: number, atOnce: boolean): Entry[] {
+  mix(pose: Pose, blender: Blender, seconds: number, atOnce: boolean): Mix {
     this.upload(pose, blender, atOnce);
     for (const [key, share] of this.shares)
       if (share < 1) this.shares.set(key, atOnce ? 1 : Math.min(1, share + seconds / CATCH_UP));
     const held = terms(pose, (face, expression) => this.share(face, expression, blender));
-    return held.map(({ face, expression, weight }) => ({
+    const entry = ({ face, expression, weight }: Term): Entry => ({
       layer: blender.layers.use(keyOf(face, expression)) as number,
       weight,
-    }));
+    });
+    const rest = held.filter(({ expression }) => expression === undefined);
+    const several = rest.length > 1 || held.length > rest.length + 1;
+    return { entries: held.map(entry), rest: rest.map(entry), allowed: several ? this.allow(held) : undefined };
+  }
+
+  /** What the compounds together are allowed: the same array every time. */
+  private allow(held: readonly Term[]): Float32Array {
+    this.allowed.fill(0);
+    for (const { face, expression, weight } of held) {
+      const own = expression === undefined ? undefined : this.allowances.get(keyOf(face, expression));
+      own?.places.forEach((place, n) => {
+        this.allowed[place] = (this.allowed[place] as number) + Math.abs(weight) * (own.values[n] as number);
+      });
+    }
+    return this.allowed;
+  }
+
+  /** The weights of the faces on air, as far as they are here. */
+  faces(pose: Pose, blender: Blender): Map<string, number> {
+    return faceWeights(pose, (face) => this.share(face, undefined, blender));
   }
 
   /** Whether every term of the pose shows in full. */
@@ -93,7 +121,8 @@ export class Holdings {
 
   private fetchCompound(face: string, expression: string): void {
     this.ask(keyOf(face, expression), async () => {
-      const { scale, indices, deltas } = await this.library.compound(face, expression);
+      const { scale, indices, deltas, allowed } = await this.library.compound(face, expression);
+      if (allowed !== undefined) this.allowances.set(keyOf(face, expression), allowed);
       return (into) => {
         for (let n = 0; n < indices.length; n++)
           for (let axis = 0; axis < 3; axis++)

@@ -9,6 +9,7 @@ const COLOURS = ["skin", "lip", "brow", "blush", "iris"] as const;
 type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
   eyeRadius: number;
   centres: number[];
+  ballRadii: number[];
 };
 
 /** The looks of a cast's faces, mixed with the weights of the faces on air. */
@@ -39,6 +40,15 @@ export class Looks {
       });
   }
 
+  /** The mix of the eyeballs' radii, left then right, metres: what lids must leave. */
+  writeRadii(pose: Pose, into: Float32Array): void {
+    into.fill(0);
+    for (const [look, share] of this.shares(pose))
+      look.ballRadii.forEach((part, at) => {
+        into[at] = (into[at] as number) + share * part;
+      });
+  }
+
   private shares(pose: Pose): [FaceLook, number][] {
     const weights = faceWeights(pose, (face) => (this.looks.has(face) ? 1 : 0));
     return [...weights]
@@ -49,7 +59,12 @@ export class Looks {
 
 function readLook(face: FaceDocument): FaceLook {
   const colours = COLOURS.map((part) => [part, new THREE.Color().setStyle(face.look[part])]); // sRGB in, linear out
-  return { ...Object.fromEntries(colours), eyeRadius: face.eye_radius, centres: face.centres.flat() } as FaceLook;
+  return {
+    ...Object.fromEntries(colours),
+    eyeRadius: face.eye_radius,
+    centres: face.centres.flat(),
+    ballRadii: [...face.ball_radii],
+  } as FaceLook;
 }
 
 function addScaled(sum: THREE.Color, colour: THREE.Color, weight: number): void {

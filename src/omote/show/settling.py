@@ -1,0 +1,82 @@
+"""What the stages need to put sums right as `omote.perform.settle` does: a document once, an allowance per compound."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.cast import Cast
+from omote.model.face import Face
+from omote.model.fitted import fit
+from omote.model.settling import Crossing, Settling, settling_of
+from omote.perform.settle import BULGE, CORNEA, ROUNDS, UPRIGHT, Balls, allowance
+from omote.perform.upright import EAGER, FLATTEST
+from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument
+
+Floats = NDArray[np.float32]
+Ints = NDArray[np.int32]
+
+
+def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | None:
+    """The settling of a cast's space, its rows those of all positions; starts: the first row of each part."""
+    settling = settling_of(cast.space)
+    if settling is None:
+        return None
+    followers, anchors, weights = _followers(cast, settling, starts)
+    return SettlingDocument(
+        rounds=ROUNDS, upright=UPRIGHT, eager=EAGER, flattest=FLATTEST, bulge=BULGE, cornea=CORNEA,
+        rows=_little(settling.rows, "<u4"),
+        triangles=_little(settling.triangles, "<u4"),
+        crossings=[_crossing(crossing) for crossing in settling.crossings],
+        lids=_little(settling.lids, "<u4"), eye=_little(settling.eye, "<u4"),
+        followers=_little(followers, "<u4"), anchors=_little(anchors, "<u4"), weights=_little(weights, "<f4"),
+    )  # fmt: skip
+
+
+def _crossing(crossing: Crossing) -> CrossingDocument:
+    return CrossingDocument(
+        upward=crossing.kind == "lips",
+        vertices=_little(crossing.vertices, "<u4"), weights=_little(crossing.weights, "<f4"),
+        near=_little(crossing.near, "<u4"), side=_little(crossing.side, "<f4"), share=_little(crossing.share, "<f4"),
+    )  # fmt: skip
+
+
+def _followers(cast: Cast, settling: Settling, starts: dict[str, int]) -> tuple[Ints, Ints, Floats]:
+    """Rows, anchors and weights of inner skin and of the parts that stick, the anchors in places of the settling."""
+    place = np.full(cast.space.vertex_count, -1)
+    place[settling.rows] = np.arange(len(settling.rows))
+    rows, anchors, weights = [settling.followers], [settling.anchors], [settling.weights]
+    width = settling.anchors.shape[1]
+    for name in settling.sticking:
+        part = cast.space.parts[name]
+        own = place[part.anchors]
+        share = np.where(own >= 0, part.weights, 0.0)
+        short = ((0, 0), (0, width - share.shape[1]))
+        hangs = share.any(axis=1)
+        rows.append((starts[name] + np.flatnonzero(hangs)).astype(np.int32))
+        anchors.append(np.pad(np.maximum(own, 0), short)[hangs].astype(np.int32))
+        weights.append(np.pad(share, short)[hangs].astype(np.float32))
+    return np.concatenate(rows), np.concatenate(anchors), np.concatenate(weights)
+
+
+def allowance_document(cast: Cast, face: Face, expression: str, skin: Floats) -> AllowanceDocument | None:
+    """What the compound of a face and an expression, skin (V, 3), uses up by itself."""
+    settling = settling_of(cast.space)
+    if settling is None:
+        return None
+    allowed = allowance(settling, fit(cast.space, face), cast.expressions[expression], skin)
+    places = np.flatnonzero(allowed)
+    return AllowanceDocument(places=_little(places, "<u4"), values=_little(allowed[places], "<f4"))
+
+
+def ball_radii(cast: Cast, face: Face) -> tuple[float, float]:
+    """The radii of a face's eyeballs, left and right, metres; zero where there is none."""
+    settling = settling_of(cast.space)
+    if settling is None or len(settling.eyes) != 2:
+        return 0.0, 0.0
+    left, right = Balls.of(fit(cast.space, face), settling.eyes, np.zeros((2, 2))).radii.tolist()
+    return left, right
+
+
+def _little(array: NDArray[np.generic], dtype: str) -> bytes:
+    return np.ascontiguousarray(array, dtype=dtype).tobytes()
