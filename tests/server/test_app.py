@@ -62,8 +62,11 @@ async def test_a_link_survives_everything_it_says_wrong(house: House) -> None:
 async def test_a_message_too_long_closes_its_link_and_no_other(house: House) -> None:
     link, other = await house.link(), await house.link()
     await link.send_bytes(bytes(wire.MESSAGE_LIMIT + 1))
+    refused = await answer(link)
+    assert isinstance(refused, wire.Refused)
+    assert f"longer than {wire.MESSAGE_LIMIT} bytes" in refused.reason
     closed = await link.receive()
-    assert closed.data == 1009  # message too big
+    assert (closed.data, closed.extra) == (1009, refused.reason)  # message too big
     house.tick()
     assert (await state(other)).number == 1
 

@@ -9,7 +9,7 @@ from aiohttp import WSMsgType, web
 
 from omote.server.bundle import PAGES, Page
 from omote.server.library import Library
-from omote.server.links import Link, Links
+from omote.server.links import Link, Links, LinkSocket
 from omote.server.security import add_headers, guard, mute_strangers
 from omote.server.workshop import FailedOrderError
 from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, Refused
@@ -63,7 +63,7 @@ class ShowServer:
 
     async def link(self, request: web.Request) -> web.WebSocketResponse:
         """A browser's link, from its first byte to its last."""
-        ws = web.WebSocketResponse(compress=False, max_msg_size=MESSAGE_LIMIT, heartbeat=HEARTBEAT)
+        ws = LinkSocket(heartbeat=HEARTBEAT)
         try:
             await ws.prepare(request)
         except ConnectionResetError:  # gone before it was let in

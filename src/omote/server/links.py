@@ -16,6 +16,8 @@ from dataclasses import dataclass, field
 from aiohttp import WSCloseCode, web
 
 from omote.show.bucket import TokenBucket
+from omote.show.messages import MESSAGE_LIMIT, Refused
+from omote.show.wire import encode
 
 UNSENT_LIMIT = 2048
 """Bytes that may wait in a link's buffer before it counts as behind: a frame or two."""
@@ -28,6 +30,21 @@ SEND_BUFFER = 32768
 HANG_UP_SECONDS = 1.0
 HEARD_RATE, HEARD_BURST = 1200.0, 240.0
 """Messages per second heard from one link: ten fingers on faders; more waits in its own socket."""
+
+
+class LinkSocket(web.WebSocketResponse):
+    """A browser's socket; on a message that is too long it says so before it closes."""
+
+    def __init__(self, *, heartbeat: float) -> None:
+        super().__init__(compress=False, max_msg_size=MESSAGE_LIMIT, heartbeat=heartbeat)
+
+    async def close(self, *, code: int = WSCloseCode.OK, message: bytes = b"", drain: bool = True) -> bool:
+        """Closes; aiohttp calls it when a message is over the limit."""
+        if code == WSCloseCode.MESSAGE_TOO_BIG and not self.closed:
+            message = f"a message was longer than {MESSAGE_LIMIT} bytes, the most that is read.".encode()
+            with contextlib.suppress(ConnectionError):
+                finish_now(self.send_bytes(encode(Refused(message.decode()))))
+        return await super().close(code=code, message=message, drain=drain)
 
 
 @dataclass(eq=False)
