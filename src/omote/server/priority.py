@@ -6,8 +6,8 @@ import os
 
 NICE = -10
 """Well before ordinary programs, well behind what the system itself needs."""
-BEHIND = 5
-"""Behind ordinary programs: a stage in a browser on this machine draws first."""
+BEHIND = 2
+"""A little behind ordinary programs: a stage in a browser on this machine draws first, yet expressions come soon."""
 
 
 def first_in_line() -> bool:
