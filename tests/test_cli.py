@@ -13,8 +13,10 @@ from typer.testing import CliRunner
 from omote import cli
 from omote.cli import announce, app, has_screen
 from omote.model.cast import Cast
+from omote.server.devtools import BrowserError
 from omote.server.lock import lock_show
 from omote.server.supervisor import Supervisor
+from omote.show.sheet import Setting, Sheet
 
 runner = CliRunner()
 HEAVY = ("numpy", "numba", "aiohttp", "scipy", "rich.console")
@@ -51,7 +53,7 @@ def test_help_is_quick_because_nothing_heavy_is_imported() -> None:
 def test_help_names_the_commands() -> None:
     done = runner.invoke(app, ["--help"])
     assert done.exit_code == 0
-    for name in ("show", "cast", "check"):
+    for name in ("show", "cast", "check", "render", "grid"):
         assert name in done.output
 
 

@@ -11,10 +11,10 @@ from collections.abc import Mapping
 from ctypes.util import find_library
 from pathlib import Path
 
+from omote.server.chromium import find_chromium
+
 ROOT = Path(__file__).resolve().parent.parent
 DOWNLOADS = ROOT / ".venv" / "browsers"
-COMMANDS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-MAC_APPLICATION = Path("/Applications/Google Chrome.app/Contents/MacOS/Google Chrome")
 DOWNLOADED = ("chromium-*/chrome-linux*/chrome", "chromium-*/chrome-mac*/*.app/Contents/MacOS/*")
 
 # Libraries that a bare Debian lacks, and their packages. Without EGL Chromium falls back to a renderer that is three
@@ -32,19 +32,17 @@ NO_DRIVER = (
 
 
 def find_browser(environment: Mapping[str, str] = os.environ, downloads: Path = DOWNLOADS) -> Path | None:
-    """The path of a Chromium or Chrome: OMOTE_BROWSER, the PATH, or an earlier download; None where there is none.
+    """The path of a Chromium or Chrome: the one `omote render` takes, else an earlier download; None without either.
 
     Raises FileNotFoundError where OMOTE_BROWSER names no file: a wish that cannot be met is not silently replaced.
     """
-    wish = environment.get("OMOTE_BROWSER")
-    if wish:
-        if not Path(wish).is_file():
-            raise FileNotFoundError(f"OMOTE_BROWSER is {wish!r}, which is no file; give the path of a Chromium.")
-        return Path(wish)
-    found = (shutil.which(command, path=environment.get("PATH", os.defpath)) for command in COMMANDS)
-    installed = [*(Path(path) for path in found if path), MAC_APPLICATION]
+    try:
+        return find_chromium(environment)
+    except FileNotFoundError:
+        if environment.get("OMOTE_BROWSER"):
+            raise
     downloaded = [path for pattern in DOWNLOADED for path in sorted(downloads.glob(pattern), reverse=True)]
-    return next((path for path in (*installed, *downloaded) if path.is_file()), None)
+    return next((path for path in downloaded if path.is_file()), None)
 
 
 def can_use_apt() -> bool:

@@ -6,8 +6,9 @@ import contextlib
 import os
 import sys
 import webbrowser
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
@@ -140,5 +141,22 @@ def say(sentence: str) -> None:
 
 def fail(sentence: str) -> NoReturn:
     """Ends the command with a sentence and exit status 1."""
+def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: Any) -> None:
+    """Draws a sheet into a file, or ends the command with a sentence and leaves no file behind."""
+    from omote.files.picturefile import check_writable, picture_kind, write_picture
+    from omote.server.devtools import BrowserError
+    from omote.server.studio import draw_sheet
+    from omote.show.sheet import Setting, read_size
+
+    try:
+        kind = picture_kind(output)
+        check_writable(output)
+        width, height = read_size(size)
+        chosen = Setting(width, height, **setting)
+        write_picture(output, draw_sheet(sheet_of(load_cast()).on_paper(chosen, kind), chosen))
+    except (OSError, ValueError, BrowserError) as error:
+        fail(str(error))
+
+
     say(sentence)
     raise typer.Exit(1)

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from omote.server.chromium import COMMANDS
 from tools import browser
-from tools.browser import COMMANDS, SENTENCE, find_browser
+from tools.browser import SENTENCE, find_browser
 
 
 def executable(path: Path) -> Path:

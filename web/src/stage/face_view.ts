@@ -134,12 +134,12 @@ export class FaceView {
     return true;
   }
 
-  /** Fetches all that a pose needs, then draws it in full. */
-  async present(pose: Pose): Promise<void> {
+  /** Fetches all that a pose needs, then draws it in full, as at `time` in seconds. */
+  async present(pose: Pose, time?: number): Promise<void> {
     this.show(pose);
     await this.holdings.complete();
     this.show(pose); // others may have shown something meanwhile
-    this.render(undefined, true);
+    this.render(time, true);
   }
 
   /** Whether all of the present pose shows in full. */

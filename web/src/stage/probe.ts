@@ -1,6 +1,7 @@
 import type { Pose } from "./pose";
 import { resting } from "./pose";
 import type { Level } from "./quality";
+import { drawSheet, type Sheet } from "./sheet";
 import type { Counters, Stage } from "./stage";
 
 /** What tests and curious operators may ask of a stage: `window.omoteStage`. */
@@ -9,6 +10,8 @@ export interface StageProbe {
   hold(pose: Partial<Pose> | null): Promise<void>;
   /** Like `hold`, for an animation: does not wait, and holds back what is not loaded. */
   set(pose: Partial<Pose>): void;
+  /** Draws a sheet of pictures, each of the page's size, as a file in base64; the stage itself rests from then on. */
+  sheet(sheet: Sheet): Promise<string>;
   /** Draws at a level of quality, from when its shaders are ready on; with `?quality=auto` the stage may choose again. */
   change(level: Level): Promise<void>;
   /** The blended positions (vertices x 3, metres), read back from the GPU. */
@@ -36,10 +39,21 @@ export function exposeProbe(stage: Stage): void {
     set: (pose) => {
       stage.held = { ...resting("generic"), ...pose };
     },
+    sheet: async (sheet) => {
+      stage.resting = true; // every frame of its own would delay a picture
+      return base64(await drawSheet(stage.view, sheet, innerWidth, innerHeight));
+    },
     change: (level) => stage.view.change(level),
     readPositions: () => Array.from(stage.view.readPositions()),
     counters: () => stage.counters(),
     pose: () => stage.shown,
     settled: () => stage.view.settled,
   };
+}
+
+async function base64(file: Blob): Promise<string> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  let text = "";
+  for (let at = 0; at < bytes.length; at += 32768) text += String.fromCharCode(...bytes.subarray(at, at + 32768));
+  return btoa(text);
 }

@@ -56,6 +56,8 @@ export class Stage {
   shown: Pose | undefined;
   /** A pose that is drawn instead of the server's, in full; for tests. */
   held: Pose | undefined;
+  /** No frame is drawn; somebody else draws with the view. */
+  resting = false;
 
   private constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -79,6 +81,7 @@ export class Stage {
 
   /** Draws the frame of our time `time`, seconds. */
   frame(time: number): void {
+    if (this.resting) return;
     if (this.held === undefined) this.choose(time - this.last, time);
     this.shown = this.held ?? this.live(time);
     this.last = time;
