@@ -1,8 +1,8 @@
 """How well four maps carry 86 units from the generic face to every face of the cast (method.md, section 3).
 
-Added deltas, deformation transfer, the paper's map and ours: folds, of units and of 200 sums of three; closure of lids
-and lips at five levels; eyes in lids and teeth in lips; roughness; time. All against the source's own figures, in one
-run; ends with 1 where a bar is missed.
+Added deltas, deformation transfer, the paper's map and ours: folds, of units and of 200 sums of three, and what these
+cross and pierce; closure of lids and lips at five levels; eyes in lids and teeth in lips; roughness; time. All against
+the source's own figures, in one run; ends with 1 where a bar is missed.
 
 Usage: python -m benchmarks.transfer [--write] [--units N] [--faces kaori,baby]. --write puts the tables into
 docs/transfer.md; fewer units or faces are for a quick look.
@@ -41,7 +41,7 @@ def measured(console: Console, units: int | None, faces: list[str]) -> Run:
         for method, prepare in METHODS.items():
             worn = prepare(source, face)
             worn(next(iter(source.moves)))  # compiles, allocates
-            run[method][face.name] = bench.measure(face, worn)
+            run[method][face.name] = bench.measure(method, face, worn)
     return run
 
 
@@ -58,6 +58,7 @@ def main() -> int:
     tables = (
         ("Four maps, the worst face named", report.METHOD_HEAD, report.method_rows(run, TRIPLES)),
         ("Ours, face by face (* no people)", report.FACE_HEAD, report.face_rows(run[OURS], TRIPLES)),
+        ("Sums of three, the worst face named", report.SUM_HEAD, report.sum_rows(run)),
         ("Bars", report.BAR_HEAD, report.bar_rows(found)),
     )
     for title, head, rows in tables:

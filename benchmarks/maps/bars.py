@@ -38,6 +38,10 @@ def verdicts(run: Run) -> list[Verdict]:
         Verdict("folds per hundred compounds, people", per_hundred(people), 1.0),
         Verdict("folds, all faces, against a fifth of deformation transfer's", folds(ours), folds(peer) / 5),
         Verdict("folds of triples against deformation transfer's", triple_folds(ours), triple_folds(peer)),
+        _most_against_peer(ours, peer),
+        Verdict("folds per triple where no summand folds", new_folds(ours), 0.25),
+        _worst("lids and lips cross in triples, mm more than alone", ours, lambda f: at_most(f.sums.crossed), 0.4, 1e3),
+        _worst("eyes pierce in triples, mm more than alone", ours, lambda f: at_most(f.sums.eyes), 0.3, 1e3),
         _worst("lids, mean", ours, lambda f: f.lids[0], 0.05),
         _worst("lids, along", ours, lambda f: f.lids[1], 0.10),
         _worst("lips, mean", ours, lambda f: f.lips[0], 0.05),
@@ -55,6 +59,24 @@ def _worst(name: str, faces: Faces, of: Callable[[Figures], Worst], bar: float, 
     return Verdict(name, scale * worst.value, bar, f"{face}, {worst.unit}" if worst.unit else "")
 
 
+def _most_against_peer(ours: Faces, peer: Faces) -> Verdict:
+    """Folds of triples on the face where they come nearest to, or exceed, deformation transfer's."""
+    face = max(ours, key=lambda name: ours[name].sums.folds / max(peer[name].sums.folds, 1))
+    return Verdict(
+        "the same, face by face: the nearest", float(ours[face].sums.folds), float(peer[face].sums.folds), face
+    )
+
+
+def at_most(values: list[float]) -> Worst:
+    """The largest of the triples' values, nothing where there is none."""
+    return Worst(max(values, default=0.0))
+
+
+def new_folds(faces: Faces) -> float:
+    """Triangles turned over per sum of three that no summand turns over alone."""
+    return sum(f.sums.new_folds for f in faces.values()) / max(sum(f.sums.triples for f in faces.values()), 1)
+
+
 def folds(faces: Faces) -> float:
     """Folded triangles of all units."""
     return float(sum(figures.folds for figures in faces.values()))
@@ -67,7 +89,7 @@ def per_hundred(faces: Faces) -> float:
 
 def triple_folds(faces: Faces) -> float:
     """Folded triangles of all sums of three."""
-    return float(sum(figures.triple_folds for figures in faces.values()))
+    return float(sum(figures.sums.folds for figures in faces.values()))
 
 
 def rough(faces: Faces) -> float:

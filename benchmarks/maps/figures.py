@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from benchmarks.maps.measures import Creases, closure_errors, turned_over
 from benchmarks.maps.piercing import balls_of, depth_in_balls, teeth_on, teeth_out
 from benchmarks.maps.source import Source
+from benchmarks.maps.sums import SumFigures, Sums
 from omote.model.cast import GENERIC
 from omote.model.face import Face
 
@@ -55,7 +56,7 @@ class Figures:
 
     units: int
     folds: int = 0
-    triple_folds: int = 0
+    sums: SumFigures = field(default_factory=lambda: SumFigures(0))
     lids: tuple[Worst, Worst] = field(default_factory=lambda: (Worst(), Worst()))
     lips: tuple[Worst, Worst] = field(default_factory=lambda: (Worst(), Worst()))
     eyes: Worst = field(default_factory=Worst)
@@ -74,10 +75,7 @@ class Bench:
         self._skin = np.unique(source.sheet)
         self.known = {unit: self._known(unit) for unit in source.moves}
         self._roughest = sum(known.rough for known in self.known.values())
-        rest, sheet = source.positions, source.sheet
-        self._summed = [
-            turned_over(rest, rest + sum(source.moves[unit] for unit in triple), sheet) for triple in source.triples
-        ]
+        self._sums = Sums(source)
 
     def _known(self, unit: str) -> Known:
         source, face = self.source, self.source.cast.faces[GENERIC]
@@ -100,8 +98,8 @@ class Bench:
         still = np.maximum(1.0 - gone / HIDDEN, 0.0)
         return depth_in_balls(balls_of(self.source, face), now[self._skin], rest[self._skin], still)
 
-    def measure(self, face: Face, worn: Callable[[str], Values]) -> Figures:
-        """The figures of a map, prepared for a face, over all units and triples."""
+    def measure(self, method: str, face: Face, worn: Callable[[str], Values]) -> Figures:
+        """The figures of a map by name, prepared for a face, over all units and triples."""
         found, rest = Figures(len(self.known)), face.positions.astype(np.float64)
         moves = {}
         for unit in self.known:
@@ -110,9 +108,7 @@ class Bench:
             found.times.append(thread_time() - begin)
             moves[unit] = now - rest
             self._add(found, face, rest, now, unit)
-        for triple, folded in zip(self.source.triples, self._summed, strict=True):
-            total = rest + sum(moves[unit] for unit in triple)
-            found.triple_folds += int((turned_over(rest, total, self.source.sheet) & ~folded).sum())
+        found.sums = self._sums.measure(method, face, moves)
         return found
 
     def _add(self, found: Figures, face: Face, rest: Values, now: Values, unit: str) -> None:

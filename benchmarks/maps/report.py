@@ -9,9 +9,10 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks.maps.bars import Faces, Run, Verdict, per_hundred, rough, slow
+from benchmarks.maps.bars import Faces, Run, Verdict, at_most, new_folds, per_hundred, rough, slow
 from benchmarks.maps.figures import Figures, Worst
 from benchmarks.maps.source import NOT_HUMAN
+from benchmarks.maps.sums import SEEN
 
 BEGIN, END = "<!-- figures: begin -->", "<!-- figures: end -->"
 
@@ -21,6 +22,9 @@ METHOD_HEAD = (
     "eyes, mm (95 %)", "teeth, mm", "rough", "ms", "p95",
 )  # fmt: skip
 FACE_HEAD = ("face", "folds per 100", "per triple", "lids", "lips", "eyes, mm", "teeth, mm", "rough", "ms p95")
+SUM_HEAD = (
+    "map", "folds per triple", "of these new", "lids and lips cross, mm", "triples that do, %", "eyes, mm",
+)  # fmt: skip
 BAR_HEAD = ("bar", "found", "allowed", "where", "met")
 
 
@@ -36,7 +40,7 @@ def _method_cells(faces: Faces, triples: int) -> Row:
     return (
         f"{per_hundred(people):.1f}",
         f"{per_hundred(faces):.1f}",
-        f"{sum(f.triple_folds for f in faces.values()) / triples / len(faces):.2f}",
+        f"{sum(f.sums.folds for f in faces.values()) / triples / len(faces):.2f}",
         _at_worst(faces, lambda f: f.lids[0], ".3f"),
         f"{max(f.lids[1].value for f in faces.values()):.3f}",
         _at_worst(faces, lambda f: f.lips[0], ".3f"),
@@ -60,7 +64,7 @@ def face_rows(faces: Faces, triples: int) -> list[Row]:
         (
             name + ("*" if name in NOT_HUMAN else ""),
             f"{100 * f.folds / f.units:.1f}",
-            f"{f.triple_folds / triples:.2f}",
+            f"{f.sums.folds / triples:.2f}",
             f"{f.lids[0].value:.3f} / {f.lids[1].value:.3f}",
             f"{f.lips[0].value:.3f} / {f.lips[1].value:.3f}",
             f"{1e3 * f.eyes.value:.2f}",
@@ -70,6 +74,22 @@ def face_rows(faces: Faces, triples: int) -> list[Row]:
         )
         for name, f in faces.items()
     ]
+
+
+def sum_rows(run: Run) -> list[Row]:
+    """One row a map: what sums of three do that no summand does alone."""
+    return [(method, *_sum_cells(faces)) for method, faces in run.items()]
+
+
+def _sum_cells(faces: Faces) -> Row:
+    crossed = [value for f in faces.values() for value in f.sums.crossed]
+    return (
+        f"{sum(f.sums.folds for f in faces.values()) / max(sum(f.sums.triples for f in faces.values()), 1):.2f}",
+        f"{new_folds(faces):.2f}",
+        _at_worst(faces, lambda f: at_most(f.sums.crossed), ".2f", 1e3),
+        f"{100 * float(np.mean([value > SEEN for value in crossed])):.1f}",
+        _at_worst(faces, lambda f: at_most(f.sums.eyes), ".2f", 1e3),
+    )
 
 
 def bar_rows(found: Sequence[Verdict]) -> list[Row]:

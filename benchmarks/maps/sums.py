@@ -1,0 +1,105 @@
+"""Sums of three units on one face: what they fold, cross and pierce, and none of the three does alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks.maps.measures import turned_over
+from benchmarks.maps.methods import OURS
+from benchmarks.maps.piercing import balls_of
+from benchmarks.maps.source import Source
+from omote.model.face import Face
+from omote.model.fitted import fit
+from omote.model.lines import Line
+from omote.model.settling import settling_of
+from omote.perform.settle import Balls, allowance, settled
+
+Values = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Triple = tuple[str, str, str]
+
+# What two lids or lips may cross more than each alone, metres, before it counts.
+SEEN = 0.0004
+
+
+@dataclass
+class SumFigures:
+    """All triples on one face: triangles turned over that are not on the source's sum, those that no summand turns over
+    alone; how far lids and lips cross, and skin lies in eyeballs, more than the summands allow together, metres."""
+
+    triples: int
+    folds: int = 0
+    new_folds: int = 0
+    crossed: list[float] = field(default_factory=list)
+    eyes: list[float] = field(default_factory=list)
+
+
+class Sums:
+    """The source's own sums, and the measure of any face against them."""
+
+    def __init__(self, source: Source) -> None:
+        self._source = source
+        rest, sheet = source.positions, source.sheet
+        self._folded = [
+            turned_over(rest, rest + sum(source.moves[unit] for unit in triple), sheet) for triple in source.triples
+        ]
+        self._skin = np.unique(sheet)
+
+    def measure(self, method: str, face: Face, moves: Mapping[str, Values]) -> SumFigures:
+        """The figures of a map on a face: moves (V, 3) by unit."""
+        source, rest = self._source, face.positions.astype(np.float64)
+        add = self._settled(face, moves) if method == OURS else lambda triple: rest + sum(moves[u] for u in triple)
+        alone = {unit: turned_over(rest, rest + move, source.sheet) for unit, move in moves.items()}
+        crossed = {unit: self._crossed(rest, rest + move) for unit, move in moves.items()}
+        deep = {unit: self._deep(face, rest, rest + move) for unit, move in moves.items()}
+        found = SumFigures(len(source.triples))
+        for triple, folded in zip(source.triples, self._folded, strict=True):
+            now = add(triple)
+            over = turned_over(rest, now, source.sheet)
+            found.folds += int((over & ~folded).sum())
+            found.new_folds += int((over & ~np.any([alone[unit] for unit in triple], axis=0)).sum())
+            found.crossed.append(float((self._crossed(rest, now) - sum(crossed[unit] for unit in triple)).max()))
+            found.eyes.append(float((self._deep(face, rest, now) - sum(deep[unit] for unit in triple)).max()))
+        return found
+
+    def _settled(self, face: Face, moves: Mapping[str, Values]) -> Callable[[Triple], Values]:
+        """The engine's own way with sums, on this face."""
+        fitted, settling = fit(self._source.space, face), settling_of(self._source.space)
+        if settling is None:
+            raise ValueError("the cast's space names no line of lids or lips; expected the built-in cast")
+        expressions = self._source.cast.expressions
+        worn = {unit: (fitted.positions + move).astype(np.float32) for unit, move in moves.items()}
+        allowed = {unit: allowance(settling, fitted, expressions[unit], worn[unit]) for unit in moves}
+
+        def add(triple: Triple) -> Values:
+            balls = Balls.of(fitted, settling.eyes, np.sum([expressions[unit].eyes for unit in triple], axis=0))
+            mixed = (fitted.positions + sum(moves[unit] for unit in triple)).astype(np.float32)
+            together = np.sum([allowed[unit] for unit in triple], axis=0)
+            return settled(settling, fitted.positions, mixed, together, balls).astype(np.float64)
+
+        return add
+
+    def _crossed(self, rest: Values, now: Values) -> Values:
+        return np.concatenate([crossing(line, rest, now) for line in self._source.lines])
+
+    def _deep(self, face: Face, rest: Values, now: Values) -> Values:
+        """How much deeper than at rest each skin vertex lies in an eyeball, (s,) metres."""
+        deep = [
+            np.maximum(radius - np.linalg.norm(now[self._skin] - centre, axis=1), 0.0)
+            - np.maximum(radius - np.linalg.norm(rest[self._skin] - centre, axis=1), 0.0)
+            for centre, radius in balls_of(self._source, face)
+        ]
+        result: Values = np.maximum(np.max(deep, axis=0), 0.0)
+        return result
+
+
+def crossing(line: Line, rest: Values, now: Values) -> Values:
+    """How far the two sides of a line have passed each other, rung by rung, (RUNGS,) metres, more than at rest."""
+    still, moved = line.rungs(rest), line.rungs(now)
+    along = np.array([0.0, 1.0, 0.0]) if line.kind == "lips" else still / np.linalg.norm(still, axis=1, keepdims=True)
+    result: Values = np.maximum(np.minimum((along * still).sum(axis=1), 0.0) - (along * moved).sum(axis=1), 0.0)
+    return result
