@@ -14,6 +14,16 @@ import typer
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
+    from omote.show.sheet import Sheet
+
+Output = Annotated[Path, typer.Option("--output", "-o", help="The picture to write: .png, .jpg.")]
+FacesOption = Annotated[list[str] | None, typer.Option("--face", help="A face; several mix: kaori=0.5, dog=0.5.")]
+ExpressionsOption = Annotated[list[str] | None, typer.Option("--expression", help="An expression: smile, smile=0.7.")]
+ChannelsOption = Annotated[list[str] | None, typer.Option("--channel", help="A channel over it: jawOpen=0.5.")]
+LightOption = Annotated[str | None, typer.Option(help="The light of the stage.")]
+BackgroundOption = Annotated[str | None, typer.Option(help="A colour behind the head: #00b140.")]
+TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
+QualityOption = Annotated[str, typer.Option(help="lowest, low, medium or high.")]
 
 app = typer.Typer(
     help="Omote plays faces live: any face wears any expression, and both change at any instant.",
@@ -69,6 +79,56 @@ def cast(json: Annotated[bool, typer.Option("--json", help="Print it for program
 
 
 @app.command()
+def render(
+    output: Output,
+    face: FacesOption = None,
+    expression: ExpressionsOption = None,
+    channel: ChannelsOption = None,
+    turn: Annotated[str, typer.Option(help="The head's yaw, pitch and roll, degrees: 30,0,-5.")] = "",
+    gaze: Annotated[str, typer.Option(help="The eyes' yaw and pitch, degrees.")] = "",
+    size: Annotated[str, typer.Option(help="Width x height, pixels.")] = "640x720",
+    light: LightOption = None,
+    background: BackgroundOption = None,
+    transparent: TransparentOption = False,
+    quality: QualityOption = "high",
+) -> None:
+    """Draws one picture of a face, without a window, as the stage draws it."""
+    words = {"turn": turn, "gaze": gaze, "channels": "+".join(channel or [])}
+    words |= {"face": "+".join(face or ["generic"]), "expression": "+".join(expression or [])}
+
+    def sheet(cast: Cast) -> Sheet:
+        from omote.show.posing import pose_of, posed
+        from omote.show.sheet import Sheet
+
+        return Sheet([[pose_of(cast, posed(cast, **words))]])
+
+    draw(output, sheet, size, light=light, background=background, transparent=transparent, quality=quality)
+
+
+@app.command()
+def grid(
+    output: Output,
+    faces: Annotated[str, typer.Option(help="The rows: faces, or mixes of them (kaori=0.5+dog=0.5), by commas.")],
+    expressions: Annotated[str, typer.Option(help="The columns: expressions, or mixes, by commas.")] = "neutral",
+    turns: Annotated[str, typer.Option(help="More columns: each expression at these yaws, degrees, by commas.")] = "0",
+    labels: Annotated[bool, typer.Option("--labels/--no-labels", help="Write the names beside the pictures.")] = True,
+    size: Annotated[str, typer.Option(help="Width x height of one picture, pixels.")] = "240x270",
+    light: LightOption = None,
+    background: BackgroundOption = None,
+    transparent: TransparentOption = False,
+    quality: QualityOption = "high",
+) -> None:
+    """Draws pictures in rows and columns: faces by expressions, and by turns."""
+
+    def sheet(cast: Cast) -> Sheet:
+        from omote.show import sheet
+
+        return sheet.grid(cast, faces=faces, expressions=expressions, turns=turns, labels=labels)
+
+    draw(output, sheet, size, light=light, background=background, transparent=transparent, quality=quality)
+
+
+@app.command()
 def check() -> None:
     """Says whether this machine can play."""
     from omote.server.check import checked
@@ -79,6 +139,23 @@ def check() -> None:
         typer.echo(f"{'good' if passed else 'BAD '}  {sentence}")
     if not good:
         fail("this machine cannot play yet.")
+
+
+def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: Any) -> None:
+    """Draws a sheet into a file, or ends the command with a sentence and leaves no file behind."""
+    from omote.files.picturefile import check_writable, picture_kind, write_picture
+    from omote.server.devtools import BrowserError
+    from omote.server.studio import draw_sheet
+    from omote.show.sheet import Setting, read_size
+
+    try:
+        kind = picture_kind(output)
+        check_writable(output)
+        width, height = read_size(size)
+        chosen = Setting(width, height, **setting)
+        write_picture(output, draw_sheet(sheet_of(load_cast()).on_paper(chosen, kind), chosen))
+    except (OSError, ValueError, BrowserError) as error:
+        fail(str(error))
 
 
 def announce(host: str, port: int, *, browser: bool) -> None:
@@ -141,22 +218,5 @@ def say(sentence: str) -> None:
 
 def fail(sentence: str) -> NoReturn:
     """Ends the command with a sentence and exit status 1."""
-def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: Any) -> None:
-    """Draws a sheet into a file, or ends the command with a sentence and leaves no file behind."""
-    from omote.files.picturefile import check_writable, picture_kind, write_picture
-    from omote.server.devtools import BrowserError
-    from omote.server.studio import draw_sheet
-    from omote.show.sheet import Setting, read_size
-
-    try:
-        kind = picture_kind(output)
-        check_writable(output)
-        width, height = read_size(size)
-        chosen = Setting(width, height, **setting)
-        write_picture(output, draw_sheet(sheet_of(load_cast()).on_paper(chosen, kind), chosen))
-    except (OSError, ValueError, BrowserError) as error:
-        fail(str(error))
-
-
     say(sentence)
     raise typer.Exit(1)

@@ -32,7 +32,7 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
   },
   low: { pixelLight: true, shadow: 0, detail: false, hair: 0.6, multisample: false, anisotropy: 1, pixels: 1e6 },
   medium: { pixelLight: true, shadow: 512, detail: true, hair: 1, multisample: true, anisotropy: 4, pixels: 2.1e6 },
-  high: { pixelLight: true, shadow: 1024, detail: true, hair: 1, multisample: true, anisotropy: 8, pixels: 8.3e6 },
+  high: { pixelLight: true, shadow: 1024, detail: true, hair: 1, multisample: true, anisotropy: 8, pixels: Infinity },
 };
 
 /** The features as the shaders' switches: FAST, SHADOW, DETAIL. */
