@@ -31,6 +31,27 @@ def test_a_line_says_where_a_point_is_and_where_it_goes() -> None:
     assert np.allclose(sculpt.moves, [[0.0, 0.006, 0.032], [0.0, 0.0, 0.0], [0.005, 0.0005, 0.0]])
 
 
+def test_a_brush_says_where_the_skin_is_smoothed() -> None:
+    (brush,) = parse_sculpt(TEXT + "[smooth]\near = { at = [79, -8, 42], reach = 40, rounds = 9 }").brushes
+    assert np.allclose([*brush.at, brush.reach], [0.079, -0.008, 0.042, 0.04])
+    assert brush.rounds == 9
+    assert parse_sculpt(TEXT).brushes == ()
+
+
+@pytest.mark.parametrize(
+    ("line", "sentence"),
+    [
+        ("ear = 3", "brush 'ear' is 3; expected { at ="),
+        ("ear = { at = [1, 2, 3], reach = 4 }", "expected { at = .*, reach = length, rounds = count }"),
+        ("ear = { at = [1, 2], reach = 4, rounds = 2 }", "`at` of brush 'ear' is .*; expected three numbers"),
+        ("ear = { at = [1, 2, 3], reach = 4, rounds = 0 }", "a brush goes 0 rounds"),
+    ],
+)
+def test_a_brush_that_is_none_is_refused(line: str, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        parse_sculpt(f"{TEXT}[smooth]\n{line}")
+
+
 def test_metres_may_be_asked_for() -> None:
     head = 'name = "a"\nunit = "m"\nkernel = "biharmonic"\nsymmetric = false\n'
     text = f"{head}[points]\na = {{at = [1, 2, 3], by = [1, 0, 0]}}"
@@ -70,7 +91,7 @@ def test_a_ball_on_the_midline_leaves_its_mirror_image_to_the_symmetry() -> None
         ('name = "a"', 'name = "a"\nkernel = "thin"', "kernel is 'thin'; expected one of 'biharmonic', 'triharmonic'"),
         ('name = "a"', 'name = "a"\nsymmetric = 1', "symmetric is 1; expected true or false"),
         ('skin = "#112233"', 'skin = "red"', "skin of a look is 'red'"),
-        ('skin = "#112233"', 'hair = "#112233"', "the look has 'hair'; expected only skin, lip"),
+        ('skin = "#112233"', 'wig = "#112233"', "the look has 'wig'; expected only skin, lip"),
         ("old = 0.5", "old = true", "base 'old' is True; expected a finite number"),
         ("old = 0.5", "old = inf", "base 'old' is inf; expected a finite number"),
         ("at = [0, 121, 40]", "to = [0, 121, 40]", r"point 'crown' is .*; expected \{ at"),

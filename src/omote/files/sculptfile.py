@@ -11,14 +11,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.brush import Brush
 from omote.model.cast import Look
 from omote.model.sculpt import KERNELS, Sculpt
 
 Values = NDArray[np.float64]
 
 UNITS = {"mm": 0.001, "m": 1.0}
-HEADINGS = ("name", "unit", "symmetric", "kernel", "teeth", "base", "look", "points")
+HEADINGS = ("name", "unit", "symmetric", "kernel", "teeth", "base", "look", "points", "smooth")
 POINT_KEYS = ("at", "to", "by", "reach", "size")
+BRUSH_KEYS = ("at", "reach", "rounds")
 
 
 class SculptFileError(ValueError):
@@ -58,6 +60,7 @@ def parse_sculpt(text: str, /) -> Sculpt:
         kernel=_choice(table, "kernel", KERNELS, "triharmonic"),  # type: ignore[arg-type]
         look=_look(_table(table, "look")),
         base={name: _number(f"base {name!r}", weight) for name, weight in _table(table, "base").items()},
+        brushes=tuple(_brush(name, row, UNITS[unit]) for name, row in _table(table, "smooth").items()),
     )
 
 
@@ -92,6 +95,16 @@ def _pair(name: str, row: Any, symmetric: bool) -> tuple[Values, Values]:
     if symmetric and at[0] == 0:
         arms = arms[arms[:, 0] >= 0]  # its mirror image is the other half
     return at + arms, to + arms * sizes
+
+
+def _brush(name: str, row: Any, unit: float) -> Brush:
+    """One line of [smooth]."""
+    if not isinstance(row, dict) or set(row) != set(BRUSH_KEYS):
+        raise SculptFileError(
+            f"brush {name!r} is {row!r}; expected {{ at = [x, y, z], reach = length, rounds = count }}"
+        )
+    x, y, z = (_triple(f"`at` of brush {name!r}", row["at"]) * unit).tolist()
+    return Brush((x, y, z), _number(f"`reach` of brush {name!r}", row["reach"]) * unit, row["rounds"])
 
 
 def _look(table: Mapping[str, Any]) -> Look:

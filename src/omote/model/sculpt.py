@@ -13,6 +13,7 @@ from scipy.spatial import cKDTree
 from scipy.spatial.distance import cdist
 
 from omote.geometry import mesh
+from omote.model.brush import Brush, brushed
 from omote.model.cast import Look
 from omote.model.face import Face
 from omote.model.fitted import fit
@@ -39,8 +40,8 @@ class Sculpt:
     points, moves (n, 3) metres; symmetric: a point beside the midline stands for its mirror image too, one on it stays
     on it; kernel: "biharmonic" (|r|: lively, a little pointed at the points) or "triharmonic" (|r|^3: smooth); look:
     the face's colours; base: other faces by weight, whose difference from the generic one is added; teeth: the scale of
-    teeth and tongue about their middle, so that they stay behind the lips. Raises ValueError on points that decide no
-    shape or contradict each other.
+    teeth and tongue about their middle, so that they stay behind the lips; brushes: where the skin is smoothed. Raises
+    ValueError on points that decide no shape or contradict each other.
     """
 
     name: str
@@ -51,6 +52,7 @@ class Sculpt:
     look: Look = field(default_factory=Look)
     base: Mapping[str, float] = field(default_factory=dict)
     teeth: float = 1.0
+    brushes: tuple[Brush, ...] = ()
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name:
@@ -115,6 +117,7 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
     eyes = [name for name, part in space.parts.items() if part.eye]
     wanted = {name: heights(space.points, space.parts[name].points) for name in eyes}
     skin += move(space.points) - space.points
+    skin = brushed(space, skin, sculpt.brushes, symmetric=sculpt.symmetric)
     for name, part in space.parts.items():
         there = move(part.points)
         parts[name] = rolled(parts[name], part.points, there) if part.eye else parts[name] + there - part.points
