@@ -11,6 +11,8 @@ from rich.progress import Progress
 from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, mesh_arrays, space_of
 from tools.baking.basemesh import read_base_mesh
 from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
+from tools.baking.hair import hair_arrays
+from tools.baking.hair_styles import GROOMS
 from tools.baking.head import cut_head
 from tools.baking.layout import unwrap
 from tools.baking.mask import paint_mask
@@ -25,7 +27,7 @@ ROOT = Path(__file__).resolve().parent.parent
 CACHE = ROOT / "build" / "cast"
 TARGET = ROOT / "src" / "omote" / "builtin"
 FACES = len(PEOPLE) + len(sculpt_paths())
-STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OWN) + 4
+STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OWN) + len(GROOMS) + 4
 
 
 def bake(package: Package, step: Step) -> dict[str, bytes]:
@@ -43,6 +45,7 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
     space, sculpts = space_of(arrays), read_sculpts()
     arrays.update(sculpt_arrays(arrays, space, sculpts, step))
     arrays.update(field_arrays(arrays, space, moves, step))
+    arrays.update(hair_arrays(space, step))
     arrays.update(about(moves, sculpts))
     mask = png_bytes(paint_mask(head.skin, generic, layout))
     step("region mask")
@@ -68,7 +71,7 @@ def main() -> int:
         print(f"The cast was not baked: {error}", file=sys.stderr)
         return 1
     sizes = ", ".join(f"{name} {len(data) / 1e6:.2f} MB" for name, data in files.items())
-    print(f"{FACES} faces, {STEPS - FACES - 3} expressions: {sizes}")
+    print(f"{FACES} faces, {STEPS - FACES - len(GROOMS) - 3} expressions, {len(GROOMS)} hair styles: {sizes}")
     return 0
 
 

@@ -43,6 +43,8 @@ PEOPLE: Mapping[str, Person] = {
             "brow": "#2b1c16",
             "blush": "#e0787a",
             "iris": "#4a2b1a",
+            "hair": "#1c120e",
+            "hair_style": "bob",
             "iris_size": 1.04,
             "lashes": 0.95,
         },

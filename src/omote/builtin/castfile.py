@@ -9,6 +9,7 @@ Arrays, V vertices of the skin, n of a part, E expressions:
     part/PART (t, 3)    triangles of a part
     dtheta, dh, swell (E, V)                         fields on S, radians, metres and R - 1
     residual (E, i, 3)  of the inner skin            rest/PART (E, n, 3)  eyes (E, 2, 2)  pupil (E,)
+    hair/STYLE/WHAT     of a HairStyle: points, rows, weights, anchors, facing, light, width
     drawn/MESH/source (k,), drawn/MESH/uv (k, 2), drawn/MESH/triangles (t, 3)
 """
 
@@ -16,7 +17,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,7 @@ from omote.builtin.binding import PARTS, PartMesh, head_space
 from omote.model.cast import GENERIC, Cast, Look, Title
 from omote.model.expression import Expression
 from omote.model.face import Face
+from omote.model.hair import HairStyle
 from omote.model.space import ParameterSpace
 
 FORMAT = 1
@@ -60,6 +62,7 @@ def cast_of(arrays: Arrays) -> Cast:
         expressions={name: _expression(arrays, row, space) for row, name in enumerate(titles)},
         looks={name: Look(**look) for name, look in about["faces"].items()},
         titles=titles,
+        hair=_hair(arrays),
     )
 
 
@@ -69,6 +72,17 @@ def meshes_of(arrays: Arrays) -> tuple[BakedMesh, ...]:
         BakedMesh(name, *(arrays[f"drawn/{name}/{what}"] for what in ("source", "uv", "triangles")))
         for name in (SKIN, *PARTS)
     )
+
+
+def _hair(arrays: Arrays) -> dict[str, HairStyle]:
+    names = sorted({name.split("/")[1] for name in arrays if name.startswith("hair/")})
+    whats = [what.name for what in fields(HairStyle) if what.name not in ("name", "width")]
+    return {
+        name: HairStyle(
+            name, **{what: arrays[f"hair/{name}/{what}"] for what in whats}, width=float(arrays[f"hair/{name}/width"])
+        )
+        for name in names
+    }
 
 
 def _face(arrays: Arrays, name: str) -> Face:

@@ -13,6 +13,7 @@ import numpy as np
 from omote.model.expression import Expression
 from omote.model.face import Face, refuse_name
 from omote.model.fitted import fit
+from omote.model.hair import HairStyle
 from omote.model.space import ParameterSpace, Transfer
 from omote.model.transfer import compile_expression
 
@@ -32,6 +33,7 @@ TRAITS: Mapping[str, tuple[float, float]] = MappingProxyType(
 class Look:
     """The colours of a face, "#rrggbb" each, and its traits, which are numbers: all of them mix with the faces.
 
+    hair_style: one of the cast's, or "".
     iris_size: the iris' radius over a person's; slit: 0 a round pupil, 1 an upright slit; lashes: how many there are.
     """
 
@@ -40,6 +42,8 @@ class Look:
     brow: str = "#3a2a20"
     blush: str = "#d98a7a"
     iris: str = "#5a4632"
+    hair: str = "#3a2a20"
+    hair_style: str = ""
     iris_size: float = 1.0
     slit: float = 0.0
     lashes: float = 0.8
@@ -49,6 +53,8 @@ class Look:
             if name in TRAITS:
                 object.__setattr__(self, name, _checked_trait(name, value))
                 continue
+            if name == "hair_style":
+                continue  # the cast knows which there are
             colour = value
             digits = colour[1:] if isinstance(colour, str) else ""
             if len(digits) != 6 or colour[0] != "#" or not all(digit in "0123456789abcdefABCDEF" for digit in digits):
@@ -88,14 +94,19 @@ def _refuse_strange_looks(cast: Cast) -> None:
             raise ValueError(f"there is a look for {name!r}; expected one of the faces {', '.join(cast.faces)}")
         if not isinstance(look, Look):
             raise TypeError(f"the look of {name!r} is a {type(look).__name__}; expected a Look")
+        if look.hair_style not in ("", *cast.hair):
+            raise ValueError(
+                f"the look of {name!r} has hair style {look.hair_style!r}; this cast has "
+                f'{", ".join(cast.hair) or "none"}: choose one, or "" for no hair'
+            )
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Cast:
     """Faces and expressions by name, on one space; "generic" is M0 itself and "neutral" the field at rest.
 
-    looks and titles by name; faces and expressions without one get a plain one. Raises ValueError where a face or an
-    expression does not belong to the space.
+    looks and titles by name; faces and expressions without one get a plain one. hair: styles by name. Raises ValueError
+    where a face or an expression does not belong to the space, or a look names a style that is not there.
     """
 
     space: ParameterSpace
@@ -103,6 +114,7 @@ class Cast:
     expressions: Mapping[str, Expression]
     looks: Mapping[str, Look] = field(default_factory=dict)
     titles: Mapping[str, Title] = field(default_factory=dict)
+    hair: Mapping[str, HairStyle] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name, face in self.faces.items():
@@ -122,6 +134,7 @@ class Cast:
             ("expressions", self.expressions),
             ("looks", looks),
             ("titles", titles),
+            ("hair", self.hair),
         ):
             object.__setattr__(self, attribute, MappingProxyType(dict(value)))
 
@@ -164,6 +177,7 @@ class Cast:
                 np.array(expression.pupil),
                 *expression.parts.values(),
             ]
+        arrays += [array for style in self.hair.values() for array in style.arrays]
         for array in arrays:
             state.update(np.ascontiguousarray(array).data)
         state.update(

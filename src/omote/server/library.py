@@ -25,6 +25,7 @@ class Library:
         packed = documents(cast, meshes, mask=self.mask_url)
         self.manifest = encode(packed.manifest)
         self.assets = {url: encode(asset) for url, asset in packed.faces.items()}
+        self.assets |= {url: encode(asset) for url, asset in packed.hair.items()}
         self.mask = mask
         self._supply = Supply(self._make, cast.expressions)
         self._workshop: Workshop | None = None

@@ -15,6 +15,7 @@ from omote.model.cast import Cast
 from omote.model.compound import moved_parts, worn
 from omote.model.face import Face
 from omote.model.fitted import fit
+from omote.model.hair import LINKS, HairStyle
 from omote.model.transfer import compile_expression
 from omote.show.messages import (
     PROTOCOL_VERSION,
@@ -22,17 +23,21 @@ from omote.show.messages import (
     ExpressionDocument,
     FaceAsset,
     FaceDocument,
+    HairAsset,
+    HairDocument,
     Kind,
     LineDocument,
     Look,
     Manifest,
     MeshDocument,
 )
+from omote.show.settling import allowance_document, ball_radii, settling_document
 
 FINEST_STEP = 1e-6
 """Metres per count at least: what moves less than half of it rests, so that compounds stay sparse."""
-from omote.show.settling import allowance_document, ball_radii, settling_document
 MOST_COUNTS = 32767
+HAIR_STEP = 1e-5
+"""Metres per count of hair: it reaches a third of a metre from the middle of the eyes."""
 SKIN = "skin"
 
 Points = NDArray[np.float32]
@@ -41,16 +46,19 @@ Vector = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Documents:
-    """What the pages load: the manifest, and every face asset by its address."""
+    """What the pages load: the manifest, and every asset of a face or a hair style by its address."""
 
     manifest: Manifest
     faces: dict[str, FaceAsset]
+    hair: dict[str, HairAsset]
 
 
 def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Documents:
     """The manifest of a cast and its face assets; mask: where the mask picture is. ValueError for a mesh of no part."""
     rests = {name: rest_positions(cast, face) for name, face in cast.faces.items()}
     urls = {name: f"/assets/{content_name(rest.tobytes())}" for name, rest in rests.items()}
+    hair = {name: hair_asset(style) for name, style in cast.hair.items()}
+    combed = {name: f"/assets/{content_name(asset.points + asset.rows + asset.light)}" for name, asset in hair.items()}
     starts = first_rows(cast)
     manifest = Manifest(
         version=PROTOCOL_VERSION,
@@ -62,14 +70,6 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         mask=mask,
         faces=[_face_document(cast, face, urls[name]) for name, face in cast.faces.items()],
         expressions=[_expression_document(cast, name) for name in cast.expressions],
-    )
-    return Documents(manifest, {urls[name]: FaceAsset(_little(rest, "<f4")) for name, rest in rests.items()})
-
-
-def content_name(data: bytes) -> str:
-    """The name of exactly these bytes, hexadecimal."""
-    return blake2b(data, digest_size=12).hexdigest()
-
         hair=[HairDocument(name, url) for name, url in combed.items()],
         settling=settling_document(cast, starts),
     )
@@ -77,6 +77,13 @@ def content_name(data: bytes) -> str:
         manifest,
         faces={urls[name]: FaceAsset(_little(rest, "<f4")) for name, rest in rests.items()},
         hair={combed[name]: asset for name, asset in hair.items()},
+    )
+
+
+def content_name(data: bytes) -> str:
+    """The name of exactly these bytes, hexadecimal."""
+    return blake2b(data, digest_size=12).hexdigest()
+
 
 def first_rows(cast: Cast) -> dict[str, int]:
     """The first row of the skin and of each part of all positions: skin, then parts in the space's order."""
@@ -158,6 +165,7 @@ def _face_document(cast: Cast, face: Face, url: str) -> FaceDocument:
         url=url,
         centres=(_vector(centres.get("left")), _vector(centres.get("right"))),
         eye_radius=float(np.mean(spans)) if spans else 0.0,
+        ball_radii=ball_radii(cast, face),
         look=Look(**asdict(cast.looks[face.name])),
     )
 
@@ -165,7 +173,6 @@ def _face_document(cast: Cast, face: Face, url: str) -> FaceDocument:
 def _expression_document(cast: Cast, name: str) -> ExpressionDocument:
     title, eyes = cast.titles[name], cast.expressions[name].eyes.ravel().tolist()
     kind, pupil = msgspec.convert(title.kind, Kind), cast.expressions[name].pupil
-        ball_radii=ball_radii(cast, face),
     angles = (eyes[0], eyes[1], eyes[2], eyes[3])
     return ExpressionDocument(name, title.label, kind, title.region, eyes=angles, pupil=pupil)
 

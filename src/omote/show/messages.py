@@ -221,13 +221,15 @@ FromServer = Welcome | State | Pong | Refused | Crew
 
 
 class Look(msgspec.Struct, frozen=True):
-    """Colours of a face, each `#rrggbb`, and its traits, plain numbers (`model.cast.Look`)."""
+    """Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`)."""
 
     skin: str
     lip: str
     brow: str
     blush: str
     iris: str
+    hair: str
+    hair_style: str
     iris_size: float
     slit: float
     lashes: float
@@ -261,9 +263,9 @@ class FaceDocument(msgspec.Struct, frozen=True):
     url: str
     centres: tuple[tuple[float, float, float], tuple[float, float, float]]
     eye_radius: float
+    ball_radii: tuple[float, float]
     look: Look
 
-    ball_radii: tuple[float, float]
 
 class ExpressionDocument(msgspec.Struct, frozen=True):
     """An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
@@ -277,8 +279,6 @@ class ExpressionDocument(msgspec.Struct, frozen=True):
     pupil: float
 
 
-class Manifest(msgspec.Struct, frozen=True):
-    """All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes."""
 class HairDocument(msgspec.Struct, frozen=True):
     """A hair style: where its strands are."""
 
@@ -325,6 +325,8 @@ class SettlingDocument(msgspec.Struct, frozen=True):
     weights: bytes
 
 
+class Manifest(msgspec.Struct, frozen=True):
+    """All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes."""
 
     version: int
     digest: str
@@ -335,18 +337,16 @@ class SettlingDocument(msgspec.Struct, frozen=True):
     mask: str
     faces: list[FaceDocument]
     expressions: list[ExpressionDocument]
-
-
     hair: list[HairDocument]
     settling: SettlingDocument | None = None
+
+
 class FaceAsset(msgspec.Struct, frozen=True):
     """The positions of a face, (vertices, 3) f32 little-endian, metres."""
 
     positions: bytes
 
 
-class CompoundAsset(msgspec.Struct, frozen=True):
-    """A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16."""
 class HairAsset(msgspec.Struct, frozen=True):
     """Strands of hair on the generic face (`model.hair.HairStyle`), little-endian; n strands of `stations` places.
 
@@ -375,13 +375,15 @@ class AllowanceDocument(msgspec.Struct, frozen=True):
     values: bytes
 
 
+class CompoundAsset(msgspec.Struct, frozen=True):
+    """A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16."""
 
     scale: float
     indices: bytes
     deltas: bytes
-
-
     allowed: AllowanceDocument | None = None
+
+
 CLIENT_MESSAGES: tuple[type[Message], ...] = get_args(FromClient)
 SERVER_MESSAGES: tuple[type[Message], ...] = get_args(FromServer)
-DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, CompoundAsset)
+DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, HairAsset, CompoundAsset)

@@ -5,14 +5,14 @@ from __future__ import annotations
 import msgspec
 
 from omote.show.door import Refusal
-from omote.show.messages import MESSAGE_LIMIT, CompoundAsset, FaceAsset, FromClient, FromServer, Manifest
+from omote.show.messages import MESSAGE_LIMIT, CompoundAsset, FaceAsset, FromClient, FromServer, HairAsset, Manifest
 
 _encoder = msgspec.msgpack.Encoder()
 _from_client: msgspec.msgpack.Decoder[FromClient] = msgspec.msgpack.Decoder(FromClient)
 _from_server: msgspec.msgpack.Decoder[FromServer] = msgspec.msgpack.Decoder(FromServer)
 
 
-def encode(message: FromClient | FromServer | Manifest | FaceAsset | CompoundAsset) -> bytes:
+def encode(message: FromClient | FromServer | Manifest | FaceAsset | HairAsset | CompoundAsset) -> bytes:
     """The bytes of a message or a document."""
     return _encoder.encode(message)
 

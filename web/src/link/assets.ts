@@ -1,6 +1,7 @@
 import { decode } from "@msgpack/msgpack";
 import { Backoff } from "./backoff";
-import type { CompoundAsset, FaceAsset, LineDocument, Manifest, MeshDocument } from "./messages";
+import type { CompoundAsset, FaceAsset, HairAsset, LineDocument, Manifest, MeshDocument } from "./messages";
+import { type HairStrands, readStrands } from "./strands";
 
 /** A drawn mesh; `source` maps its vertices to rows of the positions, `uv` (0, 0) is the upper left corner. */
 export interface Mesh {
@@ -15,9 +16,9 @@ export interface Compound {
   scale: number;
   indices: Uint32Array;
   deltas: Int16Array;
-}
   /** What it uses up by itself of what sums may not (omote.perform.settle), where the cast says so. */
   allowed: { places: Uint32Array; values: Float32Array } | undefined;
+}
 
 /** Reads an address's bytes; may throw. */
 export type Fetch = (address: string) => Promise<Uint8Array>;
@@ -96,6 +97,7 @@ export class Library {
   private readonly expressions: ReadonlySet<string>;
   private readonly faces = new Map<string, Promise<Float32Array>>();
   private readonly compounds = new Map<string, Promise<Compound>>();
+  private readonly styles = new Map<string, Promise<HairStrands>>();
   private picture: Promise<ImageBitmap> | undefined;
 
   constructor(
@@ -131,6 +133,15 @@ export class Library {
       if (positions.length !== 3 * this.manifest.vertices)
         throw new Error(`Face "${face}" has ${positions.length / 3} vertices, expected ${this.manifest.vertices}.`);
       return positions;
+    });
+  }
+
+  /** The strands of a hair style. */
+  hair(style: string): Promise<HairStrands> {
+    return remembered(this.styles, style, async () => {
+      const url = this.manifest.hair.find(({ name }) => name === style)?.url;
+      if (url === undefined) throw new Error(`There is no hair style "${style}" in this cast.`);
+      return readStrands(decode(await insist(url, this.read)) as HairAsset, this.manifest.skin);
     });
   }
 

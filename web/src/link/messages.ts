@@ -165,13 +165,15 @@ export interface Crew {
   consoles: number;
 }
 
-/** Colours of a face, each `#rrggbb`, and its traits, plain numbers (`model.cast.Look`). */
+/** Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`). */
 export interface Look {
   skin: string;
   lip: string;
   brow: string;
   blush: string;
   iris: string;
+  hair: string;
+  hair_style: string;
   iris_size: number;
   slit: number;
   lashes: number;
@@ -204,9 +206,9 @@ export interface FaceDocument {
   url: string;
   centres: [[number, number, number], [number, number, number]];
   eye_radius: number;
+  ball_radii: [number, number];
   look: Look;
 }
-  ball_radii: [number, number];
 
 /**
  * An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
@@ -221,8 +223,6 @@ export interface ExpressionDocument {
   pupil: number;
 }
 
-/** All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes. */
-export interface Manifest {
 /** A hair style: where its strands are. */
 export interface HairDocument {
   name: string;
@@ -266,6 +266,8 @@ export interface SettlingDocument {
   weights: Uint8Array;
 }
 
+/** All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes. */
+export interface Manifest {
   version: number;
   digest: string;
   vertices: number;
@@ -275,17 +277,15 @@ export interface SettlingDocument {
   mask: string;
   faces: FaceDocument[];
   expressions: ExpressionDocument[];
-}
-
   hair: HairDocument[];
   settling: SettlingDocument | null;
+}
+
 /** The positions of a face, (vertices, 3) f32 little-endian, metres. */
 export interface FaceAsset {
   positions: Uint8Array;
 }
 
-/** A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16. */
-export interface CompoundAsset {
 /**
  * Strands of hair on the generic face (`model.hair.HairStyle`), little-endian; n strands of `stations` places.
  * `scale`: metres per count of `points` (n, stations, 3) i16; `rows` (n, stations, links) u32 and `weights` u8 (counts
@@ -314,12 +314,14 @@ export interface AllowanceDocument {
   values: Uint8Array;
 }
 
+/** A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16. */
+export interface CompoundAsset {
   scale: number;
   indices: Uint8Array;
   deltas: Uint8Array;
+  allowed: AllowanceDocument | null;
 }
 
-  allowed: AllowanceDocument | null;
 export type FromClient =
   | Hello
   | CallFace

@@ -4,6 +4,7 @@ import { type Anatomy, study } from "./anatomy";
 import { Blender, type Eyeballs } from "./blender";
 import { Crossfade } from "./crossfade";
 import { frame, portraitCamera, type Shot, tileView } from "./framing";
+import { Hair } from "./hair";
 import { buildBackdrop, buildHead, type EyeUniforms, eyeUniforms, type HeadUniforms, headUniforms } from "./head";
 import { Holdings, namesOf } from "./holdings";
 import { mixLights } from "./light";
@@ -45,6 +46,7 @@ export class FaceView {
   private readonly eyes: Eyeballs;
   private readonly eyeUniforms: [EyeUniforms, EyeUniforms] = [eyeUniforms(), eyeUniforms()];
   private readonly looks: Looks;
+  private readonly hair: Hair;
   private readonly named: Named;
   private readonly size = new THREE.Vector2();
   private scene = new THREE.Scene();
@@ -82,6 +84,7 @@ export class FaceView {
       turns: new Float32Array(18),
     };
     this.looks = new Looks(library.manifest.faces);
+    this.hair = new Hair(library, anatomy.positions);
     this.named = named(library.manifest);
     this.pose = resting(library.manifest.faces[0]?.name ?? "generic");
     this.build();
@@ -104,6 +107,7 @@ export class FaceView {
     this.pose = pose;
     const { faces, expressions } = namesOf(pose);
     this.holdings.want([...faces, ...coming.faces], [...expressions, ...coming.expressions]);
+    this.hair.want([...faces, ...coming.faces]);
   }
 
   /** Draws at another level from when its shaders are ready on, fading over to it. */
@@ -128,6 +132,7 @@ export class FaceView {
     const seconds = Math.min(0.1, Math.max(0, time - (this.drawnAt ?? time)));
     this.drawnAt = time;
     this.blend(seconds, atOnce);
+    this.hair.dress(this.holdings.faces(this.pose, this.blender), seconds, atOnce);
     if (this.nextHead !== undefined) this.exchange(this.nextHead);
     this.paint();
     this.crossfade.paint(seconds);
@@ -137,7 +142,7 @@ export class FaceView {
   /** Fetches all that a pose needs, then draws it in full, as at `time` in seconds. */
   async present(pose: Pose, time?: number): Promise<void> {
     this.show(pose);
-    await this.holdings.complete();
+    await Promise.all([this.holdings.complete(), this.hair.complete()]);
     this.show(pose); // others may have shown something meanwhile
     this.render(time, true);
   }
@@ -178,6 +183,7 @@ export class FaceView {
     this.backdrop = buildBackdrop();
     if (!this.options.transparent) this.scene.add(this.backdrop);
     this.level = this.wanted;
+    this.hair.drop(this.head);
     this.head = this.buildHead(this.level);
     this.scene.add(this.head);
     this.nextHead = undefined;
@@ -188,7 +194,9 @@ export class FaceView {
   private buildHead(level: Level): THREE.Group {
     const { library, anatomy, shared } = this;
     const features: Features = FEATURES[level];
-    return buildHead({ meshes: library.meshes, anatomy, shared, eyes: this.eyeUniforms, features });
+    const head = buildHead({ meshes: library.meshes, anatomy, shared, eyes: this.eyeUniforms, features });
+    this.hair.on(head, shared, features);
+    return head;
   }
 
   /** Keeps the picture of the old level to fade from, and puts the head of the new one on the stage. */
@@ -197,6 +205,7 @@ export class FaceView {
     this.paint();
     this.crossfade.begin();
     this.scene.remove(this.head);
+    this.hair.drop(this.head);
     for (const child of this.head.children) if (child instanceof THREE.Mesh) child.geometry.dispose();
     this.scene.add(head);
     [this.level, this.head] = [level, head];
@@ -222,6 +231,7 @@ export class FaceView {
     if (key === this.blended) return;
     this.blended = key;
     this.looks.writeCentres(this.pose, this.eyes.centres);
+    this.looks.writeRadii(this.pose, this.eyes.radii);
     writeTurn(this.pose.eyes[0], this.pose.eyes[1], this.eyes.turns, 0);
     writeTurn(this.pose.eyes[2], this.pose.eyes[3], this.eyes.turns, 9);
     this.blender.blend(mix, this.eyes);
@@ -231,7 +241,6 @@ export class FaceView {
   private paint(): void {
     this.renderer.getSize(this.size);
     const { x: width, y: height } = this.size;
-    this.looks.writeRadii(this.pose, this.eyes.radii);
     const { tile } = this.options;
     frame(this.camera, this.options.shot ?? PORTRAIT, width, height, tile);
     const [fullWidth, fullHeight, left, top] =

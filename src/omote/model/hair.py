@@ -1,0 +1,85 @@
+"""A hair style: strands over the generic head, carried to every other face by the skin beneath them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+Values = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+LINKS = 6
+"""Vertices of the skin that carry one place of a strand."""
+_SUM = 1e-4  # weights are stored as float32
+
+
+@dataclass(frozen=True, eq=False)
+class HairStyle:
+    """Strands (n of k places, root to tip) on the generic face.
+
+    points (n, k, 3) metres;  rows (n, k, LINKS) and weights (n, k, LINKS): the skin's vertices that carry each place;
+    anchors (n,): the vertex at each root, whose expressions the whole strand follows;  facing (n, k, 3): unit vectors
+    away from the head;  light (n, k): open sky, 0..1;  width: of a strand's ribbon, metres. The first few strands cover
+    the head as evenly as all of them do. Raises ValueError on arrays that do not belong together.
+    """
+
+    name: str
+    points: NDArray[np.float32]
+    rows: Indices
+    weights: NDArray[np.float32]
+    anchors: Indices
+    facing: NDArray[np.float32]
+    light: NDArray[np.float32]
+    width: float
+
+    def __post_init__(self) -> None:
+        count, places = self.points.shape[:2]
+        expected = {
+            "points": (count, places, 3),
+            "rows": (count, places, LINKS),
+            "weights": (count, places, LINKS),
+            "anchors": (count,),
+            "facing": (count, places, 3),
+            "light": (count, places),
+        }
+        for name, shape in expected.items():
+            values = getattr(self, name)
+            if values.shape != shape:
+                raise ValueError(f"{name} of hair style {self.name!r} has shape {values.shape}; expected {shape}")
+            values.setflags(write=False)
+        if np.abs(self.weights.sum(axis=2) - 1.0).max() > _SUM:
+            raise ValueError(f"the weights of hair style {self.name!r} do not sum to one; carry its strands again")
+
+    @property
+    def arrays(self) -> tuple[NDArray[Any], ...]:
+        """All that a style consists of."""
+        width = np.array(self.width)
+        return self.points, self.rows, self.weights, self.anchors, self.facing, self.light, width
+
+
+def carriers(points: Values, skin: Values, allowed: NDArray[np.bool_], /) -> tuple[Indices, Values]:
+    """The skin's vertices (..., LINKS) that carry points (..., 3), and their weights, which sum to one.
+
+    skin (V, 3) metres; allowed (V,): the vertices that may. Weights fall to zero at the first vertex that is left out
+    (Franke and Little 1980), so that neighbours on a strand are carried alike.
+    """
+    usable = np.flatnonzero(allowed)
+    far, found = cKDTree(skin[usable]).query(points, k=LINKS + 1)
+    near, limit = np.maximum(far[..., :LINKS], 1e-6), far[..., LINKS:] * (1.0 + 1e-6)
+    weights = ((limit - near) / (limit * near)) ** 2
+    return usable[found[..., :LINKS]].astype(np.int32), weights / weights.sum(axis=-1, keepdims=True)
+
+
+def carried(style: HairStyle, generic: Values, positions: Values, /) -> Values:
+    """The strands (n, k, 3) of a style on a face with positions (V, 3); generic (V, 3): where they were made.
+
+    Linear in the positions, so that a mix of faces wears the mix of their hair.
+    """
+    moves = np.asarray(positions, np.float64) - generic
+    carried_by = np.einsum("skl,skld->skd", style.weights.astype(np.float64), moves[style.rows])
+    result: Values = style.points + carried_by
+    return result

@@ -1,0 +1,62 @@
+"""Hair is carried by the skin beneath it: exactly where that only shifts, linearly wherever it goes."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from omote.model.cast import Look
+from omote.model.hair import LINKS, carried, carriers
+from tests import synthetic
+from tests.model.tufts import tuft
+
+SKIN, _ = synthetic.head()
+RNG = np.random.default_rng(4)
+
+
+def test_only_allowed_vertices_carry_with_weights_that_sum_to_one() -> None:
+    rows, weights = carriers(SKIN + RNG.normal(0.0, 0.01, SKIN.shape), SKIN, SKIN[:, 1] > 0.0)
+    assert rows.shape == weights.shape == (len(SKIN), LINKS)
+    assert (SKIN[rows][..., 1] > 0.0).all()
+    assert (weights >= 0.0).all()
+    assert weights.sum(axis=-1) == pytest.approx(1.0)
+
+
+def test_a_place_on_a_vertex_is_carried_by_it_alone() -> None:
+    rows, weights = carriers(SKIN[3:4], SKIN, np.ones(len(SKIN), bool))
+    assert rows[0, 0] == 3
+    assert weights[0, 0] == pytest.approx(1.0, abs=1e-3)
+
+
+def test_hair_stays_on_its_own_face_and_goes_along_with_a_shift() -> None:
+    hair, shift = tuft(), np.array([0.01, -0.02, 0.03])
+    assert np.array_equal(carried(hair, SKIN, SKIN), hair.points)
+    assert carried(hair, SKIN, SKIN + shift) == pytest.approx(hair.points + shift, abs=1e-8)
+
+
+def test_a_mix_of_faces_wears_the_mix_of_their_hair() -> None:
+    hair, one, two = tuft(), SKIN * [1.1, 1.0, 0.9], SKIN + RNG.normal(0.0, 0.005, SKIN.shape)
+    mixed = 0.3 * carried(hair, SKIN, one) + 0.7 * carried(hair, SKIN, two)
+    assert carried(hair, SKIN, 0.3 * one + 0.7 * two) == pytest.approx(mixed, abs=1e-8)
+
+
+def test_arrays_that_do_not_belong_together_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"light of hair style 'tuft' has shape \(5, 2\); expected \(5, 3\)"):
+        replace(tuft(), light=np.ones((5, 2), np.float32))
+    with pytest.raises(ValueError, match="weights of hair style 'tuft' do not sum to one"):
+        replace(tuft(), weights=np.ones((5, 3, LINKS), np.float32))
+
+
+def test_a_look_with_a_style_that_the_cast_has_not_is_refused() -> None:
+    bald, look = synthetic.cast(), {"generic": Look(hair_style="tuft")}
+    with pytest.raises(ValueError, match="the look of 'generic' has hair style 'tuft'; this cast has none: choose one"):
+        replace(bald, looks=look)
+    worn = replace(bald, looks=look, hair={"tuft": tuft()})
+    assert worn.looks["generic"].hair_style == "tuft"
+
+
+def test_the_strands_belong_to_the_digest() -> None:
+    bald, hair = synthetic.cast(), tuft()
+    longer = replace(hair, points=hair.points * np.float32(1.01))
+    worn = [replace(bald, hair={"tuft": each}) for each in (hair, longer)]
+    assert len({cast.digest for cast in (bald, *worn)}) == 3

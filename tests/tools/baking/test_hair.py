@@ -1,0 +1,36 @@
+"""Strands grow the same on every bake, from the scalp to their tips, and shade each other."""
+
+import numpy as np
+import pytest
+
+from omote.builtin import load_cast
+from tools.baking.hair import grown_style
+from tools.baking.hair_groom import STATIONS, above, roots_of
+from tools.baking.hair_styles import GROOMS
+
+SPACE = load_cast().space
+
+
+def test_the_same_hair_grows_on_every_bake() -> None:
+    name, groom = next(iter(GROOMS.items()))
+    one, two = grown_style(name, groom, SPACE), grown_style(name, groom, SPACE)
+    for what in ("points", "rows", "weights", "anchors", "facing", "light"):
+        assert np.array_equal(getattr(one, what), getattr(two, what)), what
+        assert np.array_equal(getattr(one, what), getattr(load_cast().hair[name], what)), what
+
+
+@pytest.mark.parametrize("name", GROOMS)
+def test_hair_grows_above_its_hairline(name: str) -> None:
+    roots = roots_of(GROOMS[name], SPACE.points, SPACE.triangles)
+    assert roots.shape == (GROOMS[name].count, 3)
+    assert above(GROOMS[name].hairline, roots).min() > -0.01
+
+
+@pytest.mark.parametrize("name", GROOMS)
+def test_strands_are_smooth_and_lie_in_the_light(name: str) -> None:
+    hair = load_cast().hair[name]
+    assert hair.points.shape == (GROOMS[name].count, STATIONS, 3)
+    steps = np.linalg.norm(np.diff(hair.points, axis=1), axis=2)
+    assert 0.0 < steps.max() < 0.05
+    assert ((hair.light > 0.0) & (hair.light <= 1.0)).all()
+    assert np.linalg.norm(hair.facing, axis=-1) == pytest.approx(1.0, abs=2e-3)

@@ -1,0 +1,151 @@
+import * as THREE from "three";
+import type { Library } from "../link/assets";
+import type { HairStrands } from "../link/strands";
+import { HAIR_FRAGMENT, HAIR_VERTEX } from "./hair_shaders";
+import type { HeadUniforms } from "./head";
+import { material } from "./material";
+import { definesOf, type Features } from "./quality";
+import { Wardrobe, type Worn } from "./wardrobe";
+
+/** Pieces of a ribbon where all are drawn, and where few are. */
+const PIECES = { fine: 11, coarse: 5 };
+
+type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTexture>> &
+  Record<"stations" | "grown" | "width", THREE.IUniform<number>> & { tint: THREE.IUniform<THREE.Color> };
+
+/** The hair on stage: a mesh of ribbons for each style that is here, in every head that is being drawn. */
+export class Hair {
+  private readonly wardrobe: Wardrobe;
+  private readonly uniforms = new Map<string, StyleUniforms>();
+  private readonly heads = new Map<THREE.Group, { shared: HeadUniforms; features: Features }>();
+  private readonly versions = new Map<string, number>();
+  private readonly colours: ReadonlyMap<string, THREE.Color>;
+
+  /** `generic`: the positions of the face that styles are made on. */
+  constructor(library: Library, generic: Float32Array) {
+    this.wardrobe = new Wardrobe(library, generic);
+    this.colours = new Map(
+      library.manifest.faces.map(({ name, look }) => [name, new THREE.Color().setStyle(look.hair)]),
+    );
+  }
+
+  /** Fetches the hair of these faces. */
+  want(faces: Iterable<string>): void {
+    this.wardrobe.want(faces);
+  }
+
+  /** Waits until all hair that was ever wanted has come, or was refused. */
+  complete(): Promise<void> {
+    return this.wardrobe.complete();
+  }
+
+  /** Puts hair on a head that is drawn at a level; styles that come later join it. */
+  on(head: THREE.Group, shared: HeadUniforms, features: Features): void {
+    this.heads.set(head, { shared, features });
+    this.update();
+  }
+
+  /** Forgets a head that is drawn no more. */
+  drop(head: THREE.Group): void {
+    this.heads.delete(head);
+  }
+
+  /** Dresses the faces on air, by weight, `seconds` after the last frame; `atOnce`: in full. */
+  dress(faces: ReadonlyMap<string, number>, seconds: number, atOnce: boolean): void {
+    this.wardrobe.dress(faces, seconds, atOnce);
+    this.update();
+  }
+
+  private update(): void {
+    for (const style of this.wardrobe.worn.values()) {
+      const own = this.uniformsOf(style);
+      this.write(style, own);
+      for (const [head, { shared, features }] of this.heads) {
+        const mesh = head.getObjectByName(style.name) ?? ribbons(style, shared, own, features);
+        if (mesh.parent === null) head.add(mesh);
+        mesh.visible = style.grown > 0;
+      }
+    }
+  }
+
+  private write(style: Worn, into: StyleUniforms): void {
+    into.grown.value = style.grown;
+    const colour = into.tint.value;
+    const total = [...style.wearers.values()].reduce((sum, weight) => sum + weight, 0);
+    if (total > 0) colour.setRGB(0, 0, 0);
+    for (const [face, weight] of style.wearers) {
+      const { r, g, b } = this.colours.get(face) as THREE.Color;
+      colour.setRGB(colour.r + (r * weight) / total, colour.g + (g * weight) / total, colour.b + (b * weight) / total);
+    }
+    if (this.versions.get(style.name) === style.version) return;
+    this.versions.set(style.name, style.version);
+    into.strands.value.needsUpdate = true;
+  }
+
+  private uniformsOf(style: Worn): StyleUniforms {
+    const known = this.uniforms.get(style.name) ?? styleUniforms(style);
+    this.uniforms.set(style.name, known);
+    return known;
+  }
+}
+
+function styleUniforms({ hair, strands }: Worn): StyleUniforms {
+  const count = hair.anchors.length;
+  const shape = new Uint8Array(4 * count * hair.stations);
+  for (let place = 0; place < count * hair.stations; place++) {
+    for (let axis = 0; axis < 3; axis++) shape[4 * place + axis] = (hair.facing[3 * place + axis] as number) + 128;
+    shape[4 * place + 3] = hair.light[place] as number;
+  }
+  return {
+    strands: { value: texture(strands, hair.stations, count, THREE.FloatType) },
+    shape: { value: texture(shape, hair.stations, count, THREE.UnsignedByteType) },
+    stations: { value: hair.stations },
+    grown: { value: 0 },
+    width: { value: hair.width },
+    tint: { value: new THREE.Color() },
+  };
+}
+
+function texture(
+  data: Float32Array | Uint8Array,
+  width: number,
+  height: number,
+  type: THREE.TextureDataType,
+): THREE.DataTexture {
+  const made = new THREE.DataTexture(data as Uint8Array<ArrayBuffer>, width, height, THREE.RGBAFormat, type);
+  made.needsUpdate = true;
+  return made;
+}
+
+/** Fewer ribbons are wider, so that they cover the head as all of them do. */
+function ribbons(style: Worn, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
+  const geometry = ribbon(style.hair, features.hair < 0.5 ? PIECES.coarse : PIECES.fine);
+  geometry.instanceCount = Math.max(1, Math.round(features.hair * style.hair.anchors.length));
+  const look = material(HAIR_VERTEX, HAIR_FRAGMENT, {
+    ...shared,
+    ...own,
+    width: { value: (style.hair.width / 2) * features.hair ** -0.6 },
+  });
+  look.defines = definesOf(features);
+  look.side = THREE.DoubleSide;
+  look.blending = THREE.NoBlending;
+  const mesh = new THREE.Mesh(geometry, look);
+  mesh.name = style.name;
+  mesh.frustumCulled = false;
+  return mesh;
+}
+
+function ribbon(hair: HairStrands, pieces: number): THREE.InstancedBufferGeometry {
+  const geometry = new THREE.InstancedBufferGeometry();
+  const place: number[] = [];
+  const index: number[] = [];
+  for (let piece = 0; piece <= pieces; piece++) {
+    place.push(-1, piece / pieces, 1, piece / pieces);
+    const first = 2 * piece;
+    if (piece < pieces) index.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
+  }
+  geometry.setIndex(index);
+  geometry.setAttribute("place", new THREE.Float32BufferAttribute(place, 2));
+  geometry.setAttribute("source", new THREE.InstancedBufferAttribute(Float32Array.from(hair.anchors), 1));
+  return geometry;
+}
