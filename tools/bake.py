@@ -15,7 +15,7 @@ from tools.baking.hair import hair_arrays
 from tools.baking.hair_styles import GROOMS
 from tools.baking.head import cut_head
 from tools.baking.layout import unwrap
-from tools.baking.mask import paint_mask
+from tools.baking.mask import paint_layers
 from tools.baking.moves import all_moves, jaw_vertices
 from tools.baking.notice import notice
 from tools.baking.package import BakeError, Package, find_wheel
@@ -47,8 +47,8 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
     arrays.update(field_arrays(arrays, space, moves, step))
     arrays.update(hair_arrays(space, step))
     arrays.update(about(moves, sculpts))
-    mask = png_bytes(paint_mask(head.skin, generic, layout))
-    step("region mask")
+    mask = png_bytes(paint_layers(head.skin, generic, layout))
+    step("layers of the skin")
     return {"mask.png": mask, "NOTICE-CC0.md": notice(package), "cast.npz": npz_bytes(arrays)}
 
 

@@ -6,9 +6,10 @@ import numpy as np
 
 from tools.baking.basemesh import Floats
 
-HAIRS = 320  # per brow
-DENSITY = 0.42  # of one hair; crossing hairs grow darker
-WIDTH = 0.00036  # metres, half the thickness of a drawn hair at its root
+HAIRS = 620  # per brow
+DENSITY = 0.66  # of one hair; crossing hairs grow darker
+BUSHIEST = 1.7  # half heights from the middle line to the last hair
+WIDTH = 0.0003  # metres, half the thickness of a drawn hair at its root
 # The middle line of the character's left brow on the generic head: x, y, half height (metres), from nose to temple.
 LINE = np.array(
     [
@@ -23,14 +24,17 @@ LINE = np.array(
 
 
 def brow_cover(places: Floats, *, seed: int) -> Floats:
-    """How much each place (n, 3) on the generic head is covered by eyebrow, 0 to 1."""
+    """How much each place (n, 3) on the generic head is covered by eyebrow, 0 to 1.
+
+    Hairs far from the middle line are fainter: a thinner brow is the part above a higher threshold.
+    """
     cover = np.zeros(len(places))
     across = np.abs(places[:, 0])
     near = (across > 0.008) & (across < 0.062) & (np.abs(places[:, 1] - 0.02) < 0.014) & (places[:, 2] > 0.06)
     flat = np.stack([across[near], places[near, 1]], axis=1)
-    bare = 1.0 - 0.62 * _body(flat)
-    for root, tip in _hairs(seed):
-        bare *= 1.0 - DENSITY * _stroke(flat, root, tip)
+    bare = 1.0 - 0.3 * _body(flat)
+    for root, tip, strength in _hairs(seed):
+        bare *= 1.0 - DENSITY * strength * _stroke(flat, root, tip)
     cover[near] = 1.0 - bare
     return cover
 
@@ -47,21 +51,22 @@ def _line_at(x: Floats) -> tuple[Floats, Floats]:
     return np.interp(x, LINE[:, 0], LINE[:, 1]), np.interp(x, LINE[:, 0], LINE[:, 2])
 
 
-def _hairs(seed: int) -> list[tuple[Floats, Floats]]:
-    """Roots and tips (2,) of one brow's hairs: upright near the nose, lying outwards towards the temple."""
+def _hairs(seed: int) -> list[tuple[Floats, Floats, float]]:
+    """Roots, tips (2,) and strengths of one brow's hairs: upright near the nose, lying outwards towards the temple."""
     rng = np.random.default_rng(seed)
     along = np.sort(rng.uniform(0.0, 1.0, HAIRS))
     hairs = []
     for share in along:
         x = 0.0125 + share * 0.041
         middle, half = _line_at(np.array(x))
-        height = rng.uniform(-1.0, 1.0)
+        height = rng.uniform(-1.0, 1.0) * BUSHIEST
+        strength = 1.0 - 0.75 * min(1.0, max(0.0, abs(height) - 0.5) / (BUSHIEST - 0.5))
         root = np.array([x, float(middle) + float(half) * height])
-        lean = np.deg2rad(70.0 - 62.0 * share**0.7 - 22.0 * height + rng.normal(0.0, 6.0))
+        lean = np.deg2rad(70.0 - 62.0 * share**0.7 - 16.0 * height + rng.normal(0.0, 6.0))
         length = (0.0042 + 0.0016 * np.sin(np.pi * share)) * rng.uniform(0.75, 1.1)
         slope = np.interp(x + 0.004, LINE[:, 0], LINE[:, 1]) - np.interp(x, LINE[:, 0], LINE[:, 1])
         turn = lean * 0.55 + np.arctan2(slope, 0.004)
-        hairs.append((root, root + length * np.array([np.cos(turn), np.sin(turn)])))
+        hairs.append((root, root + length * np.array([np.cos(turn), np.sin(turn)]), strength * rng.uniform(0.7, 1.0)))
     return hairs
 
 

@@ -25,6 +25,10 @@ _REST = 1e-6
 
 TRAITS: Mapping[str, tuple[float, float]] = MappingProxyType(
     {"iris_size": (0.5, 2.0), "slit": (0.0, 1.0), "lashes": (0.0, 1.0)}
+    | dict.fromkeys(
+        ("pores", "age", "freckles", "stubble", "brows", "makeup", "gloss", "fur", "stripes", "lacquer", "scalp"),
+        (0.0, 1.0),
+    )
 )
 """What of a look is a number, and from where to where it goes."""
 
@@ -34,7 +38,11 @@ class Look:
     """The colours of a face, "#rrggbb" each, and its traits, which are numbers: all of them mix with the faces.
 
     hair_style: one of the cast's, or "".
-    iris_size: the iris' radius over a person's; slit: 0 a round pupil, 1 an upright slit; lashes: how many there are.
+    iris_size: the iris' radius over a person's; slit: 0 a round pupil, 1 an upright slit; lashes: how many there are;
+    coat: the second colour of a fur (muzzle, throat, blaze).
+    Of the skin, 0 to 1: pores; age (lines, spots, thin lips); freckles; stubble; brows (0 none, 1 bushy); makeup of the
+    eyes; gloss of the lips; fur instead of bare skin, its stripes; lacquer, the painted white of a mask; scalp, the
+    shadow of hair on the skin.
     """
 
     skin: str = "#d9a98c"
@@ -47,6 +55,18 @@ class Look:
     iris_size: float = 1.0
     slit: float = 0.0
     lashes: float = 0.8
+    coat: str = "#eadfcd"
+    pores: float = 0.6
+    age: float = 0.15
+    freckles: float = 0.0
+    stubble: float = 0.0
+    brows: float = 0.5
+    makeup: float = 0.0
+    gloss: float = 0.3
+    fur: float = 0.0
+    stripes: float = 0.0
+    lacquer: float = 0.0
+    scalp: float = 1.0
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():

@@ -233,6 +233,18 @@ class Look(msgspec.Struct, frozen=True):
     iris_size: float
     slit: float
     lashes: float
+    coat: str
+    pores: float
+    age: float
+    freckles: float
+    stubble: float
+    brows: float
+    makeup: float
+    gloss: float
+    fur: float
+    stripes: float
+    lacquer: float
+    scalp: float
 
 
 class LineDocument(msgspec.Struct, frozen=True):

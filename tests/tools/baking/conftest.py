@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 from tools.bake import CACHE
 from tools.baking.basemesh import BaseMesh, read_base_mesh
 from tools.baking.head import Head, cut_head
+from tools.baking.layout import unwrap
 from tools.baking.moves import Move, all_moves
 from tools.baking.package import VARIABLE, WHEEL, Package
+from tools.baking.texels import Texels, texels_of
 
 
 @pytest.fixture(scope="session")
@@ -45,6 +47,12 @@ def base_points(base: BaseMesh, head: Head) -> NDArray[np.float64]:
 def generic(base: BaseMesh, head: Head) -> NDArray[np.float64]:
     """The generic skin (V, 3), metres."""
     return head.metres(base.points)[head.skin.vertices]
+
+
+@pytest.fixture(scope="session")
+def texels(head: Head, generic: NDArray[np.float64]) -> Texels:
+    """What lies under each pixel of the skin's pictures."""
+    return texels_of(head.skin, generic, unwrap(head.skin, generic))
 
 
 @pytest.fixture(scope="session")

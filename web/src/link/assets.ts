@@ -98,7 +98,7 @@ export class Library {
   private readonly faces = new Map<string, Promise<Float32Array>>();
   private readonly compounds = new Map<string, Promise<Compound>>();
   private readonly styles = new Map<string, Promise<HairStrands>>();
-  private picture: Promise<ImageBitmap> | undefined;
+  private picture: Promise<ImageBitmap[]> | undefined;
 
   constructor(
     readonly manifest: Manifest,
@@ -155,13 +155,10 @@ export class Library {
     });
   }
 
-  /** The skin's region mask: red lips, green brows, blue blush, alpha the light that is left; (0, 0) of the texture coordinates is its upper left corner. */
-  mask(): Promise<ImageBitmap> {
+  /** The layers of the skin (tools/baking/mask.py says what they hold): they lie one below the other in one picture. */
+  layers(): Promise<ImageBitmap[]> {
     this.picture ??= insist(this.manifest.mask, this.read).then((bytes) =>
-      createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "image/png" }), {
-        premultiplyAlpha: "none",
-        colorSpaceConversion: "none",
-      }),
+      cutSquares(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "image/png" })),
     );
     return this.picture;
   }
@@ -174,4 +171,15 @@ function remembered<T>(memory: Map<string, Promise<T>>, key: string, make: () =>
   memory.set(key, made);
   made.catch(() => memory.delete(key)); // a failure may be asked again
   return made;
+}
+
+/** The squares of a tall picture from top to bottom, their bytes untouched. */
+async function cutSquares(file: Blob): Promise<ImageBitmap[]> {
+  const raw: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
+  const whole = await createImageBitmap(file, raw);
+  const { width: side, height } = whole;
+  const rows = Array.from({ length: Math.floor(height / side) }, (_, row) => row * side);
+  const squares = await Promise.all(rows.map((top) => createImageBitmap(whole, 0, top, side, side, raw)));
+  whole.close();
+  return squares;
 }

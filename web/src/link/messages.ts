@@ -177,6 +177,18 @@ export interface Look {
   iris_size: number;
   slit: number;
   lashes: number;
+  coat: string;
+  pores: number;
+  age: number;
+  freckles: number;
+  stubble: number;
+  brows: number;
+  makeup: number;
+  gloss: number;
+  fur: number;
+  stripes: number;
+  lacquer: number;
+  scalp: number;
 }
 
 /**

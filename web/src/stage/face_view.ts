@@ -15,6 +15,7 @@ import type { Tile } from "./parameters";
 import { type Pose, resting } from "./pose";
 import { FEATURES, type Features, firstLevel, type Level, pixelRatio } from "./quality";
 import { createRenderer } from "./renderer";
+import { wearLayers } from "./skin_layers";
 import { Shadow } from "./shadow";
 import { type Named, named, traitsOf, writeTraits } from "./traits";
 
@@ -71,7 +72,7 @@ export class FaceView {
     readonly canvas: HTMLCanvasElement | OffscreenCanvas,
     readonly library: Library,
     private readonly anatomy: Anatomy,
-    private readonly mask: ImageBitmap | undefined,
+    private readonly layers: readonly ImageBitmap[],
     private readonly options: FaceViewOptions,
   ) {
     this.level = this.wanted = options.level ?? firstLevel(drawsInSoftware());
@@ -98,8 +99,8 @@ export class FaceView {
     library: Library,
     options: FaceViewOptions = {},
   ): Promise<FaceView> {
-    const [anatomy, mask] = await Promise.all([study(library), library.mask().catch(() => undefined)]);
-    return new FaceView(canvas, library, anatomy, mask, options);
+    const [anatomy, layers] = await Promise.all([study(library), library.layers().catch(() => [])]);
+    return new FaceView(canvas, library, anatomy, layers, options);
   }
 
   /** What the next `render` draws; `coming`: names that will be needed soon and are fetched ahead. */
@@ -178,7 +179,7 @@ export class FaceView {
     this.holdings ??= new Holdings(this.library, settling?.size);
     this.shared = headUniforms(this.blender.positions, this.blender.normals);
     this.shadow = new Shadow(this.shared);
-    this.shared.mask.value = maskTexture(this.mask, FEATURES[this.wanted]);
+    wearLayers(this.shared, this.layers, FEATURES[this.wanted].anisotropy);
     this.scene = new THREE.Scene();
     this.backdrop = buildBackdrop();
     if (!this.options.transparent) this.scene.add(this.backdrop);
@@ -283,17 +284,4 @@ export class FaceView {
 function writeTurn(yaw: number, pitch: number, into: Float32Array, at: number): void {
   const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
   into.set([cy, 0, -sy, -sy * sp, cp, -cy * sp, sy * cp, sp, cy * cp], at);
-}
-
-function maskTexture(mask: ImageBitmap | undefined, { anisotropy }: Features): THREE.Texture {
-  const texture =
-    mask === undefined ? new THREE.DataTexture(Uint8Array.of(0, 0, 0, 255), 1, 1) : new THREE.Texture(mask);
-  texture.flipY = false; // texture coordinates as in glTF: (0, 0) is the upper left corner
-  texture.premultiplyAlpha = false;
-  texture.generateMipmaps = true;
-  texture.minFilter = anisotropy > 1 ? THREE.LinearMipmapLinearFilter : THREE.LinearMipmapNearestFilter;
-  texture.magFilter = THREE.LinearFilter;
-  texture.anisotropy = anisotropy;
-  texture.needsUpdate = true;
-  return texture;
 }

@@ -9,6 +9,7 @@ import * as parts from "./part_shaders";
 import { definesOf, type Features } from "./quality";
 import * as setting from "./setting_shaders";
 import { type ShadowUniforms, shadowUniforms } from "./shadow";
+import { type SkinUniforms, skinUniforms } from "./skin_layers";
 import * as skins from "./skin_shaders";
 import { extent } from "./topology";
 
@@ -23,17 +24,17 @@ export interface BlendedLook {
 }
 
 /** The uniforms all materials share; written once a frame. */
-export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms {
+export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms, SkinUniforms {
   positions: THREE.IUniform<THREE.Texture>;
   normals: THREE.IUniform<THREE.Texture>;
   headTurn: THREE.IUniform<THREE.Matrix3>;
   pivot: THREE.IUniform<THREE.Vector3>;
-  mask: THREE.IUniform<THREE.Texture | null>;
   grain: THREE.IUniform<THREE.Texture>;
   skin: THREE.IUniform<THREE.Color>;
   lip: THREE.IUniform<THREE.Color>;
   brow: THREE.IUniform<THREE.Color>;
   blush: THREE.IUniform<THREE.Color>;
+  coat: THREE.IUniform<THREE.Color>;
   iris: THREE.IUniform<THREE.Color>;
   irisSize: THREE.IUniform<number>;
   slit: THREE.IUniform<number>;
@@ -56,17 +57,18 @@ const ARCH = 0.034;
 export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): HeadUniforms {
   return {
     ...lightUniforms(),
+    ...skinUniforms(),
     ...shadowUniforms(),
     positions: { value: new THREE.ExternalTexture(positions) },
     normals: { value: new THREE.ExternalTexture(normals) },
     headTurn: { value: new THREE.Matrix3() },
     pivot: { value: PIVOT.clone() },
-    mask: { value: null },
     grain: { value: grainTexture() },
     skin: { value: new THREE.Color() },
     lip: { value: new THREE.Color() },
     brow: { value: new THREE.Color() },
     blush: { value: new THREE.Color() },
+    coat: { value: new THREE.Color() },
     iris: { value: new THREE.Color() },
     irisSize: { value: 1 },
     slit: { value: 0 },

@@ -2,11 +2,13 @@ import * as THREE from "three";
 import type { FaceDocument } from "../link/messages";
 import type { EyeUniforms, HeadUniforms } from "./head";
 import type { Pose } from "./pose";
+import { mixedTraits, SKIN_TRAITS, type SkinTraits } from "./skin_layers";
 import { faceWeights } from "./weights";
 
-const COLOURS = ["skin", "lip", "brow", "blush", "iris"] as const;
+const COLOURS = ["skin", "lip", "brow", "blush", "iris", "coat"] as const;
 
 type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
+  traits: SkinTraits;
   eyeRadius: number;
   centres: number[];
   ballRadii: number[];
@@ -27,6 +29,8 @@ export class Looks {
       const colour = shared[part].value.setRGB(0, 0, 0);
       for (const [look, share] of shares) addScaled(colour, look[part], share);
     }
+    const traits = mixedTraits(shares.map(([look, share]) => [look.traits, share]));
+    for (const name of SKIN_TRAITS) shared[name].value = traits[name];
     const radius = shares.reduce((sum, [look, share]) => sum + share * look.eyeRadius, 0);
     for (const eye of eyes) eye.radius.value = radius;
   }
@@ -61,6 +65,7 @@ function readLook(face: FaceDocument): FaceLook {
   const colours = COLOURS.map((part) => [part, new THREE.Color().setStyle(face.look[part])]); // sRGB in, linear out
   return {
     ...Object.fromEntries(colours),
+    traits: face.look,
     eyeRadius: face.eye_radius,
     centres: face.centres.flat(),
     ballRadii: [...face.ball_radii],
