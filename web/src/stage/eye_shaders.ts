@@ -199,7 +199,7 @@ void main() {
 #else
   float soft = 0.05 + length(fwidth(mirrored));
   light += KEY_LIGHT * (3.2 * softbox(mirrored, KEY, vec2(0.15, 0.20), soft) + 0.06 * shine(surface, view, KEY, 40.0)) * lidded;
-  light += FILL_LIGHT * 1.3 * softbox(mirrored, FILL, vec2(0.30, 0.42), soft + 0.10) * lidded;
+  light += FILL_LIGHT * 0.7 * softbox(mirrored, FILL, vec2(0.10, 0.26), soft + 0.05) * lidded;
   vec3 room = mix(GROUND_LIGHT, SKY_LIGHT * 1.6, smoothstep(-0.3, 0.7, mirrored.y));
   room += RIM_LIGHT * 0.5 * (pow(max(dot(mirrored, RIM_LEFT), 0.0), 8.0) + pow(max(dot(mirrored, RIM_RIGHT), 0.0), 8.0));
   light += room * min(fresnel, 0.35) * 1.6 * skyOpen * smoothstep(-0.05, 0.22, vLids.x);

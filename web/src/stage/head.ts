@@ -3,15 +3,15 @@ import type { Mesh } from "../link/assets";
 import type { Anatomy } from "./anatomy";
 import { collar } from "./collar";
 import { eyeball } from "./eyes";
+import { lashes } from "./lashes";
 import { type LightUniforms, lightUniforms } from "./light_uniforms";
 import { material, type Uniforms } from "./material";
-import * as parts from "./part_shaders";
+import { mouthPart } from "./mouth";
 import { definesOf, type Features } from "./quality";
 import * as setting from "./setting_shaders";
 import { type ShadowUniforms, shadowUniforms } from "./shadow";
 import { type SkinUniforms, skinUniforms } from "./skin_layers";
 import * as skins from "./skin_shaders";
-import { extent } from "./topology";
 
 /** Colours in linear light and the eyeballs' size: what of a face's look the shaders take. */
 export interface BlendedLook {
@@ -51,8 +51,6 @@ export interface EyeUniforms extends Uniforms {
 
 /** Where the head turns: the top of the spine, metres. */
 const PIVOT = new THREE.Vector3(0, -0.075, 0.03);
-/** From the front teeth back to the middle of the dental arch, metres. */
-const ARCH = 0.034;
 
 export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): HeadUniforms {
   return {
@@ -96,7 +94,9 @@ export interface HeadParts {
 /** The whole head as a scene. */
 export function buildHead(from: HeadParts): THREE.Group {
   const head = new THREE.Group();
-  for (const mesh of from.meshes) head.add(drawn(mesh, from));
+  for (const mesh of from.meshes) if (mesh.name !== "lashes") head.add(drawn(mesh, from));
+  const grown = lashes(from.anatomy, from.shared);
+  if (grown !== undefined) head.add(grown);
   if (from.anatomy.rim.length > 0) {
     const cloth = material(setting.COLLAR_VERTEX, setting.COLLAR_FRAGMENT, from.shared);
     head.add(new THREE.Mesh(collar(from.anatomy), cloth));
@@ -121,11 +121,8 @@ function drawn(mesh: Mesh, { anatomy, shared, eyes, features }: HeadParts): THRE
     }
     case "teeth_upper":
     case "teeth_lower":
-      return mouthPart(geometry, mesh, anatomy, material(parts.MOUTH_VERTEX, parts.TEETH_FRAGMENT, shared));
     case "tongue":
-      return mouthPart(geometry, mesh, anatomy, material(parts.MOUTH_VERTEX, parts.TONGUE_FRAGMENT, shared));
-    case "lashes":
-      return lashes(geometry, mesh, anatomy, shared);
+      return mouthPart(geometry, mesh, anatomy, shared);
     default:
       return skin(geometry, mesh, anatomy, material(skins.SKIN_VERTEX, skins.SKIN_FRAGMENT, shared));
   }
@@ -145,56 +142,6 @@ function gather(values: Float32Array, rows: Uint32Array, width: number): Float32
     out.set(values.subarray(width * row, width * (row + 1)), width * index);
   });
   return out;
-}
-
-/** Depth behind the front teeth, angle on the dental arch, height from gum to edge: what teeth are painted by. */
-function mouthPart(
-  geometry: THREE.BufferGeometry,
-  mesh: Mesh,
-  anatomy: Anatomy,
-  look: THREE.RawShaderMaterial,
-): THREE.Mesh {
-  const { positions } = anatomy;
-  const [[, ahead], [low, high]] = [extent(positions, 2, mesh.source), extent(positions, 1, mesh.source)];
-  const place = new Float32Array(3 * mesh.source.length);
-  mesh.source.forEach((row, index) => {
-    const [x, y, z] = [0, 1, 2].map((axis) => positions[3 * row + axis] as number) as [number, number, number];
-    const level = (y - low) / (high - low);
-    const edge = mesh.name === "teeth_upper" ? 1 - level : level;
-    place.set([(ahead - z) / 0.05, Math.atan2(x, z - ahead + ARCH), edge], 3 * index);
-  });
-  geometry.setAttribute("place", new THREE.BufferAttribute(place, 3));
-  look.side = THREE.DoubleSide;
-  return new THREE.Mesh(geometry, look);
-}
-
-/** Strands run from the eye outwards: along the lid by angle, from root to tip by distance from the eyeball. */
-function lashes(geometry: THREE.BufferGeometry, mesh: Mesh, anatomy: Anatomy, shared: HeadUniforms): THREE.Mesh {
-  const centres = [0, 1].map((side) => eyeCentre(anatomy, side));
-  const strand = new Float32Array(3 * mesh.source.length);
-  mesh.source.forEach((row, index) => {
-    const [x, y, z] = [0, 1, 2].map((axis) => anatomy.positions[3 * row + axis] as number) as [number, number, number];
-    const [cx, cy, cz] = centres[x > 0 ? 0 : 1] as [number, number, number];
-    const reach = Math.hypot(x - cx, y - cy, z - cz);
-    const upper = y > cy - 0.0015 ? 1 : 0;
-    const along = Math.atan2(x - cx, Math.abs(y - cy) + 0.012) * 26;
-    strand.set([along, (reach - 0.0158) / 0.0085, upper], 3 * index);
-  });
-  geometry.setAttribute("strand", new THREE.BufferAttribute(strand, 3));
-  const hair = material(parts.LASH_VERTEX, parts.LASH_FRAGMENT, shared);
-  hair.side = THREE.DoubleSide;
-  hair.depthWrite = false;
-  const drawn = new THREE.Mesh(geometry, hair);
-  drawn.renderOrder = 1;
-  return drawn;
-}
-
-function eyeCentre(anatomy: Anatomy, side: number): [number, number, number] {
-  const [first, end] = [anatomy.eyeRows[2 * side] as number, anatomy.eyeRows[2 * side + 1] as number];
-  const sum: [number, number, number] = [0, 0, 0];
-  for (let row = first; row < end; row++)
-    for (const axis of [0, 1, 2] as const) sum[axis] += (anatomy.positions[3 * row + axis] as number) / (end - first);
-  return sum;
 }
 
 /** The backdrop of the stage; `window` is this picture's part of the wall's. */
