@@ -11,6 +11,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
 from omote.perform.transition import EASINGS
 from tests import synthetic
@@ -55,9 +56,13 @@ _channel = st.builds(
 )
 _gaze = st.builds(Command, st.just("set_gaze"), st.tuples(st.floats(-0.7, 0.7), st.floats(-0.5, 0.5)))
 
+_light = st.builds(
+    Command, st.just("call_light"), st.tuples(st.sampled_from([*LIGHTS])), st.floats(0.0, 4.0), _easings, _waits
+)
+
 calls = st.one_of(_call("face", synthetic.FACES), _call("expression", synthetic.EXPRESSIONS))
 moves = st.one_of(calls, calls, _by_hand("face"), _by_hand("expression"))
-commands = st.one_of(moves, moves, _channel, _gaze, st.just(Command("panic", wait=0.1)))
+commands = st.one_of(moves, moves, _light, _channel, _gaze, st.just(Command("panic", wait=0.1)))
 shows = st.lists(commands, max_size=30)
 
 

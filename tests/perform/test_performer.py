@@ -33,7 +33,7 @@ def test_mixes_sum_to_one_and_channels_stand_beside_them(cast: Cast, show: list[
     for command in show:
         command.play(performer)
         frame = performer.advance(command.wait)
-        for mix in (frame.faces, frame.expressions):
+        for mix in (frame.faces, frame.expressions, frame.light):
             assert math.fsum(mix.values()) == pytest.approx(1.0, abs=1e-9)
             assert all(-0.1 - 1e-9 <= weight <= 1.1 + 1e-9 for weight in mix.values())
     assert frame_time(show) == pytest.approx(performer.advance(0.0).time)
@@ -78,6 +78,38 @@ def test_faces_and_expressions_move_independently(cast: Cast) -> None:
     assert frame.expression_call is None
     assert frame.face_call is not None
     assert (frame.face_call.target, frame.face_call.remaining) == ("broad", 1.0)
+
+
+def test_a_light_changes_beside_the_face_and_from_what_shows(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.call_light("portrait", seconds=2.0)
+    between = performer.advance(1.0)
+    assert between.light["portrait"] == pytest.approx(0.5)
+    assert between.faces == {"generic": 1.0}
+    assert between.light_call is not None
+    assert between.light_call.target == "portrait"
+    performer.call_light("flat", seconds=1.0)
+    assert performer.advance(0.0).light == pytest.approx(between.light)
+    assert performer.advance(2.0).light == {"flat": 1.0}
+
+
+@pytest.mark.parametrize("seconds", [math.nan, -1.0, math.inf, 1e9])
+def test_a_light_waits_for_no_hand(cast: Cast, seconds: float) -> None:
+    performer = Performer(cast)
+    with pytest.raises(ValueError, match=r"the time of a call \(seconds\) is"):
+        performer.call_light("flat", seconds=seconds)
+    with pytest.raises(ValueError, match="there is no light 'candle'; choose one of theatre"):
+        performer.call_light("candle")
+    assert performer.snapshot() == Performer(cast).snapshot()
+
+
+def test_panic_keeps_the_light(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.call_light("flat", seconds=2.0)
+    before = performer.advance(1.0)
+    performer.panic()
+    assert performer.advance(0.0).light == before.light
+    assert performer.advance(2.0).light == {"flat": 1.0}
 
 
 def test_a_call_for_ever_waits_for_the_t_bar(cast: Cast) -> None:

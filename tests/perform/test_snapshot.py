@@ -9,7 +9,8 @@ import msgspec
 import pytest
 
 from omote.model.cast import Cast
-from omote.perform.axis import Call
+from omote.perform.axis import Axis, Call
+from omote.perform.lights import FIRST_LIGHT
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, checked
 from omote.perform.transition import Glide
@@ -65,6 +66,7 @@ BROKEN: dict[str, Callable[[Snapshot], Snapshot]] = {
     r"the time of a T-bar's way \(seconds\) is -1.0": with_call(way=Glide(0.0, 0.0, 1.0, -1.0)),
     "the channel jawOpen is 2.0": lambda snapshot: replace(snapshot, channels={"jawOpen": 2.0}),
     "there is no channel 'tail'": lambda snapshot: replace(snapshot, channels={"tail": 0.5}),
+    "there is no light 'candle'": lambda snapshot: replace(snapshot, light=Axis("candle")),
     r"the snapshot's time \(seconds\) is nan": lambda snapshot: replace(snapshot, time=math.nan),
 }
 
@@ -74,6 +76,13 @@ def test_what_no_performer_has_written_is_refused(cast: Cast, sentence: str) -> 
     broken = BROKEN[sentence](running(cast))
     with pytest.raises(ValueError, match=sentence):
         Performer.restored(cast, broken)
+
+
+def test_a_show_of_before_there_were_lights_begins_with_the_first(cast: Cast) -> None:
+    written = msgspec.to_builtins(running(cast))
+    del written["light"]
+    read = msgspec.convert(written, Snapshot)
+    assert Performer.restored(cast, read).advance(0.0).light == {FIRST_LIGHT: 1.0}
 
 
 def test_calls_are_values(cast: Cast) -> None:

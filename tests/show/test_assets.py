@@ -14,6 +14,7 @@ from omote.model.cast import Cast, Title
 from omote.model.compound import compound, compound_parts
 from omote.perform.evaluate import evaluate, evaluate_parts
 from omote.perform.frame import Frame
+from omote.perform.lights import LIGHTS
 from omote.show.assets import (
     FINEST_STEP,
     compound_asset,
@@ -92,6 +93,10 @@ def blended(cast: Cast, frame: Frame) -> np.ndarray:
         weights = [*frame.expressions.items(), *frame.channels.items()]
         shown += share * (rest_positions(cast, face) + sum(weight * moves[name] for name, weight in weights))
     return shown
+
+
+def test_the_manifest_lists_the_lights(cast: Cast) -> None:
+    assert {light.name: light.label for light in written(cast).lights} == LIGHTS
 
 
 def test_the_manifest_counts_what_there_is(cast: Cast) -> None:

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
 from omote.show import messages as wire
 from omote.show.session import REMEMBERED_CALLS, SILENCE, Outgoing, SessionSnapshot, ShowSession
@@ -28,6 +29,7 @@ call = st.one_of(
         st.just("smooth"),
     ),
     st.builds(wire.CallFace, st.uuids().map(str), st.sampled_from(synthetic.FACES), st.none(), st.just("smooth")),
+    st.builds(wire.CallLight, st.uuids().map(str), st.sampled_from([*LIGHTS]), st.floats(0.0, 3.0), st.just("smooth")),
 )
 command = st.one_of(
     call,
@@ -49,6 +51,7 @@ wrong = st.one_of(
         wire.CallFace, st.just("x"), st.just("generic"), st.sampled_from([math.nan, -1.0, 1e9]), st.just("smooth")
     ),
     st.builds(wire.CallFace, st.just("x"), st.just("generic"), st.just(1.0), st.just("jerky")),
+    st.builds(wire.CallLight, st.just("x"), st.sampled_from(["candle", "flat"]), st.just(-1.0), st.just("smooth")),
     st.builds(wire.Ping, st.sampled_from([math.nan, math.inf])),
 )
 

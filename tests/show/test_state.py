@@ -21,9 +21,11 @@ def test_a_state_is_its_frame(cast: Cast, show: list[Command]) -> None:
         frame = performer.advance(command.wait)
         state = state_of(cast, frame, epoch=3, number=7, revision=2)
         assert (state.epoch, state.number, state.revision, state.time) == (3, 7, 2, frame.time)
+        assert state.light == frame.light
         assert (state.faces, state.expressions, state.channels) == (frame.faces, frame.expressions, frame.channels)
         assert all(math.isfinite(angle) for angle in (*state.eyes, *state.head, *state.gaze))
         assert (state.face_call is None) == (frame.face_call is None)
+        assert (state.light_call is None) == (frame.light_call is None)
 
 
 def test_head_and_gaze_keep_their_order(cast: Cast) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMIT, HEAD_LIMIT, within
 
 
@@ -54,7 +55,7 @@ class CallStatus:
 
 @dataclass(frozen=True)
 class Frame:
-    """The mix of faces and of expressions (each sums to one), the channels, head and gaze, at `time` seconds.
+    """The mixes of faces, expressions and lights (each sums to one), the channels, head and gaze, at `time` seconds.
 
     Names that weigh nothing are absent. `face_fader`, `expression_fader`: where the T-bars stand, 0..1.
     """
@@ -69,3 +70,5 @@ class Frame:
     expression_call: CallStatus | None = None
     face_fader: float = 0.0
     expression_fader: float = 0.0
+    light: Mapping[str, float] = field(default_factory=lambda: {FIRST_LIGHT: 1.0})
+    light_call: CallStatus | None = None

@@ -11,13 +11,14 @@ from omote.perform import axis
 from omote.perform.axis import Axis
 from omote.perform.channels import with_channel
 from omote.perform.frame import Frame, Gaze, Head
+from omote.perform.lights import light_named
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
 from omote.perform.snapshot import Snapshot, checked
 from omote.perform.transition import DEFAULT_EASING, easing_named
 
 
 class Performer:
-    """Plays a cast: calls, T-bars, channels, head and gaze in; a frame for each step of time out."""
+    """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out."""
 
     def __init__(self, cast: Cast) -> None:
         known(GENERIC, cast.faces, "face")
@@ -43,6 +44,12 @@ class Performer:
         """Brings an expression on air from whatever shows; 0 seconds cut, `math.inf` waits for `fade_expression`."""
         called = _called(self._now.expression, self._cast.expressions, name, "expression", seconds, easing)
         self._now = replace(self._now, expression=called)
+
+    def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
+        """Brings a light on air from whatever light shows; 0 seconds cut."""
+        light_named(name)
+        easing_named(easing)
+        self._now = replace(self._now, light=axis.called(self._now.light, name, _length(seconds), easing))
 
     def fade_face(self, x: float) -> None:
         """Moves the T-bar of the faces to `x`, 0..1; it takes over the call once it has passed its progress."""
@@ -74,9 +81,10 @@ class Performer:
         self._now = replace(self._now, gaze=Gaze(yaw, pitch))
 
     def panic(self) -> None:
-        """Neutral, now: no expression, channel, head turn, gaze or T-bar is left; who the face is stays."""
+        """Neutral, now: no expression, channel, head turn, gaze or T-bar is left; face and light stay."""
         expression = Axis(NEUTRAL, hand=self._now.expression.hand)
-        self._now = Snapshot(axis.released(self._now.face), expression, time=self._now.time)
+        now = self._now
+        self._now = Snapshot(axis.released(now.face), expression, time=now.time, light=now.light)
 
     def advance(self, dt: float) -> Frame:
         """What is on air `dt` seconds later (0 or more); one long step lands where many short ones do."""
@@ -86,6 +94,7 @@ class Performer:
             now,
             face=axis.advanced(now.face, dt),
             expression=axis.advanced(now.expression, dt),
+            light=axis.advanced(now.light, dt),
             time=now.time + dt,
         )
         return _frame(self._now)
@@ -96,8 +105,12 @@ def _called(on: Axis, names: Mapping[str, object], name: str, what: str, seconds
     easing_named(easing)
     if isinstance(seconds, float) and seconds == math.inf:
         return axis.called(on, name, None, easing)
+    return axis.called(on, name, _length(seconds), easing)
+
+
+def _length(seconds: float) -> float:
     seconds = within(seconds, 0.0, LONGEST_CALL, "the time of a call (seconds)")
-    return axis.called(on, name, seconds if seconds >= SHORTEST_CALL else 0.0, easing)
+    return seconds if seconds >= SHORTEST_CALL else 0.0
 
 
 def _frame(now: Snapshot) -> Frame:
@@ -112,4 +125,6 @@ def _frame(now: Snapshot) -> Frame:
         expression_call=axis.status(now.expression),
         face_fader=now.face.hand,
         expression_fader=now.expression.hand,
+        light=axis.weights(now.light),
+        light_call=axis.status(now.light),
     )

@@ -10,6 +10,7 @@ from omote.model.cast import Cast
 from omote.perform.axis import Axis, Call
 from omote.perform.channels import with_channel
 from omote.perform.frame import Gaze, Head
+from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.transition import DECAY_SECONDS, Glide, easing_named
@@ -28,12 +29,14 @@ class Snapshot:
     head: Head = field(default_factory=Head)
     gaze: Gaze = field(default_factory=Gaze)
     time: float = 0.0
+    light: Axis = field(default_factory=lambda: Axis(FIRST_LIGHT))  # shows of before had no light to call
 
 
 def checked(snapshot: Snapshot, cast: Cast) -> Snapshot:
     """The same snapshot; refuses one that the cast cannot play, or that no performer can have written."""
     _check_axis(snapshot.face, cast.faces, "face")
     _check_axis(snapshot.expression, cast.expressions, "expression")
+    _check_axis(snapshot.light, LIGHTS, "light")
     for name, value in snapshot.channels.items():
         with_channel({}, cast.expressions, name, value)
     within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")

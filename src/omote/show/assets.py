@@ -17,6 +17,7 @@ from omote.model.face import Face
 from omote.model.fitted import fit
 from omote.model.hair import LINKS, HairStyle
 from omote.model.transfer import compile_expression
+from omote.perform.lights import LIGHTS
 from omote.show.messages import (
     PROTOCOL_VERSION,
     CompoundAsset,
@@ -26,6 +27,7 @@ from omote.show.messages import (
     HairAsset,
     HairDocument,
     Kind,
+    LightDocument,
     LineDocument,
     Look,
     Manifest,
@@ -70,6 +72,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         mask=mask,
         faces=[_face_document(cast, face, urls[name]) for name, face in cast.faces.items()],
         expressions=[_expression_document(cast, name) for name in cast.expressions],
+        lights=[LightDocument(name, label) for name, label in LIGHTS.items()],
         hair=[HairDocument(name, url) for name, url in combed.items()],
         settling=settling_document(cast, starts),
     )

@@ -120,7 +120,7 @@ class ShowSession:
             case wire.Drawing():
                 report = wire.StageReport(number(message.fps, door.FPS), message.level)
                 self.crew[who] = Member(self._member(who).role, report, heard=now)
-            case wire.CallFace() | wire.CallExpression() if message.id in self._calls:
+            case wire.CallFace() | wire.CallExpression() | wire.CallLight() if message.id in self._calls:
                 pass  # a retry or a bouncing key: each call executes once
             case _:
                 self._obey(who, message)
@@ -136,7 +136,7 @@ class ShowSession:
         except (ValueError, TypeError) as error:
             raise Refusal(f"{error}.") from error
         self.commands += 1
-        if isinstance(message, wire.CallFace | wire.CallExpression):
+        if isinstance(message, wire.CallFace | wire.CallExpression | wire.CallLight):
             self._calls[message.id] = None
             if len(self._calls) > REMEMBERED_CALLS:
                 del self._calls[next(iter(self._calls))]
@@ -166,6 +166,10 @@ def _call_expression(performer: Performer, call: wire.CallExpression) -> None:
     performer.call_expression(call.name, seconds=_seconds(call.seconds), easing=call.easing)
 
 
+def _call_light(performer: Performer, call: wire.CallLight) -> None:
+    performer.call_light(call.name, seconds=number(call.seconds, door.SECONDS), easing=call.easing)
+
+
 def _set_head(performer: Performer, head: wire.SetHead) -> None:
     performer.set_head(number(head.yaw, door.HEAD), number(head.pitch, door.HEAD), number(head.roll, door.HEAD))
 
@@ -181,6 +185,7 @@ def _seconds(seconds: float | None) -> float:
 OBEY: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
     wire.CallFace: _call_face,
     wire.CallExpression: _call_expression,
+    wire.CallLight: _call_light,
     wire.FadeFace: lambda performer, bar: performer.fade_face(number(bar.value, door.FADER)),
     wire.ReleaseFace: lambda performer, _: performer.release_face(),
     wire.FadeExpression: lambda performer, bar: performer.fade_expression(number(bar.value, door.FADER)),

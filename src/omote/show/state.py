@@ -33,6 +33,8 @@ def state_of(cast: Cast, frame: Frame, *, epoch: int, number: int, revision: int
         expression_call=call_state(frame.expression_call),
         face_fader=frame.face_fader,
         expression_fader=frame.expression_fader,
+        light=dict(frame.light),
+        light_call=call_state(frame.light_call),
     )
 
 

@@ -20,6 +20,8 @@ const REST: State = {
   expression_call: null,
   face_fader: 0,
   expression_fader: 0,
+  light: { theatre: 1 },
+  light_call: null,
 };
 const expression = (name: string) => ({ name, label: name, kind: "arkit", region: "", eyes: [0, 0, 0, 0] });
 const MANIFEST = {

@@ -1,3 +1,5 @@
+import { decoded } from "./tone";
+
 /** A direction or a colour in linear light. */
 export type Triple = readonly [number, number, number];
 
@@ -31,18 +33,43 @@ export type LightMix = Readonly<Record<string, number>>;
 
 const from = (x: number, y: number, z: number): Triple => unit([x, y, z]);
 
-/** The lights that a show can call; the first is the one a show begins with. */
+/** The lights that a show can call; the server knows them by the same names (`omote.perform.lights`). */
 export const LIGHTS: Readonly<Record<string, Light>> = {
+  // A hard warm lamp from above left, strong light from behind, a dark house.
   theatre: {
-    key: { from: from(-0.68, 0.62, 0.66), light: [1.72, 1.52, 1.34] },
-    fill: { from: from(0.85, 0, 0.5), light: [0.25, 0.24, 0.27] },
-    rims: { left: from(-0.9, 0.25, -0.45), right: from(0.9, 0.35, -0.5), light: [0.62, 0.7, 0.9] },
-    sky: [0.105, 0.1, 0.11],
-    ground: [0.07, 0.05, 0.046],
+    key: { from: from(-0.64, 0.68, 0.64), light: [2.05, 1.74, 1.46] },
+    fill: { from: from(0.85, 0, 0.5), light: [0.16, 0.17, 0.22] },
+    rims: { left: from(-0.9, 0.25, -0.45), right: from(0.9, 0.35, -0.5), light: [1.0, 1.08, 1.3] },
+    sky: [0.085, 0.082, 0.095],
+    ground: [0.055, 0.04, 0.037],
     size: 0.05,
     shade: 1,
     exposure: 1,
-    backdrop: { edge: [0.0023, 0.0024, 0.003], glow: [0.0124, 0.0112, 0.0142] },
+    backdrop: { edge: [0.0016, 0.0016, 0.002], glow: [0.0105, 0.0094, 0.0118] },
+  },
+  // A large soft lamp beside the camera, gentle fill, a calm grey wall.
+  portrait: {
+    key: { from: from(-0.5, 0.48, 0.8), light: [1.38, 1.3, 1.22] },
+    fill: { from: from(0.8, 0.1, 0.6), light: [0.4, 0.39, 0.4] },
+    rims: { left: from(-0.9, 0.35, -0.45), right: from(0.9, 0.45, -0.5), light: [0.42, 0.44, 0.5] },
+    sky: [0.19, 0.19, 0.195],
+    ground: [0.12, 0.105, 0.098],
+    size: 0.3,
+    shade: 1,
+    exposure: 1,
+    backdrop: { edge: [0.022, 0.024, 0.028], glow: [0.115, 0.118, 0.124] },
+  },
+  // The same from everywhere, before a green that a keyer takes out.
+  flat: {
+    key: { from: from(-0.3, 0.3, 0.9), light: [0, 0, 0] },
+    fill: { from: from(0.6, 0.1, 0.8), light: [0, 0, 0] },
+    rims: { left: from(-0.9, 0.25, -0.45), right: from(0.9, 0.35, -0.5), light: [0, 0, 0] },
+    sky: [1.02, 1.02, 1.02],
+    ground: [0.96, 0.96, 0.96],
+    size: 0.3,
+    shade: 0,
+    exposure: 1,
+    backdrop: { edge: decoded("#00b140"), glow: decoded("#00b140") },
   },
 };
 
@@ -90,3 +117,9 @@ export function unit([x, y, z]: Triple): Triple {
   const length = Math.hypot(x, y, z);
   return length > 1e-6 ? [x / length, y / length, z / length] : [0, 0, 1];
 }
+
+/** The light before another background, one linear colour. */
+export const before = (light: Light, background: Triple): Light => ({
+  ...light,
+  backdrop: { edge: background, glow: background },
+});

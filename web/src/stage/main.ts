@@ -31,7 +31,7 @@ function showCounters(stage: Stage): void {
 }
 
 try {
-  await open(readParameters(location.search));
+  await open(readParameters(location.search + location.hash));
 } catch (error) {
   notice.textContent = error instanceof Error ? error.message : String(error); // for whoever sets the stage up
   if (!(error instanceof ParameterError)) console.error(error);

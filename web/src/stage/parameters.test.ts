@@ -1,10 +1,18 @@
 import { describe, expect, it } from "vitest";
 import { tileView } from "./framing";
 import { ParameterError, readParameters } from "./parameters";
+import { encoded } from "./tone";
 
 describe("a stage's address", () => {
   it("needs no parameter", () => {
-    expect(readParameters("")).toEqual({ transparent: false, hud: false, quality: "auto", tile: undefined });
+    expect(readParameters("")).toEqual({
+      background: undefined,
+      light: undefined,
+      transparent: false,
+      hud: false,
+      quality: "auto",
+      tile: undefined,
+    });
   });
 
   it("switches with or without =1", () => {
@@ -14,6 +22,17 @@ describe("a stage's address", () => {
       quality: "low",
     });
     expect(readParameters("?transparent=0").transparent).toBe(false);
+  });
+
+  it.each(["#00b140", "00b140", "%2300B140"])("puts %s behind the head", (colour) => {
+    const [red, green, blue] = readParameters(`?background=${colour}`).background ?? [];
+    expect(red).toBe(0);
+    expect(encoded([0, green ?? 0, 0])[1] * 255).toBeCloseTo(0xb1, 6);
+    expect(encoded([0, 0, blue ?? 0])[2] * 255).toBeCloseTo(0x40, 6);
+  });
+
+  it("reads on behind the colour's #", () => {
+    expect(readParameters("?background=#000000&light=flat&hud")).toMatchObject({ light: "flat", hud: true });
   });
 
   it("places a tile", () => {
@@ -29,6 +48,10 @@ describe("a stage's address", () => {
   it.each([
     ["?colour=red", "colour"],
     ["?hud=maybe", "hud=maybe"],
+    ["?background=green", "background=green"],
+    ["?background=#00b14", "background=#00b14"],
+    ["?background=#000000&transparent", "exclude"],
+    ["?light=candle", "light=candle"],
     ["?quality=best", "quality=best"],
     ["?tile=1&of=3x3", "tile=1"],
     ["?tile=-1,0&of=3x3", "tile=-1,0"],

@@ -1,4 +1,6 @@
+import { LIGHTS, type Triple } from "./light";
 import { LEVELS, type Level } from "./quality";
+import { decoded } from "./tone";
 
 /** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */
 export interface Tile {
@@ -13,19 +15,23 @@ export interface Tile {
 /** Everything a stage is told by its address. */
 export interface StageParameters {
   transparent: boolean;
+  /** One colour behind the head, in linear light; undefined: what the light brings. */
+  background: Triple | undefined;
+  /** A light of this stage alone; undefined: the one on air. */
+  light: string | undefined;
   hud: boolean;
   /** What the picture may cost; "auto": as much as the machine draws in time. */
   quality: Level | "auto";
   tile: Tile | undefined;
 }
 
-const KNOWN = ["transparent", "tile", "of", "bezel", "quality", "hud"];
+const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud"];
 const QUALITIES: readonly string[] = ["auto", ...LEVELS];
 
 /** A parameter that cannot be obeyed; its message is a sentence for the page. */
 export class ParameterError extends Error {}
 
-/** The parameters of an address, e.g. `?tile=0,1&of=3x3&bezel=2`; ParameterError when one makes no sense. */
+/** The parameters of an address, with what follows its "#", e.g. `?tile=0,1&of=3x3&bezel=2`; ParameterError when one makes no sense. */
 export function readParameters(query: string): StageParameters {
   const given = new URLSearchParams(query);
   for (const name of given.keys())
@@ -33,6 +39,8 @@ export function readParameters(query: string): StageParameters {
       throw new ParameterError(`There is no parameter "${name}"; a stage knows ${KNOWN.join(", ")}.`);
   return {
     transparent: readSwitch(given, "transparent"),
+    background: readBackground(given),
+    light: readLight(given.get("light")),
     hud: readSwitch(given, "hud"),
     quality: readQuality(given.get("quality")),
     tile: readTile(given),
@@ -44,6 +52,24 @@ function readSwitch(given: URLSearchParams, name: string): boolean {
   if (value === null || value === "0") return false;
   if (value === "" || value === "1") return true;
   throw new ParameterError(`${name}=${value} is neither on nor off; write ${name}=1 or leave it out.`);
+}
+
+/** `#rrggbb`; an address may write it with its "#" as it is, or leave that out. */
+function readBackground(given: URLSearchParams): Triple | undefined {
+  const value = given.get("background");
+  if (value === null) return undefined;
+  if (!/^#?[0-9a-f]{6}$/i.test(value))
+    throw new ParameterError(`background=${value} is no colour; write background=#rrggbb, for example #00b140.`);
+  if (readSwitch(given, "transparent"))
+    throw new ParameterError(`background=${value} and transparent exclude each other; leave one of them out.`);
+  return decoded(value.startsWith("#") ? value : `#${value}`);
+}
+
+function readLight(value: string | null): string | undefined {
+  if (value === null) return undefined;
+  const names = Object.keys(LIGHTS);
+  if (!names.includes(value)) throw new ParameterError(`light=${value} is unknown; write ${names.join(", ")}.`);
+  return value;
 }
 
 function readQuality(value: string | null): Level | "auto" {

@@ -1,13 +1,14 @@
 import type { State } from "../link/messages";
+import { FIRST_LIGHT } from "./light";
 
 /** What a stage draws: the weights and angles of a state, nothing of its calls. Every `State` is one. */
-export type Pose = Pick<State, "faces" | "expressions" | "channels" | "lids" | "head" | "eyes">;
+export type Pose = Pick<State, "faces" | "expressions" | "channels" | "lids" | "head" | "eyes" | "light">;
 
 type Weights = Record<string, number>;
 
 /** The same text for the same pose. */
-export const poseKey = ({ faces, expressions, channels, lids, head, eyes }: Pose): string =>
-  JSON.stringify([faces, expressions, channels, lids, head, eyes]);
+export const poseKey = ({ faces, expressions, channels, lids, head, eyes, light }: Pose): string =>
+  JSON.stringify([faces, expressions, channels, lids, head, eyes, light]);
 
 /** The pose at rest: one face, neutral. */
 export const resting = (face: string, expression = "neutral"): Pose => ({
@@ -17,6 +18,7 @@ export const resting = (face: string, expression = "neutral"): Pose => ({
   lids: {},
   head: [0, 0, 0],
   eyes: [0, 0, 0, 0],
+  light: { [FIRST_LIGHT]: 1 },
 });
 
 /** Weights part of the way from `from` to `to`; a name that is missing weighs nothing. */
@@ -40,6 +42,7 @@ export function mixPoses(from: Pose, to: Pose, part: number): Pose {
     lids: mixWeights(from.lids, to.lids, part),
     head: mixAngles(from.head, to.head, part),
     eyes: mixAngles(from.eyes, to.eyes, part),
+    light: mixWeights(from.light, to.light, part),
   };
 }
 

@@ -33,7 +33,7 @@ void main() {
 }
 `;
 
-/** The stage behind the head: near black, with a breath of light so that the silhouette reads. */
+/** The stage behind the head: one colour at the edge, one around the head, so that the silhouette reads. */
 export const BACKDROP_VERTEX = `
 precision highp float;
 uniform vec4 window; // this picture's part of the wall's: left, bottom, width, height
@@ -48,13 +48,14 @@ void main() {
 export const BACKDROP_FRAGMENT = `
 precision highp float;
 uniform float aspect;
+uniform vec3 edge;
+uniform vec3 glow;
 in vec2 vPlace;
 out vec4 colour;
 void main() {
   vec2 from = (vPlace - vec2(0.5, 0.58)) * vec2(aspect, 1.0);
-  float glow = exp(-dot(from, from) * 3.2);
-  vec3 light = mix(vec3(0.030, 0.031, 0.038), vec3(0.115, 0.108, 0.125), glow);
-  float dither = fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453) - 0.5;
-  colour = vec4(light + dither / 255.0, 1.0);
+  vec3 light = mix(edge, glow, exp(-dot(from, from) * 3.2));
+  float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
+  colour = vec4(light + 0.98 * dither / 255.0, 1.0);
 }
 `;

@@ -1,5 +1,6 @@
 import { ROW_SHIFT, ROW_WIDTH } from "./pass_shaders";
 import { NO_SHADOW, SHADOW } from "./shadow_shaders";
+import { TONE } from "./tone";
 
 /** What every vertex shader of the head shares: its row's blended position and normal, turned with the head. */
 export const VERTEX_HEAD = `
@@ -59,16 +60,7 @@ export const FRAGMENT_HEAD = `
 precision highp float;
 precision highp sampler2D;
 ${LAMPS}${SHADOW}
-uniform float EXPOSURE;
 out vec4 colour;
-
-/** Linear light to the display, with a shoulder for the highlights. */
-vec3 display(vec3 light) {
-  vec3 x = max(light * EXPOSURE, 0.0);
-  x = x * (1.0 + x * 0.12) / (1.0 + x * 0.72);
-  vec3 root = sqrt(x); // the sRGB curve by square roots: no logarithms on a software renderer
-  vec3 fourth = sqrt(root);
-  return 0.585122381 * root + 0.783140355 * fourth - 0.368262736 * sqrt(fourth);
-}
+${TONE}
 vec4 premultiplied(vec3 light, float alpha) { return vec4(display(light) * alpha, alpha); }
 `;

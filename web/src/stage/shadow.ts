@@ -3,7 +3,7 @@ import type { Light } from "./light";
 import { DEPTH, HEIGHT_FRAGMENT, REACH } from "./shadow_shaders";
 
 /** The middle of the head and its neck, metres. */
-const CENTRE = new THREE.Vector3(0, -0.02, 0);
+const CENTRE = new THREE.Vector3(0, -0.02, 0.03);
 /** From the shadow's camera to the middle, metres. */
 const AWAY = 0.3;
 const UPRIGHT = new THREE.Vector3(0, 1, 0);

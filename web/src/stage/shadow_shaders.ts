@@ -1,6 +1,6 @@
 /** Half a side of the square that the shadow map covers, and from where to where its depth reaches, metres. */
-export const REACH = 0.19;
-export const DEPTH = 0.44;
+export const REACH = 0.22;
+export const DEPTH = 0.5;
 
 /** A vertex shader sees no cast shadows: they are found pixel by pixel. */
 export const NO_SHADOW = `
@@ -36,14 +36,17 @@ float shadow(vec3 point, vec3 normal) {
   if (SHADE <= 0.0) return 1.0;
   vec3 from = point + normal * LIFT - shadowCentre;
   vec3 at = vec3(dot(from, shadowSide), dot(from, shadowUp), dot(from, KEY)); // metres
+  if (max(abs(at.x), abs(at.y)) > ${(0.97 * REACH).toFixed(4)}) return 1.0;
   float facing = dot(normal, KEY);
+  float grazing = 1.0 - smoothstep(0.0, 0.45, facing); // there light that went through the skin blurs all edges
   // A surface that turns away is in its own shade already: only what stands further off counts
-  float bias = BIAS + 0.16 * max(0.06 - facing, 0.0);
+  float bias = BIAS + 0.14 * max(0.06 - facing, 0.0);
   vec2 slope = -vec2(dot(normal, shadowSide), dot(normal, shadowUp)) / max(facing, 0.30);
   float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); // Jimenez 2014
   mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));
   float texel = ${(2 * REACH).toFixed(4)} / float(textureSize(shadowHeights, 0).x);
-  float widest = clamp(KEY_SIZE * 0.06, 2.0 * texel, 0.02);
+  float least = mix(1.6 * texel, 0.007, grazing);
+  float widest = clamp(KEY_SIZE * 0.06, least, 0.02);
 
   float gap = 0.0;
   float count = 0.0;
@@ -54,7 +57,7 @@ float shadow(vec3 point, vec3 normal) {
     if (over > 0.0) { gap += over; count += 1.0; }
   }
   if (count == 0.0) return 1.0;
-  float width = clamp(KEY_SIZE * gap / count, 1.6 * texel, widest);
+  float width = clamp(KEY_SIZE * gap / count, least, widest);
   float light = 0.0;
   for (int i = 0; i < SAMPLES; i++) {
     vec2 aside = spin * onDisc(i, SAMPLES) * width;

@@ -168,6 +168,8 @@ const loadView = (
 ): Promise<FaceView> =>
   FaceView.load(canvas, library, {
     transparent: parameters.transparent,
+    background: parameters.background,
+    light: parameters.light,
     tile: parameters.tile,
     level: parameters.quality === "auto" ? level : parameters.quality,
   });

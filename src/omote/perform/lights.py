@@ -1,0 +1,17 @@
+"""The lights that a show can call, by name; what they look like is the stages' own (`web/src/stage/light.ts`)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+FIRST_LIGHT = "theatre"
+"""What a show begins with."""
+LIGHTS: Mapping[str, str] = {"theatre": "Theatre", "portrait": "Portrait", "flat": "Flat, for keying"}
+"""The lights in the order of the console, with what they are called there."""
+
+
+def light_named(name: str) -> str:
+    """The name itself where there is such a light, else a refusal that lists all of them."""
+    if name not in LIGHTS:
+        raise ValueError(f"there is no light {name!r}; choose one of {', '.join(LIGHTS)}")
+    return name
