@@ -62,6 +62,15 @@ class CallExpression(Message, frozen=True):
     easing: Name
 
 
+class CallLight(Message, frozen=True):
+    """Brings a light on air in `seconds`, from whatever light shows. An `id` executes once."""
+
+    id: CallId
+    name: Name
+    seconds: float
+    easing: Name
+
+
 class FadeFace(Message, frozen=True):
     """The position of the face T-bar, 0..1."""
 
@@ -152,7 +161,7 @@ class State(Message, frozen=True):
 
     `time`: the show's clock, seconds. `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw,
     pitch (radians), as the eyeballs stand. `lids`: what the gaze adds to the channels.
-    `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call.
+    `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call. `light`: sums to one.
     """
 
     epoch: int
@@ -170,6 +179,8 @@ class State(Message, frozen=True):
     expression_call: CallState | None
     face_fader: float
     expression_fader: float
+    light: dict[str, float]
+    light_call: CallState | None
 
 
 class Pong(Message, frozen=True):
@@ -203,6 +214,7 @@ FromClient = (
     Hello
     | CallFace
     | CallExpression
+    | CallLight
     | FadeFace
     | ReleaseFace
     | FadeExpression
@@ -337,6 +349,13 @@ class SettlingDocument(msgspec.Struct, frozen=True):
     weights: bytes
 
 
+class LightDocument(msgspec.Struct, frozen=True):
+    """A light that can be called."""
+
+    name: str
+    label: str
+
+
 class Manifest(msgspec.Struct, frozen=True):
     """All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes."""
 
@@ -349,6 +368,7 @@ class Manifest(msgspec.Struct, frozen=True):
     mask: str
     faces: list[FaceDocument]
     expressions: list[ExpressionDocument]
+    lights: list[LightDocument]
     hair: list[HairDocument]
     settling: SettlingDocument | None = None
 

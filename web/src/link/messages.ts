@@ -30,6 +30,15 @@ export interface CallExpression {
   easing: string;
 }
 
+/** Brings a light on air in `seconds`, from whatever light shows. An `id` executes once. */
+export interface CallLight {
+  type: "call_light";
+  id: string;
+  name: string;
+  seconds: number;
+  easing: string;
+}
+
 /** The position of the face T-bar, 0..1. */
 export interface FadeFace {
   type: "fade_face";
@@ -118,7 +127,7 @@ export interface CallState {
  * All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
  * `time`: the show's clock, seconds. `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw,
  * pitch (radians), as the eyeballs stand. `lids`: what the gaze adds to the channels.
- * `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call.
+ * `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call. `light`: sums to one.
  */
 export interface State {
   type: "state";
@@ -137,6 +146,8 @@ export interface State {
   expression_call: CallState | null;
   face_fader: number;
   expression_fader: number;
+  light: Record<string, number>;
+  light_call: CallState | null;
 }
 
 /** Answers ping: `time` is the show's clock at that moment, as in `State.time`. */
@@ -278,6 +289,12 @@ export interface SettlingDocument {
   weights: Uint8Array;
 }
 
+/** A light that can be called. */
+export interface LightDocument {
+  name: string;
+  label: string;
+}
+
 /** All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes. */
 export interface Manifest {
   version: number;
@@ -289,6 +306,7 @@ export interface Manifest {
   mask: string;
   faces: FaceDocument[];
   expressions: ExpressionDocument[];
+  lights: LightDocument[];
   hair: HairDocument[];
   settling: SettlingDocument | null;
 }
@@ -338,6 +356,7 @@ export type FromClient =
   | Hello
   | CallFace
   | CallExpression
+  | CallLight
   | FadeFace
   | ReleaseFace
   | FadeExpression

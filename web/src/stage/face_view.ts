@@ -1,13 +1,14 @@
 import * as THREE from "three";
 import type { Library } from "../link/assets";
 import { type Anatomy, study } from "./anatomy";
+import { Backdrop } from "./backdrop";
 import { Blender, type Eyeballs } from "./blender";
 import { Crossfade } from "./crossfade";
 import { frame, portraitCamera, type Shot, tileView } from "./framing";
 import { Hair } from "./hair";
-import { buildBackdrop, buildHead, type EyeUniforms, eyeUniforms, type HeadUniforms, headUniforms } from "./head";
+import { buildHead, type EyeUniforms, eyeUniforms, type HeadUniforms, headUniforms } from "./head";
 import { Holdings, namesOf } from "./holdings";
-import { mixLights } from "./light";
+import { before, mixLights, type Triple } from "./light";
 import { writeLight } from "./light_uniforms";
 import { Looks } from "./looks";
 import { drawsInSoftware } from "./machine";
@@ -23,6 +24,10 @@ import { type Named, named, traitsOf, writeTraits } from "./traits";
 export interface FaceViewOptions {
   /** The page shows through (premultiplied alpha), no backdrop. */
   transparent?: boolean;
+  /** A colour behind the head, in linear light, instead of the light's own. */
+  background?: Triple | undefined;
+  /** A light instead of the pose's. */
+  light?: string | undefined;
   /** This view's place on a wall. */
   tile?: Tile | undefined;
   /** Device pixels per CSS pixel, at most. */
@@ -51,7 +56,7 @@ export class FaceView {
   private readonly named: Named;
   private readonly size = new THREE.Vector2();
   private scene = new THREE.Scene();
-  private backdrop = buildBackdrop();
+  private backdrop = new Backdrop();
   private shared!: HeadUniforms;
   private blender!: Blender;
   private holdings!: Holdings;
@@ -181,8 +186,8 @@ export class FaceView {
     this.shadow = new Shadow(this.shared);
     wearLayers(this.shared, this.layers, FEATURES[this.wanted].anisotropy);
     this.scene = new THREE.Scene();
-    this.backdrop = buildBackdrop();
-    if (!this.options.transparent) this.scene.add(this.backdrop);
+    this.backdrop = new Backdrop();
+    if (!this.options.transparent) this.scene.add(this.backdrop.mesh);
     this.level = this.wanted;
     this.hair.drop(this.head);
     this.head = this.buildHead(this.level);
@@ -244,23 +249,22 @@ export class FaceView {
     const { x: width, y: height } = this.size;
     const { tile } = this.options;
     frame(this.camera, this.options.shot ?? PORTRAIT, width, height, tile);
-    const [fullWidth, fullHeight, left, top] =
-      tile === undefined ? [width, height, 0, 0] : tileView(tile, width, height);
-    const backdrop = this.backdrop.material.uniforms as { window: { value: THREE.Vector4 }; aspect: { value: number } };
-    backdrop.window.value.set(
-      left / fullWidth,
-      1 - (top + height) / fullHeight,
-      width / fullWidth,
-      height / fullHeight,
-    );
-    backdrop.aspect.value = fullWidth / fullHeight;
+    this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
     this.turnHead();
     this.looks.dress(this.pose, this.shared, this.eyeUniforms);
     writeTraits(traitsOf(this.pose, this.named), this.shared);
-    const light = mixLights({});
-    writeLight(light, this.shared);
-    this.shadow.draw(this.renderer, light, this.head, FEATURES[this.level].shadow);
+    this.lightUp();
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** The light on air, or that of this stage alone. */
+  private lightUp(): void {
+    const { light: own, background } = this.options;
+    const mixed = mixLights(own === undefined ? this.pose.light : { [own]: 1 });
+    const light = background === undefined ? mixed : before(mixed, background);
+    writeLight(light, this.shared);
+    this.backdrop.light(light);
+    this.shadow.draw(this.renderer, light, this.head, FEATURES[this.level].shadow);
   }
 
   /** Head: yaw, then pitch, then roll; + is the character's left, up, tilt to its left. */

@@ -144,21 +144,6 @@ function gather(values: Float32Array, rows: Uint32Array, width: number): Float32
   return out;
 }
 
-/** The backdrop of the stage; `window` is this picture's part of the wall's. */
-export function buildBackdrop(): THREE.Mesh<THREE.BufferGeometry, THREE.RawShaderMaterial> {
-  const backdrop = material(setting.BACKDROP_VERTEX, setting.BACKDROP_FRAGMENT, {
-    window: { value: new THREE.Vector4(0, 0, 1, 1) },
-    aspect: { value: 1 },
-  });
-  backdrop.depthTest = false;
-  backdrop.depthWrite = false;
-  const geometry = new THREE.BufferGeometry().setIndex([0, 1, 2]);
-  const drawn = new THREE.Mesh(geometry, backdrop);
-  drawn.frustumCulled = false;
-  drawn.renderOrder = -1;
-  return drawn;
-}
-
 /** Four channels of seeded noise that tile: pores, blotches, fibres. */
 function grainTexture(size = 256): THREE.DataTexture {
   const data = new Uint8Array(4 * size * size);
