@@ -16,8 +16,8 @@ import type { Tile } from "./parameters";
 import { type Pose, resting } from "./pose";
 import { FEATURES, type Features, firstLevel, type Level, pixelRatio } from "./quality";
 import { createRenderer } from "./renderer";
-import { wearLayers } from "./skin_layers";
 import { Shadow } from "./shadow";
+import { wearLayers } from "./skin_layers";
 import { type Named, named, traitsOf, writeTraits } from "./traits";
 
 /** How a view draws; everything may be left out. */
