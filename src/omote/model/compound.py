@@ -12,6 +12,7 @@ from omote.model.clearance import Ball
 from omote.model.expression import Expression
 from omote.model.face import Face
 from omote.model.fitted import Fitted, fit
+from omote.model.lining import kept_inside
 from omote.model.parts import eye_rotation
 from omote.model.smooth import Carrier, carried, carrier_of
 from omote.model.space import ParameterSpace
@@ -58,7 +59,13 @@ def on_generic(space: ParameterSpace, compiled: Compiled, /) -> Values:
 
 
 def carried_over(space: ParameterSpace, face: Face, displacement: Values, residual: Floats, /) -> Floats:
-    """A face moved as the generic face is: the sheet carried smoothly, the inner skin behind it with its residual."""
+    """A face moved as the generic face is by (V, 3): the sheet carried smoothly, the inner skin behind it with its
+    residual (inner, 3), the mouth bag inside the head."""
+    return kept_inside(space, face, followed(space, face, displacement, residual))
+
+
+def followed(space: ParameterSpace, face: Face, displacement: Values, residual: Floats, /) -> Floats:
+    """What `carried_over` gives before the mouth bag is kept inside the head: linear in the residual."""
     fitted = fit(space, face)
     moved = carried(carrier(space, face), displacement)
     out = np.where(space.on_sheet[:, None], moved[space.welded], fitted.positions).astype(np.float32)

@@ -9,14 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
 from omote.geometry.cylinder import wrap
-from omote.model.compound import carrier, compound, generic_face, predicted
+from omote.model.compound import carrier, compound, followed, generic_face, on_generic, predicted
 from omote.model.expression import Expression
 from omote.model.face import Face
 from omote.model.fitted import fit
 from omote.model.parts import eye_angles, eye_rotation
 from omote.model.smooth import uncarried
 from omote.model.space import ParameterSpace, refuse_no_space
-from omote.model.transfer import slide
+from omote.model.transfer import compile_expression, slide
 
 Values = NDArray[np.float64]
 
@@ -82,7 +82,7 @@ def _with_rest(
     fitted = fit(space, face)
     sheet = compound(space, face, bare).astype(np.float64) - face.positions
     inner = space.inner.vertices
-    residual = (moved[inner] - sheet[inner]) / fitted.scale[:, None]
+    residual = (moved[inner] - _unkept(space, face, bare)[inner]) / fitted.scale[:, None]
     residual[np.abs(residual).max(axis=1) < _REST] = 0.0
     eyes = np.zeros((2, 2))
     rest: dict[str, Values] = {}
@@ -101,3 +101,11 @@ def _with_rest(
             after = (after - fitted.centres[name]) @ eye_rotation(*angles) + fitted.centres[name]
         rest[name] = (after - before - predicted(space, name, sheet)) / fitted.sizes[name]
     return Expression(bare.dtheta, bare.dh, bare.ratio, residual, rest, eyes, space.radius, space.transfer)
+
+
+def _unkept(space: ParameterSpace, face: Face, bare: Expression) -> Values:
+    """What the skin (V, 3) is predicted to do before the mouth bag is kept inside the head, which needs the rest."""
+    compiled = compile_expression(space, bare)
+    if space.transfer == "paper":
+        return compound(space, face, bare).astype(np.float64) - face.positions
+    return followed(space, face, on_generic(space, compiled), compiled.residual).astype(np.float64) - face.positions
