@@ -9,6 +9,7 @@ from time import thread_time
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.maps.inner import Mouth, more
 from benchmarks.maps.measures import Creases, closure_errors, turned_over
 from benchmarks.maps.piercing import balls_of, depth_in_balls, teeth_on, teeth_out
 from benchmarks.maps.source import Source
@@ -39,20 +40,21 @@ class Worst:
 
 @dataclass(frozen=True, eq=False)
 class Known:
-    """What the source does in a unit: folded triangles (T,), roughness in radians, eyes and teeth in metres, positions
-    (V, 3) at each level."""
+    """What the source does in a unit: folded triangles (T,), roughness in radians, eyes, teeth and bag in metres,
+    positions (V, 3) at each level."""
 
     folded: Mask
     rough: float
     eyes: Values
     teeth: float
+    bag: Values
     levels: tuple[Values, ...]
 
 
 @dataclass
 class Figures:
-    """One map on one face. Folds are counts; lids and lips: mean and along; eyes and teeth: metres more than on the
-    source; rough: all units' roughness over the source's; times: seconds of this thread per compound."""
+    """One map on one face. Folds are counts; lids and lips: mean and along; eyes, teeth and bag: metres more than
+    on the source; rough: all units' roughness over the source's; times: seconds of this thread per compound."""
 
     units: int
     folds: int = 0
@@ -62,6 +64,7 @@ class Figures:
     eyes: Worst = field(default_factory=Worst)
     eyes_most: Worst = field(default_factory=Worst)
     teeth: Worst = field(default_factory=Worst)
+    bag: Worst = field(default_factory=Worst)
     rough: float = 0.0
     times: list[float] = field(default_factory=list)
 
@@ -73,6 +76,7 @@ class Bench:
         self.source = source
         self._creases = Creases.of(source.sheet)
         self._skin = np.unique(source.sheet)
+        self._mouth = Mouth(source.space)
         self.known = {unit: self._known(unit) for unit in source.moves}
         self._roughest = sum(known.rough for known in self.known.values())
         self._sums = Sums(source)
@@ -85,6 +89,7 @@ class Bench:
             self._rough(rest, now),
             self._in_eyes(face, rest, now, unit),
             teeth_out(now, source.sheet, teeth_on(source, face, now, unit)),
+            self._mouth.out(now),
             tuple(source.worn(unit, level) for level in LEVELS),
         )
 
@@ -126,6 +131,7 @@ class Bench:
         found.eyes_most.meet(_most(eyes) - _most(known.eyes), unit)
         teeth = teeth_out(now, sheet, teeth_on(self.source, face, now, unit))
         found.teeth.meet(teeth - known.teeth, unit)
+        found.bag.meet(more(self._mouth.out(now), known.bag), unit)
         found.rough += self._rough(rest, now) / self._roughest
 
 

@@ -19,9 +19,11 @@ BEGIN, END = "<!-- figures: begin -->", "<!-- figures: end -->"
 Row = Sequence[str]
 METHOD_HEAD = (
     "map", "folds per 100, people", "all", "folds per triple", "lids mean", "along", "lips mean", "along",
-    "eyes, mm (95 %)", "teeth, mm", "rough", "ms", "p95",
+    "eyes, mm (95 %)", "teeth, mm", "bag, mm", "rough", "ms", "p95",
 )  # fmt: skip
-FACE_HEAD = ("face", "folds per 100", "per triple", "lids", "lips", "eyes, mm", "teeth, mm", "rough", "ms p95")
+FACE_HEAD = (
+    "face", "folds per 100", "per triple", "lids", "lips", "eyes, mm", "teeth, mm", "bag, mm", "rough", "ms p95",
+)  # fmt: skip
 SUM_HEAD = (
     "map", "folds per triple", "of these new", "lids and lips cross, mm", "triples that do, %", "eyes, mm",
 )  # fmt: skip
@@ -47,6 +49,7 @@ def _method_cells(faces: Faces, triples: int) -> Row:
         f"{max(f.lips[1].value for f in faces.values()):.3f}",
         f"{_at_worst(faces, lambda f: f.eyes, '.2f', 1e3)} ({1e3 * most:.2f})",
         f"{1e3 * max(f.teeth.value for f in faces.values()):.2f}",
+        f"{1e3 * max(f.bag.value for f in faces.values()):.2f}",
         f"{rough(faces):.3f}",
         f"{1e3 * float(np.mean(times)):.2f}",
         f"{1e3 * slow(faces):.2f}",
@@ -69,6 +72,7 @@ def face_rows(faces: Faces, triples: int) -> list[Row]:
             f"{f.lips[0].value:.3f} / {f.lips[1].value:.3f}",
             f"{1e3 * f.eyes.value:.2f}",
             f"{1e3 * f.teeth.value:.2f}",
+            f"{1e3 * f.bag.value:.2f}",
             f"{f.rough:.3f}",
             f"{1e3 * float(np.quantile(f.times, 0.95)):.2f}",
         )

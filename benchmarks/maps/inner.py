@@ -1,0 +1,88 @@
+"""How far the mouth bag comes out through the skin, on any face."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from omote.geometry.cylinder import Cylinder
+from omote.model.bag import bag_of
+from omote.model.space import ParameterSpace
+
+Values = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+# What is farther in front of the skin than this, metres, lies in front of another part of it (a fold, the nape).
+BEYOND = 0.01
+# Skin that the line of sight meets at less than this cosine says nothing of what lies behind it.
+GRAZED = 0.2
+
+
+class Mouth:
+    """The bag of a space, and the sheet triangles around it."""
+
+    def __init__(self, space: ParameterSpace) -> None:
+        bag = bag_of(space)
+        if bag is None:
+            raise ValueError("the space has no mouth bag; expected lips and parts bound to the jaw")
+        self._cylinder = space.cylinder
+        self._vertices = bag.vertices
+        middle = space.points[space.sheet_triangles].mean(axis=1)
+        low, high = space.points[bag.vertices, 1].min() - 0.02, space.points[bag.vertices, 1].max() + 0.02
+        near = (middle[:, 1] > low) & (middle[:, 1] < high) & (middle[:, 2] > space.cylinder.z)
+        self._sheet = space.sheet_triangles[near]
+
+    def out(self, positions: Values) -> Values:
+        """How far each bag vertex has come out in front of the skin, (m,) metres along the skin's normal, seen from the
+        cylinder's axis; positions (V, 3)."""
+        return _in_front(*_lines(self._cylinder, positions, self._vertices, self._sheet))
+
+
+def more(here: Values, there: Values) -> float:
+    """How much more than on the source, metres: the worst of the vertices."""
+    return float(np.maximum(here - there, 0.0).max(initial=0.0))
+
+
+def _lines(cylinder: Cylinder, positions: Values, vertices: Indices, sheet: Indices) -> tuple[Values, Values]:
+    """Bag (m, 3) and sheet (T, 3, 3) unrolled: metres around the axis at the bag's own mean radius, up, and out."""
+    theta, h, radius = cylinder.unroll(positions)
+    plane = np.stack([theta * radius[vertices].mean(), h, radius], axis=1)
+    return plane[vertices], np.ascontiguousarray(plane[sheet])
+
+
+def _in_front(points: Values, corners: Values) -> Values:
+    surface, cosine = foremost(corners, points)
+    ahead = points[:, 2] - surface
+    out = (ahead > 0) & (ahead < BEYOND) & (cosine > GRAZED)
+    result: Values = np.where(out, np.where(out, ahead, 0.0) * cosine, 0.0)
+    return result
+
+
+@njit(cache=True)
+def foremost(corners: Values, points: Values) -> tuple[Values, Values]:
+    """The largest z of the triangles (t, 3, 3) before or behind each point (n, 3), minus infinity where none is, and
+    how squarely that one is met, as a cosine."""
+    highest, cosine = np.full(len(points), -np.inf), np.zeros(len(points))
+    for t in range(len(corners)):
+        a, b, c = corners[t, 0], corners[t, 1], corners[t, 2]
+        ux, uy, uz, vx, vy, vz = b[0] - a[0], b[1] - a[1], b[2] - a[2], c[0] - a[0], c[1] - a[1], c[2] - a[2]
+        area = ux * vy - uy * vx
+        if abs(area) < 1e-12:
+            continue
+        left, right, low, up = (
+            min(a[0], b[0], c[0]),
+            max(a[0], b[0], c[0]),
+            min(a[1], b[1], c[1]),
+            max(a[1], b[1], c[1]),
+        )
+        for n in range(len(points)):
+            x, y = points[n, 0], points[n, 1]
+            if x < left or x > right or y < low or y > up:
+                continue
+            u, v = ((x - a[0]) * vy - (y - a[1]) * vx) / area, (ux * (y - a[1]) - uy * (x - a[0])) / area
+            height = a[2] + u * uz + v * vz
+            if u >= 0 and v >= 0 and u + v <= 1 and height > highest[n]:
+                highest[n] = height
+                cosine[n] = abs(area) / np.sqrt((uy * vz - uz * vy) ** 2 + (uz * vx - ux * vz) ** 2 + area**2)
+    return highest, cosine
