@@ -113,8 +113,9 @@ def test_a_picture_is_drawn_as_it_is_asked_for(tmp_path: Path, drawn: list[tuple
     done = runner.invoke(app, ["render", "-o", str(path), *words.split(), "--transparent", "--quality", "low"])
     assert (done.exit_code, path.read_bytes()) == (0, b"picture")
     [(sheet, setting)] = drawn
-    assert setting == Setting(64, 48, light="portrait", transparent=True, quality="low")
+    assert setting == Setting(64, 48, transparent=True, quality="low")
     assert sheet.poses[0][0]["expressions"] == {"smile": 0.5, "neutral": 0.5}
+    assert sheet.poses[0][0]["light"] == {"portrait": 1.0}
     assert sheet.poses[0][0]["channels"] == {"jawOpen": 0.25}
     assert sheet.poses[0][0]["head"][0] < 0 < sheet.poses[0][0]["head"][1]
 
@@ -139,6 +140,7 @@ def test_a_grid_has_names_or_none(tmp_path: Path, small_cast: Cast, drawn: list[
     [
         ("--face nobody", "no face 'nobody'"),
         ("--expression grin", "no expression 'grin'"),
+        ("--light noon", "no light 'noon'"),
         ("--size huge", "the size 'huge'"),
         ("--size 1x1", "1x1 pixels"),
         ("--quality best", "no quality 'best'"),

@@ -20,7 +20,7 @@ Output = Annotated[Path, typer.Option("--output", "-o", help="The picture to wri
 FacesOption = Annotated[list[str] | None, typer.Option("--face", help="A face; several mix: kaori=0.5, dog=0.5.")]
 ExpressionsOption = Annotated[list[str] | None, typer.Option("--expression", help="An expression: smile, smile=0.7.")]
 ChannelsOption = Annotated[list[str] | None, typer.Option("--channel", help="A channel over it: jawOpen=0.5.")]
-LightOption = Annotated[str | None, typer.Option(help="The light of the stage.")]
+LightOption = Annotated[str, typer.Option(help="theatre, portrait, flat or a mix: theatre=0.5+flat.")]
 BackgroundOption = Annotated[str | None, typer.Option(help="A colour behind the head: #00b140.")]
 TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
 QualityOption = Annotated[str, typer.Option(help="lowest, low, medium or high.")]
@@ -87,13 +87,13 @@ def render(
     turn: Annotated[str, typer.Option(help="The head's yaw, pitch and roll, degrees: 30,0,-5.")] = "",
     gaze: Annotated[str, typer.Option(help="The eyes' yaw and pitch, degrees.")] = "",
     size: Annotated[str, typer.Option(help="Width x height, pixels.")] = "640x720",
-    light: LightOption = None,
+    light: LightOption = "theatre",
     background: BackgroundOption = None,
     transparent: TransparentOption = False,
     quality: QualityOption = "high",
 ) -> None:
     """Draws one picture of a face, without a window, as the stage draws it."""
-    words = {"turn": turn, "gaze": gaze, "channels": "+".join(channel or [])}
+    words = {"turn": turn, "gaze": gaze, "light": light, "channels": "+".join(channel or [])}
     words |= {"face": "+".join(face or ["generic"]), "expression": "+".join(expression or [])}
 
     def sheet(cast: Cast) -> Sheet:
@@ -102,7 +102,7 @@ def render(
 
         return Sheet([[pose_of(cast, posed(cast, **words))]])
 
-    draw(output, sheet, size, light=light, background=background, transparent=transparent, quality=quality)
+    draw(output, sheet, size, background=background, transparent=transparent, quality=quality)
 
 
 @app.command()
@@ -113,7 +113,7 @@ def grid(
     turns: Annotated[str, typer.Option(help="More columns: each expression at these yaws, degrees, by commas.")] = "0",
     labels: Annotated[bool, typer.Option("--labels/--no-labels", help="Write the names beside the pictures.")] = True,
     size: Annotated[str, typer.Option(help="Width x height of one picture, pixels.")] = "240x270",
-    light: LightOption = None,
+    light: LightOption = "theatre",
     background: BackgroundOption = None,
     transparent: TransparentOption = False,
     quality: QualityOption = "high",
@@ -123,9 +123,9 @@ def grid(
     def sheet(cast: Cast) -> Sheet:
         from omote.show import sheet
 
-        return sheet.grid(cast, faces=faces, expressions=expressions, turns=turns, labels=labels)
+        return sheet.grid(cast, faces=faces, expressions=expressions, turns=turns, light=light, labels=labels)
 
-    draw(output, sheet, size, light=light, background=background, transparent=transparent, quality=quality)
+    draw(output, sheet, size, background=background, transparent=transparent, quality=quality)
 
 
 @app.command()

@@ -45,11 +45,11 @@ async def test_a_studio_draws_what_the_page_gives(tmp_path: Path) -> None:
 async def test_a_page_that_does_not_open_says_why(tmp_path: Path) -> None:
     refusing = ANSWERS.replace(
         '{"result": {"value": True}}',
-        '{"result": {}, "exceptionDetails": {"exception": {"value": "light=noon is unknown; write theatre."}}}',
+        '{"result": {}, "exceptionDetails": {"exception": {"value": "background=red is no colour."}}}',
     )
     async with open_chromium(false_browser(tmp_path, refusing)) as tools:
-        with pytest.raises(BrowserError, match=r"^light=noon is unknown; write theatre\.$"):
-            await open_studio(tools, "http://127.0.0.1:1", Setting(light="noon"))
+        with pytest.raises(BrowserError, match=r"^background=red is no colour\.$"):
+            await open_studio(tools, "http://127.0.0.1:1", Setting(background="red"))
 
 
 @pytest.mark.asyncio

@@ -7,16 +7,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
-from omote.show.posing import angles, channel_weights, expression_mix, face_mix, pose_of, posed
+from omote.show.posing import angles, channel_weights, expression_mix, mix, pose_of, posed
 
 NAMES = ("neutral", "smile", "sad", "jawOpen")
 FACES = ("generic", "kaori", "dog")
 
 
 def test_names_without_a_weight_share_what_is_left() -> None:
-    assert face_mix("kaori", FACES) == {"kaori": 1.0}
-    assert face_mix("kaori+dog", FACES) == {"kaori": 0.5, "dog": 0.5}
-    assert face_mix(" kaori = 0.25 + dog ", FACES) == {"kaori": 0.25, "dog": 0.75}
+    assert mix("kaori", FACES, "face") == {"kaori": 1.0}
+    assert mix("kaori+dog", FACES, "face") == {"kaori": 0.5, "dog": 0.5}
+    assert mix(" kaori = 0.25 + dog ", FACES, "face") == {"kaori": 0.25, "dog": 0.75}
 
 
 def test_what_is_left_of_the_expressions_is_neutral() -> None:
@@ -50,6 +50,7 @@ def test_angles_are_degrees_and_may_be_left_out() -> None:
         ({"expression": "grin"}, "no expression 'grin'"),
         ({"expression": "smile=0.8+jawOpen=0.8"}, "weigh 1.6 together"),
         ({"channels": "jawOpen=9"}, "weight in 'jawOpen=9'"),
+        ({"light": "noon"}, "no light 'noon'"),
         ({"turn": "1,2,3,4"}, "has 4 angles"),
         ({"turn": "left"}, "'left' is no number"),
         ({"turn": "120"}, "turn (degrees)"),
@@ -63,7 +64,10 @@ def test_what_makes_no_sense_is_refused(cast: Cast, words: dict[str, str], named
 
 
 def test_a_pose_is_what_a_stage_would_be_told(cast: Cast) -> None:
-    pose = pose_of(cast, posed(cast, expression="smile=0.5", channels="jawOpen=0.5", turn="30,0,5", gaze="10"))
+    pose = pose_of(
+        cast, posed(cast, expression="smile=0.5", channels="jawOpen=0.5", turn="30,0,5", gaze="10", light="flat")
+    )
+    assert pose["light"] == {"flat": 1.0}
     assert pose["faces"] == {"generic": 1.0}
     assert pose["expressions"] == {"smile": 0.5, "neutral": 0.5}
     assert pose["channels"] == {"jawOpen": 0.5}

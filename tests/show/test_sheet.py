@@ -10,9 +10,7 @@ ONE = [[{"faces": {"generic": 1.0}}]]
 
 def test_a_setting_is_the_address_of_a_stage() -> None:
     assert Setting().query == "?quality=high"
-    assert Setting(light="portrait", background="#00b140", quality="low").query == (
-        "?quality=low&light=portrait&background=%2300b140"
-    )
+    assert Setting(background="#00b140", quality="low").query == ("?quality=low&background=%2300b140")
     assert Setting(transparent=True).query == "?quality=high&transparent=1"
 
 
@@ -45,12 +43,14 @@ def test_what_is_no_size_is_refused(text: str) -> None:
 
 def test_a_grid_has_a_row_for_each_face_and_a_column_for_each_expression_and_turn(cast: Cast) -> None:
     faces = list(cast.faces)[:2]
-    sheet = grid(cast, faces=",".join(faces), expressions="neutral, smile=0.5", turns="-30,0", labels=True)
+    sheet = grid(
+        cast, faces=",".join(faces), expressions="neutral, smile=0.5", turns="-30,0", light="flat", labels=True
+    )
     assert sheet.rows == faces
     assert sheet.columns == ["neutral -30°", "neutral 0°", "smile=0.5 -30°", "smile=0.5 0°"]
     assert [[next(iter(pose["faces"])) for pose in row] for row in sheet.poses] == [[face] * 4 for face in faces]
     assert [pose["head"][0] < 0 for pose in sheet.poses[0]] == [True, False, True, False]
-    assert grid(cast, faces="generic", expressions="smile", turns="0", labels=False).columns == ()
+    assert grid(cast, faces="generic", expressions="smile", turns="0", light="flat", labels=False).columns == ()
 
 
 def test_words_between_commas() -> None:
@@ -59,7 +59,7 @@ def test_words_between_commas() -> None:
 
 def test_an_empty_sheet_and_one_without_end_are_refused(cast: Cast) -> None:
     with pytest.raises(ValueError, match="the sheet has 0 pictures"):
-        grid(cast, faces="", expressions="smile", turns="0", labels=True)
+        grid(cast, faces="", expressions="smile", turns="0", light="flat", labels=True)
     with pytest.raises(ValueError, match="the sheet has 2001 pictures"):
         Sheet([ONE[0] * 2001])
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from omote.perform.frame import Frame, Gaze, Head
+from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, known, within
 from omote.perform.mix import HIGHEST, LOWEST
 from omote.show.state import state_of
@@ -29,6 +30,7 @@ def posed(
     channels: str = "",
     turn: str = "",
     gaze: str = "",
+    light: str = FIRST_LIGHT,
 ) -> Frame:
     """The frame of a pose in words: `kaori=0.5+dog=0.5`, `smile=0.7`, `jawOpen=0.5+eyeBlinkLeft=1`, angles in degrees.
 
@@ -36,11 +38,12 @@ def posed(
     roll; `gaze`: yaw, pitch; what is left out is 0. ValueError with a sentence for what is not understood or not there.
     """
     return Frame(
-        faces=face_mix(face, cast.faces),
+        faces=mix(face, cast.faces, "face"),
         expressions=expression_mix(expression, cast.expressions),
         channels=channel_weights(channels, cast.expressions),
         head=Head(*angles(turn, 3, "turn")),
         gaze=Gaze(*angles(gaze, 2, "gaze")),
+        light=mix(light, LIGHTS, "light"),
     )
 
 
@@ -50,24 +53,24 @@ def pose_of(cast: Cast, frame: Frame) -> Pose:
     return pose
 
 
-def face_mix(text: str, names: Iterable[str]) -> dict[str, float]:
-    """Faces by weight, `kaori=0.5+dog`; ValueError where they do not sum to one."""
-    mix = shared(read_weights(text, names, "face", LOWEST, HIGHEST))
-    total = sum(mix.values())
+def mix(text: str, names: Iterable[str], what: str) -> dict[str, float]:
+    """Names by weight, `kaori=0.5+dog`; ValueError where they do not sum to one."""
+    weights = shared(read_weights(text, names, what, LOWEST, HIGHEST))
+    total = sum(weights.values())
     if abs(total - 1.0) > EVEN:
-        raise ValueError(f"the faces {text!r} weigh {total:g} together; give weights that sum to 1")
-    return mix
+        raise ValueError(f"the {what}s in {text!r} weigh {total:g} together; give weights that sum to 1")
+    return weights
 
 
 def expression_mix(text: str, names: Iterable[str]) -> dict[str, float]:
     """Expressions by weight, `smile=0.7`, the rest neutral; ValueError where they weigh more than one."""
-    mix = shared(read_weights(text, names, "expression", LOWEST, HIGHEST))
-    rest = 1.0 - sum(mix.values())
+    weights = shared(read_weights(text, names, "expression", LOWEST, HIGHEST))
+    rest = 1.0 - sum(weights.values())
     if not LOWEST - EVEN <= rest <= HIGHEST + EVEN:
         raise ValueError(f"the expressions {text!r} weigh {1.0 - rest:g} together; give weights that sum to 1 at most")
     if abs(rest) > EVEN:
-        mix["neutral"] = mix.get("neutral", 0.0) + rest
-    return mix
+        weights["neutral"] = weights.get("neutral", 0.0) + rest
+    return weights
 
 
 def channel_weights(text: str, names: Iterable[str]) -> dict[str, float]:

@@ -22,11 +22,10 @@ PAPER = "#000"
 
 @dataclass(frozen=True)
 class Setting:
-    """What all pictures of a sheet share: size in pixels, the stage's light and background, its quality."""
+    """What all pictures of a sheet share: size in pixels, what lies behind the head, the quality."""
 
     width: int = 640
     height: int = 720
-    light: str | None = None
     background: str | None = None
     transparent: bool = False
     quality: str = "high"
@@ -47,7 +46,7 @@ class Setting:
     @property
     def query(self) -> str:
         """The address of the stage, from its question mark on."""
-        words = {"quality": self.quality, "light": self.light, "background": self.background}
+        words = {"quality": self.quality, "background": self.background}
         if self.transparent:
             words["transparent"] = "1"
         return "?" + urlencode({name: word for name, word in words.items() if word is not None})
@@ -86,11 +85,14 @@ class Sheet:
         return replace(self, paper=None if setting.transparent else PAPER, kind=kind)
 
 
-def grid(cast: Cast, *, faces: str, expressions: str, turns: str, labels: bool) -> Sheet:
+def grid(cast: Cast, *, faces: str, expressions: str, turns: str, light: str, labels: bool) -> Sheet:
     """Faces, row by row, wearing expressions, each at every turn, all by commas; ValueError for what there is not."""
     columns = [(expression, turn) for expression in listed(expressions) for turn in listed(turns)]
     poses = [
-        [pose_of(cast, posed(cast, face=face, expression=expression, turn=turn)) for expression, turn in columns]
+        [
+            pose_of(cast, posed(cast, face=face, expression=expression, turn=turn, light=light))
+            for expression, turn in columns
+        ]
         for face in listed(faces)
     ]
     turned = len(listed(turns)) > 1

@@ -1,0 +1,113 @@
+"""Pictures without a window: the stage's own look, the same bytes every time, and levels of quality that do not pop."""
+
+from __future__ import annotations
+
+import base64
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from playwright.sync_api import Page, expect
+
+from tests.browser.pictures import DECODE, picture
+from tools.browser import SENTENCE, find_browser
+
+OpenPage = Callable[..., Page]
+SIZE = "320x240"
+SMILING = {"faces": {"kaori": 0.5, "old": 0.5}, "expressions": {"smile": 1.0}}
+SEEN = """async () => {
+    const [canvas, seen] = [document.querySelector("canvas"), []];
+    const look = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+    void window.omoteStage.change("high");
+    for (let frame = 0; frame < 90; frame++) {
+        await new Promise(requestAnimationFrame);
+        look.clearRect(0, 0, canvas.width, canvas.height);
+        look.drawImage(canvas, 0, 0);
+        const { data } = look.getImageData(0, 0, canvas.width, canvas.height);
+        seen.push([data.reduce((sum, value) => sum + value, 0), window.omoteStage.counters().level]);
+    }
+    return seen;
+}"""
+
+
+def omote(*words: str) -> subprocess.CompletedProcess[str]:
+    """What the command says, with the browser of these tests."""
+    browser = find_browser()
+    if browser is None:
+        pytest.fail(SENTENCE)
+    command = [sys.executable, "-c", "from omote.cli import main; main()", *words]
+    environment = {**os.environ, "OMOTE_BROWSER": str(browser), "OPENBLAS_NUM_THREADS": "1"}
+    return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+
+
+def decoded(page: Page, path: Path) -> NDArray[np.int16]:
+    """A picture file as an array (height, width, 4)."""
+    width, height, text = page.evaluate(DECODE, base64.b64encode(path.read_bytes()).decode())
+    return np.frombuffer(base64.b64decode(text), np.uint8).reshape(height, width, 4).astype(np.int16)
+
+
+def opened(open_page: OpenPage, query: str = "") -> Page:
+    """A stage that draws."""
+    page = open_page(f"/stage{query}", width=320, height=240)
+    page.wait_for_function("() => Boolean(window.omoteStage?.counters().drawn)")
+    return page
+
+
+def test_a_picture_is_the_stage_and_the_same_every_time(open_page: OpenPage, tmp_path: Path) -> None:
+    words = ("--face", "kaori=0.5", "--face", "old", "--expression", "smile", "--size", SIZE)
+    paths = [tmp_path / "one.png", tmp_path / "two.png"]
+    for path in paths:
+        done = omote("render", *words, "-o", str(path))
+        assert (done.returncode, done.stderr) == (0, "")
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+    stage = opened(open_page, "?quality=high")
+    stage.evaluate("pose => window.omoteStage.hold(pose)", SMILING)
+    assert np.abs(decoded(stage, paths[0]) - picture(stage)).max() <= 2
+    assert list(tmp_path.iterdir()) == paths
+
+
+def test_a_transparent_picture_is_open_around_the_head(open_page: OpenPage, tmp_path: Path) -> None:
+    assert omote("render", "--size", SIZE, "--transparent", "-o", str(tmp_path / "a.png")).returncode == 0
+    alpha = decoded(opened(open_page), tmp_path / "a.png")[..., 3]
+    assert (alpha[:8, [0, 1, -2, -1]] == 0).all()
+    assert (alpha[80:160, 130:190] == 255).all()
+
+
+def test_a_grid_holds_the_pictures(open_page: OpenPage, tmp_path: Path) -> None:
+    words = ("--faces", "kaori,old", "--expressions", "neutral,smile", "--size", SIZE)
+    assert omote("grid", *words, "--no-labels", "-o", str(tmp_path / "grid.png")).returncode == 0
+    assert omote("render", "--face", "old", "--size", SIZE, "-o", str(tmp_path / "one.png")).returncode == 0
+    page = opened(open_page)
+    sheet, one = (decoded(page, tmp_path / name) for name in ("grid.png", "one.png"))
+    assert sheet.shape == (481, 641, 4)
+    assert np.array_equal(sheet[241:, :320], one)
+    assert not np.array_equal(sheet[:240, :320], one)
+
+
+def test_what_the_stage_refuses_is_one_sentence_and_no_file(tmp_path: Path) -> None:
+    done = omote("render", "--background", "red", "-o", str(tmp_path / "a.png"))
+    assert (done.returncode, done.stderr.count("\n")) == (1, 1)
+    assert "background=red" in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_another_level_fades_in(open_page: OpenPage) -> None:
+    page = opened(open_page, "?quality=lowest&transparent")
+    page.evaluate("pose => window.omoteStage.hold(pose)", SMILING)
+    seen = page.evaluate(SEEN)
+    sums, levels = np.array([each[0] for each in seen], float), [each[1] for each in seen]
+    assert (levels[0], levels[-1]) == ("lowest", "high")
+    way = np.abs(sums - sums[0]) / abs(sums[-1] - sums[0])
+    assert way[levels.index("high")] < 0.2, "it popped"
+    assert np.diff(way).max() < 0.5
+    assert ((way > 0.05) & (way < 0.95)).sum() >= 2
+
+
+def test_the_operator_sees_the_level(open_page: OpenPage) -> None:
+    opened(open_page, "?quality=medium")
+    expect(open_page("/console").locator("omote-status .level")).to_contain_text("medium")
