@@ -119,17 +119,18 @@ in vec3 vLids;
 
 /** The white: less white towards the corners, where vessels shine through, and flesh in the inner one. */
 vec3 whiteAt(vec3 local, float corner, out float flesh) {
-  vec3 white = vec3(0.72, 0.675, 0.635);
+  vec3 white = vec3(0.80, 0.745, 0.69);
   float far = smoothstep(0.35, 1.05, abs(corner));
-  white = mix(white, vec3(0.66, 0.40, 0.36), 0.60 * far);
+  white = mix(white, vec3(0.70, 0.42, 0.37), 0.55 * far);
   white *= 1.0 - vec3(0.02, 0.10, 0.11) * smoothstep(0.45, 0.95, length(local.xy));
 #ifdef DETAIL
-  vec2 place = local.xy * vec2(0.9, 1.3);
-  vec4 warp = texture(grain, place * 0.16) - 0.5;
-  float vein = abs(texture(grain, place * 0.12 + 0.10 * warp.gb).b - 0.5);
-  float twig = abs(texture(grain, place * 0.33 + 0.07 * warp.rb).b - 0.5);
-  float blood = (1.0 - smoothstep(0.0, 0.05, vein)) + 0.6 * (1.0 - smoothstep(0.0, 0.06, twig));
-  white = mix(white, vec3(0.58, 0.17, 0.14), min(blood, 1.0) * 0.34 * smoothstep(0.42, 0.80, length(local.xy)));
+  float off = length(local.xy);
+  float turn = atan(local.y, local.x) * 0.1591549;
+  float bow = textureLod(grain, vec2(turn * 2.0, off * 0.10), 1.0).b - 0.5;
+  float vein = abs(textureLod(grain, vec2(turn + 0.020 * bow, off * 0.045), 1.0).b - 0.5);
+  float twig = abs(textureLod(grain, vec2(turn * 2.0 - 0.035 * bow, off * 0.11), 1.0).b - 0.5);
+  float blood = 0.9 * (1.0 - smoothstep(0.0, 0.07, vein)) + 0.5 * (1.0 - smoothstep(0.0, 0.08, twig));
+  white = mix(white, vec3(0.58, 0.17, 0.14), min(blood, 1.0) * (0.10 + 0.26 * far) * smoothstep(0.46, 0.85, off));
 #endif
   flesh = smoothstep(-0.86, -0.97, corner);
   return mix(white, vec3(0.55, 0.20, 0.17), flesh);
@@ -162,8 +163,8 @@ void main() {
   vec4 inner = irisAt(place, blur);
 
   // How far the light is kept off: by the lids' edges above all, the upper one with its lashes.
-  float roof = max(key.y, 0.0) * 0.0 + 0.05 + 0.11 * clamp((KEY * headTurn).y, 0.0, 1.0);
-  float keyOpen = smoothstep(roof - 0.10, roof + 0.09, vLids.x) * smoothstep(-0.03, 0.05, vLids.y);
+  float roof = 0.06 + 0.14 * clamp((KEY * headTurn).y, 0.0, 1.0);
+  float keyOpen = smoothstep(roof - 0.13, roof + 0.10, vLids.x) * smoothstep(-0.03, 0.05, vLids.y);
   float skyOpen = smoothstep(-0.10, 0.42, vLids.x) * mix(0.55, 1.0, smoothstep(-0.04, 0.20, vLids.y));
   skyOpen *= mix(0.55, 1.0, smoothstep(1.05, 0.65, abs(vLids.z)));
   keyOpen = shaded(keyOpen) * shadow(vPoint, surface);
@@ -199,7 +200,7 @@ void main() {
 #else
   float soft = 0.05 + length(fwidth(mirrored));
   light += KEY_LIGHT * (3.2 * softbox(mirrored, KEY, vec2(0.15, 0.20), soft) + 0.06 * shine(surface, view, KEY, 40.0)) * lidded;
-  light += FILL_LIGHT * 0.7 * softbox(mirrored, FILL, vec2(0.10, 0.26), soft + 0.05) * lidded;
+  light += FILL_LIGHT * 0.45 * softbox(mirrored, FILL, vec2(0.09, 0.12), soft + 0.05) * lidded;
   vec3 room = mix(GROUND_LIGHT, SKY_LIGHT * 1.6, smoothstep(-0.3, 0.7, mirrored.y));
   room += RIM_LIGHT * 0.5 * (pow(max(dot(mirrored, RIM_LEFT), 0.0), 8.0) + pow(max(dot(mirrored, RIM_RIGHT), 0.0), 8.0));
   light += room * min(fresnel, 0.35) * 1.6 * skyOpen * smoothstep(-0.05, 0.22, vLids.x);
