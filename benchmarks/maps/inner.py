@@ -20,7 +20,7 @@ GRAZED = 0.2
 
 
 class Mouth:
-    """The bag of a space, and the sheet triangles around it."""
+    """The bag of a space, and the sheet and membranes around it: what is seen through the open mouth is not out."""
 
     def __init__(self, space: ParameterSpace) -> None:
         bag = bag_of(space)
@@ -28,10 +28,10 @@ class Mouth:
             raise ValueError("the space has no mouth bag; expected lips and parts bound to the jaw")
         self._cylinder = space.cylinder
         self._vertices = bag.vertices
-        middle = space.points[space.sheet_triangles].mean(axis=1)
+        middle = space.points[space.location_triangles].mean(axis=1)
         low, high = space.points[bag.vertices, 1].min() - 0.02, space.points[bag.vertices, 1].max() + 0.02
         near = (middle[:, 1] > low) & (middle[:, 1] < high) & (middle[:, 2] > space.cylinder.z)
-        self._sheet = space.sheet_triangles[near]
+        self._sheet = space.location_triangles[near]
 
     def out(self, positions: Values) -> Values:
         """How far each bag vertex has come out in front of the skin, (m,) metres along the skin's normal, seen from the
