@@ -13,17 +13,19 @@ from scipy.spatial.distance import cdist
 from omote.geometry import mesh
 from omote.model.face import Face
 from omote.model.fitted import Fitted, fit
-from omote.model.socket import NEAR, falling, heights, rolled, rolled_at, seated
+from omote.model.growth import grown, unfolded
+from omote.model.similarity import Similarity, similarity
+from omote.model.socket import heights, radius_of, seated
 from omote.model.space import ParameterSpace
 
 Values = NDArray[np.float64]
 Region = Literal["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "ears", "skull"]
 REGIONS: tuple[Region, ...] = get_args(Region)
+_NOWHERE = np.zeros((1, 3))
 
-# What a caricature enlarges is the form that a bell of this width leaves, in distances between the eyes.
+# What a caricature enlarges are the turns and stretches that a bell of this width leaves, in distances between the
+# eyes.
 _BELL = 0.3
-# Up to so many radii of the ball the surroundings of an eye go and grow with it, less and less.
-_EYE = 2.4
 
 
 @dataclass(frozen=True)
@@ -72,22 +74,26 @@ def regional(
     space: ParameterSpace, name: str, faces: Mapping[Region, Face], /, *, rest: Face | None = None
 ) -> Face:  # fmt: skip
     """A face with each region from another face, smooth at the borders; regions that are not named come from `rest`
-    (without it from the generic face). One face everywhere gives that face. ValueError on a region that is none."""
+    (without it from the generic face). Each face is first turned, scaled and moved so that its borders lie on those of
+    the rest (of the face around the skull, where every region is named), so faces of all sizes mix. One face everywhere
+    gives that face. ValueError on a region that is none."""
     strange = [region for region in faces if region not in REGIONS]
     if strange:
         raise ValueError(f"there is no region {strange[0]!r}; expected some of {', '.join(REGIONS)}")
     generic = rest or Face("generic", space.points, {name: part.points for name, part in space.parts.items()})
     chosen = {region: fit(space, faces.get(region, generic)) for region in REGIONS}
+    whole = fit(space, generic) if len(faces) < len(REGIONS) else chosen["skull"]
+    laid = _laid(space, chosen, whole)
     weights = region_weights(space)
-    skin = sum((weights[region][:, None] * face.positions for region, face in chosen.items()), np.zeros((1, 3)))
+    skin = sum((weights[region][:, None] * laid[region](face.positions) for region, face in chosen.items()), _NOWHERE)
     parts = {}
     for part in space.parts.values():
         # An eyeball is round: one weight for all of it, that of the skin that places it; the others bend like the skin.
         shares = region_weights(space, part.points)
         if part.eye:
             shares = {region: np.full(len(part.points), weights[region][part.ring].mean()) for region in REGIONS}
-        rows = (shares[region][:, None] * face.parts[part.name] for region, face in chosen.items())
-        parts[part.name] = sum(rows, np.zeros((1, 3)))
+        rows = (shares[region][:, None] * laid[region](face.parts[part.name]) for region, face in chosen.items())
+        parts[part.name] = sum(rows, _NOWHERE)
     wanted = {}
     for eye in _eyes(space):
         over = ((weights[region], _heights(face, eye)) for region, face in chosen.items())
@@ -95,42 +101,46 @@ def regional(
     return _checked(space, name, skin, parts, wanted)
 
 
+def _laid(space: ParameterSpace, chosen: Mapping[Region, Fitted], whole: Fitted) -> dict[Region, Similarity]:
+    """How each region's face is laid on the whole one: by the border of all regions that the face gives."""
+    weights, area = region_weights(space), _areas(space)
+    found: dict[Region, Similarity] = {}
+    for region, face in chosen.items():
+        own = sum((weights[other] for other in REGIONS if chosen[other] is face), np.zeros(1))
+        found[region] = similarity(face.positions, whole.positions, area * own * (1.0 - own))
+    return found
+
+
 def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     """What distinguishes a face from the generic one, times amount: 0 the generic face, 1 the face, 2 twice itself.
 
-    Up to one it is the linear mix; beyond, only the smooth form grows, so wrinkles and lids stay what they are. It is
-    named after face and amount ("kaori_150"). Raises ValueError on an amount that is not finite or that tears the face.
+    Up to one it is the linear mix; beyond, only the smooth form grows, by its turns and stretches, so that wrinkles and
+    lids stay what they are and nothing folds. It is named after face and amount ("kaori_150"). Raises ValueError on an
+    amount that is not finite or that tears the face.
     """
     if not np.isfinite(amount):
         raise ValueError(f"a caricature's amount is {amount!r}; expected a finite number such as 1.5")
     fitted = fit(space, face)
     within, beyond = min(amount, 1.0), max(amount - 1.0, 0.0)
-    difference = fitted.positions - space.points
-    skin = space.points + within * difference
+    name = f"{face.name}_{100 * amount:.0f}"
+    skin = space.points + within * (fitted.positions - space.points)
     parts = {name: part.points + within * (fitted.parts[name] - part.points) for name, part in space.parts.items()}
-    if beyond > 0.0:
-        skin += beyond * _form(space, fitted, space.points)
-        for name, part in space.parts.items():
-            further = part.points + beyond * _form(space, fitted, part.points)
-            parts[name] = rolled(parts[name], part.points, further) if part.eye else parts[name] + further - part.points
-    return _checked(
-        space,
-        f"{face.name}_{100 * amount:.0f}",
-        skin,
-        parts,
-        {eye: _heights(fitted, eye) for eye in _eyes(space) if beyond > 0.0},
-    )
+    if beyond == 0.0:
+        return _checked(space, name, skin, parts, {})
+    further = grown(space.points, skin, space.triangles, beyond, _BELL * _frame(space)[1])
+    for part in space.parts.values():
+        moves = _bell(space, further - skin, part.points)
+        parts[part.name] = _ball(parts[part.name], moves, part.points, beyond) if part.eye else parts[part.name] + moves
+    eyes = _eyes(space)
+    lidded = seated(further, {eye: parts[eye] for eye in eyes}, {eye: _heights(fitted, eye) for eye in eyes})
+    return _checked(space, name, unfolded(skin, lidded, space.skin_triangles), parts, {})
 
 
-def _form(space: ParameterSpace, fitted: Fitted, where: Values) -> Values:
-    """The face's difference from the generic one without its details, at any points (n, 3) of the generic head: what
-    lies behind the skin goes where the skin goes, what lies around an eye goes and grows with the eyeball."""
-    result = _bell(space, fitted.positions - space.points, where)
-    for eye in _eyes(space):
-        ball = space.parts[eye].points
-        hold = falling((heights(where, ball) - NEAR) / (_EYE - NEAR))
-        with_ball = rolled_at(where, ball, fitted.parts[eye]) - where
-        result += hold[:, None] * (with_ball - result)
+def _ball(ball: Values, moves: Values, generic: Values, beyond: float) -> Values:
+    """An eyeball (n, 3) that goes with its surroundings and grows once more as it did from the generic one."""
+    size = (radius_of(ball) / radius_of(generic)) ** beyond
+    middle = ball.mean(axis=0)
+    result: Values = middle + moves.mean(axis=0) + size * (ball - middle)
     return result
 
 
@@ -138,13 +148,18 @@ def _bell(space: ParameterSpace, difference: Values, where: Values) -> Values:
     """The sheet's difference (V, 3), each point's the mean under a bell around it."""
     width = _BELL * _frame(space)[1]
     sheet = np.unique(space.skin_triangles)
+    square = cdist(where, space.points[sheet], "sqeuclidean") / (2.0 * width * width)
+    bell = _areas(space)[sheet] * np.exp(square.min(axis=1, keepdims=True) - square)
+    result: Values = bell @ difference[sheet] / bell.sum(axis=1, keepdims=True)
+    return result
+
+
+def _areas(space: ParameterSpace) -> Values:
+    """Area of the sheet's triangles around each vertex (V,), square metres, three times."""
     area = np.zeros(space.vertex_count)
     for corner in range(3):
         np.add.at(area, space.skin_triangles[:, corner], mesh.areas(space.points, space.skin_triangles))
-    square = cdist(where, space.points[sheet], "sqeuclidean") / (2.0 * width * width)
-    bell = area[sheet] * np.exp(square.min(axis=1, keepdims=True) - square)
-    result: Values = bell @ difference[sheet] / bell.sum(axis=1, keepdims=True)
-    return result
+    return area
 
 
 def _frame(space: ParameterSpace) -> tuple[Values, float]:
