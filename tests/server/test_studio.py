@@ -39,6 +39,7 @@ async def test_a_studio_draws_what_the_page_gives(tmp_path: Path) -> None:
     async with open_chromium(false_browser(tmp_path)) as tools:
         studio = await open_studio(tools, "http://127.0.0.1:1", Setting(100, 200))
         assert await studio.draw(SHEET) == b"picture"
+        await studio.close()
 
 
 @pytest.mark.asyncio

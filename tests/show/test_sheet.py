@@ -67,6 +67,8 @@ def test_an_empty_sheet_and_one_without_end_are_refused(cast: Cast) -> None:
 def test_names_that_do_not_fit_are_refused() -> None:
     with pytest.raises(ValueError, match="every row and every column has a name"):
         Sheet(ONE, rows=("a", "b"))
+    with pytest.raises(ValueError, match="every picture has a caption"):
+        Sheet(ONE, captions=[["a", "b"]])
 
 
 def test_paper_is_left_out_where_a_picture_is_transparent() -> None:

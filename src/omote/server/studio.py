@@ -36,14 +36,18 @@ OPENING = 60.0
 class Studio:
     """A page that draws sheets."""
 
-    def __init__(self, tools: DevTools, session: str) -> None:
-        self._tools, self._session = tools, session
+    def __init__(self, tools: DevTools, target: str, session: str) -> None:
+        self._tools, self._target, self._session = tools, target, session
 
     async def draw(self, sheet: Sheet) -> bytes:
         """The sheet as a file; BrowserError where the browser cannot draw it."""
         words = msgspec.json.encode(sheet).decode()
         drawn = await self._tools.evaluate(self._session, f"window.omoteStage.sheet({words})")
         return base64.b64decode(drawn)
+
+    async def close(self) -> None:
+        """Closes the page."""
+        await self._tools.call("Target.closeTarget", targetId=self._target)
 
 
 def draw_sheet(sheet: Sheet, setting: Setting) -> bytes:
@@ -89,4 +93,4 @@ async def open_studio(tools: DevTools, address: str, setting: Setting) -> Studio
         await asyncio.wait_for(tools.evaluate(session, OPENED), OPENING)
     except TimeoutError:
         raise BrowserError(f"the stage did not open within {OPENING:g} s; try again, or a lower quality") from None
-    return Studio(tools, session)
+    return Studio(tools, str(target["targetId"]), session)

@@ -54,7 +54,7 @@ class Setting:
 
 @dataclass(frozen=True)
 class Sheet:
-    """Pictures in rows and columns, with or without the names of rows and columns.
+    """Pictures in rows and columns, with or without the names of rows and columns, and words in each picture.
 
     `part`: what is kept of each picture: left, top, width, height, as shares. `paper`: the colour behind the pictures,
     None for nothing.
@@ -63,6 +63,7 @@ class Sheet:
     poses: Sequence[Sequence[Pose]]
     rows: Sequence[str] = ()
     columns: Sequence[str] = ()
+    captions: Sequence[Sequence[str]] = ()
     part: tuple[float, float, float, float] = (0.0, 0.0, 1.0, 1.0)
     paper: str | None = None
     kind: Kind = "image/png"
@@ -74,6 +75,8 @@ class Sheet:
             raise ValueError(f"the sheet has {cells} pictures; give 1 to {MOST_CELLS}")
         if len(self.rows) not in (0, len(self.poses)) or any(len(self.columns) not in (0, len(r)) for r in self.poses):
             raise ValueError("every row and every column has a name, or none has")
+        if self.captions and [len(row) for row in self.captions] != [len(row) for row in self.poses]:
+            raise ValueError("every picture has a caption, or none has")
 
     def on_paper(self, setting: Setting, kind: Kind) -> Sheet:
         """The sheet as a file of this kind, dark between its pictures where they are not transparent.

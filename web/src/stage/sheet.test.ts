@@ -5,6 +5,7 @@ const grid = (rows: number, columns: number, changes: Partial<Sheet> = {}): Shee
   poses: Array.from({ length: rows }, () => Array.from({ length: columns }, () => ({}))),
   rows: [],
   columns: [],
+  captions: [],
   part: [0, 0, 1, 1],
   paper: null,
   kind: "image/png",

@@ -7,6 +7,8 @@ export interface Sheet {
   poses: readonly (readonly Partial<Pose>[])[];
   rows: readonly string[];
   columns: readonly string[];
+  /** Words in the corner of each picture, row by row; empty: none. */
+  captions: readonly (readonly string[])[];
   /** What is kept of each picture: left, top, width, height, as shares of it. */
   part: readonly [number, number, number, number];
   /** The colour behind the pictures; null: nothing. */
@@ -66,6 +68,7 @@ export async function drawSheet(view: FaceView, sheet: Sheet, width: number, hei
       await view.present({ ...resting("generic"), ...pose }, 0);
       paste(context, view.canvas, layout, layout.corner(row, column), width, height);
     }
+  caption(context, sheet, layout);
   return canvas.convertToBlob({ type: sheet.kind, quality: JPEG_QUALITY });
 }
 
@@ -84,6 +87,15 @@ function write(context: OffscreenCanvasRenderingContext2D, sheet: Sheet, layout:
   context.textAlign = "center";
   for (const [column, name] of sheet.columns.entries())
     context.fillText(name, corner(0, column)[0] + wide / 2, letter, wide);
+}
+
+function caption(context: OffscreenCanvasRenderingContext2D, sheet: Sheet, { letter, corner, part }: Layout): void {
+  context.textAlign = "left";
+  for (const [row, words] of sheet.captions.entries())
+    for (const [column, word] of words.entries()) {
+      const [x, y] = corner(row, column);
+      context.fillText(word, x + letter / 2, y + part[3] - letter, part[2] - letter);
+    }
 }
 
 /** A picture's part; the canvas has fewer pixels than the page where the level spares them. */

@@ -1,0 +1,171 @@
+"""Draws the contact sheets of docs/gallery.md as `omote render` draws: `python -m tools.gallery`, or some by name.
+
+docs/pictures/gallery-*.jpg: ten expressions of four faces, a turntable of every face, mouths open at 30 degrees, eyes
+at nine gazes, the lights, what is keyed, half-way morphs. Judge by eye.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import omote
+from omote.files.picturefile import write_picture
+from omote.model.cast import Cast
+from omote.server.bundle import read_bundle
+from omote.server.chromium import open_chromium
+from omote.server.library import built_in
+from omote.server.studio import open_house, open_studio
+from omote.show.posing import pose_of, posed
+from omote.show.sheet import Setting, Sheet
+from tools.browser import SENTENCE, find_browser
+
+PICTURES = Path(__file__).resolve().parent.parent / "docs" / "pictures"
+MOST_BYTES = 6_000_000
+PLAYERS = ("kaori", "old", "child", "dog")
+EXPRESSIONS = ("neutral", "smile", "laugh", "sad", "angry", "surprise", "disgust", "kiss", "cry", "doubt")
+YAWS = (-75, -50, -25, 0, 25, 50, 75)
+MOUTHS = {
+    "half open": "jawOpen=0.5",
+    "open": "jawOpen",
+    "wide": "mouth-open=1",
+    "funnel": "mouthFunnel+jawOpen=0.4",
+}
+GAZES = ("-30,20", "0,20", "30,20", "-30,0", "0,0", "30,0", "-30,-25", "0,-25", "30,-25")
+LIGHTS = ("theatre", "portrait", "flat", "theatre=0.5+portrait=0.5")
+MORPHS = (("kaori", "dog"), ("kaori", "old"), ("child", "man"), ("old", "cat"))
+STEPS = (0.0, 0.17, 0.33, 0.5, 0.67, 0.83, 1.0)
+GREEN, PAPER = "#00b140", "#7d93ab"
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A sheet of the gallery, in its setting, and the name of its file."""
+
+    name: str
+    sheet: Sheet
+    setting: Setting
+
+
+Words = dict[str, str]
+
+
+def sheet(cast: Cast, rows: Sequence[tuple[str, Sequence[tuple[str, Words]]]]) -> Sheet:
+    """Rows of (name, pictures), each picture a caption and the words of its pose."""
+    return Sheet(
+        [[pose_of(cast, posed(cast, **words)) for _, words in row] for _, row in rows],
+        rows=[name for name, _ in rows],
+        captions=[[caption for caption, _ in row] for _, row in rows],
+        paper="#000",
+        kind="image/jpeg",
+    )
+
+
+def expressions(cast: Cast, face: str) -> Picture:
+    """Ten expressions of a face, in two rows of five."""
+    worn = [(name, {"face": face, "expression": name}) for name in EXPRESSIONS]
+    drawn = replace(sheet(cast, [("", worn[:5]), ("", worn[5:])]), rows=())
+    return Picture(face, drawn, Setting(400, 450))
+
+
+def turntable(cast: Cast) -> Picture:
+    """Every face from seven sides."""
+    rows = [(face, [("", {"face": face, "turn": str(yaw)}) for yaw in YAWS]) for face in cast.faces]
+    return Picture("turntable", sheet(cast, rows), Setting(240, 250))
+
+
+def mouths(cast: Cast) -> Picture:
+    """Mouths open at 30 degrees."""
+    rows = [
+        (face, [(name, {"face": face, "channels": unit, "turn": "30"}) for name, unit in MOUTHS.items()])
+        for face in (*PLAYERS, "man")
+    ]
+    return Picture("mouths", sheet(cast, rows), Setting(380, 400))
+
+
+def eyes(cast: Cast) -> Picture:
+    """Eyes at nine gazes, from near, in rows of three."""
+    rows = []
+    for face in PLAYERS:
+        looks = [(f"{face} {gaze}", {"face": face, "gaze": gaze}) for gaze in GAZES]
+        rows += [(face, looks[at : at + 3]) for at in (0, 3, 6)]
+    drawn = replace(sheet(cast, rows), rows=(), part=(0.19, 0.33, 0.62, 0.2))
+    return Picture("eyes", drawn, Setting(760, 860))
+
+
+def lights(cast: Cast) -> Picture:
+    """The lights, and half way between two."""
+    rows = [
+        (face, [(light, {"face": face, "expression": "smile", "light": light, "turn": "-20"}) for light in LIGHTS])
+        for face in PLAYERS
+    ]
+    return Picture("lights", sheet(cast, rows), Setting(400, 430))
+
+
+def keyed(cast: Cast, name: str, setting: Setting, paper: str) -> Picture:
+    """Four faces in the flat light before one colour."""
+    row = [(face, {"face": face, "expression": "smile", "light": "flat", "turn": "15"}) for face in PLAYERS]
+    return Picture(name, replace(sheet(cast, [("", row)]), rows=(), paper=paper), setting)
+
+
+def morphs(cast: Cast) -> Picture:
+    """From face to face, smiling, in seven steps."""
+    rows = [
+        (
+            f"{one} to {other}",
+            [("", {"face": f"{one}={1 - step}+{other}={step}", "expression": "smile", "turn": "20"}) for step in STEPS],
+        )
+        for one, other in MORPHS
+    ]
+    return Picture("morphs", sheet(cast, rows), Setting(260, 290))
+
+
+def gallery(cast: Cast) -> list[Picture]:
+    """All sheets of the gallery."""
+    green = Setting(400, 430, background=GREEN)
+    clear = Setting(400, 430, transparent=True)
+    return [
+        *(expressions(cast, face) for face in PLAYERS),
+        turntable(cast),
+        mouths(cast),
+        eyes(cast),
+        lights(cast),
+        keyed(cast, "green", green, "#000"),
+        keyed(cast, "transparent", clear, PAPER),
+        morphs(cast),
+    ]
+
+
+async def draw(pictures: Sequence[Picture], browser: Path) -> None:
+    """Draws the pictures into their files, one after the other."""
+    async with open_house(built_in(), read_bundle()) as address, open_chromium(browser) as tools:
+        for picture in pictures:
+            studio = await open_studio(tools, address, picture.setting)
+            target = PICTURES / f"gallery-{picture.name}.jpg"
+            write_picture(target, await studio.draw(picture.sheet))
+            await studio.close()
+            print(f"docs/pictures/{target.name}: {target.stat().st_size // 1000} kB", flush=True)
+
+
+def main() -> int:
+    """Draws the gallery, or those sheets whose names are given."""
+    everything = gallery(omote.load_cast())
+    wanted = [picture for picture in everything if picture.name in sys.argv[1:] or len(sys.argv) == 1]
+    if not wanted:
+        print(f"expected some of {', '.join(picture.name for picture in everything)}")
+        return 1
+    browser = find_browser()
+    if browser is None:
+        print(SENTENCE)
+        return 1
+    asyncio.run(draw(wanted, browser))
+    total = sum(path.stat().st_size for path in PICTURES.glob("gallery-*.jpg"))
+    print(f"{total / 1e6:.1f} MB of {MOST_BYTES / 1e6:.0f}")
+    return 0 if total < MOST_BYTES else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
