@@ -15,7 +15,7 @@ CAST := src/omote/builtin/cast.npz
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
 CAST_FROM := $(wildcard tools/bake.py tools/baking/*.py $(addprefix src/omote/,geometry/*.py model/*.py builtin/*.py builtin/sculpts/*.toml files/sculptfile.py))
 
-.PHONY: help demo test setup bake web check check-python check-web tests browser-tests wheel-test format bench wheel clean
+.PHONY: help demo test setup bake web check check-python check-web tests browser-tests wheel-test format bench gallery wheel clean
 .DELETE_ON_ERROR:
 
 help:
@@ -24,7 +24,8 @@ help:
 	@echo "make setup   .venv, pages and cast      make check   format, lint, types, imports, pages; no tests"
 	@echo "make web     the pages                  make bench   every figure of the README and the docs"
 	@echo "make bake    the cast                   make wheel   dist/*.whl with pages and cast inside"
-	@echo "make format  rewrite in house style     make clean   remove everything that was made here"
+	@echo "make format  rewrite in house style     make gallery the pictures of docs/gallery.md"
+	@echo "make clean   remove everything that was made here"
 
 demo: setup
 	@.venv/bin/omote show --open
@@ -96,6 +97,9 @@ format: $(PACKAGES) $(MODULES)
 
 bench: setup
 	@for claim in benchmarks/*.py; do echo "== $$claim"; $(RUN) -m benchmarks.$$(basename "$$claim" .py) || exit 1; done
+
+gallery: setup
+	@$(RUN) -m tools.gallery
 
 wheel: setup
 	@echo "== Wheel (dist)"

@@ -120,9 +120,10 @@ export class FaceView {
   async change(level: Level): Promise<void> {
     if (level === this.wanted) return;
     this.wanted = level;
-    const head = this.buildHead(level);
+    const [head, { shared }] = [this.buildHead(level), this];
     await this.renderer.compileAsync(head, this.camera, this.scene);
-    if (this.wanted === level) this.nextHead = { level, head };
+    if (this.wanted === level && this.shared === shared) this.nextHead = { level, head };
+    else this.hair.drop(head); // another level was wished for meanwhile, or the context was lost
   }
 
   /** Sets the size in CSS pixels. */
