@@ -33,6 +33,7 @@ export class Shadow {
   );
   private readonly scene = new THREE.Scene();
 
+  private drawn = false;
   private readonly casters = new Map<THREE.Mesh, THREE.Mesh>();
 
   constructor(private readonly uniforms: ShadowUniforms) {
@@ -52,7 +53,8 @@ export class Shadow {
 
   /** Draws the shadow map of this light for the head as it is now, `size` texels along a side; 0: none. */
   draw(renderer: THREE.WebGLRenderer, light: Light, head: THREE.Object3D, size: number): void {
-    if (size === 0 || light.shade <= 0) return; // nobody asks
+    if (size === 0 || (light.shade <= 0 && this.drawn)) return; // nobody asks, but the shaders want to hold a map
+    this.drawn = true;
     this.target.setSize(size, size);
     this.look(light);
     this.gather(head);
