@@ -6,10 +6,9 @@ import numpy as np
 
 from tools.baking.basemesh import Floats
 
-HAIRS = 620  # per brow
-DENSITY = 0.66  # of one hair; crossing hairs grow darker
+HAIRS = 560  # per brow
 BUSHIEST = 1.7  # half heights from the middle line to the last hair
-WIDTH = 0.0003  # metres, half the thickness of a drawn hair at its root
+WIDTH = 0.00026  # metres, half the thickness of a drawn hair at its root
 # The middle line of the character's left brow on the generic head: x, y, half height (metres), from nose to temple.
 LINE = np.array(
     [
@@ -32,10 +31,10 @@ def brow_cover(places: Floats, *, seed: int) -> Floats:
     across = np.abs(places[:, 0])
     near = (across > 0.008) & (across < 0.062) & (np.abs(places[:, 1] - 0.02) < 0.014) & (places[:, 2] > 0.06)
     flat = np.stack([across[near], places[near, 1]], axis=1)
-    bare = 1.0 - 0.3 * _body(flat)
+    drawn = 0.32 * _body(flat)
     for root, tip, strength in _hairs(seed):
-        bare *= 1.0 - DENSITY * strength * _stroke(flat, root, tip)
-    cover[near] = 1.0 - bare
+        drawn = np.maximum(drawn, strength * _stroke(flat, root, tip))  # not darker where they cross: gaps stay
+    cover[near] = drawn
     return cover
 
 
@@ -62,11 +61,11 @@ def _hairs(seed: int) -> list[tuple[Floats, Floats, float]]:
         height = rng.uniform(-1.0, 1.0) * BUSHIEST
         strength = 1.0 - 0.75 * min(1.0, max(0.0, abs(height) - 0.5) / (BUSHIEST - 0.5))
         root = np.array([x, float(middle) + float(half) * height])
-        lean = np.deg2rad(70.0 - 62.0 * share**0.7 - 16.0 * height + rng.normal(0.0, 6.0))
-        length = (0.0042 + 0.0016 * np.sin(np.pi * share)) * rng.uniform(0.75, 1.1)
+        lean = np.deg2rad(70.0 - 62.0 * share**0.7 - 16.0 * height + rng.normal(0.0, 9.0))
+        length = (0.0042 + 0.0016 * np.sin(np.pi * share)) * rng.uniform(0.7, 1.2)
         slope = np.interp(x + 0.004, LINE[:, 0], LINE[:, 1]) - np.interp(x, LINE[:, 0], LINE[:, 1])
         turn = lean * 0.55 + np.arctan2(slope, 0.004)
-        hairs.append((root, root + length * np.array([np.cos(turn), np.sin(turn)]), strength * rng.uniform(0.7, 1.0)))
+        hairs.append((root, root + length * np.array([np.cos(turn), np.sin(turn)]), strength * rng.uniform(0.6, 1.0)))
     return hairs
 
 

@@ -27,6 +27,7 @@ def oil(texels: Texels) -> Floats:
     shine += 0.3 * blob(places, (0.043, -0.014, 0.125), (0.016, 0.012, 0.03))
     shine += 0.25 * blob(places, (0.0, -0.095, 0.14), (0.014, 0.01, 0.03))
     shine += 0.25 * blob(places, (0.032, 0.008, 0.14), (0.014, 0.006, 0.03))
+    shine -= 0.25 * blob(places, (0.01, -0.054, 0.15), (0.022, 0.011, 0.04))
     patchy = 0.75 + 0.5 * cloud_noise(places, 0.009, seed=SEED)
     return np.asarray(np.clip(shine * patchy, 0.0, 1.0))
 

@@ -60,7 +60,7 @@ def stubble(texels: Texels) -> Floats:
     flow = _along_skin(np.array([[0.0, -1.0, -0.2]]), normals) * 0.0016
     hairs = ramp(strand_noise(places, flow, 0.00055, seed=SEED + 20), 0.5, 0.8)
     thin = 0.55 + 0.45 * cloud_noise(places, 0.01, seed=SEED + 22)
-    return np.asarray(beard(texels) * thin * (0.32 + 0.68 * hairs))
+    return np.asarray(beard(texels) * thin * (0.45 + 0.55 * hairs))
 
 
 def fur_strands(texels: Texels) -> Floats:

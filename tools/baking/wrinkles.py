@@ -81,7 +81,7 @@ def fine_net(texels: Texels) -> Floats:
     first, second, _ = cell_noise(places, 0.0032, seed=SEED + 7)
     net = ramp(second - first, 0.0, 0.35)
     return np.asarray(
-        0.00013 * (level - 0.5) * (0.5 + lids) + 0.00014 * (upright - 0.5) * cheeks + 0.00009 * net * (0.3 + cheeks)
+        0.00022 * (level - 0.5) * (0.5 + lids) + 0.00026 * (upright - 0.5) * cheeks + 0.00012 * net * (0.3 + cheeks)
     )
 
 
@@ -91,7 +91,7 @@ def spots_of_age(texels: Texels) -> Floats:
     rough = (cloud_noise(places, 0.0035, seed=SEED + 8) - 0.5) * 0.5
     first, _, label = cell_noise(places, SPOT, seed=SEED + 9)
     size = 0.12 + 0.3 * (label * 7.0 % 1.0)
-    spot = ramp(first + rough * 0.5, size, size * 0.55) * (label < 0.3)
+    spot = ramp(first + rough * 0.7, size, size * 0.3) * (label < 0.3) * (0.4 + 2.0 * label)
     side = ramp(np.abs(places[:, 0]), 0.02, 0.05) + ramp(places[:, 1], 0.035, 0.06)
     return np.asarray(np.clip(spot * np.clip(side, 0.0, 1.0), 0.0, 1.0))
 

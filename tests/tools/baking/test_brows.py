@@ -22,7 +22,8 @@ def test_they_lie_along_their_line_and_nowhere_else() -> None:
     off = np.abs(GRID_Y - np.interp(GRID_X, LINE[:, 0], LINE[:, 1]))
     assert cover[off > 0.008].max() == 0.0
     assert cover[(GRID_X < 0.009) | (GRID_X > 0.061)].max() == 0.0
-    assert cover[(off < 0.001) & (GRID_X > 0.02) & (GRID_X < 0.045)].min() > 0.3
+    middle = cover[(off < 0.001) & (GRID_X > 0.02) & (GRID_X < 0.045)]
+    assert (middle.min() > 0.2, middle.mean() > 0.5) == (True, True)  # hairs with gaps between them
     assert (cover.min(), cover.max() <= 1.0) == (0.0, True)
 
 

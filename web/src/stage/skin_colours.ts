@@ -34,15 +34,15 @@ struct Layers {
 struct Ground { vec3 albedo; float lips; float hair; float fur; float leather; };
 
 /** How much a brow's hairs cover: the thinner the brow, the higher the threshold. */
-float browHairs(float drawn) { return clamp((drawn - mix(1.02, 0.1, brows)) * 2.6, 0.0, 1.0); }
+float browHairs(float drawn) { return clamp((drawn - mix(1.0, -0.12, brows)) * 2.6, 0.0, 1.0); }
 
 vec3 bare(Layers at) {
-  vec3 seen = skin * (1.0 + pores * (at.finish.a - 0.5) * vec3(0.10, -0.34, -0.30));
-  seen *= mix(1.0, at.finish.b, 0.35 * pores);
+  vec3 seen = skin * (1.0 + pores * (at.finish.a - 0.5) * vec3(0.12, -0.44, -0.38));
+  seen *= mix(1.0, at.finish.b, 0.5 * pores);
   seen *= mix(vec3(1.0), vec3(0.70, 0.50, 0.42), at.marks.r * age);
   seen *= mix(vec3(1.0), vec3(0.70, 0.50, 0.36), at.marks.g * freckles);
   seen = mix(seen, blush, at.mask.b * 0.5);
-  seen = mix(seen, 0.55 * brow + 0.12 * skin, at.marks.b * stubble * 0.62);
+  seen = mix(seen, 0.5 * brow + 0.14 * skin, at.marks.b * stubble * 0.78);
   return mix(seen, brow * 0.6 + lip * 0.18, at.patches.b * makeup * 0.85);
 }
 

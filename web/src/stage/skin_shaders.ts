@@ -51,7 +51,7 @@ vec3 fine(vec3 normal, Ground at) {
   vec4 slope = (texture(relief, vUv) - 0.5) * ${(2 * STEEPEST).toFixed(1)};
   float skinned = (1.0 - at.hair) * (1.0 - at.fur) * (1.0 - lacquer);
   vec2 young = slope.rg * max(pores, at.lips * 0.8);
-  return tilted(normal, (young * 1.5 + slope.ba * age * (1.0 - 0.6 * at.lips)) * skinned);
+  return tilted(normal, (young * 2.0 + slope.ba * age * (1.0 - 0.6 * at.lips)) * skinned);
 }
 #endif
 
@@ -64,7 +64,7 @@ float lobes(vec3 normal, vec3 view, vec3 lamp, float sharpness) {
   float along = max(dot(normal, half_), 0.0);
   float grazing = 1.0 - max(dot(view, half_), 0.0);
   float mirrored = 0.04 + 0.96 * grazing * grazing * grazing * grazing * grazing;
-  return mirrored * max(dot(normal, lamp) * 2.0 + 0.3, 0.0) * (0.65 * lobe(along, sharpness) + 0.35 * lobe(along, sharpness * 4.0));
+  return mirrored * max(dot(normal, lamp) * 2.0 + 0.3, 0.0) * (0.75 * lobe(along, sharpness) + 0.25 * lobe(along, sharpness * 3.0));
 }
 
 vec3 lit(Layers layers, Ground at, float open) {
@@ -76,7 +76,7 @@ vec3 lit(Layers layers, Ground at, float open) {
   vec3 normal = form;
 #endif
   float flesh = (1.0 - at.hair) * (1.0 - 0.6 * at.fur) * (1.0 - 0.7 * lacquer);
-  vec3 blurred = vec3(0.75, 0.40, 0.25) * flesh; // red light goes furthest: fine relief hardly shows in it
+  vec3 blurred = vec3(0.65, 0.32, 0.2) * flesh; // red light goes furthest: fine relief hardly shows in it
   vec3 wrap = vec3(0.05) + (vec3(0.27, 0.11, 0.06) + layers.finish.g * vec3(0.30, 0.08, 0.04)) * flesh;
   vec3 key = mix(vec3(dot(normal, KEY)), vec3(dot(form, KEY)), blurred);
   key = clamp((key + wrap) / (1.0 + wrap), 0.0, 1.0);
@@ -94,9 +94,9 @@ vec3 lit(Layers layers, Ground at, float open) {
   float through = smoothstep(0.66, 1.0, layers.finish.g) * flesh;
 
   float wet = at.lips * gloss * (1.0 - at.fur) + at.leather * 0.7;
-  float oily = layers.finish.r * (0.35 + 0.65 * pores);
-  float sharpness = mix(mix(13.0, 34.0, oily), 90.0, max(wet, lacquer * 0.75));
-  float strength = (0.30 + 0.95 * oily + 1.1 * wet) * mix(1.0, layers.finish.b, pores);
+  float oily = layers.finish.r * (0.35 + 0.65 * pores) * (1.0 - 0.55 * age);
+  float sharpness = mix(mix(10.0, 26.0, oily), 90.0, max(wet, lacquer * 0.75));
+  float strength = (0.26 + 0.52 * oily + 1.1 * wet) * mix(1.0, layers.finish.b, pores);
   strength = mix(strength, 0.8, lacquer) * (1.0 - 0.85 * at.hair) * (1.0 - 0.8 * (at.fur - at.leather));
   float hairs = browHairs(layers.mask.g);
   strength *= (1.0 - 0.8 * hairs) * open;
