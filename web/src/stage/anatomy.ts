@@ -94,7 +94,7 @@ function hairAt(positions: Float32Array, row: number): number {
   const [a0, h0] = HAIRLINE[Math.max(0, line - 1)] as [number, number];
   const [a1, h1] = HAIRLINE[Math.max(0, line)] as [number, number];
   const height = a1 > a0 ? h0 + ((h1 - h0) * (angle - a0)) / (a1 - a0) : h0;
-  const ear = y < 0.05 ? smooth((Math.abs(x) - 0.072) / 0.006) : 0;
+  const ear = y < 0.026 ? smooth((Math.abs(x) - 0.072) / 0.006) : 0;
   return smooth((y - height) / 0.016 + 0.5) * (1 - ear);
 }
 
