@@ -33,7 +33,7 @@ void main() {
   vLids = vec3(inside, clamp(across, -1.5, 1.5) * sign(centre.x));
 
   float covered = smoothstep(0.03, -0.16, min(inside.x, inside.y));
-  float cap = clamp(1.0 - dot(direction.xy, direction.xy) / (0.21 * irisSize * irisSize), 0.0, 1.0);
+  float cap = clamp(1.0 - dot(direction.xy, direction.xy) / min(0.21 * irisSize * irisSize, 0.30), 0.0, 1.0);
   float swell = ${BULGE.toFixed(3)} * cap * step(0.0, direction.z) * (1.0 - covered);
   at = centre + axes * direction * (1.0 + swell - ${RETREAT.toFixed(3)} * covered);
   vLocal = direction;
