@@ -1,6 +1,6 @@
 import { encode } from "@msgpack/msgpack";
 import { describe, expect, it } from "vitest";
-import { insist, Library, RefusedAddress, readCompound, readMesh } from "./assets";
+import { insist, Library, RefusedAddress, readCompound, readLine, readMesh } from "./assets";
 import type { Manifest } from "./messages";
 
 const bytes = (array: Uint32Array | Float32Array | Int16Array): Uint8Array => new Uint8Array(array.buffer);
@@ -68,6 +68,12 @@ describe("reading", () => {
     expect(readMesh(mesh, 3).triangles).toEqual(Uint32Array.from([0, 1, 2]));
     expect(() => readMesh(mesh, 2)).toThrow("skin");
     expect(() => readMesh({ ...mesh, uv: bytes(new Float32Array(4)) }, 3)).toThrow("texture coordinates");
+  });
+
+  it("refuses a line that points past the positions", () => {
+    const line = { name: "lips", loop: bytes(Uint32Array.from([2, 0, 1])) };
+    expect([...readLine(line, 3)]).toEqual([2, 0, 1]);
+    expect(() => readLine(line, 2)).toThrow("lips");
   });
 
   it("refuses a compound that does not fit", () => {
