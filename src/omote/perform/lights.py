@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 FIRST_LIGHT = "theatre"
 """What a show begins with."""
-LIGHTS: Mapping[str, str] = {"theatre": "Theatre", "portrait": "Portrait", "flat": "Flat, for keying"}
+LIGHTS: Mapping[str, str] = {"theatre": "Theatre", "portrait": "Portrait", "flat": "Flat (keying)"}
 """The lights in the order of the console, with what they are called there."""
 
 

@@ -5,6 +5,7 @@ import { style } from "./console_page_style";
 import type { Topic } from "./desk";
 import { RigElement } from "./element";
 import { type Command, commandOf } from "./keys";
+import type { LightRow } from "./light_row";
 import type { Monitor } from "./monitor";
 import type { Pad } from "./pad";
 import type { Palette } from "./palette";
@@ -13,6 +14,7 @@ import { base, palette } from "./theme";
 import { neighbour } from "./timing";
 import "./bank";
 import "./help";
+import "./light_row";
 import "./mix";
 import "./monitor";
 import "./pad";
@@ -66,6 +68,7 @@ export class ConsolePage extends RigElement {
           <omote-mix .rig=${rig} .axis=${"face"}></omote-mix>
           <omote-mix .rig=${rig} .axis=${"expression"}></omote-mix>
         </div>
+        <omote-lights .rig=${rig}></omote-lights>
       </section>
       <omote-tbar class="panel exprbar live" .rig=${rig} .axis=${"expression"}></omote-tbar>
       <omote-palette class="panel expressions live" .rig=${rig} .axis=${"expression"}></omote-palette>
@@ -96,7 +99,7 @@ export class ConsolePage extends RigElement {
     } else if (command.do === "help") this.helping = !this.helping;
     else if (command.do === "centre") this.desk.centre();
     else if (command.do === "clear") this.desk.clearChannels(Object.keys(this.desk.state?.channels ?? {}));
-    else if (command.do === "focus") this.#at<Palette | Pad | TBar>(PLACES[command.place])?.focus();
+    else if (command.do === "focus") this.#at<LightRow | Palette | Pad | TBar>(PLACES[command.place])?.focus();
     else this.#obeyAxis(command);
   }
 
@@ -120,6 +123,7 @@ const PLACES = {
   head: ".hands omote-pad",
   gaze: ".hands omote-pad + omote-pad",
   search: ".expressions",
+  light: "omote-lights",
 } as const;
 
 /** True while a key press belongs to a field for text. */

@@ -26,7 +26,7 @@ export const style = css`
   .air {
     grid-area: air;
     display: grid;
-    grid-template-rows: minmax(0, 1fr) auto;
+    grid-template-rows: minmax(0, 1fr) auto auto;
     overflow: hidden;
   }
   .mixes {

@@ -65,6 +65,20 @@ describe("calls", () => {
   });
 });
 
+describe("lights", () => {
+  it("come in the time of a face, and never by hand", () => {
+    desk.setTiming("face", { seconds: 4, easing: "late" });
+    desk.callLight("flat");
+    desk.setTiming("face", { seconds: null });
+    desk.callLight("portrait");
+    expect(sent).toMatchObject([
+      { type: "call_light", name: "flat", seconds: 4, easing: "late" },
+      { type: "call_light", name: "portrait", seconds: 2 },
+    ]);
+    expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(2);
+  });
+});
+
 describe("knobs", () => {
   it("show the hand at once, the server after the echo", () => {
     const jaw = desk.channel("jawOpen");

@@ -3,7 +3,16 @@
  * messages of the next frame. Nothing here touches the page or a clock.
  */
 
-import type { CallState, Crew, ExpressionDocument, FaceDocument, FromClient, Manifest, State } from "../link/messages";
+import type {
+  CallState,
+  Crew,
+  ExpressionDocument,
+  FaceDocument,
+  FromClient,
+  LightDocument,
+  Manifest,
+  State,
+} from "../link/messages";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
 import { Holds } from "./hold";
 import type { Axis } from "./keys";
@@ -89,6 +98,10 @@ export class Desk {
     return this.manifest?.expressions ?? [];
   }
 
+  get lights(): readonly LightDocument[] {
+    return this.manifest?.lights ?? [];
+  }
+
   setManifest(manifest: Manifest): void {
     this.manifest = manifest;
     this.#strips = stripsOf(manifest.expressions);
@@ -153,6 +166,14 @@ export class Desk {
     const id = `${this.id}-${this.#calls}`;
     const type = axis === "face" ? "call_face" : "call_expression";
     this.#outbox.push({ type, id, name, ...this.timing[axis] });
+  }
+
+  /** Calls a light in the time of a face; in two seconds where faces are called by hand, for a light has no T-bar. */
+  callLight(name: string): void {
+    if (!this.#mayAct()) return;
+    this.#calls += 1;
+    const { seconds, easing } = this.timing.face;
+    this.#outbox.push({ type: "call_light", id: `${this.id}-${this.#calls}`, name, seconds: seconds ?? 2, easing });
   }
 
   release(axis: Axis): void {

@@ -1,7 +1,7 @@
 /** The keyboard as one table: what each key does, and how the help shows it. */
 
 export type Axis = "face" | "expression";
-export type Place = "face" | "expression" | "head" | "gaze" | "search";
+export type Place = "face" | "expression" | "head" | "gaze" | "search" | "light";
 
 export type Command =
   | { do: "panic" }
@@ -38,6 +38,7 @@ const COMMANDS: Readonly<Record<string, Command>> = {
   KeyG: { do: "focus", place: "expression" },
   KeyH: { do: "focus", place: "head" },
   KeyJ: { do: "focus", place: "gaze" },
+  KeyL: { do: "focus", place: "light" },
   KeyV: { do: "release", axis: "face" },
   KeyB: { do: "release", axis: "expression" },
   KeyC: { do: "centre" },
@@ -55,6 +56,7 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["F  G", "To the T-bar of the face, of the expression; then arrows"],
   ["V  B", "Let go of the T-bar of the face, of the expression"],
   ["H  J", "To the head pad, to the gaze pad; then arrows"],
+  ["L", "To the lights; then Tab and Enter"],
   ["C", "Head and gaze to the centre"],
   ["X", "All channels to zero"],
   ["/", "Search expressions"],
