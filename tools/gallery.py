@@ -1,7 +1,7 @@
 """Draws the contact sheets of docs/gallery.md as `omote render` draws: `python -m tools.gallery`, or some by name.
 
 docs/pictures/gallery-*.jpg: ten expressions of four faces, a turntable of every face, mouths open at 30 degrees, eyes
-at nine gazes, the lights, what is keyed, half-way morphs. Judge by eye.
+at nine gazes, the lights, other backgrounds, half-way morphs. Judge by eye.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ GAZES = ("-30,20", "0,20", "30,20", "-30,0", "0,0", "30,0", "-30,-25", "0,-25", 
 LIGHTS = ("theatre", "portrait", "flat", "theatre=0.5+portrait=0.5")
 MORPHS = (("kaori", "dog"), ("kaori", "old"), ("child", "man"), ("old", "cat"))
 STEPS = (0.0, 0.17, 0.33, 0.5, 0.67, 0.83, 1.0)
-GREEN, PAPER = "#00b140", "#7d93ab"
+BLUE, PAPER = "#2a5aa8", "#cfc6b4"
 
 
 @dataclass(frozen=True)
@@ -106,8 +106,8 @@ def lights(cast: Cast) -> Picture:
 
 
 def keyed(cast: Cast, name: str, setting: Setting, paper: str) -> Picture:
-    """Four faces in the flat light before one colour."""
-    row = [(face, {"face": face, "expression": "smile", "light": "flat", "turn": "15"}) for face in PLAYERS]
+    """Four faces before one colour."""
+    row = [(face, {"face": face, "expression": "smile", "light": "portrait", "turn": "15"}) for face in PLAYERS]
     return Picture(name, replace(sheet(cast, [("", row)]), rows=(), paper=paper), setting)
 
 
@@ -125,7 +125,7 @@ def morphs(cast: Cast) -> Picture:
 
 def gallery(cast: Cast) -> list[Picture]:
     """All sheets of the gallery."""
-    green = Setting(400, 430, background=GREEN)
+    blue = Setting(400, 430, background=BLUE)
     clear = Setting(400, 430, transparent=True)
     return [
         *(expressions(cast, face) for face in PLAYERS),
@@ -133,7 +133,7 @@ def gallery(cast: Cast) -> list[Picture]:
         mouths(cast),
         eyes(cast),
         lights(cast),
-        keyed(cast, "green", green, "#000"),
+        keyed(cast, "background", blue, "#000"),
         keyed(cast, "transparent", clear, PAPER),
         morphs(cast),
     ]

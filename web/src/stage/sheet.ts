@@ -91,10 +91,14 @@ function write(context: OffscreenCanvasRenderingContext2D, sheet: Sheet, layout:
 
 function caption(context: OffscreenCanvasRenderingContext2D, sheet: Sheet, { letter, corner, part }: Layout): void {
   context.textAlign = "left";
+  context.font = font(Math.round(0.7 * letter));
+  context.fillStyle = "#fff";
+  context.shadowColor = "#000";
+  context.shadowBlur = letter / 4; // words on fur and skin are read too
   for (const [row, words] of sheet.captions.entries())
     for (const [column, word] of words.entries()) {
       const [x, y] = corner(row, column);
-      context.fillText(word, x + letter / 2, y + part[3] - letter, part[2] - letter);
+      context.fillText(word, x + letter / 2, y + part[3] - 0.7 * letter, part[2] - letter);
     }
 }
 
