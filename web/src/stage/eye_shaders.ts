@@ -113,6 +113,8 @@ float softbox(vec3 mirrored, vec3 lamp, vec2 size, float soft) {
 export const EYE_FRAGMENT = `${FRAGMENT_HEAD}${IRIS}${MIRROR}
 uniform mat3 eyeTurn; // eye to world
 uniform mat3 headTurn;
+uniform float age;
+uniform float fur;
 in vec3 vLocal;
 in vec3 vPoint;
 in vec3 vLids;
@@ -120,6 +122,7 @@ in vec3 vLids;
 /** The white: less white towards the corners, where vessels shine through, and flesh in the inner one. */
 vec3 whiteAt(vec3 local, float corner, out float flesh) {
   vec3 white = vec3(0.80, 0.745, 0.69);
+  white *= mix(vec3(1.0), vec3(0.94, 0.86, 0.72), age) * mix(vec3(1.0), vec3(0.62, 0.50, 0.38), fur); // old eyes yellow, animals' are dark
   float far = smoothstep(0.35, 1.05, abs(corner));
   white = mix(white, vec3(0.70, 0.42, 0.37), 0.55 * far);
   white *= 1.0 - vec3(0.02, 0.10, 0.11) * smoothstep(0.45, 0.95, length(local.xy));
@@ -130,7 +133,7 @@ vec3 whiteAt(vec3 local, float corner, out float flesh) {
   float vein = abs(textureLod(grain, vec2(turn + 0.020 * bow, off * 0.045), 1.0).b - 0.5);
   float twig = abs(textureLod(grain, vec2(turn * 2.0 - 0.035 * bow, off * 0.11), 1.0).b - 0.5);
   float blood = 0.9 * (1.0 - smoothstep(0.0, 0.07, vein)) + 0.5 * (1.0 - smoothstep(0.0, 0.08, twig));
-  white = mix(white, vec3(0.58, 0.17, 0.14), min(blood, 1.0) * (0.10 + 0.26 * far) * smoothstep(0.46, 0.85, off));
+  white = mix(white, vec3(0.58, 0.17, 0.14), min(blood, 1.0) * (0.10 + 0.20 * far + 0.25 * age) * smoothstep(0.46, 0.85, off));
 #endif
   flesh = smoothstep(-0.86, -0.97, corner);
   return mix(white, vec3(0.55, 0.20, 0.17), flesh);

@@ -90,6 +90,8 @@ void main() {
 
 /** Teeth: each with its own width, length and roundness, gum that climbs between them. */
 export const TEETH_FRAGMENT = `${MOUTH_HEAD}
+uniform float age;
+
 /** Place across the tooth (-1..1), half its width in radians, its number from the middle. */
 vec3 toothAt(float angle, float upper) {
   float from = 0.0;
@@ -123,6 +125,7 @@ void main() {
   float shade = fract(sin(tooth.z * 12.9 + sign(vPlace.y) * 3.7 + upper) * 43.7) - 0.5;
   vec3 enamel = mix(vec3(0.80, 0.68, 0.50), vec3(0.86, 0.79, 0.68), smoothstep(gumLine, gumLine + 0.45, height));
   enamel = mix(enamel, vec3(0.60, 0.60, 0.60), 0.55 * smoothstep(0.84, 1.02, height + 0.05 * sides)); // the edge lets the dark through
+  enamel *= mix(vec3(1.0), vec3(0.93, 0.84, 0.66), age);
   enamel *= (1.0 + 0.07 * shade) * (1.0 - 0.62 * groove) * (tooth.z > 2.5 ? 0.90 : 1.0);
   vec3 pink = mix(vec3(0.50, 0.17, 0.16), vec3(0.60, 0.27, 0.25), smoothstep(gumLine - 0.16, gumLine, height));
   pink *= 1.0 + 0.5 * (texture(grain, vec2(vPlace.y * 1.3, height * 0.6)).b - 0.5);
