@@ -74,7 +74,7 @@ def expressions(cast: Cast, face: str) -> Picture:
 def turntable(cast: Cast) -> Picture:
     """Every face from seven sides."""
     rows = [(face, [("", {"face": face, "turn": str(yaw)}) for yaw in YAWS]) for face in cast.faces]
-    return Picture("turntable", sheet(cast, rows), Setting(240, 250))
+    return Picture("turntable", sheet(cast, rows), Setting(280, 240))
 
 
 def mouths(cast: Cast) -> Picture:
