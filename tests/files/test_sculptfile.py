@@ -91,6 +91,8 @@ def test_a_ball_on_the_midline_leaves_its_mirror_image_to_the_symmetry() -> None
         ('name = "a"', 'name = "a"\nkernel = "thin"', "kernel is 'thin'; expected one of 'biharmonic', 'triharmonic'"),
         ('name = "a"', 'name = "a"\nsymmetric = 1', "symmetric is 1; expected true or false"),
         ('skin = "#112233"', 'skin = "red"', "skin of a look is 'red'"),
+        ('skin = "#112233"', "fur = 2", "fur of a look is 2; expected a number from 0 to 1"),
+        ('skin = "#112233"', "coat = 1", "coat of a look is 1; expected a colour"),
         ('skin = "#112233"', 'wig = "#112233"', "the look has 'wig'; expected only skin, lip"),
         ("old = 0.5", "old = true", "base 'old' is True; expected a finite number"),
         ("old = 0.5", "old = inf", "base 'old' is inf; expected a finite number"),

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from omote.model.cast import Cast, Look
+from omote.model.cast import TRAITS, Cast, Look
 from omote.model.extract import extract
 from omote.model.face import Face
 from tests.synthetic import cast, head, space
@@ -67,6 +67,16 @@ def test_the_pupil_of_an_expression_belongs_to_the_digest() -> None:
     assert cast().with_expressions(smile=wide).digest != cast().digest
     with pytest.raises(ValueError, match="expression 'neutral' moves something"):
         cast().with_expressions(neutral=replace(cast().expressions["neutral"], pupil=0.5))
+
+
+@pytest.mark.parametrize("name", TRAITS)
+def test_every_trait_reaches_its_ends_and_no_further(name: str) -> None:
+    low, high = TRAITS[name]
+    for end in (low, high):
+        assert getattr(Look(**{name: end}), name) == end  # type: ignore[arg-type]
+    for beyond in (low - 0.01, high + 0.01):
+        with pytest.raises(ValueError, match=f"{name} of a look is .*; expected a number from {low:g} to {high:g}"):
+            Look(**{name: beyond})  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(

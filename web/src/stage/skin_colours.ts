@@ -30,14 +30,14 @@ struct Layers {
   vec4 finish; // oil, thinness, fine hollows, mottling of the blood
 };
 
-/** What the light falls on: the colour, and how much of it is lip, hair, fur, or bare leather (0..1 each). */
+/** What the light falls on: the colour, and how much of it is lip, hair (brows too), fur, or bare leather (0..1 each). */
 struct Ground { vec3 albedo; float lips; float hair; float fur; float leather; };
 
 /** How much a brow's hairs cover: the thinner the brow, the higher the threshold. */
 float browHairs(float drawn) { return clamp((drawn - mix(1.0, -0.12, brows)) * 2.6, 0.0, 1.0); }
 
 vec3 bare(Layers at) {
-  vec3 seen = skin * (1.0 + pores * (at.finish.a - 0.5) * vec3(0.12, -0.44, -0.38));
+  vec3 seen = skin * (1.0 + pores * (at.finish.a - 0.5) * vec3(0.08, -0.34, -0.30));
   seen *= mix(1.0, at.finish.b, 0.5 * pores);
   seen *= mix(vec3(1.0), vec3(0.70, 0.50, 0.42), at.marks.r * age);
   seen *= mix(vec3(1.0), vec3(0.70, 0.50, 0.36), at.marks.g * freckles);
@@ -69,6 +69,7 @@ Ground ground(Layers at, float hairline) {
   seen = mix(seen, brow, hairs * 0.92);
   seen = mix(seen, brow * 0.5, at.patches.a * lacquer);
   seen = mix(seen, brow * (0.7 + 0.6 * at.marks.a), found.hair);
+  found.hair = max(found.hair, hairs * 0.85);
   found.albedo = seen * at.mask.a * mix(1.0, at.mask.a, 0.3); // what cavities and the lash line leave of the light
   return found;
 }

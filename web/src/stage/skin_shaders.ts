@@ -98,8 +98,7 @@ vec3 lit(Layers layers, Ground at, float open) {
   float sharpness = mix(mix(10.0, 26.0, oily), 90.0, max(wet, lacquer * 0.75));
   float strength = (0.26 + 0.52 * oily + 1.1 * wet) * mix(1.0, layers.finish.b, pores);
   strength = mix(strength, 0.8, lacquer) * (1.0 - 0.85 * at.hair) * (1.0 - 0.8 * (at.fur - at.leather));
-  float hairs = browHairs(layers.mask.g);
-  strength *= (1.0 - 0.8 * hairs) * open;
+  strength *= open;
   vec3 mirror = KEY_LIGHT * sunlit * lobes(normal, view, KEY, sharpness) + FILL_LIGHT * lobes(normal, view, FILL, sharpness * 0.5);
   mirror += ambient(reflect(-view, normal)) * (0.03 + 0.4 * down * edge) * (0.4 + 2.0 * wet + lacquer) * open;
 
