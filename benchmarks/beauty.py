@@ -2,7 +2,7 @@
 
 * Frames at the lowest level with everything on stage: sixty channels move, faces fade, lights are called (median).
 * Milliseconds a frame at every level, and the ratio to the plain look of "A face performs": the pages of that commit,
-  built and measured in the same run, by turns, without the display's rate (skipped where git has no such commit).
+  built and measured in the same run, by turns (skipped where git has no such commit).
 * From the address to the first picture in full on loopback, in a browser that knows nothing; the bytes on the wire.
 * The wheel.
 
@@ -18,7 +18,6 @@ import sys
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
 import aiohttp
@@ -42,31 +41,32 @@ PLAIN = "fbb58a1"
 """The last commit with the plain look."""
 LEVELS = ("lowest", "low", "medium", "high")
 LEAST_FPS, MOST_SECONDS, MOST_WIRE, MOST_WHEEL = 30.0, 2.0, 10.0, 25.0
-SECONDS = 4.0
-UNLIMITED = ["--disable-frame-rate-limit", "--disable-gpu-vsync"]
+FRAMES = 80
 DRAWN = "() => Boolean(window.omoteStage?.counters().drawn)"
 SETTLED = "() => Boolean(window.omoteStage?.settled())"
 ARRIVED = """() => {
     const loads = [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")];
     return [performance.now() / 1000, loads.reduce((sum, load) => sum + load.transferSize, 0) / 1e6];
 }"""
-# Two faces wear sixty moving channels; the median of the milliseconds between frames, once all compounds are there.
-FRAME_COST = """async ({ channels, seconds }) => {
+# Two faces wear sixty moving channels; the median of the milliseconds from a pose to its picture, waited for by reading
+# a pixel back, so that all of a frame's work is in it and nothing of the display's rate.
+FRAME_COST = """async ({ channels, frames }) => {
     const stage = window.omoteStage;
+    const gl = document.querySelector("canvas").getContext("webgl2");
     const pose = (time) => ({
         faces: { kaori: 0.6 + 0.3 * Math.sin(time), old: 0.4 - 0.3 * Math.sin(time) },
         channels: Object.fromEntries(channels.map((name, n) => [name, 0.06 * (1.2 + Math.sin(2.5 * time + n))])),
         head: [0.4 * Math.sin(0.7 * time), 0, 0],
     });
-    const frame = () => new Promise(requestAnimationFrame);
-    for (stage.set(pose(0)); !stage.settled(); ) await frame();
     const times = [];
-    for (let now = await frame(), end = now + 1000 * seconds; now < end; now = await frame()) {
-        times.push(now);
-        stage.set(pose(now / 1000));
+    for (let frame = -10; frame < frames; frame++) {
+        const begun = performance.now();
+        await stage.hold(pose(frame / 60));
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+        if (frame >= 0) times.push(performance.now() - begun);
     }
-    const waits = times.slice(1).map((time, index) => time - times[index]).sort((a, b) => a - b);
-    return waits[waits.length >> 1];
+    return times.sort((a, b) => a - b)[times.length >> 1];
 }"""
 
 
@@ -103,7 +103,7 @@ async def frame_cost(browser: Browser, url: str, channels: Sequence[str]) -> flo
     page = await browser.new_page(viewport={"width": WIDTH, "height": HEIGHT})
     await page.goto(url)
     await page.wait_for_function("() => Boolean(window.omoteStage)")
-    cost = await page.evaluate(FRAME_COST, {"channels": list(channels), "seconds": SECONDS})
+    cost = await page.evaluate(FRAME_COST, {"channels": list(channels), "frames": FRAMES})
     await page.close()
     return float(cost)
 
@@ -184,12 +184,9 @@ async def measure(url: str, plain: dict[str, Page] | None, runs: int) -> list[Ro
         raise SystemExit(SENTENCE)
     channels = [name for name in load_cast().expressions if name != "neutral"][-CHANNELS:]
     async with async_playwright() as playwright:
-        start = partial(playwright.chromium.launch, executable_path=str(path), chromium_sandbox=False)
-        browser = await start(args=CHROMIUM)
+        browser = await playwright.chromium.launch(executable_path=str(path), chromium_sandbox=False, args=CHROMIUM)
         pictures = [await first_picture(browser, url) for _ in range(runs)]
         crowds = [await crowded_fps(browser, url, channels) for _ in range(runs)]
-        await browser.close()
-        browser = await start(args=[*CHROMIUM, *UNLIMITED])
         levels = list(await costs(browser, plain, channels, runs))
         await browser.close()
     best = [min((pair[part] for pair in pictures), key=lambda row: row.value) for part in (0, 1)]
