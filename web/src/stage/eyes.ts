@@ -3,7 +3,7 @@ import type { Anatomy } from "./anatomy";
 import { ballFrame, dome } from "./eye_mesh";
 import { EYE_FRAGMENT, EYE_VERTEX } from "./eye_shaders";
 import { material, type Uniforms } from "./material";
-import { type Opening, opening } from "./openings";
+import { type Opening, opening, outline } from "./openings";
 
 /** Rings and spokes of a drawn eyeball, near and far from what the machine can do. */
 const FINE: [number, number] = [26, 40];
@@ -32,9 +32,8 @@ export function eyeball(side: 0 | 1, anatomy: Anatomy, uniforms: Uniforms, fast:
   return new THREE.Mesh(geometry, look);
 }
 
-/** The lids' edges; a cast that names none has an eye that is always wide open. */
-function lids(side: 0 | 1, anatomy: Anatomy, frame: readonly number[]): Opening {
-  const line = anatomy.lines.get(side === 0 ? "lid_left" : "lid_right");
-  const [top, bottom] = [frame[2] as number, frame[3] as number];
-  return opening(line === undefined ? [top, bottom] : [...line], anatomy.positions);
+/** The lids' edges; an eye whose cast names none has the ball's own outline, so it is wide open. */
+function lids(side: 0 | 1, anatomy: Anatomy, ball: readonly number[]): Opening {
+  const line = anatomy.lines.get(side === 0 ? "lid_left" : "lid_right") ?? outline(ball, anatomy.positions);
+  return opening([...line], anatomy.positions);
 }

@@ -4,7 +4,7 @@ import type { Anatomy } from "./anatomy";
 import { edgeUniforms } from "./eyes";
 import { material, type Uniforms } from "./material";
 import { MOUTH_VERTEX, TEETH_FRAGMENT, TONGUE_FRAGMENT } from "./mouth_shaders";
-import { opening } from "./openings";
+import { type Opening, opening, outline } from "./openings";
 import { extent } from "./topology";
 
 /** From the front teeth back to the middle of the dental arch, metres. */
@@ -28,9 +28,9 @@ export function mouthPart(
   return new THREE.Mesh(geometry, look);
 }
 
-/** The lips' edges; in a cast that names none the part's own rows, so that it is lit as if there were none. */
-function lips(mesh: Mesh, anatomy: Anatomy) {
-  const line = anatomy.lines.get("lips") ?? mesh.source;
+/** The lips' edges; where the cast names none the part's own outline, so that light comes in. */
+function lips(mesh: Mesh, anatomy: Anatomy): Opening {
+  const line = anatomy.lines.get("lips") ?? outline([...mesh.source], anatomy.positions);
   return opening([...line], anatomy.positions);
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { opening } from "./openings";
+import { opening, outline } from "./openings";
 
 const COUNT = 30;
 /** A flat ellipse, walked counter-clockwise from its left end. */
@@ -32,6 +32,14 @@ describe("the edges of an opening", () => {
     const expected = opening(rows, ellipse);
     expect(opening(turned, ellipse)).toEqual(expected);
     expect(opening([...turned].reverse(), ellipse)).toEqual(expected);
+  });
+
+  it("can be had of anything that has no line: from its outermost rows", () => {
+    const line = outline(rows, ellipse);
+    const { upper, lower } = opening(line, ellipse, 3);
+    expect(upper.map(y)[1]).toBe(Math.max(...rows.map(y)));
+    expect(lower.map(y)[1]).toBe(Math.min(...rows.map(y)));
+    expect([upper[0], upper[2]]).toEqual([lower[0], lower[2]]);
   });
 
   it("repeat rows where a line has few", () => {

@@ -19,6 +19,15 @@ export function opening(loop: readonly number[], positions: Float32Array, points
     : { upper: other, lower: one };
 }
 
+/** The outermost of some rows, right, top, left, bottom: a line for what has none of its own. */
+export function outline(rows: readonly number[], positions: Float32Array): number[] {
+  const farthest = (axis: number, sign: number) =>
+    rows.reduce((best, row) =>
+      sign * ((positions[3 * row + axis] as number) - (positions[3 * best + axis] as number)) > 0 ? row : best,
+    );
+  return [farthest(0, -1), farthest(1, 1), farthest(0, 1), farthest(1, -1)];
+}
+
 /** The rows of a closed line from one place to another, both included. */
 function walk(loop: readonly number[], from: number, to: number): number[] {
   const steps = (to - from + loop.length) % loop.length;
