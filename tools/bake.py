@@ -8,7 +8,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import Progress
 
-from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, mesh_arrays, space_of
+from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, line_mouths, mesh_arrays, space_of
 from tools.baking.basemesh import read_base_mesh
 from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
 from tools.baking.hair import hair_arrays
@@ -44,6 +44,7 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
     arrays["jaw"] = jaw_vertices(moves)
     space, sculpts = space_of(arrays), read_sculpts()
     arrays.update(sculpt_arrays(arrays, space, sculpts, step))
+    line_mouths(arrays, space, [*PEOPLE, *(sculpt.name for sculpt in sculpts)])
     arrays.update(field_arrays(arrays, space, moves, step))
     arrays.update(hair_arrays(space, step))
     arrays.update(about(moves, sculpts))

@@ -17,6 +17,8 @@ Indices = NDArray[np.int32]
 BEYOND = 0.01
 # Skin that the line of sight meets at less than this cosine says nothing of what lies behind it.
 GRAZED = 0.2
+# Nearer to the lips along the mesh, metres, it is their inner edge, which they may roll out.
+EDGE = 0.001
 
 
 class Mouth:
@@ -27,7 +29,7 @@ class Mouth:
         if bag is None:
             raise ValueError("the space has no mouth bag; expected lips and parts bound to the jaw")
         self._cylinder = space.cylinder
-        self._vertices = bag.vertices
+        self._vertices = bag.vertices[bag.away > EDGE]
         middle = space.points[space.location_triangles].mean(axis=1)
         low, high = space.points[bag.vertices, 1].min() - 0.02, space.points[bag.vertices, 1].max() + 0.02
         near = (middle[:, 1] > low) & (middle[:, 1] < high) & (middle[:, 2] > space.cylinder.z)

@@ -16,6 +16,7 @@ from omote.model.cast import GENERIC, NEUTRAL
 from omote.model.expression import Expression
 from omote.model.extract import extract
 from omote.model.face import Face
+from omote.model.lining import lined
 from omote.model.sculpt import Sculpt
 from omote.model.space import ParameterSpace
 from tools.baking.basemesh import BaseMesh, Floats
@@ -77,6 +78,13 @@ def space_of(arrays: Arrays) -> ParameterSpace:
     generic = face_of(arrays, GENERIC)
     parts = {part: PartMesh(generic.parts[part].astype(np.float64), arrays[f"part/{part}"]) for part in PARTS}
     return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
+
+
+def line_mouths(arrays: Arrays, space: ParameterSpace, names: Sequence[str]) -> None:
+    """Puts the mouth bags of all faces but the generic one as far behind their skin as its own lies, in place."""
+    for name in names:
+        if name != GENERIC:
+            arrays[f"face/{name}"] = lined(space, arrays[f"face/{name}"])
 
 
 def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move], step: Step) -> Arrays:

@@ -24,7 +24,8 @@ class Bag:
 
     vertices (m,); triangles (t, 3) of the mesh that touch it; rows (n,): the row in `vertices` of each inner vertex, or
     -1; away (m,): metres along the mesh to the skin; around (m, k): the rows of each one's neighbours, its own where it
-    has fewer; starts (m,): sheet vertices near which a walk to the skin outside begins.
+    has fewer; starts (m,): sheet vertices near which a walk to the skin outside begins; over (k,): the bag and the skin
+    within REACH of it.
     """
 
     vertices: Indices
@@ -33,7 +34,11 @@ class Bag:
     away: Values
     around: NDArray[np.int64]
     starts: Indices
+    over: Indices
 
+
+# The bag is behind skin that is no farther from it than this, metres.
+REACH = 0.03
 
 _bags: WeakKeyDictionary[ParameterSpace, tuple[Bag, ...]] = WeakKeyDictionary()
 
@@ -56,7 +61,9 @@ def _found(space: ParameterSpace) -> Sequence[Bag]:
     place[vertices] = np.arange(len(vertices), dtype=np.int32)
     rows = place[space.welded[space.inner.vertices]]
     away, around = _from_skin(space, triangles, vertices), _around(triangles, place, len(vertices))
-    return (Bag(vertices, triangles, rows, away, around, _outside(space, vertices)),)
+    near, _ = cKDTree(space.points[vertices]).query(space.points)
+    over = np.flatnonzero(near < REACH).astype(np.int32)
+    return (Bag(vertices, triangles, rows, away, around, _outside(space, vertices), over),)
 
 
 def _behind(corners: Indices, inner: NDArray[np.bool_], lips: Indices) -> Indices:

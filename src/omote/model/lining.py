@@ -27,7 +27,7 @@ MARGIN, FREE = 0.0015, 0.014
 RINGS, SHARE, ROUNDS, EXACT = 4, 0.75, 12, 1e-6
 # Skin that the ray from the axis only grazes, cosines below MET, says little of what lies behind it: bag may lie SLACK
 # metres in front of it where it is parallel to the ray, less toward MET.
-MET, SLACK = 0.35, 0.02
+MET, SLACK = 0.2, 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +89,23 @@ def kept_inside(space: ParameterSpace, face: Face, positions: Floats, /) -> Floa
     bag = bag_of(space)
     if bag is None or np.array_equal(face.positions, space.points.astype(np.float32)):
         return positions
+    if _still(bag, positions, face.positions):
+        return positions
     return put(space, bag, positions, tucked(space, bag, floor(space, face, bag), positions.astype(np.float64)))
+
+
+def lined(space: ParameterSpace, positions: Floats, /) -> Floats:
+    """A face at rest (V, 3) with the mouth bag as far behind its skin as on the generic face: for faces as they are
+    made."""
+    bag = bag_of(space)
+    if bag is None:
+        return positions
+    return put(space, bag, positions, tucked(space, bag, kept(space, bag), positions.astype(np.float64)))
+
+
+def _still(bag: Bag, positions: Floats, rest: Floats) -> bool:
+    """Whether neither the bag nor the skin over it has moved: then it is as far inside as at rest."""
+    return bool(np.array_equal(positions[bag.over], rest[bag.over]))
 
 
 def put(space: ParameterSpace, bag: Bag, positions: Floats, placed: Values, /) -> Floats:
