@@ -11,13 +11,14 @@ from omote.model.space import ParameterSpace
 from tools.baking.assemble import Arrays, Step
 from tools.baking.basemesh import Floats, Ints
 from tools.baking.hair_field import Field, field_of, surface_samples
-from tools.baking.hair_groom import Groom, grow, roots_of
+from tools.baking.hair_groom import STATIONS, Groom, grow, roots_of
 from tools.baking.hair_styles import GROOMS
 
 CLEARANCE = 0.002  # metres between skin and strand, from the third place on
 BURIED = 0.02  # metres beyond which a place is no matter of the skin nearest to it
 ROUNDS = 4
 CELL = 0.004  # metres, of the grid on which hair shades hair
+DEEPEST = 0.1  # light that comes through any hair
 DEPTH = 0.012  # metres of hair over a place that take most of its light
 
 
@@ -38,7 +39,7 @@ def grown_style(name: str, groom: Groom, space: ParameterSpace) -> HairStyle:
     skin, triangles = space.points, space.triangles
     field = field_of(skin, triangles, closing=groom.closing, blur=groom.blur)
     roots = roots_of(groom, skin, triangles)
-    points = np.round(cleared(grow(groom, field, roots), skin, triangles), 5) + 0.0
+    points = np.round(cleared(_all_strands(groom, field, roots), skin, triangles), 5) + 0.0
     rows, weights = carriers(points, skin, space.on_sheet)
     anchors = rows[:, 0, 0]
     return HairStyle(
@@ -51,6 +52,17 @@ def grown_style(name: str, groom: Groom, space: ParameterSpace) -> HairStyle:
         light=np.round(open_sky(field, points), 3).astype(np.float32),
         width=groom.width,
     )
+
+
+def _all_strands(groom: Groom, field: Field, roots: Floats) -> Floats:
+    """What grows, and what is wound up, evenly among it: the first few of all strands show the whole style."""
+    grown = grow(groom, field, roots)
+    if groom.coil is None:
+        return grown
+    wound = groom.coil.wound(field.outward(groom.coil.foot[None])[0], STATIONS, seed=groom.seed)
+    wound = wound[np.random.default_rng(groom.seed).permutation(len(wound))]
+    place = np.linspace(0, len(grown), len(wound), endpoint=False).astype(int)
+    return np.insert(grown, place, wound, axis=0)
 
 
 def cleared(points: Floats, skin: Floats, triangles: Ints) -> Floats:
@@ -79,4 +91,4 @@ def open_sky(field: Field, points: Floats) -> Floats:
     for far in np.arange(1, 5) * DEPTH / 4:
         spots = np.moveaxis((points + far * field.outward(points) - field.origin) / CELL, -1, 0)
         above += ndimage.map_coordinates(hair, spots, order=1, mode="constant") / 4
-    return np.asarray(np.exp(-1.2 * above))
+    return np.asarray(DEEPEST + (1.0 - DEEPEST) * np.exp(-0.8 * above))

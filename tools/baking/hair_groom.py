@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tools.baking.basemesh import Floats, Ints
+from tools.baking.hair_coil import Coil
 from tools.baking.hair_field import Field
 
 STATIONS = 12  # places along a strand, root to tip
@@ -45,7 +46,8 @@ class Groom:
     (n, 3);  cut: which strands end here (n,);  layers: metres over the skin of the innermost and the outermost strands;
     hold: 1 it lies on the head, 0 it
     stands off;  free: it hangs free below this height;  width: of a ribbon, metres;  wave: amplitude (metres) and
-    length (metres) of curls;  closing, blur: see `field_of`
+    length (metres) of curls;  closing, blur: see `field_of`;  coil: strands of a bun
+    beside those that grow
     """
 
     hairline: Angles
@@ -62,6 +64,7 @@ class Groom:
     wave: tuple[float, float] = (0.0008, 0.03)
     closing: float = 0.012
     blur: float = 0.004
+    coil: Coil | None = None
     seed: int = 1
 
 
@@ -80,7 +83,7 @@ def roots_of(groom: Groom, points: Floats, triangles: Ints) -> Floats:
     chosen = rng.choice(len(triangles), CANDIDATES, p=area / area.sum())
     weights = rng.dirichlet((1.0, 1.0, 1.0), CANDIDATES)
     places = np.einsum("nc,ncd->nd", weights, corners[chosen])
-    ear = (np.abs(places[:, 0]) > 0.0705) & (places[:, 1] < 0.024)
+    ear = (np.abs(places[:, 0]) > 0.0705) & (places[:, 1] < 0.024) & (places[:, 2] < 0.064)
     ragged = rng.normal(0.0, 0.0015, CANDIDATES)
     return _spread(places[(above(groom.hairline, places) > ragged) & ~ear], groom.count)
 

@@ -29,7 +29,8 @@ def test_hair_grows_above_its_hairline(name: str) -> None:
 @pytest.mark.parametrize("name", GROOMS)
 def test_strands_are_smooth_and_lie_in_the_light(name: str) -> None:
     hair = load_cast().hair[name]
-    assert hair.points.shape == (GROOMS[name].count, STATIONS, 3)
+    coil = GROOMS[name].coil
+    assert hair.points.shape == (GROOMS[name].count + (coil.count if coil else 0), STATIONS, 3)
     steps = np.linalg.norm(np.diff(hair.points, axis=1), axis=2)
     assert 0.0 < steps.max() < 0.05
     assert ((hair.light > 0.0) & (hair.light <= 1.0)).all()

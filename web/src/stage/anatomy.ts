@@ -100,13 +100,16 @@ function hairAt(positions: Float32Array, row: number): number {
 
 /** Angle from straight ahead, and the height where hair begins (metres over the eyes). */
 const HAIRLINE: readonly (readonly [number, number])[] = [
-  [0, 0.077],
-  [0.35, 0.075],
-  [0.62, 0.062],
-  [0.85, 0.045],
-  [1.05, 0.03],
-  [1.3, 0.0],
-  [1.55, 0.02],
+  [0, 0.079],
+  [0.35, 0.077],
+  [0.6, 0.071],
+  [0.76, 0.06],
+  [0.9, 0.04],
+  [1.02, 0.02],
+  [1.12, 0.0],
+  [1.24, -0.006],
+  [1.34, 0.008],
+  [1.6, 0.022],
   [1.9, 0.0],
   [2.2, -0.045],
   [3.2, -0.07],

@@ -38,7 +38,7 @@ export interface FaceViewOptions {
 }
 
 /** The head with its collar, as a director frames it. */
-export const PORTRAIT: Shot = { centre: [0, -0.017, 0.05], height: 0.285, width: 0.22 };
+export const PORTRAIT: Shot = { centre: [0, -0.011, 0.05], height: 0.305, width: 0.23 };
 /** Closer, for thumbnails: the face without its neck. */
 export const CLOSE: Shot = { centre: [0, -0.004, 0.05], height: 0.24, width: 0.19 };
 

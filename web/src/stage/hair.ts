@@ -10,6 +10,14 @@ import { Wardrobe, type Worn } from "./wardrobe";
 /** Pieces of a ribbon where all are drawn, and where few are. */
 const PIECES = { fine: 11, coarse: 5 };
 
+/** Edges by samples: alpha says how many of a pixel's samples a fibre covers; the picture's own alpha only grows. */
+const SOFT = {
+  alphaToCoverage: true,
+  blendDst: THREE.ZeroFactor,
+  blendSrcAlpha: THREE.OneFactor,
+  blendDstAlpha: THREE.OneFactor,
+};
+
 type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTexture>> &
   Record<"stations" | "grown" | "width", THREE.IUniform<number>> & { tint: THREE.IUniform<THREE.Color> };
 
@@ -126,12 +134,13 @@ function ribbons(style: Worn, shared: HeadUniforms, own: StyleUniforms, features
     ...own,
     width: { value: (style.hair.width / 2) * features.hair ** -0.6 },
   });
-  look.defines = definesOf(features);
+  look.defines = { ...definesOf(features), ...(features.multisample ? { SOFT: "" } : {}) };
   look.side = THREE.DoubleSide;
-  look.blending = THREE.NoBlending;
+  Object.assign(look, features.multisample ? SOFT : { blending: THREE.NoBlending });
   const mesh = new THREE.Mesh(geometry, look);
   mesh.name = style.name;
   mesh.frustumCulled = false;
+  mesh.castShadow = true;
   return mesh;
 }
 

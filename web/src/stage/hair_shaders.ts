@@ -16,7 +16,7 @@ HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float shift) 
   float cosine = dot(along, KEY);
   float around = sqrt(max(1.0 - cosine * cosine, 0.0));
   vec3 diffuse = KEY_LIGHT * key * mix(around, 1.0, 0.4);
-  diffuse += (FILL_LIGHT * clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0) + ambient(normal)) * shaded(open * open);
+  diffuse += (FILL_LIGHT * clamp(dot(normal, FILL) * 0.5 + 0.5, 0.0, 1.0) + 1.6 * ambient(normal)) * shaded(open);
   vec3 root = normalize(along - normal * (0.10 + shift));
   vec3 tip = normalize(along + normal * (0.16 + shift));
   vec3 toKey = normalize(KEY + view);
@@ -109,11 +109,15 @@ in float vOpen;
 #endif
 
 void main() {
-  vec4 fibre = texture(grain, vec2(vPlace.x * 0.045 + vChance.x * 7.3, vPlace.y * 0.035 + vChance.y));
-  float side = (1.0 - abs(vPlace.x)) * 2.2;
-  float end = (1.0 - vPlace.y) * 3.2;
-  float cover = min(side, end) + (fibre.r - 0.5) * 1.1;
-  if (cover < 0.32) discard;
+  vec4 fibre = texture(grain, vec2(vPlace.x * 0.05 + vChance.x * 7.3, vPlace.y * 0.013 + vChance.y));
+  float edge = vPlace.x * vPlace.x;
+  float tip = vPlace.y * vPlace.y;
+  float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
+  float cover = fibre.r - bare - 0.06; // fibres end one after the other, at the edges and at the tip
+#ifdef SOFT
+  cover = clamp(cover / max(fwidth(cover), 1e-4) + 0.5, 0.0, 1.0);
+#endif
+  if (cover <= 0.0) discard;
 #ifdef FAST
   HairFall light = HairFall(vDiffuse, vSheen, vGlow);
 #else
@@ -122,6 +126,10 @@ void main() {
   vec3 albedo = tint * (0.72 + 0.56 * vChance.x) * (0.55 + 0.9 * fibre.r);
   vec3 seen = albedo * light.diffuse;
   seen += (0.05 + 0.25 * albedo) * light.sheen * (0.4 + 1.2 * fibre.g) + (0.02 + 0.9 * albedo) * light.glow;
-  colour = premultiplied(seen, 1.0);
+#ifdef SOFT
+  colour = vec4(display(seen), cover);
+#else
+  colour = vec4(display(seen), 1.0);
+#endif
 }
 `;

@@ -34,6 +34,7 @@ export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms, S
   lip: THREE.IUniform<THREE.Color>;
   brow: THREE.IUniform<THREE.Color>;
   blush: THREE.IUniform<THREE.Color>;
+  hair: THREE.IUniform<THREE.Color>;
   coat: THREE.IUniform<THREE.Color>;
   iris: THREE.IUniform<THREE.Color>;
   irisSize: THREE.IUniform<number>;
@@ -66,6 +67,7 @@ export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): He
     lip: { value: new THREE.Color() },
     brow: { value: new THREE.Color() },
     blush: { value: new THREE.Color() },
+    hair: { value: new THREE.Color() },
     coat: { value: new THREE.Color() },
     iris: { value: new THREE.Color() },
     irisSize: { value: 1 },

@@ -5,7 +5,7 @@ import type { Pose } from "./pose";
 import { mixedTraits, SKIN_TRAITS, type SkinTraits } from "./skin_layers";
 import { faceWeights } from "./weights";
 
-const COLOURS = ["skin", "lip", "brow", "blush", "iris", "coat"] as const;
+const COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat"] as const;
 
 type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
   traits: SkinTraits;

@@ -10,6 +10,7 @@ uniform vec3 skin;
 uniform vec3 lip;
 uniform vec3 brow;
 uniform vec3 blush;
+uniform vec3 hair;
 uniform vec3 coat;
 uniform float pores;
 uniform float age;
@@ -68,7 +69,7 @@ Ground ground(Layers at, float hairline) {
   float hairs = browHairs(at.mask.g);
   seen = mix(seen, brow, hairs * 0.92);
   seen = mix(seen, brow * 0.5, at.patches.a * lacquer);
-  seen = mix(seen, brow * (0.7 + 0.6 * at.marks.a), found.hair);
+  seen = mix(seen, hair * (0.7 + 0.6 * at.marks.a), found.hair);
   found.hair = max(found.hair, hairs * 0.85);
   found.albedo = seen * at.mask.a * mix(1.0, at.mask.a, 0.3); // what cavities and the lash line leave of the light
   return found;
