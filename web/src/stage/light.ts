@@ -59,7 +59,7 @@ export const LIGHTS: Readonly<Record<string, Light>> = {
     exposure: 1,
     backdrop: { edge: [0.022, 0.024, 0.028], glow: [0.115, 0.118, 0.124] },
   },
-  // The same from everywhere, before a green that a keyer takes out.
+  // The same from everywhere, with just enough shade for a mouth to read, before a green that a keyer takes out.
   flat: {
     key: { from: from(-0.3, 0.3, 0.9), light: [0, 0, 0] },
     fill: { from: from(0.6, 0.1, 0.8), light: [0, 0, 0] },
@@ -67,7 +67,7 @@ export const LIGHTS: Readonly<Record<string, Light>> = {
     sky: [1.02, 1.02, 1.02],
     ground: [0.96, 0.96, 0.96],
     size: 0.3,
-    shade: 0,
+    shade: 0.35,
     exposure: 1,
     backdrop: { edge: decoded("#00b140"), glow: decoded("#00b140") },
   },

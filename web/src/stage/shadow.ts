@@ -53,7 +53,8 @@ export class Shadow {
 
   /** Draws the shadow map of this light for the head as it is now, `size` texels along a side; 0: none. */
   draw(renderer: THREE.WebGLRenderer, light: Light, head: THREE.Object3D, size: number): void {
-    if (size === 0 || (light.shade <= 0 && this.drawn)) return; // nobody asks, but the shaders want to hold a map
+    const dark = Math.max(...light.key.light) <= 0;
+    if (size === 0 || (dark && this.drawn)) return; // nobody asks, but the shaders want to hold a map
     this.drawn = true;
     this.target.setSize(size, size);
     this.look(light);

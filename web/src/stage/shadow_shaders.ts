@@ -33,7 +33,7 @@ vec2 onDisc(int index, int count) {
 }
 
 float shadow(vec3 point, vec3 normal) {
-  if (SHADE <= 0.0) return 1.0;
+  if (KEY_LIGHT.r + KEY_LIGHT.g + KEY_LIGHT.b <= 0.0) return 1.0;
   vec3 from = point + normal * LIFT - shadowCentre;
   vec3 at = vec3(dot(from, shadowSide), dot(from, shadowUp), dot(from, KEY)); // metres
   if (max(abs(at.x), abs(at.y)) > ${(0.97 * REACH).toFixed(4)}) return 1.0;
