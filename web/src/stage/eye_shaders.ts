@@ -135,6 +135,7 @@ vec3 whiteAt(vec3 local, float corner, out float flesh) {
   float blood = 0.9 * (1.0 - smoothstep(0.0, 0.07, vein)) + 0.5 * (1.0 - smoothstep(0.0, 0.08, twig));
   white = mix(white, vec3(0.58, 0.17, 0.14), min(blood, 1.0) * (0.10 + 0.20 * far + 0.25 * age) * smoothstep(0.46, 0.85, off));
 #endif
+  white *= 1.0 - 0.35 * fur;
   flesh = smoothstep(-0.86, -0.97, corner);
   return mix(white, vec3(0.55, 0.20, 0.17), flesh);
 }

@@ -48,7 +48,8 @@ void main() {
   vec3 up = normalize(cross(out_, tangent)) * bend.w;
   up *= dot(up, vec3(0.0, bend.w, 0.0)) < 0.0 ? -1.0 : 1.0;
   float kept = smoothstep(strand.w - 0.06, strand.w + 0.06, lashes * 1.12 - 0.06);
-  float reach = bend.z * size * kept * (0.55 + 0.45 * lashes) * (above ? mix(0.8, 1.0, open) : mix(0.35, 1.0, open));
+  if (!above) kept *= smoothstep(0.02, 0.25, open); // a closed upper lid lies over them
+  float reach = bend.z * size * kept * (0.55 + 0.45 * lashes) * (above ? mix(0.8, 1.0, open) : 1.0);
   float t = strand.y;
   float fan = (strand.x - 0.5) * (above ? 1.3 : 1.0);
   float lift = above ? mix(-0.32, 0.85, open) : 0.55;
