@@ -61,10 +61,10 @@ def _hairs(seed: int) -> list[tuple[Floats, Floats, float]]:
         height = rng.uniform(-1.0, 1.0) * BUSHIEST
         strength = 1.0 - 0.75 * min(1.0, max(0.0, abs(height) - 0.5) / (BUSHIEST - 0.5))
         root = np.array([x, float(middle) + float(half) * height])
-        lean = np.deg2rad(70.0 - 62.0 * share**0.7 - 16.0 * height + rng.normal(0.0, 9.0))
+        lean = np.deg2rad(70.0 - 62.0 * share**0.7 - 16.0 * height + rng.normal(0.0, 5.0))
         length = (0.0042 + 0.0016 * np.sin(np.pi * share)) * rng.uniform(0.7, 1.2)
         slope = np.interp(x + 0.004, LINE[:, 0], LINE[:, 1]) - np.interp(x, LINE[:, 0], LINE[:, 1])
-        turn = lean * 0.55 + np.arctan2(slope, 0.004)
+        turn = lean * 0.46 + np.arctan2(slope, 0.004)
         hairs.append((root, root + length * np.array([np.cos(turn), np.sin(turn)]), strength * rng.uniform(0.6, 1.0)))
     return hairs
 

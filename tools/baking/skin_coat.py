@@ -73,7 +73,7 @@ def mask_paint(texels: Texels) -> Floats:
     places = texels.places
     x, y, z = np.abs(places[:, 0]), places[:, 1], places[:, 2]
     brush = strand_noise(places, np.broadcast_to([0.006, 0.002, 0.0], places.shape), 0.0008, seed=SEED + 9)
-    brow = ramp(blob(places, (0.029, 0.051, 0.14), (0.0165, 0.0095, 0.06)), 0.2, 0.7) * (0.75 + 0.35 * brush)
+    brow = ramp(blob(places, (0.029, 0.051, 0.14), (0.0165, 0.0095, 0.06)), 0.2, 0.7) * (0.85 + 0.2 * brush)
     edge = 0.081 - 18.0 * np.clip(x - 0.01, 0.0, 1.0) ** 2 + 0.004 * ramp(x, 0.006, 0.0)
     parting = ramp(x, 0.0004, 0.0014)
     hair = ramp(y, edge - 0.0007, edge + 0.0007) * parting
@@ -82,7 +82,7 @@ def mask_paint(texels: Texels) -> Floats:
         ramp(np.abs(y - (edge - down) + 0.25 * down), 0.0011, 0.0005) * ramp(x, 0.012 + 3 * down, 0.02 + 3 * down)
         for down in (0.0035, 0.007, 0.0105)
     )
-    ears = ramp(x, 0.0735, 0.0715)
+    ears = np.maximum(ramp(x, 0.0735, 0.0715), ramp(y, 0.024, 0.03))
     return np.asarray(
         np.clip(np.maximum(np.maximum(0.9 * brow, hair), np.maximum(behind, 0.9 * strands)) * ears, 0.0, 1.0)
     )

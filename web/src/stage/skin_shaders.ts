@@ -81,7 +81,8 @@ vec3 lit(Layers layers, Ground at, float open) {
   vec3 key = mix(vec3(dot(normal, KEY)), vec3(dot(form, KEY)), blurred);
   key = clamp((key + wrap) / (1.0 + wrap), 0.0, 1.0);
   float sunlit = shadow(vPoint, form);
-  key *= mix(vec3(sunlit), vec3(sqrt(sunlit), sunlit, sunlit), 0.5 * flesh);
+  vec3 bled = vec3(0.10, 0.03, 0.018) * flesh; // what comes through the flesh from where the light falls
+  key *= mix(mix(vec3(sunlit), vec3(sqrt(sunlit), sunlit, sunlit), 0.5 * flesh), vec3(1.0), bled);
   key *= mix(vec3(1.0), mix(vec3(1.0, 0.88, 0.83), vec3(1.0), key), flesh);
   float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
   vec3 shade = mix(vec3(open), vec3(sqrt(open), open, open), 0.6 * flesh); // light that bounces in a hollow reddens
