@@ -1,5 +1,8 @@
 """Finding a browser, and having one that ends with us."""
 
+import asyncio
+import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -46,11 +49,39 @@ async def test_a_browser_answers_and_ends_with_its_block(tmp_path: Path) -> None
 
 
 @pytest.mark.asyncio
-async def test_a_browser_that_does_not_end_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("omote.server.chromium.GOODBYE", 0.01)
+async def test_a_browser_that_does_not_end_is_ended(tmp_path: Path) -> None:
     deaf = false_browser(tmp_path, loop="\nimport threading\nthreading.Event().wait()\n")
     async with open_chromium(deaf):
         pass  # it comes here, and the block ends: that is all
+
+
+@pytest.mark.asyncio
+async def test_a_browser_ends_when_we_are_killed(tmp_path: Path) -> None:
+    path = false_browser(tmp_path, loop="\nprint(os.getpid(), file=open(sys.argv[0] + '.pid', 'w'))\nos.read(4, 1)\n")
+    code = f"""if True:
+        import asyncio, os, pathlib, signal
+        from omote.server.chromium import open_chromium
+        async def main():
+            async with open_chromium(pathlib.Path({str(path)!r})) as tools:
+                await tools.call("Browser.getVersion")
+        asyncio.run(main())
+    """
+    ours = await asyncio.create_subprocess_exec(sys.executable, "-c", code, stdout=asyncio.subprocess.PIPE)
+    while not (started := tmp_path / "chromium.pid").exists() or not started.read_text():
+        await asyncio.sleep(0.01)
+    ours.kill()
+    await ours.wait()
+    while alive(int(started.read_text())):
+        await asyncio.sleep(0.01)
+
+
+def alive(pid: int) -> bool:
+    """Whether there is such a process."""
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    return True
 
 
 @pytest.mark.asyncio

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import os
 import shutil
-import signal
 import socket
 import sys
 import tempfile
@@ -14,7 +12,7 @@ from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
 from pathlib import Path
 
-from omote.server.devtools import BrowserError, DevTools
+from omote.server.devtools import DevTools
 
 COMMANDS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
 MAC_APPLICATIONS = (
@@ -36,12 +34,24 @@ UNCONFINED = ["--no-sandbox", "--disable-dev-shm-usage"]
 PATIENT = ["--disable-gpu-watchdog", "--disable-gpu-process-crash-limit", "--disable-hang-monitor"]
 # Mesa draws three times as fast as Chromium's own software renderer, which stays the way out where there is no Mesa.
 LINUX_RENDERER = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--enable-unsafe-swiftshader"]
-# DevTools listen on descriptor 3 and speak on 4, which may be in use here: a process in between puts the line there.
-BECOME = "import os, sys; n = int(sys.argv[1]); os.dup2(n, 3); os.dup2(n, 4); os.execv(sys.argv[2], sys.argv[2:])"
 LONGEST_ANSWER = 1 << 30
 """Bytes: a picture comes as one message."""
-GOODBYE = 5.0
-"""Seconds a browser has to end by itself."""
+# A process between us and the browser: puts our line on descriptors 3 and 4, where DevTools want it and where ours may
+# be in use, and ends the browser with all it has started when we end, however that comes.
+KEEPER = """
+import os, shutil, signal, subprocess, sys
+line, profile, *command = int(sys.argv[1]), *sys.argv[2:]
+os.dup2(line, 3)
+os.dup2(line, 4)
+browser = subprocess.Popen(command, stdin=subprocess.DEVNULL, pass_fds=(3, 4))
+for end in {line, 3, 4}:
+    os.close(end)
+sys.stdin.read()
+browser.kill()
+browser.wait()
+shutil.rmtree(profile, ignore_errors=True)
+os.killpg(0, signal.SIGKILL)
+"""
 
 
 def find_chromium(environment: Mapping[str, str] = os.environ) -> Path:
@@ -67,34 +77,22 @@ async def open_chromium(path: Path) -> AsyncIterator[DevTools]:
     """The DevTools of a fresh browser, which ends with the block; it ends, too, when this process is killed."""
     with tempfile.TemporaryDirectory(prefix="omote-", ignore_cleanup_errors=True) as profile:
         ours, theirs = socket.socketpair()
-        with ours:
-            with theirs:
-                process = await _launch(path, profile, theirs.fileno())
-            tools = DevTools(*await asyncio.open_connection(sock=ours, limit=LONGEST_ANSWER))
-            try:
-                yield tools
-            finally:
-                await tools.close()  # a browser whose line is cut ends by itself
-                await _end(process)
+        with theirs:
+            keeper = await _launch(path, profile, theirs.fileno())
+        tools = DevTools(*await asyncio.open_connection(sock=ours, limit=LONGEST_ANSWER))
+        try:
+            yield tools
+        finally:
+            await tools.close()
+            await keeper.communicate(b"")  # closes its input, at which it ends everything
 
 
 async def _launch(path: Path, profile: str, line: int) -> asyncio.subprocess.Process:
     renderer = LINUX_RENDERER if sys.platform == "linux" else []
     options = [*QUIET, *UNCONFINED, *PATIENT, *renderer, "--remote-debugging-pipe", f"--user-data-dir={profile}"]
+    keeper = (sys.executable, "-I", "-S", "-c", KEEPER, str(line), profile)
     nothing = asyncio.subprocess.DEVNULL
-    call = (sys.executable, "-I", "-S", "-c", BECOME, str(line), str(path), *options, "about:blank")
-    try:
-        return await asyncio.create_subprocess_exec(
-            *call, pass_fds=(line,), stdin=nothing, stdout=nothing, stderr=nothing, start_new_session=True
-        )
-    except OSError as error:
-        raise BrowserError(f"the browser {path} does not start ({error}); set OMOTE_BROWSER to another") from error
-
-
-async def _end(process: asyncio.subprocess.Process) -> None:
-    try:
-        await asyncio.wait_for(process.wait(), GOODBYE)
-    except TimeoutError:
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(process.pid, signal.SIGKILL)
-        await process.wait()
+    return await asyncio.create_subprocess_exec(
+        *keeper, str(path), *options, "about:blank",
+        pass_fds=(line,), stdin=asyncio.subprocess.PIPE, stdout=nothing, stderr=nothing, start_new_session=True,
+    )  # fmt: skip
