@@ -20,6 +20,7 @@ from omote.show.assets import (
     compound_asset,
     content_name,
     documents,
+    extremes,
     first_rows,
     quantised,
     rest_positions,
@@ -140,3 +141,11 @@ def test_a_kind_that_no_palette_has_is_refused(cast: Cast) -> None:
     odd = dataclasses.replace(cast, titles={"smile": Title("Smile", kind="odd")})
     with pytest.raises(ValueError, match="odd"):
         documents(odd, [], mask="")
+
+
+def test_a_face_says_what_a_picture_has_to_hold(cast: Cast) -> None:
+    for face in cast.faces.values():
+        found = extremes(face.positions)
+        assert found.shape == (6, 3)
+        assert [found[2 * axis][axis] for axis in range(3)] == face.positions.min(axis=0).tolist()
+        assert [found[2 * axis + 1][axis] for axis in range(3)] == face.positions.max(axis=0).tolist()

@@ -169,8 +169,15 @@ def _face_document(cast: Cast, face: Face, url: str) -> FaceDocument:
         centres=(_vector(centres.get("left")), _vector(centres.get("right"))),
         eye_radius=float(np.mean(spans)) if spans else 0.0,
         ball_radii=ball_radii(cast, face),
+        extremes=[_vector(point) for point in extremes(face.positions)],
         look=Look(**asdict(cast.looks[face.name])),
     )
+
+
+def extremes(positions: Points) -> Points:
+    """The farthest of positions (V, 3), (6, 3): least and greatest x, then y, then z."""
+    ends = [end for axis in range(3) for end in (positions[:, axis].argmin(), positions[:, axis].argmax())]
+    return positions[ends]
 
 
 def _expression_document(cast: Cast, name: str) -> ExpressionDocument:

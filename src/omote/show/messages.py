@@ -279,7 +279,8 @@ class MeshDocument(msgspec.Struct, frozen=True):
 class FaceDocument(msgspec.Struct, frozen=True):
     """A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
 
-    `ball_radii`: of the left and the right eyeball, what lids must leave.
+    `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the skin's farthest points, least
+    then greatest x, y and z, metres: what a picture has to hold.
     """
 
     name: str
@@ -288,6 +289,7 @@ class FaceDocument(msgspec.Struct, frozen=True):
     centres: tuple[tuple[float, float, float], tuple[float, float, float]]
     eye_radius: float
     ball_radii: tuple[float, float]
+    extremes: list[tuple[float, float, float]]
     look: Look
 
 

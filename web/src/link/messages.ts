@@ -221,7 +221,8 @@ export interface MeshDocument {
 
 /**
  * A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
- * `ball_radii`: of the left and the right eyeball, what lids must leave.
+ * `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the skin's farthest points, least
+ * then greatest x, y and z, metres: what a picture has to hold.
  */
 export interface FaceDocument {
   name: string;
@@ -230,6 +231,7 @@ export interface FaceDocument {
   centres: [[number, number, number], [number, number, number]];
   eye_radius: number;
   ball_radii: [number, number];
+  extremes: ([number, number, number])[];
   look: Look;
 }
 

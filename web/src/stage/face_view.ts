@@ -55,6 +55,7 @@ export class FaceView {
   private readonly hair: Hair;
   private readonly named: Named;
   private readonly size = new THREE.Vector2();
+  private readonly point = new THREE.Vector3();
   private scene = new THREE.Scene();
   private backdrop = new Backdrop();
   private shared!: HeadUniforms;
@@ -250,6 +251,8 @@ export class FaceView {
     const { x: width, y: height } = this.size;
     const { tile } = this.options;
     frame(this.camera, this.options.shot ?? PORTRAIT, width, height, tile);
+    frame(this.camera, this.options.shot ?? PORTRAIT, this.extremes(), width, height, tile);
+    this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
     this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
     this.turnHead();
     this.looks.dress(this.pose, this.shared, this.eyeUniforms);
@@ -266,6 +269,16 @@ export class FaceView {
     writeLight(light, this.shared);
     this.backdrop.light(light);
     this.shadow.draw(this.renderer, light, this.head, FEATURES[this.level].shadow);
+  /** Where the farthest points of the head are, turned with it. */
+  private extremes(): [number, number, number][] {
+    const { pivot, headTurn } = this.shared;
+    return this.looks
+      .extremes(this.pose)
+      .map((point) =>
+        this.point.fromArray(point).sub(pivot.value).applyMatrix3(headTurn.value).add(pivot.value).toArray(),
+      );
+  }
+
   }
 
   /** Head: yaw, then pitch, then roll; + is the character's left, up, tilt to its left. */

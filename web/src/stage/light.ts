@@ -50,7 +50,7 @@ export const LIGHTS: Readonly<Record<string, Light>> = {
   // A large soft lamp beside the camera, gentle fill, a calm grey wall.
   portrait: {
     key: { from: from(-0.5, 0.48, 0.8), light: [1.38, 1.3, 1.22] },
-    fill: { from: from(0.8, 0.1, 0.6), light: [0.4, 0.39, 0.4] },
+    fill: { from: from(0.8, 0.1, 0.6), light: [0.32, 0.31, 0.32] },
     rims: { left: from(-0.9, 0.35, -0.45), right: from(0.9, 0.45, -0.5), light: [0.42, 0.44, 0.5] },
     sky: [0.19, 0.19, 0.195],
     ground: [0.12, 0.105, 0.098],
@@ -59,13 +59,13 @@ export const LIGHTS: Readonly<Record<string, Light>> = {
     exposure: 1,
     backdrop: { edge: [0.022, 0.024, 0.028], glow: [0.115, 0.118, 0.124] },
   },
-  // The same from everywhere, with just enough shade for a mouth to read, before a green that a keyer takes out.
+  // Nearly the same from everywhere, with just enough from ahead for eyes to shine and a mouth to read, before a green that a keyer takes out.
   flat: {
-    key: { from: from(-0.3, 0.3, 0.9), light: [0, 0, 0] },
+    key: { from: from(-0.1, 0.3, 0.95), light: [0.55, 0.53, 0.51] },
     fill: { from: from(0.6, 0.1, 0.8), light: [0, 0, 0] },
     rims: { left: from(-0.9, 0.25, -0.45), right: from(0.9, 0.35, -0.5), light: [0, 0, 0] },
-    sky: [1.02, 1.02, 1.02],
-    ground: [0.96, 0.96, 0.96],
+    sky: [0.82, 0.8, 0.78],
+    ground: [0.8, 0.76, 0.73],
     size: 0.3,
     shade: 0.35,
     exposure: 1,

@@ -12,6 +12,7 @@ type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
   eyeRadius: number;
   centres: number[];
   ballRadii: number[];
+  extremes: [number, number, number][];
 };
 
 /** The looks of a cast's faces, mixed with the weights of the faces on air. */
@@ -53,6 +54,17 @@ export class Looks {
       });
   }
 
+  /** The mix of the heads' farthest points, metres: of all faces on air, loaded or not, so that a wall's tiles agree. */
+  extremes(pose: Pose): [number, number, number][] {
+    const mixed = Array.from({ length: 6 }, (): [number, number, number] => [0, 0, 0]);
+    for (const [look, share] of this.shares(pose))
+      look.extremes.forEach((point, at) => {
+        const sum = mixed[at] as [number, number, number];
+        for (const axis of [0, 1, 2] as const) sum[axis] += share * point[axis];
+      });
+    return mixed;
+  }
+
   private shares(pose: Pose): [FaceLook, number][] {
     const weights = faceWeights(pose, (face) => (this.looks.has(face) ? 1 : 0));
     return [...weights]
@@ -69,6 +81,7 @@ function readLook(face: FaceDocument): FaceLook {
     eyeRadius: face.eye_radius,
     centres: face.centres.flat(),
     ballRadii: [...face.ball_radii],
+    extremes: face.extremes,
   } as FaceLook;
 }
 
