@@ -250,11 +250,9 @@ export class FaceView {
     this.renderer.getSize(this.size);
     const { x: width, y: height } = this.size;
     const { tile } = this.options;
-    frame(this.camera, this.options.shot ?? PORTRAIT, width, height, tile);
+    this.turnHead();
     frame(this.camera, this.options.shot ?? PORTRAIT, this.extremes(), width, height, tile);
     this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
-    this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
-    this.turnHead();
     this.looks.dress(this.pose, this.shared, this.eyeUniforms);
     writeTraits(traitsOf(this.pose, this.named), this.shared);
     this.lightUp();
@@ -269,6 +267,8 @@ export class FaceView {
     writeLight(light, this.shared);
     this.backdrop.light(light);
     this.shadow.draw(this.renderer, light, this.head, FEATURES[this.level].shadow);
+  }
+
   /** Where the farthest points of the head are, turned with it. */
   private extremes(): [number, number, number][] {
     const { pivot, headTurn } = this.shared;
@@ -277,8 +277,6 @@ export class FaceView {
       .map((point) =>
         this.point.fromArray(point).sub(pivot.value).applyMatrix3(headTurn.value).add(pivot.value).toArray(),
       );
-  }
-
   }
 
   /** Head: yaw, then pitch, then roll; + is the character's left, up, tilt to its left. */
