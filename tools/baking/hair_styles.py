@@ -50,8 +50,9 @@ def _bob_comb(strands: Strands) -> Floats:
     away[:, 1] -= 0.55
     below = np.clip((-0.035 - strands.points[:, 1]) / 0.03, 0.0, 1.0)[:, None]
     inward = (np.array([0.0, 0.0, 0.045]) - strands.points) * [1.0, 0.0, 1.0] * 11.0
-    side = np.clip(-strands.points[:, 1:2] / 0.02 + 2.0, 0.0, 1.0)
-    fall = np.array([0.0, -1.0, 0.0])
+    side = np.clip(-strands.points[:, 1:2] / 0.02 + 3.0, 0.0, 1.0)
+    back = -0.75 * _eased(strands.points[:, 2], 0.055, 0.095)  # off the cheeks
+    fall = np.stack([0.0 * back, -1.0 + 0.0 * back, back], axis=1)
     return np.asarray(away * (1.0 - 0.9 * side) + side * fall + below * inward)
 
 

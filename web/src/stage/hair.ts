@@ -26,6 +26,7 @@ export class Hair {
   private readonly wardrobe: Wardrobe;
   private readonly uniforms = new Map<string, StyleUniforms>();
   private readonly heads = new Map<THREE.Group, { shared: HeadUniforms; features: Features }>();
+  private readonly tint: THREE.IUniform<THREE.Color> = { value: new THREE.Color() };
   private readonly versions = new Map<string, number>();
   private readonly colours: ReadonlyMap<string, THREE.Color>;
 
@@ -65,6 +66,7 @@ export class Hair {
   }
 
   private update(): void {
+    this.mixTint();
     for (const style of this.wardrobe.worn.values()) {
       const own = this.uniformsOf(style);
       this.write(style, own);
@@ -76,28 +78,34 @@ export class Hair {
     }
   }
 
+  /** All styles take the mixed colour, so that one passes into the other as one head of hair. */
+  private mixTint(): void {
+    const { wearers } = this.wardrobe;
+    const total = [...wearers.values()].reduce((sum, weight) => sum + weight, 0);
+    if (total <= 0) return;
+    this.tint.value.setRGB(0, 0, 0);
+    for (const [face, weight] of wearers) {
+      const { r, g, b } = this.colours.get(face) as THREE.Color;
+      const { value } = this.tint;
+      value.setRGB(value.r + (r * weight) / total, value.g + (g * weight) / total, value.b + (b * weight) / total);
+    }
+  }
+
   private write(style: Worn, into: StyleUniforms): void {
     into.grown.value = style.grown;
-    const colour = into.tint.value;
-    const total = [...style.wearers.values()].reduce((sum, weight) => sum + weight, 0);
-    if (total > 0) colour.setRGB(0, 0, 0);
-    for (const [face, weight] of style.wearers) {
-      const { r, g, b } = this.colours.get(face) as THREE.Color;
-      colour.setRGB(colour.r + (r * weight) / total, colour.g + (g * weight) / total, colour.b + (b * weight) / total);
-    }
     if (this.versions.get(style.name) === style.version) return;
     this.versions.set(style.name, style.version);
     into.strands.value.needsUpdate = true;
   }
 
   private uniformsOf(style: Worn): StyleUniforms {
-    const known = this.uniforms.get(style.name) ?? styleUniforms(style);
+    const known = this.uniforms.get(style.name) ?? styleUniforms(style, this.tint);
     this.uniforms.set(style.name, known);
     return known;
   }
 }
 
-function styleUniforms({ hair, strands }: Worn): StyleUniforms {
+function styleUniforms({ hair, strands }: Worn, tint: THREE.IUniform<THREE.Color>): StyleUniforms {
   const count = hair.anchors.length;
   const shape = new Uint8Array(4 * count * hair.stations);
   for (let place = 0; place < count * hair.stations; place++) {
@@ -110,7 +118,7 @@ function styleUniforms({ hair, strands }: Worn): StyleUniforms {
     stations: { value: hair.stations },
     grown: { value: 0 },
     width: { value: hair.width },
-    tint: { value: new THREE.Color() },
+    tint,
   };
 }
 

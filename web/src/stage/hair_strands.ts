@@ -40,8 +40,8 @@ export function mixOffsets(parts: readonly (readonly [Offsets, number])[], into:
       }
 }
 
-/** How much of a style's weight shows: a style is whole before all faces wear it, so that no scalp is bare between two. */
-const FULL = 0.6;
+/** The weight at which a style is whole: before all faces wear it, so that no scalp is bare between two styles. */
+export const FULL = 0.8;
 
 /** How far a style has grown, 0..1, under the weight of the faces that wear it; rises with the weight, never jumps. */
 export function grownAt(weight: number): number {

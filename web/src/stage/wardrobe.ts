@@ -1,6 +1,6 @@
 import type { Library } from "../link/assets";
 import type { HairStrands } from "../link/strands";
-import { grownAt, mixOffsets, type Offsets, offsetsOn, styleWeights } from "./hair_strands";
+import { FULL, grownAt, mixOffsets, type Offsets, offsetsOn, styleWeights } from "./hair_strands";
 
 const CATCH_UP = 0.25; // seconds in which a style that came late grows in
 
@@ -14,8 +14,6 @@ export interface Worn {
   version: number;
   /** 0 nothing of it shows, 1 all of it. */
   grown: number;
-  /** The weights of the faces that wear it. */
-  wearers: ReadonlyMap<string, number>;
 }
 
 /** What of the cast's hair is here, and how the faces on air wear it; a style that comes late grows in. */
@@ -26,6 +24,8 @@ export class Wardrobe {
   private readonly offsets = new Map<string, Offsets>();
   private readonly shares = new Map<string, number>();
   private readonly mixes = new Map<string, string>();
+  /** The weights of the faces on air that wear any hair. */
+  wearers: ReadonlyMap<string, number> = new Map();
   /** Every style that has come. */
   readonly worn = new Map<string, Worn>();
 
@@ -55,13 +55,13 @@ export class Wardrobe {
   dress(faces: ReadonlyMap<string, number>, seconds: number, atOnce: boolean): void {
     const here = new Map([...faces].filter(([face]) => this.faces.has(face)));
     const styles = styleWeights(here, (face) => this.styleOf.get(face) as string);
+    this.wearers = new Map([...styles.values()].flatMap((wearers) => [...wearers]));
     for (const style of this.worn.values()) {
       const wearers = styles.get(style.name) ?? new Map<string, number>();
       const weight = [...wearers.values()].reduce((sum, part) => sum + part, 0);
       const share = Math.min(1, (this.shares.get(style.name) ?? 0) + (atOnce ? 1 : seconds / CATCH_UP));
       this.shares.set(style.name, weight > 0 ? share : 1); // what comes while nobody wears it needs no easing
-      style.grown = grownAt(weight) * grownAt(0.6 * (this.shares.get(style.name) as number));
-      style.wearers = wearers;
+      style.grown = grownAt(weight) * grownAt(FULL * (this.shares.get(style.name) as number));
       if (style.grown > 0) this.mix(style, here);
     }
   }
@@ -87,7 +87,7 @@ export class Wardrobe {
 
   private take(name: string, hair: HairStrands): void {
     const strands = new Float32Array((4 * hair.points.length) / 3);
-    this.worn.set(name, { name, hair, strands, version: 0, grown: 0, wearers: new Map() });
+    this.worn.set(name, { name, hair, strands, version: 0, grown: 0 });
   }
 
   private ask(key: string, read: () => Promise<unknown>): void {
