@@ -43,9 +43,10 @@ def load_meshes() -> tuple[BakedMesh, ...]:
 
 @functools.cache
 def load_mask() -> bytes:
-    """The region mask, a PNG on the skin's texture coordinates.
+    """The layers of the skin on its texture coordinates, a PNG in which they lie one below the other.
 
-    Red = lips, green = brows, blue = blush, alpha = light that is left (255 = all). Errors as `load_cast`.
+    In the first, red = lips, green = brows, blue = blush, alpha = light that is left (255 = all); tools/baking/mask.py
+    says what the others hold. Errors as `load_cast`.
     """
     if not MASK.is_file():
         raise _missing(MASK)

@@ -1,0 +1,48 @@
+"""The skin on stage: its layers arrive, and nothing of it pops while faces mix."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from playwright.sync_api import Page
+
+from tests.browser.pictures import picture
+
+WHOLE = 5.0  # of 255: what neighbouring pixels of the forehead differ by at most where nothing is painted on it
+
+
+def look(page: Page, faces: dict[str, float]) -> NDArray[np.int16]:
+    """A mix of faces, at rest."""
+    page.evaluate("faces => window.omoteStage.hold({ faces })", faces)
+    return picture(page)[..., :3]
+
+
+@pytest.fixture
+def stage(open_page: Callable[..., Page]) -> Page:
+    page = open_page("/stage?quality=medium", width=320, height=320)
+    page.wait_for_function("() => Boolean(window.omoteStage?.counters().drawn)")
+    return page
+
+
+def test_fur_shows_strands_where_lacquer_is_even(stage: Page) -> None:
+    def grain(face: str) -> float:
+        cheek = look(stage, {face: 1.0})[170:190, 110:135].astype(float)
+        return float(np.abs(np.diff(cheek, axis=1)).mean())
+
+    assert grain("noh") < WHOLE / 2
+    assert grain("cat") > 2 * grain("noh")
+
+
+def test_between_skin_and_fur_nothing_pops(stage: Page) -> None:
+    shares = np.linspace(0.0, 1.0, 9)
+    seen = [
+        look(stage, {"man": 1.0 - share, "dog": share} if 0 < share < 1 else {"dog" if share else "man": 1.0})
+        for share in shares
+    ]
+    steps = [np.abs(after - before).mean() for before, after in pairwise(seen)]
+    assert min(steps) > 0.0
+    assert max(steps) < 3.0 * np.mean(steps)
