@@ -31,3 +31,13 @@ def test_the_manifest_says_who_wears_which_style_and_where_it_is(cast: Cast) -> 
         "long": "",
     }
     assert {hair.name: packed.hair[hair.url] for hair in packed.manifest.hair} == {"tuft": hair_asset(tuft())}
+
+
+def test_the_picture_holds_the_hair(cast: Cast) -> None:
+    worn = dataclasses.replace(cast, hair={"tuft": tuft()}).with_faces(looks={"broad": Look(hair_style="tuft")})
+    bald, combed = (
+        {face.name: max(point[1] for point in face.extremes) for face in documents(each, [], mask="").manifest.faces}
+        for each in (cast, worn)
+    )
+    assert combed["broad"] > bald["broad"]
+    assert combed["long"] == bald["long"]

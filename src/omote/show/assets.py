@@ -15,7 +15,7 @@ from omote.model.cast import Cast
 from omote.model.compound import moved_parts, worn
 from omote.model.face import Face
 from omote.model.fitted import fit
-from omote.model.hair import LINKS, HairStyle
+from omote.model.hair import LINKS, HairStyle, carried
 from omote.model.transfer import compile_expression
 from omote.perform.lights import LIGHTS
 from omote.show.messages import (
@@ -169,9 +169,18 @@ def _face_document(cast: Cast, face: Face, url: str) -> FaceDocument:
         centres=(_vector(centres.get("left")), _vector(centres.get("right"))),
         eye_radius=float(np.mean(spans)) if spans else 0.0,
         ball_radii=ball_radii(cast, face),
-        extremes=[_vector(point) for point in extremes(face.positions)],
+        extremes=[_vector(point) for point in extremes(outline(cast, face))],
         look=Look(**asdict(cast.looks[face.name])),
     )
+
+
+def outline(cast: Cast, face: Face) -> Points:
+    """What a camera must hold of a face, (n, 3) metres: its skin, and the hair that it wears."""
+    style = cast.hair.get(cast.looks[face.name].hair_style)
+    if style is None:
+        return face.positions
+    strands = carried(style, cast.space.points, face.positions.astype(np.float64)).reshape(-1, 3)
+    return np.concatenate([face.positions, strands.astype(np.float32)])
 
 
 def extremes(positions: Points) -> Points:

@@ -279,8 +279,8 @@ class MeshDocument(msgspec.Struct, frozen=True):
 class FaceDocument(msgspec.Struct, frozen=True):
     """A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
 
-    `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the skin's farthest points, least
-    then greatest x, y and z, metres: what a picture has to hold.
+    `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the farthest points
+    of skin and hair, least then greatest x, y and z, metres: what a picture has to hold.
     """
 
     name: str

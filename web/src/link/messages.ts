@@ -221,8 +221,8 @@ export interface MeshDocument {
 
 /**
  * A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
- * `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the skin's farthest points, least
- * then greatest x, y and z, metres: what a picture has to hold.
+ * `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the farthest points
+ * of skin and hair, least then greatest x, y and z, metres: what a picture has to hold.
  */
 export interface FaceDocument {
   name: string;
