@@ -55,7 +55,7 @@ PEOPLE: Mapping[str, Person] = {
             "lashes": 0.95,
             "pores": 0.4,
             "age": 0.0,
-            "brows": 0.64,
+            "brows": 0.57,
             "makeup": 0.55,
             "gloss": 0.75,
         },
