@@ -9,12 +9,18 @@ from omote.model.cast import Cast
 from omote.server.chromium import open_chromium
 from omote.server.devtools import BrowserError
 from omote.server.library import Library
-from omote.server.studio import draw_sheet, open_house, open_studio
+from omote.server.studio import draw_sheet, open_house, open_studio, query
 from omote.show.sheet import Setting, Sheet
 from tests.server.false_browser import ANSWERS, false_browser
 from tests.server.synthetic_server import MASK, PAGES, meshes
 
 SHEET = Sheet([[{"faces": {"generic": 1.0}}]])
+
+
+def test_a_setting_is_the_address_of_a_stage() -> None:
+    assert query(Setting()) == "?quality=high"
+    assert query(Setting(background="#00b140", quality="low")) == "?quality=low&background=%2300b140"
+    assert query(Setting(transparent=True)) == "?quality=high&transparent=1"
 
 
 def library(cast: Cast) -> Library:

@@ -8,12 +8,6 @@ from omote.show.sheet import LARGEST, SMALLEST, Setting, Sheet, grid, listed, re
 ONE = [[{"faces": {"generic": 1.0}}]]
 
 
-def test_a_setting_is_the_address_of_a_stage() -> None:
-    assert Setting().query == "?quality=high"
-    assert Setting(background="#00b140", quality="low").query == ("?quality=low&background=%2300b140")
-    assert Setting(transparent=True).query == "?quality=high&transparent=1"
-
-
 @pytest.mark.parametrize("size", [(SMALLEST - 1, 100), (100, LARGEST + 1), (LARGEST, LARGEST), (0, 0), (-5, 100)])
 def test_a_size_that_no_canvas_has_is_refused(size: tuple[int, int]) -> None:
     with pytest.raises(ValueError, match=f"a picture of {size[0]}x{size[1]} pixels"):

@@ -6,6 +6,7 @@ import asyncio
 import base64
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from urllib.parse import urlencode
 
 import msgspec
 from aiohttp import web
@@ -81,6 +82,14 @@ async def open_house(library: Library, pages: dict[str, Page]) -> AsyncIterator[
         library.close()
 
 
+def query(setting: Setting) -> str:
+    """The address of a stage of this setting, from its question mark on."""
+    words = {"quality": setting.quality, "background": setting.background}
+    if setting.transparent:
+        words["transparent"] = "1"
+    return "?" + urlencode({name: word for name, word in words.items() if word is not None})
+
+
 async def open_studio(tools: DevTools, address: str, setting: Setting) -> Studio:
     """A stage of this setting; BrowserError, with the page's own sentence, where it does not open."""
     target = await tools.call("Target.createTarget", url="about:blank")
@@ -88,7 +97,7 @@ async def open_studio(tools: DevTools, address: str, setting: Setting) -> Studio
     session = str(attached["sessionId"])
     size = {"width": setting.width, "height": setting.height, "deviceScaleFactor": 1, "mobile": False}
     await tools.call("Emulation.setDeviceMetricsOverride", session=session, **size)
-    await tools.call("Page.navigate", session=session, url=f"{address}/stage{setting.query}")
+    await tools.call("Page.navigate", session=session, url=f"{address}/stage{query(setting)}")
     try:
         await asyncio.wait_for(tools.evaluate(session, OPENED), OPENING)
     except TimeoutError:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, get_args
-from urllib.parse import urlencode
 
 from omote.files.picturefile import Kind
 from omote.show.messages import Level
@@ -42,14 +41,6 @@ class Setting:
             raise ValueError(f"there is no quality {self.quality!r}; give one of {', '.join(get_args(Level))}")
         if self.transparent and self.background is not None:
             raise ValueError(f"a picture is transparent or has the background {self.background!r}; leave one out")
-
-    @property
-    def query(self) -> str:
-        """The address of the stage, from its question mark on."""
-        words = {"quality": self.quality, "background": self.background}
-        if self.transparent:
-            words["transparent"] = "1"
-        return "?" + urlencode({name: word for name, word in words.items() if word is not None})
 
 
 @dataclass(frozen=True)
