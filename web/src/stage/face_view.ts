@@ -13,7 +13,7 @@ import { writeLight } from "./light_uniforms";
 import { Looks } from "./looks";
 import { drawsInSoftware } from "./machine";
 import type { Tile } from "./parameters";
-import { type Pose, resting } from "./pose";
+import { type Pose, resting, writeTurn } from "./pose";
 import { FEATURES, type Features, firstLevel, type Level, pixelRatio } from "./quality";
 import { createRenderer } from "./renderer";
 import { Shadow } from "./shadow";
@@ -294,10 +294,4 @@ export class FaceView {
       eye.eyeTurn.value.fromArray(this.eyes.turns, 9 * side).premultiply(this.shared.headTurn.value);
     });
   }
-}
-
-/** The rotation that turns a gaze straight ahead to yaw (+ = +x) and pitch (+ = up), column by column. */
-function writeTurn(yaw: number, pitch: number, into: Float32Array, at: number): void {
-  const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
-  into.set([cy, 0, -sy, -sy * sp, cp, -cy * sp, sy * cp, sp, cy * cp], at);
 }

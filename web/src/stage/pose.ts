@@ -51,3 +51,9 @@ export const smooth = (x: number): number => {
   const t = Math.min(1, Math.max(0, x));
   return t * t * (3 - 2 * t);
 };
+
+/** The rotation that turns a gaze straight ahead to yaw (+ = +x) and pitch (+ = up), column by column. */
+export function writeTurn(yaw: number, pitch: number, into: Float32Array, at: number): void {
+  const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
+  into.set([cy, 0, -sy, -sy * sp, cp, -cy * sp, sy * cp, sp, cy * cp], at);
+}
