@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, replace
 from typing import Any
 
@@ -80,11 +80,12 @@ def space_of(arrays: Arrays) -> ParameterSpace:
     return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
 
 
-def line_mouths(arrays: Arrays, space: ParameterSpace, names: Sequence[str]) -> None:
+def line_mouths(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
     """Puts the mouth bags of all faces but the generic one as far behind their skin as its own lies, in place."""
     for name in names:
         if name != GENERIC:
-            arrays[f"face/{name}"] = lined(space, arrays[f"face/{name}"])
+            placed = np.round(lined(space, arrays[f"face/{name}"]).astype(np.float64), 9)  # no machine's last bits
+            arrays[f"face/{name}"] = np.asarray(placed + 0.0, np.float32)
 
 
 def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move], step: Step) -> Arrays:
