@@ -108,10 +108,12 @@ def _thin_cut(strands: Strands) -> NDArray[np.bool_]:
 
 
 def _mop_comb(strands: Strands) -> Floats:
-    """Away from a whorl beside the middle, every strand its own way."""
+    """Away from a whorl beside the middle, every lock its own way."""
     away = (strands.points - WHORL - [0.012, 0.0, -0.02]) * [1.0, 0.3, 1.0] * 14.0
     away[:, 1] -= 0.5
-    turn = (strands.chance[:, 1] - 0.5) * 1.7
+    x, y, z = strands.roots.T
+    lock = np.sin(95.0 * x + 60.0 * y + 1.0) * np.cos(90.0 * z - 50.0 * y)
+    turn = 0.75 * lock + (strands.chance[:, 1] - 0.5) * 0.55
     aside = np.stack([away[:, 2], 0.0 * turn, -away[:, 0]], axis=1)
     return np.asarray(np.cos(turn)[:, None] * away + np.sin(turn)[:, None] * aside)
 
@@ -156,7 +158,8 @@ GROOMS: Mapping[str, Groom] = {
         count=520,
     ),
     "mop": Groom(
-        ADULT, _mop_comb, _mop_cut, layers=(0.003, 0.02), hold=0.75, closing=0.006, wave=(0.0022, 0.04), count=1000,
+        ADULT, _mop_comb, _mop_cut, layers=(0.003, 0.018), hold=0.8, closing=0.006, wave=(0.0018, 0.045),
+        width=0.0045, count=1400,
     ),
     "bun": Groom(
         TIED, _up_comb, _up_cut, layers=(0.002, 0.006), hold=1.0, free=-0.2, coil=Coil(KNOT, radius=0.027), count=850,
