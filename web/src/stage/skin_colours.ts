@@ -61,6 +61,9 @@ Ground ground(Layers at, float hairline) {
   float narrow = 0.3 * age;
   float human = smoothstep(0.06 + narrow, 0.5 + narrow, at.mask.r);
   found.lips = mix(human, smoothstep(0.86, 0.97, at.mask.r), fur);
+  // The mouth's lining: painted like lips, in little light; wet flesh on every face, under fur too.
+  float lining = smoothstep(0.55, 0.7, at.mask.r) * (1.0 - smoothstep(0.38, 0.5, at.mask.a));
+  found.lips = max(found.lips, lining);
   found.fur = fur * (1.0 - found.lips);
   float leather = smoothstep(0.80, 0.92, at.patches.r);
   found.leather = found.fur * leather;
@@ -71,6 +74,7 @@ Ground ground(Layers at, float hairline) {
   seen = mix(seen, brow * 0.5, at.patches.a * lacquer);
   seen = mix(seen, hair * (0.7 + 0.6 * at.marks.a), found.hair);
   found.hair = max(found.hair, hairs * 0.85);
+  seen = mix(seen, vec3(0.62, 0.16, 0.14), lining);
   found.albedo = seen * at.mask.a * mix(1.0, at.mask.a, 0.3); // what cavities and the lash line leave of the light
   return found;
 }
