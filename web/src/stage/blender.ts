@@ -147,10 +147,10 @@ export class Blender {
     const faces = JSON.stringify(rest);
     if (faces !== this.rested) {
       this.rested = faces;
-      this.add(rest, eyes, settler.rest[1]);
+      this.add(rest, eyes, settler.still);
       settler.rested();
     }
-    this.add(entries, eyes, settler.mixed[1]);
+    this.add(entries, eyes, settler.mixed);
     const sights = [6, 7, 8, 15, 16, 17].map((at) => eyes.turns[at] as number);
     settler.settle(this.positionTarget, allowed, { ...eyes, sights: Float32Array.from(sights) });
   }

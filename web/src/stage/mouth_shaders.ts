@@ -2,6 +2,9 @@ import { OPENING } from "./opening_shaders";
 import { EDGE_POINTS } from "./openings";
 import { FRAGMENT_HEAD, VERTEX_HEAD } from "./shader_heads";
 
+/** In an open mouth lower teeth and tongue lie in front of the lining that is so many metres before them: it wraps around them. */
+const AHEAD = "0.002";
+
 /**
  * Teeth and tongue: each vertex asks the blended lips what comes in to it. The key light comes straight through the
  * opening, or not at all; the rest by how large the opening looks from here.
@@ -13,6 +16,13 @@ out vec3 vPoint;
 out vec3 vNormal;
 out vec4 vPlace;
 out vec2 vLight; // of the key, of what comes from everywhere
+
+/** The depth of a point so many metres nearer to the camera. */
+float inFront(vec3 point, float nearer) {
+  vec4 seen = viewMatrix * vec4(point, 1.0);
+  vec4 place = projectionMatrix * (seen + vec4(0.0, 0.0, nearer, 0.0));
+  return place.z / place.w;
+}
 
 void main() {
   vec3 here = fetchRow(positions);
@@ -36,6 +46,7 @@ void main() {
   vec2 own = vec2(ahead.upper.y - here.y, here.y - ahead.lower.y);
   float sky = area / (area + 6.0 * deep * deep + 2e-5) * smoothstep(-0.006 - 0.8 * deep, 0.002, min(own.x, own.y));
   float parted = smoothstep(0.0, 0.004, high);
+  gl_Position.z = inFront(vPoint, ${AHEAD} * (1.0 - place.w) * smoothstep(0.006, 0.014, high)) * gl_Position.w;
   vLight = mix(vec2(direct, sky) * parted, vec2(1.0), smoothstep(0.002, -0.003, behind)); // a tongue that is out is in the light
 }
 `;

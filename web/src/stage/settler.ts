@@ -1,17 +1,14 @@
-import { createProgram, floatTexture, targetTexture, wholeTexture } from "./gl";
+import { createProgram, dataTexture, floatTexture, targetTexture, wholeTexture } from "./gl";
 import { PASS_VERTEX, ROW_WIDTH } from "./pass_shaders";
 import {
-  COPY_FRAGMENT,
-  DATA_WIDTH,
-  FOLLOW_FRAGMENT,
-  FOLLOWER_VERTEX,
+  GATHER_FRAGMENT,
   PART_FRAGMENT,
   REST_FRAGMENT,
-  ROW_VERTEX,
   RUNG_FRAGMENT,
+  SPREAD_FRAGMENT,
   UPRIGHT_FRAGMENT,
 } from "./settle_shaders";
-import { RUNGS, type Settling } from "./settling";
+import { DATA_WIDTH, RUNGS, rolesOf, type Settling } from "./settling";
 
 /** The eyeballs as lids meet them: centres (6) and radii (2) metres, and where they look (6), unit vectors. */
 export interface Sockets {
@@ -20,116 +17,128 @@ export interface Sockets {
   sights: Float32Array;
 }
 
-type Target = [WebGLTexture, WebGLFramebuffer];
+/** A texture that is drawn into, and its size in texels. */
+interface Target {
+  texture: WebGLTexture;
+  frame: WebGLFramebuffer;
+  size: [number, number];
+}
+
 type Textures = Record<string, WebGLTexture>;
+type Programs = Record<"gather" | "rung" | "part" | "normal" | "upright" | "spread", WebGLProgram>;
 
 /** Puts the sums of compounds right on the GPU, pass by pass as `omote.perform.settle` does. */
 export class Settler {
-  /** Where the plain sum is drawn to, and the mixed face without expression. */
-  readonly mixed: Target;
-  readonly rest: Target;
-  private readonly steps: [Target, Target];
-  private readonly rungs: Target;
-  private readonly restNormals: Target;
+  /** Where the plain sum is drawn to, and the mixed face without expression: all positions. */
+  readonly mixed: WebGLFramebuffer;
+  readonly still: WebGLFramebuffer;
+  private readonly targets: Record<
+    "mixed" | "still" | "before" | "rest" | "one" | "other" | "rungs" | "normals",
+    Target
+  >;
   private readonly allowed: WebGLTexture;
   private readonly allowedTexels: Float32Array;
   private readonly data: Textures;
-  private readonly programs: Record<"rung" | "part" | "normal" | "upright" | "copy" | "follow", WebGLProgram>;
-  private readonly rows: WebGLVertexArrayObject;
-  private readonly followers: WebGLVertexArrayObject;
+  private readonly programs: Programs;
   private readonly nothing: WebGLVertexArrayObject;
-  private readonly buffers: WebGLBuffer[] = [];
-  private readonly triangleLines: number;
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
     private readonly settling: Settling,
     private readonly height: number,
   ) {
-    const target = (width: number, lines: number): Target => targetTexture(gl, width, Math.max(1, lines));
-    [this.mixed, this.rest] = [target(ROW_WIDTH, height), target(ROW_WIDTH, height)];
-    this.steps = [target(ROW_WIDTH, height), target(ROW_WIDTH, height)];
-    this.rungs = target(RUNGS, settling.upward.length);
-    this.triangleLines = Math.ceil(settling.triangles.length / 4 / DATA_WIDTH);
-    this.restNormals = target(DATA_WIDTH, this.triangleLines);
-    const lines = Math.max(1, Math.ceil(settling.size / DATA_WIDTH));
-    this.allowedTexels = new Float32Array(DATA_WIDTH * lines);
-    this.allowed = floatTexture(gl, this.allowedTexels, 1, DATA_WIDTH);
-    this.data = {
-      rungRows: wholeTexture(gl, settling.rungRows, RUNGS),
-      rungWeights: floatTexture(gl, settling.rungWeights, 4, RUNGS),
-      triangles: wholeTexture(gl, settling.triangles, DATA_WIDTH),
-      corners: wholeTexture(gl, settling.corners, DATA_WIDTH),
-      anchors: floatTexture(gl, settling.anchors, 2, DATA_WIDTH),
+    const lines = (count: number): number => Math.max(1, Math.ceil(count / DATA_WIDTH));
+    const target = (width: number, tall: number): Target => {
+      const [texture, frame] = targetTexture(gl, width, tall);
+      return { texture, frame, size: [width, tall] };
     };
+    const places = (): Target => target(DATA_WIDTH, lines(settling.rows.length));
+    this.targets = {
+      mixed: target(ROW_WIDTH, height),
+      still: target(ROW_WIDTH, height),
+      before: places(),
+      rest: places(),
+      one: places(),
+      other: places(),
+      rungs: target(RUNGS, Math.max(1, settling.upward.length)),
+      normals: target(DATA_WIDTH, lines(settling.triangles.length / 4)),
+    };
+    this.mixed = this.targets.mixed.frame;
+    this.still = this.targets.still.frame;
+    this.allowedTexels = new Float32Array(DATA_WIDTH * lines(settling.size));
+    this.allowed = floatTexture(gl, this.allowedTexels, 1, DATA_WIDTH);
+    this.data = this.readData();
     this.programs = {
+      gather: createProgram(gl, PASS_VERTEX, GATHER_FRAGMENT),
       rung: createProgram(gl, PASS_VERTEX, RUNG_FRAGMENT),
-      part: createProgram(gl, ROW_VERTEX, PART_FRAGMENT),
+      part: createProgram(gl, PASS_VERTEX, PART_FRAGMENT),
       normal: createProgram(gl, PASS_VERTEX, REST_FRAGMENT),
-      upright: createProgram(gl, ROW_VERTEX, UPRIGHT_FRAGMENT),
-      copy: createProgram(gl, ROW_VERTEX, COPY_FRAGMENT),
-      follow: createProgram(gl, FOLLOWER_VERTEX, FOLLOW_FRAGMENT),
+      upright: createProgram(gl, PASS_VERTEX, UPRIGHT_FRAGMENT),
+      spread: createProgram(gl, PASS_VERTEX, SPREAD_FRAGMENT),
     };
     this.nothing = gl.createVertexArray();
-    const { rows, pulls, lids, spans, followers } = settling;
-    this.rows = this.vertexArray([
-      [rows, 1],
-      [pulls, 3],
-      [lids, 2],
-      [spans, 2],
-    ]);
-    this.followers = this.vertexArray([[followers, 1]]);
   }
 
-  /** The mixed face without expression is new in `rest`. */
+  /** The mixed face without expression is new in `still`. */
   rested(): void {
-    const { gl } = this;
-    this.begin(this.programs.normal, this.restNormals[1], [DATA_WIDTH, this.triangleLines]);
-    this.read(this.programs.normal, { rest: this.rest[0], triangles: this.data.triangles as WebGLTexture });
-    gl.bindVertexArray(this.nothing);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    const { targets, data } = this;
+    this.pass("gather", targets.rest, { mixed: targets.still.texture, rows: data.rows as WebGLTexture });
+    this.pass("normal", targets.normals, { rest: targets.rest.texture, triangles: data.triangles as WebGLTexture });
   }
 
   /** Draws what is in `mixed`, put right, into `target`; `allowed`: the compounds' allowances, weighted and added. */
   settle(target: WebGLFramebuffer, allowed: Float32Array, sockets: Sockets): void {
+    const { targets, data } = this;
     this.writeAllowed(allowed);
     this.prepare(sockets);
+    this.pass("gather", targets.before, { mixed: targets.mixed.texture, rows: data.rows as WebGLTexture });
     const half = this.settling.document.rounds / 2;
-    let from: Target = this.mixed;
-    const step = (program: WebGLProgram, leaving: boolean, extra: Textures): void => {
-      const into = from === this.steps[0] ? this.steps[1] : this.steps[0];
-      this.draw(program, into[1], leaving, { points: from[0], ...extra });
-      from = into;
-    };
-    const part = (leaving: boolean): void => {
-      this.measureRungs(from[0]);
-      step(this.programs.part, leaving, { rungs: this.rungs[0] });
-    };
-    const unfold = (rounds: number, last: boolean): void => {
-      for (let round = 0; round < rounds; round++)
-        step(this.programs.upright, last && round === rounds - 1, {
-          restNormals: this.restNormals[0],
-          corners: this.data.corners as WebGLTexture,
-        });
-    };
-    part(false);
-    part(true);
-    unfold(half, false);
-    part(false);
-    unfold(half, true);
-    this.finish(from[0], target);
+    let from = this.part(targets.before, false);
+    from = this.part(from, true);
+    for (let round = 0; round < half; round++) from = this.unfold(from, false);
+    from = this.part(from, false);
+    for (let round = 0; round < half; round++) from = this.unfold(from, round === half - 1);
+    this.pass(
+      "spread",
+      { ...targets.mixed, frame: target },
+      {
+        mixed: targets.mixed.texture,
+        before: targets.before.texture,
+        points: from.texture,
+        roles: data.roles as WebGLTexture,
+        anchors: data.anchors as WebGLTexture,
+      },
+    );
   }
 
   dispose(): void {
     const { gl } = this;
-    for (const [texture, target] of [this.mixed, this.rest, ...this.steps, this.rungs, this.restNormals]) {
+    for (const { texture, frame } of Object.values(this.targets)) {
       gl.deleteTexture(texture);
-      gl.deleteFramebuffer(target);
+      gl.deleteFramebuffer(frame);
     }
     for (const texture of [this.allowed, ...Object.values(this.data)]) gl.deleteTexture(texture);
     for (const program of Object.values(this.programs)) gl.deleteProgram(program);
-    for (const array of [this.rows, this.followers, this.nothing]) gl.deleteVertexArray(array);
-    for (const buffer of this.buffers) gl.deleteBuffer(buffer);
+    gl.deleteVertexArray(this.nothing);
+  }
+
+  private readData(): Textures {
+    const { gl, settling, height } = this;
+    const rows = new Uint32Array(2 * settling.rows.length);
+    settling.rows.forEach((row, place) => {
+      rows[2 * place] = row;
+    });
+    return {
+      rows: dataTexture(gl, rows, DATA_WIDTH),
+      pulls: floatTexture(gl, settling.pulls, 4, DATA_WIDTH),
+      spans: wholeTexture(gl, settling.spans, DATA_WIDTH),
+      corners: wholeTexture(gl, settling.corners, DATA_WIDTH),
+      triangles: wholeTexture(gl, settling.triangles, DATA_WIDTH),
+      rungPlaces: wholeTexture(gl, settling.rungs, RUNGS),
+      rungWeights: floatTexture(gl, settling.rungWeights, 4, RUNGS),
+      anchors: floatTexture(gl, settling.anchors, 2, DATA_WIDTH),
+      roles: dataTexture(gl, rolesOf(settling, ROW_WIDTH * height), ROW_WIDTH),
+    };
   }
 
   private writeAllowed(allowed: Float32Array): void {
@@ -158,73 +167,49 @@ export class Settler {
     gl.useProgram(programs.rung);
     gl.uniform1i(gl.getUniformLocation(programs.rung, "first"), settling.triangles.length / 4);
     gl.uniform1fv(gl.getUniformLocation(programs.rung, "upward"), settling.upward);
-    gl.useProgram(programs.follow);
-    gl.uniform1i(gl.getUniformLocation(programs.follow, "width"), settling.width);
+    gl.useProgram(programs.spread);
+    gl.uniform1i(gl.getUniformLocation(programs.spread, "width"), settling.width);
   }
 
-  private measureRungs(points: WebGLTexture): void {
-    const { gl, programs, data } = this;
-    this.begin(programs.rung, this.rungs[1], [RUNGS, this.settling.upward.length]);
-    const { rungRows, rungWeights } = data as { rungRows: WebGLTexture; rungWeights: WebGLTexture };
-    this.read(programs.rung, { points, rest: this.rest[0], allowed: this.allowed, rungRows, rungWeights });
-    gl.bindVertexArray(this.nothing);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  /** Opens lines that cross; where the result is. */
+  private part(from: Target, leaving: boolean): Target {
+    const { targets, data } = this;
+    const { pulls, rungPlaces, rungWeights } = data as Record<"pulls" | "rungPlaces" | "rungWeights", WebGLTexture>;
+    const [points, rest] = [from.texture, targets.rest.texture];
+    this.pass("rung", targets.rungs, { points, rest, allowed: this.allowed, rungPlaces, rungWeights });
+    return this.step("part", from, leaving, { pulls, rungs: targets.rungs.texture });
   }
 
-  private draw(program: WebGLProgram, target: WebGLFramebuffer, leaving: boolean, textures: Textures): void {
+  /** Turns back triangles that lack area, by one round; where the result is. */
+  private unfold(from: Target, leaving: boolean): Target {
+    const { targets, data } = this;
+    const corners = data.corners as WebGLTexture;
+    return this.step("upright", from, leaving, { restNormals: targets.normals.texture, corners });
+  }
+
+  private step(name: "part" | "upright", from: Target, leaving: boolean, textures: Textures): Target {
+    const { targets, data, gl } = this;
+    const into = from === targets.one ? targets.other : targets.one;
+    gl.useProgram(this.programs[name]);
+    gl.uniform1i(gl.getUniformLocation(this.programs[name], "leaving"), leaving ? 1 : 0);
+    const shared = { points: from.texture, rest: targets.rest.texture, spans: data.spans as WebGLTexture };
+    this.pass(name, into, { ...shared, allowed: this.allowed, ...textures });
+    return into;
+  }
+
+  /** Draws one texel after the other into a target. */
+  private pass(name: keyof Programs, target: Target, textures: Textures): void {
     const { gl } = this;
-    this.begin(program, target, [ROW_WIDTH, this.height]);
-    this.read(program, { rest: this.rest[0], allowed: this.allowed, ...textures });
-    gl.uniform1i(gl.getUniformLocation(program, "leaving"), leaving ? 1 : 0);
-    gl.bindVertexArray(this.rows);
-    gl.drawArrays(gl.POINTS, 0, this.settling.rows.length);
-  }
-
-  private finish(points: WebGLTexture, target: WebGLFramebuffer): void {
-    const { gl, programs, height } = this;
-    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.mixed[1]);
-    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, target);
-    gl.blitFramebuffer(0, 0, ROW_WIDTH, height, 0, 0, ROW_WIDTH, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
-    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
-    this.draw(programs.copy, target, false, { points });
-    this.begin(programs.follow, target, [ROW_WIDTH, height]);
-    this.read(programs.follow, { points, mixed: this.mixed[0], anchors: this.data.anchors as WebGLTexture });
-    gl.bindVertexArray(this.followers);
-    gl.drawArrays(gl.POINTS, 0, this.settling.followers.length);
-  }
-
-  private begin(program: WebGLProgram, target: WebGLFramebuffer, size: [number, number]): void {
-    const { gl } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
-    gl.viewport(0, 0, ...size);
+    const program = this.programs[name];
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
+    gl.viewport(0, 0, ...target.size);
     gl.useProgram(program);
-    gl.uniform2f(gl.getUniformLocation(program, "size"), ...size);
-  }
-
-  private read(program: WebGLProgram, textures: Textures): void {
-    const { gl } = this;
-    Object.entries(textures).forEach(([name, texture], unit) => {
+    Object.entries(textures).forEach(([sampler, texture], unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.uniform1i(gl.getUniformLocation(program, name), unit);
+      gl.uniform1i(gl.getUniformLocation(program, sampler), unit);
     });
-  }
-
-  /** A vertex array of values and how many of them a point has, at locations 0, 1, ... */
-  private vertexArray(parts: [ArrayBufferView, number][]): WebGLVertexArrayObject {
-    const { gl } = this;
-    const array = gl.createVertexArray();
-    gl.bindVertexArray(array);
-    parts.forEach(([values, width], at) => {
-      const buffer = gl.createBuffer();
-      this.buffers.push(buffer);
-      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-      gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
-      gl.enableVertexAttribArray(at);
-      if (values instanceof Float32Array) gl.vertexAttribPointer(at, width, gl.FLOAT, false, 0, 0);
-      else gl.vertexAttribIPointer(at, width, values instanceof Int32Array ? gl.INT : gl.UNSIGNED_INT, 0, 0);
-    });
-    gl.bindVertexArray(null);
-    return array;
+    gl.bindVertexArray(this.nothing);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 }

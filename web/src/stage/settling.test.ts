@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { SettlingDocument } from "../link/messages";
-import { RUNGS, readSettling } from "./settling";
+import { RUNGS, readSettling, rolesOf } from "./settling";
 
 const bytes = (values: Uint32Array | Float32Array): Uint8Array =>
   new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
@@ -39,18 +39,25 @@ describe("a settling", () => {
 
   it("counts triangles, rungs and lids", () => {
     expect(settling.size).toBe(2 + RUNGS + 1);
-    expect(Array.from(settling.lids)).toEqual([-1, -1, -1, -1, 1, 2 + RUNGS, -1, -1]);
+    const eyes = Array.from(settling.rows, (_, place) => Array.from(settling.spans.slice(4 * place, 4 * place + 2)));
+    expect(eyes).toEqual([
+      [0, 0],
+      [0, 0],
+      [2, 2 + RUNGS],
+      [0, 0],
+    ]);
   });
 
-  it("gives each row its corners, the other two rows in winding order", () => {
+  it("gives each place its corners, the other two places in winding order", () => {
     const triangles = [
-      [10, 20, 30],
-      [20, 40, 30],
+      [0, 1, 2],
+      [1, 3, 2],
     ];
-    const found = Array.from(settling.rows).map((row, place) => {
+    const found = Array.from(settling.rows, (_, place) => {
       const list: number[][] = [];
-      for (let slot = settling.spans[2 * place] as number; slot < (settling.spans[2 * place + 1] as number); slot++)
-        list.push([row, ...settling.corners.slice(4 * slot, 4 * slot + 3)]);
+      const [first, end] = settling.spans.slice(4 * place + 2, 4 * place + 4);
+      for (let slot = first as number; slot < (end as number); slot++)
+        list.push([place, ...settling.corners.slice(4 * slot, 4 * slot + 3)]);
       return list;
     });
     for (const [a, b, c, triangle] of found.flat() as [number, number, number, number][]) {
@@ -61,15 +68,28 @@ describe("a settling", () => {
     expect(found.map((list) => list.length)).toEqual([1, 2, 2, 1]);
   });
 
-  it("speaks of rows of the positions", () => {
-    expect(Array.from(settling.triangles)).toEqual([10, 20, 30, 0, 20, 40, 30, 0]);
-    expect(new Set(settling.rungRows)).toEqual(new Set([40]));
-    expect(Array.from(settling.anchors)).toEqual([20, 0.75, 40, 0.25]);
+  it("speaks of places", () => {
+    expect(Array.from(settling.triangles)).toEqual([0, 1, 2, 0, 1, 3, 2, 0]);
+    expect(new Set(settling.rungs)).toEqual(new Set([3]));
+    expect(Array.from(settling.anchors)).toEqual([1, 0.75, 3, 0.25]);
     expect(settling.width).toBe(2);
   });
 
+  it("tells every row of the positions what it is", () => {
+    const roles = rolesOf(settling, 80);
+    const found = Array.from({ length: 80 }, (_, row) => [roles[2 * row], roles[2 * row + 1]]);
+    expect([10, 20, 30, 40].map((row) => found[row])).toEqual([
+      [1, 0],
+      [2, 0],
+      [3, 0],
+      [4, 0],
+    ]);
+    expect(found[77]).toEqual([0, 1]);
+    expect(found.flat().filter((role) => role !== 0)).toHaveLength(5);
+  });
+
   it("knows which rows give way to which line", () => {
-    expect(Array.from(settling.pulls)).toEqual([0, 1, 0.25, -1, 0, 0, -1, 0, 0, 0, -1, 0.75]);
+    expect(Array.from(settling.pulls)).toEqual([0, 1, 0.25, 0, -1, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.75, 0]);
     expect(Array.from(settling.upward)).toEqual([1]);
   });
 
