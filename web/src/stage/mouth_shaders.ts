@@ -11,6 +11,7 @@ const AHEAD = "0.002";
  */
 export const MOUTH_VERTEX = `${VERTEX_HEAD}${OPENING}
 uniform vec3 KEY;
+uniform vec3 cameraPosition;
 in vec4 place; // depth in the mouth, angle on the arch, height from the gum (0) to the edge (1), upper jaw (1) or not
 out vec3 vPoint;
 out vec3 vNormal;
@@ -46,7 +47,11 @@ void main() {
   vec2 own = vec2(ahead.upper.y - here.y, here.y - ahead.lower.y);
   float sky = area / (area + 6.0 * deep * deep + 2e-5) * smoothstep(-0.006 - 0.8 * deep, 0.002, min(own.x, own.y));
   float parted = smoothstep(0.0, 0.004, high);
-  gl_Position.z = inFront(vPoint, ${AHEAD} * (1.0 - place.w) * smoothstep(0.006, 0.014, high)) * gl_Position.w;
+  vec3 view = (cameraPosition - vPoint) * headTurn;
+  vec2 seenAt = here.xy + view.xy / max(view.z, 0.25 * length(view)) * deep;
+  vec2 through = insideOf(gapAt(seenAt.x), seenAt); // never through the chin: only what is seen between the lips
+  float shown = smoothstep(0.0, 0.004, min(through.x, through.y)) * smoothstep(0.006, 0.014, high);
+  gl_Position.z = inFront(vPoint, ${AHEAD} * (1.0 - place.w) * shown) * gl_Position.w;
   vLight = mix(vec2(direct, sky) * parted, vec2(1.0), smoothstep(0.002, -0.003, behind)); // a tongue that is out is in the light
 }
 `;
