@@ -7,8 +7,8 @@ import { material } from "./material";
 import { definesOf, type Features } from "./quality";
 import { Wardrobe, type Worn } from "./wardrobe";
 
-/** Pieces of a ribbon where all are drawn, and where few are. */
-const PIECES = { fine: 11, coarse: 5 };
+/** Pieces of a ribbon where its course is drawn round, where all ribbons are drawn, and where few are. */
+const PIECES = { round: 26, fine: 11, coarse: 5 };
 
 /** Edges by samples: alpha says how many of a pixel's samples a fibre covers; the picture's own alpha only grows. */
 const SOFT = {
@@ -135,7 +135,7 @@ function texture(
 
 /** Fewer ribbons are wider, so that they cover the head as all of them do. */
 function ribbons(style: Worn, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
-  const geometry = ribbon(style.hair, features.hair < 0.5 ? PIECES.coarse : PIECES.fine);
+  const geometry = ribbon(style.hair, piecesOf(features));
   geometry.instanceCount = Math.max(1, Math.round(features.hair * style.hair.anchors.length));
   const look = material(HAIR_VERTEX, HAIR_FRAGMENT, {
     ...shared,
@@ -150,6 +150,11 @@ function ribbons(style: Worn, shared: HeadUniforms, own: StyleUniforms, features
   mesh.frustumCulled = false;
   mesh.castShadow = true;
   return mesh;
+}
+
+function piecesOf(features: Features): number {
+  if (features.detail) return PIECES.round;
+  return features.hair < 0.5 ? PIECES.coarse : PIECES.fine;
 }
 
 function ribbon(hair: HairStrands, pieces: number): THREE.InstancedBufferGeometry {

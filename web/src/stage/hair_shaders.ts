@@ -51,6 +51,17 @@ out vec3 vAlong;
 out float vOpen;
 #endif
 
+#ifdef DETAIL
+/** A round course through the stations (Catmull and Rom 1974): where it is \`part\` of the way between the middle two. */
+vec3 coursed(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
+  return b + 0.5 * part * (c - a + part * (2.0 * a - 5.0 * b + 4.0 * c - d + part * (3.0 * (b - c) + d - a)));
+}
+
+vec3 heading(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
+  return 0.5 * (c - a) + part * (2.0 * a - 5.0 * b + 4.0 * c - d + 1.5 * part * (3.0 * (b - c) + d - a));
+}
+#endif
+
 float chanceOf(float salt) { return fract(sin(float(gl_InstanceID) * 12.9898 + salt) * 43758.5453); }
 
 void main() {
@@ -62,14 +73,24 @@ void main() {
   vec3 before = texelFetch(strands, ivec2(max(here - 1, 0), gl_InstanceID), 0).xyz;
   vec3 from = texelFetch(strands, ivec2(here, gl_InstanceID), 0).xyz;
   vec3 to = texelFetch(strands, ivec2(here + 1, gl_InstanceID), 0).xyz;
+#ifdef DETAIL
+  float part = at - float(here);
+  vec3 after = texelFetch(strands, ivec2(min(here + 2, int(stations) - 1), gl_InstanceID), 0).xyz;
+  vec4 facing = mix(
+    texelFetch(shape, ivec2(here, gl_InstanceID), 0), texelFetch(shape, ivec2(here + 1, gl_InstanceID), 0), part);
+  vec3 spot = coursed(before, from, to, after, part);
+  vec3 along = normalize(heading(before, from, to, after, part));
+#else
   vec4 facing = texelFetch(shape, ivec2(int(at + 0.5), gl_InstanceID), 0);
-  vec3 away = normalize(facing.xyz * 2.0 - 1.0);
+  vec3 spot = mix(from, to, at - float(here));
   vec3 along = normalize(to - before);
+#endif
+  vec3 away = normalize(facing.xyz * 2.0 - 1.0);
   vec3 aside = normalize(cross(along, away));
   away = cross(aside, along);
   aside = normalize(aside + roll * away);
   float thin = smoothstep(0.0, 0.12, length_) * (1.0 - 0.45 * place.y * place.y);
-  vec3 point = fetchRow(positions) + mix(from, to, at - float(here)) + aside * (place.x * width * thin);
+  vec3 point = fetchRow(positions) + spot + aside * (place.x * width * thin);
   vec3 normal = normalize(away + 0.55 * place.x * aside);
   point = turned(point, 1.0);
   normal = headTurn * normal;
@@ -109,7 +130,15 @@ in float vOpen;
 #endif
 
 void main() {
+#ifdef DETAIL
+  // Single hairs, a few noise cells wide, that sway along the ribbon; broader ones show when it is seen from afar.
+  vec2 start = vec2(vChance.x * 7.3, vChance.y);
+  float sway = 0.010 * (texture(grain, start.yx + vec2(0.0, vPlace.y * 0.010)).b - 0.5);
+  vec4 fibre = texture(grain, start + vec2(vPlace.x * 0.016 + sway, vPlace.y * 0.008));
+  fibre.rg = clamp(fibre.rg + 0.7 * (texture(grain, start.yx + vec2(vPlace.x * 0.045 + sway, vPlace.y * 0.012)).rg - 0.5), 0.0, 1.0);
+#else
   vec4 fibre = texture(grain, vec2(vPlace.x * 0.05 + vChance.x * 7.3, vPlace.y * 0.013 + vChance.y));
+#endif
   float edge = vPlace.x * vPlace.x;
   float tip = vPlace.y * vPlace.y;
   float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
@@ -123,7 +152,12 @@ void main() {
 #else
   HairFall light = hairFall(vPoint, normalize(vNormal), normalize(vAlong), vOpen, 0.35 * (fibre.g - 0.5));
 #endif
+#ifdef DETAIL
+  vec3 albedo = tint * (0.78 + 0.5 * vChance.x) * (0.22 + 1.5 * fibre.r) * mix(0.62, 1.12, vPlace.y);
+  albedo *= mix(vec3(1.10, 0.98, 0.86), vec3(0.92, 1.02, 1.12), fract(vChance.y * 3.0 + 0.4 * fibre.g)); // no two of one hue
+#else
   vec3 albedo = tint * (0.72 + 0.56 * vChance.x) * (0.55 + 0.9 * fibre.r);
+#endif
   vec3 seen = albedo * light.diffuse;
   seen += (0.05 + 0.25 * albedo) * light.sheen * (0.4 + 1.2 * fibre.g) + (0.02 + 0.9 * albedo) * light.glow;
 #ifdef SOFT
