@@ -42,7 +42,7 @@ export const LIGHTS: Readonly<Record<string, Light>> = {
     rims: { left: from(-0.9, 0.25, -0.45), right: from(0.9, 0.35, -0.5), light: [1.0, 1.08, 1.3] },
     sky: [0.085, 0.082, 0.095],
     ground: [0.055, 0.04, 0.037],
-    size: 0.05,
+    size: 0.12,
     shade: 1,
     exposure: 1,
     backdrop: { edge: [0.0016, 0.0016, 0.002], glow: [0.0105, 0.0094, 0.0118] },

@@ -110,7 +110,7 @@ function caster(mesh: THREE.Mesh): THREE.Mesh {
     vertexShader: look.vertexShader,
     fragmentShader: HEIGHT_FRAGMENT,
     uniforms: look.uniforms,
-    defines: { ...look.defines },
+    defines: { ...look.defines, ...("strands" in look.uniforms ? { STRANDS: "" } : {}) },
     side: THREE.DoubleSide,
     blending: THREE.NoBlending,
   });

@@ -23,8 +23,8 @@ uniform float KEY_SIZE;
 
 const float LIFT = 0.0012; // metres off the surface: its triangles cut the corners of what it stands for
 const float BIAS = 0.0006;
-const int BLOCKERS = 8;
-const int SAMPLES = 14;
+const int BLOCKERS = 16;
+const int SAMPLES = 28;
 
 /** Evenly spread over the unit disc (Vogel 1979). */
 vec2 onDisc(int index, int count) {
@@ -45,8 +45,8 @@ float shadow(vec3 point, vec3 normal) {
   float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); // Jimenez 2014
   mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));
   float texel = ${(2 * REACH).toFixed(4)} / float(textureSize(shadowHeights, 0).x);
-  float least = mix(1.6 * texel, 0.007, grazing);
-  float widest = clamp(KEY_SIZE * 0.06, least, 0.02);
+  float least = mix(max(2.0 * texel, 0.0012), 0.007, grazing);
+  float widest = clamp(KEY_SIZE * 0.07, least, 0.02);
 
   float gap = 0.0;
   float count = 0.0;
@@ -57,7 +57,7 @@ float shadow(vec3 point, vec3 normal) {
     if (over > 0.0) { gap += over; count += 1.0; }
   }
   if (count == 0.0) return 1.0;
-  float width = clamp(KEY_SIZE * gap / count, least, widest);
+  float width = clamp(KEY_SIZE * gap / count, least, max(0.8 * widest, least)); // inside what was searched: no lone dots
   float light = 0.0;
   for (int i = 0; i < SAMPLES; i++) {
     vec2 aside = spin * onDisc(i, SAMPLES) * width;
@@ -71,9 +71,27 @@ ${NO_SHADOW}
 #endif
 `;
 
-/** What the shadow map keeps: how far towards the light the nearest surface stands. */
+/**
+ * What the shadow map keeps: how far towards the light the nearest surface stands. Ribbons of hair (STRANDS) are fibres
+ * that end one after the other here too: whole ribbons cast bars with square ends.
+ */
 export const HEIGHT_FRAGMENT = `
 precision highp float;
 out vec4 height;
-void main() { height = vec4(1.0 - gl_FragCoord.z, 0.0, 0.0, 1.0); }
+#ifdef STRANDS
+uniform highp sampler2D grain;
+in vec2 vPlace;
+in vec2 vChance;
+#endif
+
+void main() {
+#ifdef STRANDS
+  vec4 fibre = texture(grain, vec2(vPlace.x * 0.05 + vChance.x * 7.3, vPlace.y * 0.013 + vChance.y));
+  float edge = vPlace.x * vPlace.x;
+  float tip = vPlace.y * vPlace.y;
+  float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
+  if (fibre.r < bare + 0.06) discard;
+#endif
+  height = vec4(1.0 - gl_FragCoord.z, 0.0, 0.0, 1.0);
+}
 `;

@@ -4,18 +4,44 @@ import { SKIN_COLOURS } from "./skin_colours";
 /** The slope that 0 and 1 of the layer `relief` stand for (tools/baking/skin_relief.py: STEEPEST). */
 const STEEPEST = 0.8;
 
+/**
+ * Light out of the shade. `onFlesh`: cool light from aside turns grey on skin, so flesh takes it mostly in the hue of the
+ * key. `bounced`: what a hollow leaves of the light that goes to and fro in it; it keeps the skin's own hue
+ * (J. Jimenez et al., "Practical Realtime Strategies for Accurate Indirect Occlusion", 2016). `deepened`: the hue of what
+ * only light from skin to skin reaches.
+ */
+const SHADE_LIGHT = `
+vec3 onFlesh(vec3 light, float flesh) {
+  const vec3 SEEN = vec3(0.2126, 0.7152, 0.0722);
+  vec3 hue = (KEY_LIGHT + 1e-3) / (dot(KEY_LIGHT, SEEN) + 1e-3);
+  return mix(light, dot(light, SEEN) * hue, 0.85 * flesh);
+}
+
+vec3 bounced(float open, vec3 albedo) {
+  vec3 a = 2.0404 * albedo - 0.3324, b = 0.6417 - 4.7951 * albedo, c = 2.7552 * albedo + 0.6903;
+  return max(vec3(open), ((open * a + b) * open + c) * open);
+}
+
+vec3 deepened(vec3 albedo, float flesh) {
+  return mix(vec3(1.0), 1.12 * albedo / max(max(albedo.r, albedo.g), max(albedo.b, 1e-3)), 0.28 * flesh);
+}
+`;
+
 /** What falls on the skin at one vertex, before its colour: for slow machines. */
 const VERTEX_LIGHT = `
+uniform vec3 skin;
 struct Fall { vec3 diffuse; vec2 gloss; float rim; };
 
 Fall fall(vec3 point, vec3 normal, float open, float hair) {
   vec3 view = normalize(cameraPosition - point);
-  vec3 wrap = mix(vec3(0.34, 0.17, 0.12), vec3(0.05), hair);
+  float flesh = 1.0 - hair;
+  vec3 wrap = mix(vec3(0.05), vec3(0.22, 0.16, 0.13), flesh);
   vec3 key = clamp((dot(normal, KEY) + wrap) / (1.0 + wrap), 0.0, 1.0);
-  key *= mix(vec3(1.0, 0.90, 0.86), vec3(1.0), key); // the terminator is warm: light that went through the skin
+  key *= mix(vec3(1.0, 0.95, 0.92), vec3(1.0), key); // the terminator is warm: light that went through the skin
   float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
-  vec3 shade = mix(vec3(open), vec3(sqrt(open), open, open), 0.6); // light that bounces in a hollow reddens
-  vec3 diffuse = KEY_LIGHT * key * mix(vec3(1.0), shade, 0.8) + (FILL_LIGHT * fill + ambient(normal)) * shade * open;
+  vec3 shade = mix(vec3(open), bounced(open, skin), flesh);
+  vec3 around = onFlesh(FILL_LIGHT * fill + ambient(normal), mix(1.0, flesh, 0.4)) * deepened(skin, flesh);
+  vec3 diffuse = KEY_LIGHT * key * mix(vec3(1.0), shade, 0.8) + around * shade * open;
   vec2 gloss = vec2(shine(normal, view, KEY, 22.0) + 0.15 * shine(normal, view, FILL, 22.0), shine(normal, view, KEY, 70.0));
   float edge = 1.0 - max(dot(normal, view), 0.0);
   float rim = edge * edge * edge * edge * (max(dot(normal, RIM_LEFT), 0.0) * 0.7 + max(dot(normal, RIM_RIGHT), 0.0));
@@ -77,22 +103,23 @@ vec3 lit(Layers layers, Ground at, float open) {
 #endif
   float flesh = (1.0 - at.hair) * (1.0 - 0.6 * at.fur) * (1.0 - 0.7 * lacquer);
   vec3 blurred = vec3(0.65, 0.32, 0.2) * flesh; // red light goes furthest: fine relief hardly shows in it
-  vec3 wrap = vec3(0.05) + (vec3(0.27, 0.11, 0.06) + layers.finish.g * vec3(0.30, 0.08, 0.04)) * flesh;
+  vec3 wrap = vec3(0.05) + (vec3(0.15, 0.10, 0.075) + layers.finish.g * vec3(0.08, 0.045, 0.03)) * flesh;
   vec3 key = mix(vec3(dot(normal, KEY)), vec3(dot(form, KEY)), blurred);
   key = clamp((key + wrap) / (1.0 + wrap), 0.0, 1.0);
   float sunlit = shadow(vPoint, form);
-  vec3 bled = vec3(0.10, 0.03, 0.018) * flesh; // what comes through the flesh from where the light falls
-  key *= mix(mix(vec3(sunlit), vec3(sqrt(sunlit), sunlit, sunlit), 0.5 * flesh), vec3(1.0), bled);
-  key *= mix(vec3(1.0), mix(vec3(1.0, 0.88, 0.83), vec3(1.0), key), flesh);
+  key *= mix(vec3(sunlit), vec3(sqrt(sunlit), sunlit, sunlit), 0.1 * flesh); // a trace of red where light comes out beside
+  key *= mix(vec3(1.0), mix(vec3(1.0, 0.95, 0.92), vec3(1.0), key), flesh);
   float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
-  vec3 shade = mix(vec3(open), vec3(sqrt(open), open, open), 0.6 * flesh); // light that bounces in a hollow reddens
-  vec3 diffuse = KEY_LIGHT * key * mix(vec3(1.0), shade, 0.8) + (FILL_LIGHT * fill + ambient(normal)) * shade * open;
+  vec3 shade = mix(vec3(open), bounced(open, at.albedo), flesh);
+  float warm = mix(flesh, 1.0, 0.6 * at.hair); // the scalp between hairs is skin too
+  vec3 around = onFlesh(FILL_LIGHT * fill + ambient(normal), warm) * deepened(at.albedo, flesh);
+  vec3 diffuse = KEY_LIGHT * key * mix(vec3(1.0), shade, 0.8) + around * shade * open;
 
   float edge = 1.0 - max(dot(normal, view), 0.0);
   float down = edge * edge * edge;
   float rims = max(dot(form, RIM_LEFT), 0.0) * 0.7 + max(dot(form, RIM_RIGHT), 0.0);
   float behind = max(dot(-form, RIM_LEFT), 0.0) * 0.7 + max(dot(-form, RIM_RIGHT), 0.0);
-  float through = smoothstep(0.66, 1.0, layers.finish.g) * flesh;
+  float through = smoothstep(0.66, 1.0, layers.finish.g) * flesh * (1.0 - smoothstep(0.02, 0.06, vPoint.z)); // in front, the head stands between
 
   float wet = at.lips * gloss * (1.0 - at.fur) + at.leather * 0.7;
   float oily = layers.finish.r * (0.35 + 0.65 * pores) * (1.0 - 0.55 * age);
@@ -100,18 +127,20 @@ vec3 lit(Layers layers, Ground at, float open) {
   float strength = (0.26 + 0.52 * oily + 1.1 * wet) * mix(1.0, layers.finish.b, pores);
   strength = mix(strength, 0.8, lacquer) * (1.0 - 0.85 * at.hair) * (1.0 - 0.8 * (at.fur - at.leather));
   strength *= open;
-  vec3 mirror = KEY_LIGHT * sunlit * lobes(normal, view, KEY, sharpness) + FILL_LIGHT * lobes(normal, view, FILL, sharpness * 0.5);
-  mirror += ambient(reflect(-view, normal)) * (0.03 + 0.4 * down * edge) * (0.4 + 2.0 * wet + lacquer) * open;
+  vec3 aside = onFlesh(FILL_LIGHT, flesh) * mix(1.0, 0.6, flesh);
+  vec3 mirror = KEY_LIGHT * sunlit * lobes(normal, view, KEY, sharpness) + aside * lobes(normal, view, FILL, sharpness * 0.5);
+  mirror += onFlesh(ambient(reflect(-view, normal)), flesh) * (0.03 + 0.4 * down * edge) * (0.4 + 2.0 * wet + lacquer) * open;
 
   vec3 seen = at.albedo * diffuse + strength * 1.6 * mirror;
-  seen += at.albedo * (FILL_LIGHT + KEY_LIGHT * 0.25 * sunlit * max(dot(form, KEY) + 0.5, 0.0)) * down * (0.35 * flesh + 1.2 * at.fur) * open; // down on the skin
-  seen += RIM_LIGHT * rims * down * edge * open * open * mix(0.10 + 1.1 * at.albedo, vec3(0.16), at.hair) * (1.0 + at.fur);
-  seen += at.albedo * vec3(1.0, 0.28, 0.14) * RIM_LIGHT * behind * through * 0.8;
+  seen += at.albedo * (aside + KEY_LIGHT * 0.25 * sunlit * max(dot(form, KEY) + 0.5, 0.0)) * down * (0.35 * flesh + 1.2 * at.fur) * open; // down on the skin
+  vec3 rim = onFlesh(RIM_LIGHT, 0.5 * flesh) * mix(1.0, 0.75, flesh);
+  seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, vec3(0.16), at.hair) * (1.0 + at.fur);
+  seen += at.albedo * vec3(1.0, 0.34, 0.18) * RIM_LIGHT * behind * through * open * 0.6;
   return seen;
 }
 `;
 
-export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${VERTEX_LIGHT}
+export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${SHADE_LIGHT}${VERTEX_LIGHT}
 in vec2 uv;
 in vec4 traits; // turn with the head, open sky, hair, light at the neck
 out vec2 vUv;
@@ -160,7 +189,7 @@ uniform sampler2D finish;
 #endif
 ${SKIN_COLOURS}
 #ifndef FAST
-${PIXEL_LIGHT}
+${SHADE_LIGHT}${PIXEL_LIGHT}
 #endif
 
 void main() {
