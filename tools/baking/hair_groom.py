@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from tools.baking.basemesh import Floats, Ints
 from tools.baking.hair_coil import Coil
@@ -16,6 +17,8 @@ STATIONS = 12  # places along a strand, root to tip
 STRIDE = 0.0025  # metres a strand grows at a time
 AXIS = np.array([0.0, 0.0, 0.03])  # hairlines are told by the angle around it
 CANDIDATES = 8000  # places on the scalp from which the roots are chosen
+LOCK = 7  # strands in a lock
+APART = 0.04  # metres from its lock's leader beyond which a strand goes its own way
 SUNK = 0.001  # metres that a root lies under the skin
 
 Angles = Sequence[tuple[float, float]]
@@ -44,10 +47,9 @@ class Groom:
 
     hairline: (angle from straight ahead, metres over the eyes) pairs, hair grows above;  comb: where strands want to go
     (n, 3);  cut: which strands end here (n,);  layers: metres over the skin of the innermost and the outermost strands;
-    hold: 1 it lies on the head, 0 it
-    stands off;  free: it hangs free below this height;  width: of a ribbon, metres;  wave: amplitude (metres) and
-    length (metres) of curls;  closing, blur: see `field_of`;  coil: strands of a bun
-    beside those that grow
+    hold: 1 it lies on the head, 0 it stands off;  free: it hangs free below this height;  width: of a
+    ribbon, metres;  wave: amplitude (metres) and length (metres) of curls;  closing, blur: see `field_of`;  coil:
+    strands of a bun beside those that grow;  locks: how much neighbours are alike, 0..1
     """
 
     hairline: Angles
@@ -65,6 +67,7 @@ class Groom:
     closing: float = 0.012
     blur: float = 0.004
     coil: Coil | None = None
+    locks: float = 0.6
     seed: int = 1
 
 
@@ -100,7 +103,7 @@ def _spread(places: Floats, count: int) -> Floats:
 
 def grow(groom: Groom, field: Field, roots: Floats) -> Floats:
     """The strands (n, STATIONS, 3) of a style, from under the skin to their tips."""
-    chance = np.random.default_rng(groom.seed + 1).uniform(size=(len(roots), 4))
+    chance = _alike(groom, roots, np.random.default_rng(groom.seed + 1).uniform(size=(len(roots), 4)))
     outward = field.outward(roots)
     points, heading = roots - SUNK * outward, outward.copy()
     course, ends = [points], np.full(len(roots), -1)
@@ -112,7 +115,27 @@ def grow(groom: Groom, field: Field, roots: Floats) -> Floats:
         points = points + STRIDE * heading
         course.append(points)
     ends = np.where(ends < 0, len(course) - 1, ends)
-    return _waved(groom, field, _stations(np.stack(course, axis=1), ends), chance)
+    return _gathered(groom, _waved(groom, field, _stations(np.stack(course, axis=1), ends), chance))
+
+
+def _leaders(roots: Floats) -> Ints:
+    """The strand that leads each strand's lock, (n,): the first ones are spread evenly."""
+    _, leader = cKDTree(roots[: max(1, len(roots) // LOCK)]).query(roots)
+    return np.asarray(leader)
+
+
+def _alike(groom: Groom, roots: Floats, chance: Floats) -> Floats:
+    """The strands' chances (n, 4), those of a lock alike in all but the layer."""
+    share = groom.locks * np.array([0.0, 1.0, 1.0, 1.0])
+    return np.asarray(chance + share * (chance[_leaders(roots)] - chance))
+
+
+def _gathered(groom: Groom, strands: Floats) -> Floats:
+    """Strands (n, STATIONS, 3) drawn toward their lock's leader where it is near, the more the nearer the tip."""
+    toward = strands[_leaders(strands[:, 0])] - strands
+    near = 1.0 - _eased(np.linalg.norm(toward, axis=2).max(axis=1) / APART)
+    share = 0.6 * groom.locks * near[:, None] * _eased(np.linspace(0.0, 1.0, STATIONS))
+    return np.asarray(strands + share[..., None] * toward)
 
 
 def _heading(groom: Groom, field: Field, strands: Strands, before: Floats) -> Floats:

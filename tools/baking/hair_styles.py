@@ -26,7 +26,7 @@ ADULT = (
     (2.2, -0.04),
     (3.2, -0.06),
 )
-RECEDING = ((0.0, 0.107), (0.35, 0.106), (0.7, 0.096), (0.9, 0.066), (1.04, 0.03), *ADULT[6:])
+RECEDING = ((0.0, 0.107), (0.35, 0.106), (0.7, 0.096), (0.9, 0.066), (1.04, 0.034), *ADULT[9:])  # nothing beside ears
 TIED = (*ADULT[:5], (1.05, 0.022), *ADULT[9:])  # without whiskers
 PEAKED = ((0.0, 0.068), (0.14, 0.075), (0.4, 0.086), (0.62, 0.075), *TIED[3:])
 WHORL = np.array([0.0, 0.125, 0.04])
@@ -113,9 +113,11 @@ def _mop_comb(strands: Strands) -> Floats:
     away[:, 1] -= 0.5
     x, y, z = strands.roots.T
     lock = np.sin(95.0 * x + 60.0 * y + 1.0) * np.cos(90.0 * z - 50.0 * y)
-    turn = 0.75 * lock + (strands.chance[:, 1] - 0.5) * 0.55
+    turn = 0.5 * lock + (strands.chance[:, 1] - 0.5) * 0.45
     aside = np.stack([away[:, 2], 0.0 * turn, -away[:, 0]], axis=1)
-    return np.asarray(np.cos(turn)[:, None] * away + np.sin(turn)[:, None] * aside)
+    side = _eased(-strands.points[:, 1:2], -0.045, 0.0)  # beside the ears it falls
+    combed = np.cos(turn)[:, None] * away + np.sin(turn)[:, None] * aside
+    return np.asarray(combed * (1.0 - 0.9 * side) + side * np.array([0.0, -1.0, -0.15]))
 
 
 def _mop_cut(strands: Strands) -> NDArray[np.bool_]:
@@ -148,7 +150,7 @@ def _crop_cut(strands: Strands) -> NDArray[np.bool_]:
 
 
 GROOMS: Mapping[str, Groom] = {
-    "bob": Groom(ADULT, _bob_comb, _bob_cut, layers=(0.003, 0.013), blur=0.007, count=1000),
+    "bob": Groom(ADULT, _bob_comb, _bob_cut, layers=(0.003, 0.013), blur=0.007, count=1000, locks=0.2),
     "short": Groom(
         ADULT, _short_comb, _short_cut, layers=(0.002, 0.012), rise=0.025, hold=0.9, closing=0.0, count=1100,
     ),

@@ -166,6 +166,7 @@ PEOPLE: Mapping[str, Person] = {
             "age": 1.0,
             "brows": 0.66,
             "gloss": 0.12,
+            "scalp": 0.4,
         },
     ),
     "man": Person(

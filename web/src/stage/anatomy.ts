@@ -94,8 +94,8 @@ function hairAt(positions: Float32Array, row: number): number {
   const [a0, h0] = HAIRLINE[Math.max(0, line - 1)] as [number, number];
   const [a1, h1] = HAIRLINE[Math.max(0, line)] as [number, number];
   const height = a1 > a0 ? h0 + ((h1 - h0) * (angle - a0)) / (a1 - a0) : h0;
-  const ear = y < 0.026 ? smooth((Math.abs(x) - 0.072) / 0.006) : 0;
-  return smooth((y - height) / 0.016 + 0.5) * (1 - ear);
+  const ear = y < 0.026 ? smooth((Math.abs(x) - 0.0745) / 0.006) : 0;
+  return smooth((y - height) / 0.024 + 0.5) * (1 - ear);
 }
 
 /** Angle from straight ahead, and the height where hair begins (metres over the eyes). */

@@ -8,7 +8,7 @@ import { definesOf, type Features } from "./quality";
 import { Wardrobe, type Worn } from "./wardrobe";
 
 /** Pieces of a ribbon where its course is drawn round, where all ribbons are drawn, and where few are. */
-const PIECES = { round: 26, fine: 11, coarse: 5 };
+const PIECES = { round: 20, fine: 11, coarse: 5 };
 
 /** Edges by samples: alpha says how many of a pixel's samples a fibre covers; the picture's own alpha only grows. */
 const SOFT = {
@@ -17,6 +17,9 @@ const SOFT = {
   blendSrcAlpha: THREE.OneFactor,
   blendDstAlpha: THREE.OneFactor,
 };
+
+/** Thin ribbons that follow each strand where hair is drawn in detail, and how wide each is, of the whole. */
+const KIN = { count: 3, width: 0.62 };
 
 type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTexture>> &
   Record<"stations" | "grown" | "width", THREE.IUniform<number>> & { tint: THREE.IUniform<THREE.Color> };
@@ -135,14 +138,15 @@ function texture(
 
 /** Fewer ribbons are wider, so that they cover the head as all of them do. */
 function ribbons(style: Worn, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
-  const geometry = ribbon(style.hair, piecesOf(features));
-  geometry.instanceCount = Math.max(1, Math.round(features.hair * style.hair.anchors.length));
+  const kin = features.detail ? KIN.count : 1;
+  const geometry = ribbon(style.hair, piecesOf(features), kin);
+  geometry.instanceCount = kin * Math.max(1, Math.round(features.hair * style.hair.anchors.length));
   const look = material(HAIR_VERTEX, HAIR_FRAGMENT, {
     ...shared,
     ...own,
-    width: { value: (style.hair.width / 2) * features.hair ** -0.6 },
+    width: { value: (style.hair.width / 2) * features.hair ** -0.6 * (features.detail ? KIN.width : 1) },
   });
-  look.defines = { ...definesOf(features), ...(features.multisample ? { SOFT: "" } : {}) };
+  look.defines = { ...definesOf(features), KIN: kin, ...(features.multisample ? { SOFT: "" } : {}) };
   look.side = THREE.DoubleSide;
   Object.assign(look, features.multisample ? SOFT : { blending: THREE.NoBlending });
   const mesh = new THREE.Mesh(geometry, look);
@@ -157,7 +161,7 @@ function piecesOf(features: Features): number {
   return features.hair < 0.5 ? PIECES.coarse : PIECES.fine;
 }
 
-function ribbon(hair: HairStrands, pieces: number): THREE.InstancedBufferGeometry {
+function ribbon(hair: HairStrands, pieces: number, kin: number): THREE.InstancedBufferGeometry {
   const geometry = new THREE.InstancedBufferGeometry();
   const place: number[] = [];
   const index: number[] = [];
@@ -168,6 +172,6 @@ function ribbon(hair: HairStrands, pieces: number): THREE.InstancedBufferGeometr
   }
   geometry.setIndex(index);
   geometry.setAttribute("place", new THREE.Float32BufferAttribute(place, 2));
-  geometry.setAttribute("source", new THREE.InstancedBufferAttribute(Float32Array.from(hair.anchors), 1));
+  geometry.setAttribute("source", new THREE.InstancedBufferAttribute(Float32Array.from(hair.anchors), 1, false, kin));
   return geometry;
 }

@@ -52,6 +52,7 @@ out float vOpen;
 #endif
 
 #ifdef DETAIL
+#define KIN_APART 4.0 // half-widths of a ribbon that those of one strand spread over
 /** A round course through the stations (Catmull and Rom 1974): where it is \`part\` of the way between the middle two. */
 vec3 coursed(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
   return b + 0.5 * part * (c - a + part * (2.0 * a - 5.0 * b + 4.0 * c - d + part * (3.0 * (b - c) + d - a)));
@@ -65,23 +66,31 @@ vec3 heading(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
 float chanceOf(float salt) { return fract(sin(float(gl_InstanceID) * 12.9898 + salt) * 43758.5453); }
 
 void main() {
+#ifdef DETAIL
+  int strand = gl_InstanceID / KIN; // a few thin ribbons follow each strand
+#else
+  int strand = gl_InstanceID;
+#endif
   float chance = chanceOf(0.0);
   float roll = chanceOf(3.7) - 0.5;
   float length_ = clamp(grown * 1.5 - 0.5 * chance, 0.0, 1.0); // strands grow one after the other
+#ifdef DETAIL
+  length_ *= 1.0 - 0.14 * chanceOf(5.3);
+#endif
   float at = place.y * length_ * (stations - 1.0);
   int here = int(min(at, stations - 2.0));
-  vec3 before = texelFetch(strands, ivec2(max(here - 1, 0), gl_InstanceID), 0).xyz;
-  vec3 from = texelFetch(strands, ivec2(here, gl_InstanceID), 0).xyz;
-  vec3 to = texelFetch(strands, ivec2(here + 1, gl_InstanceID), 0).xyz;
+  vec3 before = texelFetch(strands, ivec2(max(here - 1, 0), strand), 0).xyz;
+  vec3 from = texelFetch(strands, ivec2(here, strand), 0).xyz;
+  vec3 to = texelFetch(strands, ivec2(here + 1, strand), 0).xyz;
 #ifdef DETAIL
   float part = at - float(here);
-  vec3 after = texelFetch(strands, ivec2(min(here + 2, int(stations) - 1), gl_InstanceID), 0).xyz;
+  vec3 after = texelFetch(strands, ivec2(min(here + 2, int(stations) - 1), strand), 0).xyz;
   vec4 facing = mix(
-    texelFetch(shape, ivec2(here, gl_InstanceID), 0), texelFetch(shape, ivec2(here + 1, gl_InstanceID), 0), part);
+    texelFetch(shape, ivec2(here, strand), 0), texelFetch(shape, ivec2(here + 1, strand), 0), part);
   vec3 spot = coursed(before, from, to, after, part);
   vec3 along = normalize(heading(before, from, to, after, part));
 #else
-  vec4 facing = texelFetch(shape, ivec2(int(at + 0.5), gl_InstanceID), 0);
+  vec4 facing = texelFetch(shape, ivec2(int(at + 0.5), strand), 0);
   vec3 spot = mix(from, to, at - float(here));
   vec3 along = normalize(to - before);
 #endif
@@ -89,7 +98,14 @@ void main() {
   vec3 aside = normalize(cross(along, away));
   away = cross(aside, along);
   aside = normalize(aside + roll * away);
+#ifdef DETAIL
+  float apart = KIN_APART * smoothstep(0.0, 0.15, place.y) * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
+  spot += apart * width * ((chanceOf(9.1) - 0.5) * aside + 0.4 * chanceOf(11.3) * away);
+#endif
   float thin = smoothstep(0.0, 0.12, length_) * (1.0 - 0.45 * place.y * place.y);
+#ifdef DETAIL
+  thin *= 1.0 - 0.8 * place.y * place.y * place.y * place.y; // to a point: noise alone leaves dust
+#endif
   vec3 point = fetchRow(positions) + spot + aside * (place.x * width * thin);
   vec3 normal = normalize(away + 0.55 * place.x * aside);
   point = turned(point, 1.0);
@@ -141,7 +157,11 @@ void main() {
 #endif
   float edge = vPlace.x * vPlace.x;
   float tip = vPlace.y * vPlace.y;
+#ifdef DETAIL
+  float bare = 0.22 * edge * edge + 0.16 * tip + 0.5 * smoothstep(0.9, 1.06, vPlace.y);
+#else
   float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
+#endif
   float cover = fibre.r - bare - 0.06; // fibres end one after the other, at the edges and at the tip
 #ifdef SOFT
   cover = clamp(cover / max(fwidth(cover), 1e-4) + 0.5, 0.0, 1.0);

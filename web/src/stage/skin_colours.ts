@@ -42,7 +42,7 @@ vec3 bare(Layers at) {
   seen *= mix(1.0, at.finish.b, 0.5 * pores);
   seen *= mix(vec3(1.0), vec3(0.70, 0.50, 0.42), at.marks.r * age);
   seen *= mix(vec3(1.0), vec3(0.70, 0.50, 0.36), at.marks.g * freckles);
-  seen = mix(seen, blush, at.mask.b * 0.5);
+  seen = mix(seen, blush, at.mask.b * 0.4);
   seen = mix(seen, 0.5 * brow + 0.14 * skin, at.marks.b * stubble * 0.78);
   return mix(seen, brow * 0.6 + lip * 0.18, at.patches.b * makeup * 0.85);
 }
@@ -57,7 +57,7 @@ vec3 pelt(Layers at) {
 
 Ground ground(Layers at, float hairline) {
   Ground found;
-  found.hair = smoothstep(0.35, 0.65, hairline + (at.marks.a - 0.5) * 0.5) * scalp;
+  found.hair = smoothstep(0.15, 0.9, hairline + (at.marks.a - 0.5) * 2.8 * hairline * (1.0 - hairline)) * scalp;
   float narrow = 0.3 * age;
   float human = smoothstep(0.06 + narrow, 0.5 + narrow, at.mask.r);
   found.lips = mix(human, smoothstep(0.86, 0.97, at.mask.r), fur);
