@@ -74,6 +74,7 @@ def cleared(points: Floats, skin: Floats, triangles: Ints) -> Floats:
         far, nearest = tree.query(points)
         height = ((points - spots[nearest]) * facing[nearest]).sum(axis=-1)
         push = np.where(far < BURIED, np.maximum(wanted - height, 0.0), 0.0)
+        push[:, 2:-1] = np.maximum(push, ndimage.uniform_filter1d(push, 3, axis=1))[:, 2:-1]  # no kink beside an ear
         push[:, 0] = 0.0
         points = points + push[..., None] * facing[nearest]
     return points

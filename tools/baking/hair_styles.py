@@ -28,6 +28,7 @@ ADULT = (
 )
 RECEDING = ((0.0, 0.107), (0.35, 0.106), (0.7, 0.096), (0.9, 0.066), (1.04, 0.034), *ADULT[9:])  # nothing beside ears
 TIED = (*ADULT[:5], (1.05, 0.022), *ADULT[9:])  # without whiskers
+FRINGED = ((0.0, 0.071), (0.35, 0.069), (0.6, 0.064), *ADULT[3:])  # a child's forehead is high
 PEAKED = ((0.0, 0.068), (0.14, 0.075), (0.4, 0.086), (0.62, 0.075), *TIED[3:])
 WHORL = np.array([0.0, 0.125, 0.04])
 PART = 0.032  # how far to the character's left hair is parted
@@ -72,7 +73,8 @@ def _short_comb(strands: Strands) -> Floats:
     top = _eased(strands.roots[:, 1], 0.055, 0.09)
     across = np.where(strands.roots[:, 0] > PART, 1.0, -1.0)
     over = np.stack([1.2 * across, np.full_like(x, -0.1), np.where(z > 0.07, 0.35, -0.5)], axis=1)
-    down = np.stack([0.0 * x, np.full_like(y, -1.0), np.full_like(z, -0.45)], axis=1)
+    back = -0.45 * _eased(strands.roots[:, 1], 0.0, 0.04)  # not over the ears
+    down = np.stack([0.0 * x, np.full_like(y, -1.0), np.where(z < 0.04, -0.45, back)], axis=1)
     lean = (strands.chance[:, 1:2] - 0.5) * [0.5, 0.0, 0.7]
     return np.asarray(top[:, None] * over + (1.0 - top[:, None]) * down + lean)
 
@@ -160,8 +162,8 @@ GROOMS: Mapping[str, Groom] = {
         count=520,
     ),
     "mop": Groom(
-        ADULT, _mop_comb, _mop_cut, layers=(0.003, 0.018), hold=0.8, closing=0.006, wave=(0.0018, 0.045),
-        width=0.0045, count=1400,
+        FRINGED, _mop_comb, _mop_cut, layers=(0.003, 0.018), hold=0.8, closing=0.006, wave=(0.0018, 0.045),
+        width=0.0045, count=1400, locks=0.45,
     ),
     "bun": Groom(
         TIED, _up_comb, _up_cut, layers=(0.002, 0.006), hold=1.0, free=-0.2, coil=Coil(KNOT, radius=0.027), count=850,
