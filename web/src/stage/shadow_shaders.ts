@@ -89,8 +89,7 @@ void main() {
   vec4 fibre = texture(grain, vec2(vPlace.x * 0.05 + vChance.x * 7.3, vPlace.y * 0.013 + vChance.y));
   float edge = vPlace.x * vPlace.x;
   float tip = vPlace.y * vPlace.y;
-  float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
-  if (fibre.r < bare + 0.06) discard;
+  if (fibre.r < 0.1 * edge * edge + 0.12 * tip + 0.5 * smoothstep(0.9, 1.06, vPlace.y)) discard;
 #endif
   height = vec4(1.0 - gl_FragCoord.z, 0.0, 0.0, 1.0);
 }

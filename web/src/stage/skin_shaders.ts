@@ -23,7 +23,8 @@ vec3 bounced(float open, vec3 albedo) {
 }
 
 vec3 deepened(vec3 albedo, float flesh) {
-  return mix(vec3(1.0), 1.12 * albedo / max(max(albedo.r, albedo.g), max(albedo.b, 1e-3)), 0.28 * flesh);
+  return mix(vec3(1.0), 1.12 * albedo / max(max(albedo.r, albedo.g), max(albedo.b, 1e-3)), 0.28 * flesh)
+    * mix(vec3(1.0), vec3(1.07, 0.97, 0.95), flesh); // blood lets red pass
 }
 `;
 
