@@ -1,7 +1,10 @@
 """Strands grow the same on every bake, from the scalp to their tips, and shade each other."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from omote.builtin import load_cast
 from tools.baking.hair import grown_style
@@ -35,3 +38,17 @@ def test_strands_are_smooth_and_lie_in_the_light(name: str) -> None:
     assert 0.0 < steps.max() < 0.05
     assert ((hair.light > 0.0) & (hair.light <= 1.0)).all()
     assert np.linalg.norm(hair.facing, axis=-1) == pytest.approx(1.0, abs=2e-3)
+
+
+def test_neighbours_of_a_lock_are_combed_alike() -> None:
+    groom = replace(GROOMS["mop"], count=300)
+    roots = roots_of(groom, SPACE.points, SPACE.triangles)
+    _, near = cKDTree(roots).query(roots, k=2)
+
+    def turned_away(locks: float) -> float:
+        strands = grown_style("mop", replace(groom, locks=locks), SPACE).points
+        ways = strands[:, -1] - strands[:, 0]
+        ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+        return float(np.median(1.0 - (ways * ways[near[:, 1]]).sum(axis=1)))
+
+    assert turned_away(0.8) < turned_away(0.0)
