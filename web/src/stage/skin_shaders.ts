@@ -205,7 +205,7 @@ void main() {
   float oil = (0.05 + 0.13 * at.lips * gloss + 0.06 * lacquer) * (1.0 - at.hair) * (1.0 - 0.7 * at.fur) * vTraits.x;
   vec3 seen = at.albedo * vDiffuse;
   seen += KEY_LIGHT * oil * (vGloss.x + (1.2 + 3.0 * at.lips) * vGloss.y);
-  seen += RIM_LIGHT * vGloss.z * mix(0.12 + 1.1 * at.albedo, vec3(0.16), at.hair);
+  seen += RIM_LIGHT * vGloss.z * mix(0.02 + 0.85 * at.albedo, vec3(0.16), at.hair);
 #else
   vec3 seen = lit(layers, at, vTraits.x);
 #endif
