@@ -104,7 +104,8 @@ void main() {
 #endif
   float thin = smoothstep(0.0, 0.12, length_) * (1.0 - 0.45 * place.y * place.y);
 #ifdef DETAIL
-  thin *= 1.0 - 0.8 * place.y * place.y * place.y * place.y; // to a point: noise alone leaves dust
+  float end = place.y * place.y;
+  thin *= (1.0 - 0.8 * end * end) * mix(0.45, 1.0, smoothstep(0.0, 0.2, place.y)); // to a point: noise leaves dust
 #endif
   vec3 point = fetchRow(positions) + spot + aside * (place.x * width * thin);
   vec3 normal = normalize(away + 0.55 * place.x * aside);
