@@ -16,7 +16,7 @@ in vec4 place; // depth in the mouth, angle on the arch, height from the gum (0)
 out vec3 vPoint;
 out vec3 vNormal;
 out vec4 vPlace;
-out vec2 vLight; // of the key, of what comes from everywhere
+out vec3 vLight; // of the key, of what comes from everywhere, and how far the lips are shut
 
 /** The depth of a point so many metres nearer to the camera. */
 float inFront(vec3 point, float nearer) {
@@ -52,7 +52,8 @@ void main() {
   vec2 through = insideOf(gapAt(seenAt.x), seenAt); // never through the chin: only what is seen between the lips
   float shown = smoothstep(0.0, 0.004, min(through.x, through.y)) * smoothstep(0.006, 0.014, high);
   gl_Position.z = inFront(vPoint, ${AHEAD} * (1.0 - place.w) * shown) * gl_Position.w;
-  vLight = mix(vec2(direct, sky) * parted, vec2(1.0), smoothstep(0.002, -0.003, behind)); // a tongue that is out is in the light
+  float within = smoothstep(-0.003, 0.002, behind); // a tongue that is out is in the light
+  vLight = vec3(mix(vec2(1.0), vec2(direct, sky) * parted, within), (1.0 - parted) * within);
 }
 `;
 
@@ -62,7 +63,9 @@ uniform sampler2D grain;
 in vec3 vPoint;
 in vec3 vNormal;
 in vec4 vPlace;
-in vec2 vLight;
+in vec3 vLight;
+
+const vec3 SEAM = vec3(0.075, 0.016, 0.013);
 
 /** Light on something wet in the mouth: through the lips, and back from the red walls. */
 vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
@@ -73,10 +76,11 @@ vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
   vec3 fallen = KEY_LIGHT * key * direct * 0.9;
   vec3 sky = (FILL_LIGHT * clamp(dot(normal, FILL) * 0.5 + 0.5, 0.0, 1.0) + ambient(normal) + KEY_LIGHT * 0.30) * around;
   vec3 walls = vec3(0.20, 0.055, 0.045) * KEY_LIGHT * around * around;
+  vec3 shut = SEAM * (KEY_LIGHT + FILL_LIGHT) * vLight.z; // between closed lips: their own wet dark red, not a black slit
   vec3 light = albedo * (fallen + sky + walls);
   float gleam = shine(normal, view, KEY, 60.0) + 0.35 * shine(normal, view, KEY, 14.0);
   light += wet * (KEY_LIGHT * gleam * direct + FILL_LIGHT * shine(normal, view, FILL, 30.0) * around);
-  return light;
+  return mix(light, shut, vLight.z);
 }
 
 vec3 facing() { return normalize(gl_FrontFacing ? vNormal : -vNormal); }

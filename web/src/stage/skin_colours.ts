@@ -31,8 +31,8 @@ struct Layers {
   vec4 finish; // oil, thinness, fine hollows, mottling of the blood
 };
 
-/** What the light falls on: the colour, and how much of it is lip, hair (brows too), fur, or bare leather (0..1 each). */
-struct Ground { vec3 albedo; float lips; float hair; float fur; float leather; };
+/** What the light falls on: the colour, and how much of it is lip, hair (brows too), fur, bare leather, or lining (0..1 each). */
+struct Ground { vec3 albedo; float lips; float hair; float fur; float leather; float lining; };
 
 /** How much a brow's hairs cover: the thinner the brow, the higher the threshold. */
 float browHairs(float drawn) { return clamp((drawn - mix(1.0, -0.12, brows)) * 2.6, 0.0, 1.0); }
@@ -64,6 +64,7 @@ Ground ground(Layers at, float hairline) {
   // The mouth's lining: painted like lips, in little light; wet flesh on every face, under fur too.
   float lining = smoothstep(0.55, 0.7, at.mask.r) * (1.0 - smoothstep(0.38, 0.5, at.mask.a));
   found.lips = max(found.lips, lining);
+  found.lining = lining;
   found.fur = fur * (1.0 - found.lips);
   float leather = smoothstep(0.80, 0.92, at.patches.r);
   found.leather = found.fur * leather;
