@@ -40,6 +40,8 @@ ROOT = Path(__file__).resolve().parent.parent
 PLAIN = "fbb58a1"
 """The last commit with the plain look."""
 LEVELS = ("lowest", "low", "medium", "high")
+# Chromium rounds its time stamps to 0.1 ms: every second of a display's 60 frames a second are 29.9 by them.
+ROUNDED = 0.1
 LEAST_FPS, MOST_SECONDS, MOST_WIRE, MOST_WHEEL = 30.0, 2.0, 10.0, 25.0
 SECONDS = 3.0
 DRAWN = "() => Boolean(window.omoteStage?.counters().drawn)"
@@ -84,7 +86,7 @@ class Row:
     @property
     def holds(self) -> bool:
         """Whether the bar is kept."""
-        return self.bar is None or (self.value >= self.bar if self.least else self.value <= self.bar)
+        return self.bar is None or (self.value >= self.bar - ROUNDED if self.least else self.value <= self.bar)
 
 
 def plain_pages(folder: Path) -> dict[str, Page] | None:

@@ -25,6 +25,8 @@ MARGIN, FREE = 0.0015, 0.014
 # A push spreads over so many rings, from one to the next this share of it; then what is still outside by more than
 # EXACT metres is pushed again.
 RINGS, SHARE, ROUNDS, EXACT = 4, 0.75, 12, 1e-6
+# What has moved by less, metres, has not moved.
+MOVED = 1e-5
 # Skin that the ray from the axis only grazes, cosines below MET, says little of what lies behind it: bag may lie SLACK
 # metres in front of it where it is parallel to the ray, less toward MET.
 MET, SLACK = 0.2, 0.02
@@ -104,8 +106,8 @@ def lined(space: ParameterSpace, positions: Floats, /) -> Floats:
 
 
 def _still(bag: Bag, positions: Floats, rest: Floats) -> bool:
-    """Whether neither the bag nor the skin over it has moved: then it is as far inside as at rest."""
-    return bool(np.array_equal(positions[bag.over], rest[bag.over]))
+    """Whether neither the bag nor the skin over it has moved by MOVED: then it is as far inside as at rest."""
+    return bool(np.abs(positions[bag.over] - rest[bag.over]).max() < MOVED)
 
 
 def put(space: ParameterSpace, bag: Bag, positions: Floats, placed: Values, /) -> Floats:

@@ -10,6 +10,7 @@ triangles about to turn over are kept from it by projecting their vertices (posi
 from __future__ import annotations
 
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,17 +66,43 @@ def allowance(settling: Settling, face: Fitted, expression: Expression, worn: Fl
 
     worn (V, 3): the compound of face and expression.
     """
-    balls = Balls.of(face, settling.eyes, expression.eyes)
-    here, there = face.positions[settling.rows].astype(np.float64), worn[settling.rows].astype(np.float64)
-    normals, sizes = rest_normals(here, settling.triangles)
-    areas = UPRIGHT + AREA_SLACK - shares(there, normals, sizes, settling.triangles)
+    still = _still_of(settling, face)
+    balls = Balls(still.balls.centres, still.balls.radii, expression.eyes)
+    here, there = still.points, worn[settling.rows].astype(np.float64)
+    areas = UPRIGHT + AREA_SLACK - shares(there, still.normals, still.sizes, settling.triangles)
     rungs = []
     for crossing in settling.crossings:
         _, least, now = _openings(crossing, here, there)
         rungs.append(least - now + LENGTH_SLACK)
-    lids = _depths(settling, there, balls) - _depths(settling, here, balls.ahead()) + LENGTH_SLACK
+    lids = _depths(settling, there, balls) - still.depths + LENGTH_SLACK
     result = np.concatenate([areas, *rungs, lids])
     return np.where(_beyond_slack(settling, result), result, 0.0).astype(np.float32)
+
+
+@dataclass(frozen=True, eq=False)
+class _Still:
+    """What is the same for all compounds of one face: rows (m, 3) at rest, triangles' normals and their squared
+    lengths, eyeballs, and how deep lids lie in them."""
+
+    points: Values
+    normals: Values
+    sizes: Values
+    balls: Balls
+    depths: Values
+
+
+_stills: WeakKeyDictionary[Fitted, tuple[Settling, _Still]] = WeakKeyDictionary()
+
+
+def _still_of(settling: Settling, face: Fitted) -> _Still:
+    known = _stills.get(face)
+    if known is None or known[0] is not settling:
+        points = face.positions[settling.rows].astype(np.float64)
+        balls = Balls.of(face, settling.eyes, np.zeros((2, 2)))
+        normals, sizes = rest_normals(points, settling.triangles)
+        known = (settling, _Still(points, normals, sizes, balls, _depths(settling, points, balls)))
+        _stills[face] = known
+    return known[1]
 
 
 def _beyond_slack(settling: Settling, values: Values) -> NDArray[np.bool_]:
