@@ -21,10 +21,7 @@ BEYOND = 0.01
 def balls_of(source: Source, face: Face) -> tuple[tuple[Values, float], ...]:
     """Centre (3,) and radius of both eyeballs of a face, metres: the mean distance of its vertices."""
     fitted = fit(source.space, face)
-    return tuple(
-        (fitted.centres[name], float(np.linalg.norm(fitted.parts[name] - fitted.centres[name], axis=1).mean()))
-        for name in EYES
-    )
+    return tuple((fitted.centres[name], fitted.ball_radius(name)) for name in EYES)
 
 
 def depth_in_balls(balls: tuple[tuple[Values, float], ...], positions: Values, rest: Values, still: Values) -> Values:

@@ -87,10 +87,8 @@ def carrier(space: ParameterSpace, face: Face, /) -> Carrier:
 
 
 def _balls(space: ParameterSpace, fitted: Fitted) -> tuple[Ball, ...]:
-    """The eyeballs of a face: their centres, and the mean distance of their vertices."""
-    eyes = [name for name, part in space.parts.items() if part.eye]
-    radii = {name: float(np.linalg.norm(fitted.parts[name] - fitted.centres[name], axis=1).mean()) for name in eyes}
-    return tuple(Ball(fitted.centres[name], radii[name]) for name in eyes)
+    """The eyeballs of a face."""
+    return tuple(Ball(fitted.centres[name], fitted.ball_radius(name)) for name, part in space.parts.items() if part.eye)
 
 
 def predicted(space: ParameterSpace, name: str, displacement: NDArray[np.float64], /) -> NDArray[np.float64]:

@@ -33,6 +33,10 @@ class Fitted:
     sizes: Mapping[str, float]
     centres: Mapping[str, NDArray[np.float64]]
 
+    def ball_radius(self, eye: str) -> float:
+        """The radius of an eyeball by its part's name, metres: the mean distance of its vertices to their centre."""
+        return float(np.linalg.norm(self.parts[eye] - self.centres[eye], axis=1).mean())
+
 
 _fitted: WeakKeyDictionary[Face, tuple[ParameterSpace, Fitted]] = WeakKeyDictionary()
 

@@ -52,8 +52,10 @@ def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[st
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
-    moved = _exact_parts(cast, frame, channels) if mode == "exact" else _bilinear_parts(cast, frame, channels)
-    moved |= _stuck(cast, frame, channels, mode, moved)
+    mixed = _mixed(cast, frame, channels, mode)
+    exact = mode == "exact"
+    moved = _exact_parts(cast, frame, channels, mixed) if exact else _bilinear_parts(cast, frame, channels)
+    moved |= _stuck(cast, frame, channels, mixed, moved)
     fitted = [(weight, fit(cast.space, cast.faces[face])) for face, weight in frame.faces.items()]
     centres = {part: _sum((weight, face.centres[part]) for weight, face in fitted) for part in cast.space.parts}
     return turned_eyes(cast.space, moved, centres, eye_angles(cast.expressions, frame.expressions, channels))
@@ -110,13 +112,12 @@ def _settled(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Flo
 
 
 def _stuck(
-    cast: Cast, frame: Frame, channels: Mapping[str, float], mode: Mode, moved: Mapping[str, Floats]
+    cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats, moved: Mapping[str, Floats]
 ) -> dict[str, Floats]:  # fmt: skip
     """The parts that stick to the skin, gone with it where it settled."""
     settling = settling_of(cast.space)
     if settling is None:
         return {}
-    mixed = _mixed(cast, frame, channels, mode)
     settled_skin = _settled(cast, frame, channels, mixed)
     if settled_skin is mixed:
         return {}
@@ -164,14 +165,14 @@ def _mixed_face(cast: Cast, weights: Mapping[str, float]) -> Fitted:
     )
 
 
-def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dict[str, Floats]:
+def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> dict[str, Floats]:
     worn = combined(((1.0, frame.expressions), (1.0, channels)))
     face = _mixed_face(cast, frame.faces)
     moving = {part: [name for name in worn if part in cast.expressions[name].parts] for part in cast.space.parts}
     rest = {
         part: _sum((worn[name], cast.expressions[name].parts[part]) for name in names) for part, names in moving.items()
     }
-    return moved_parts(cast.space, face, _exact(cast, frame, channels), rest)
+    return moved_parts(cast.space, face, mixed, rest)
 
 
 def _bilinear_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dict[str, Floats]:

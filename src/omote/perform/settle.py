@@ -52,7 +52,7 @@ class Balls:
     @staticmethod
     def of(face: Fitted, eyes: tuple[str, ...], angles: Values) -> Balls:
         """The eyeballs of a face, by their parts' names, turned by angles (2, 2)."""
-        radii = [np.linalg.norm(face.parts[eye] - face.centres[eye], axis=1).mean() for eye in eyes]
+        radii = [face.ball_radius(eye) for eye in eyes]
         return Balls(np.array([face.centres[eye] for eye in eyes]).reshape(-1, 3), np.array(radii), angles)
 
     def ahead(self) -> Balls:
@@ -123,13 +123,14 @@ def settled(settling: Settling, rest: Floats, positions: Floats, allowed: Floats
     areas, rungs, lids = _split(settling, allowed)
     normals, sizes = rest_normals(here, settling.triangles)
     goals = UPRIGHT - areas
+    lids = lids + _depths(settling, here, balls.ahead())
     for half in range(2):
         for _ in range(2 - half):
             _part(settling, here, points, rungs)
         if half == 0:
-            _leave(settling, here, points, lids, balls)
+            _leave(settling, points, lids, balls)
         keep_upright(points, normals, sizes, settling.triangles, goals, ROUNDS // 2)
-    _leave(settling, here, points, lids, balls)
+    _leave(settling, points, lids, balls)
     move = points - mixed
     if not move.any():
         return positions
@@ -200,10 +201,8 @@ def _in_balls(settling: Settling, points: Values, balls: Balls) -> tuple[Values,
     return radius - distance, outward
 
 
-def _leave(settling: Settling, rest: Values, points: Values, allowed: Values, balls: Balls) -> None:
-    """Pushes lids out of the eyeballs, in place, as far as they lie deeper than at rest and allowed."""
-    if len(settling.lids) == 0:
-        return
+def _leave(settling: Settling, points: Values, allowed: Values, balls: Balls) -> None:
+    """Pushes lids out of the eyeballs, in place, as far as they lie deeper than allowed (r,)."""
     depth, outward = _in_balls(settling, points, balls)
-    push = np.maximum(depth - _depths(settling, rest, balls.ahead()) - allowed, 0.0)
+    push = np.maximum(depth - allowed, 0.0)
     points[settling.lids] += push[:, None] * outward

@@ -34,6 +34,7 @@ from omote.show.messages import (
     MeshDocument,
 )
 from omote.show.settling import allowance_document, ball_radii, settling_document
+from omote.show.wire import little
 
 FINEST_STEP = 1e-6
 """Metres per count at least: what moves less than half of it rests, so that compounds stay sparse."""
@@ -68,7 +69,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         vertices=sum(len(part.points) for part in cast.space.parts.values()) + cast.space.vertex_count,
         skin=cast.space.vertex_count,
         meshes=[_mesh_document(mesh, starts) for mesh in meshes],
-        lines=[LineDocument(line.name, _little(line.loop, "<u4")) for line in cast.space.lines],
+        lines=[LineDocument(line.name, little(line.loop, "<u4")) for line in cast.space.lines],
         mask=mask,
         faces=[_face_document(cast, face, urls[name]) for name, face in cast.faces.items()],
         expressions=[_expression_document(cast, name) for name in cast.expressions],
@@ -78,7 +79,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
     )
     return Documents(
         manifest,
-        faces={urls[name]: FaceAsset(_little(rest, "<f4")) for name, rest in rests.items()},
+        faces={urls[name]: FaceAsset(little(rest, "<f4")) for name, rest in rests.items()},
         hair={combed[name]: asset for name, asset in hair.items()},
     )
 
@@ -126,12 +127,12 @@ def hair_asset(style: HairStyle) -> HairAsset:
         links=LINKS,
         width=style.width,
         scale=HAIR_STEP,
-        points=_little(np.rint(style.points / HAIR_STEP), "<i2"),
-        rows=_little(style.rows, "<u4"),
-        weights=_little(np.rint(style.weights * 255), "u1"),
-        anchors=_little(style.anchors, "<u4"),
-        facing=_little(np.rint(style.facing * 127), "i1"),
-        light=_little(np.rint(style.light * 255), "u1"),
+        points=little(np.rint(style.points / HAIR_STEP), "<i2"),
+        rows=little(style.rows, "<u4"),
+        weights=little(np.rint(style.weights * 255), "u1"),
+        anchors=little(style.anchors, "<u4"),
+        facing=little(np.rint(style.facing * 127), "i1"),
+        light=little(np.rint(style.light * 255), "u1"),
     )
 
 
@@ -140,7 +141,7 @@ def quantised(moves: NDArray[np.float64]) -> CompoundAsset:
     scale = float(max(np.abs(moves).max(initial=0.0) / MOST_COUNTS, FINEST_STEP))
     counts = np.rint(moves / scale).astype(np.int16)
     moved = np.flatnonzero(counts.any(axis=1))
-    return CompoundAsset(scale=scale, indices=_little(moved, "<u4"), deltas=_little(counts[moved], "<i2"))
+    return CompoundAsset(scale=scale, indices=little(moved, "<u4"), deltas=little(counts[moved], "<i2"))
 
 
 def unpacked(asset: CompoundAsset, count: int) -> NDArray[np.float64]:
@@ -154,7 +155,7 @@ def _mesh_document(mesh: BakedMesh, starts: dict[str, int]) -> MeshDocument:
     if mesh.name not in starts:
         raise ValueError(f"there is no part {mesh.name!r} to draw; the space has {', '.join(starts)}")
     source = np.asarray(mesh.source, np.int64) + starts[mesh.name]
-    return MeshDocument(mesh.name, _little(source, "<u4"), _little(mesh.uv, "<f4"), _little(mesh.triangles, "<u4"))
+    return MeshDocument(mesh.name, little(source, "<u4"), little(mesh.uv, "<f4"), little(mesh.triangles, "<u4"))
 
 
 def _face_document(cast: Cast, face: Face, url: str) -> FaceDocument:
@@ -198,7 +199,3 @@ def _expression_document(cast: Cast, name: str) -> ExpressionDocument:
 
 def _vector(point: NDArray[np.floating] | None) -> Vector:
     return (0.0, 0.0, 0.0) if point is None else (float(point[0]), float(point[1]), float(point[2]))
-
-
-def _little(array: NDArray[np.generic], dtype: str) -> bytes:
-    return np.ascontiguousarray(array, dtype=dtype).tobytes()

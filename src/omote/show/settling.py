@@ -12,6 +12,7 @@ from omote.model.settling import Crossing, Settling, settling_of
 from omote.perform.settle import BULGE, CORNEA, ROUNDS, UPRIGHT, Balls, allowance
 from omote.perform.upright import EAGER, FLATTEST
 from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument
+from omote.show.wire import little
 
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int32]
@@ -25,19 +26,19 @@ def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | 
     followers, anchors, weights = _followers(cast, settling, starts)
     return SettlingDocument(
         rounds=ROUNDS, upright=UPRIGHT, eager=EAGER, flattest=FLATTEST, bulge=BULGE, cornea=CORNEA,
-        rows=_little(settling.rows, "<u4"),
-        triangles=_little(settling.triangles, "<u4"),
+        rows=little(settling.rows, "<u4"),
+        triangles=little(settling.triangles, "<u4"),
         crossings=[_crossing(crossing) for crossing in settling.crossings],
-        lids=_little(settling.lids, "<u4"), eye=_little(settling.eye, "<u4"),
-        followers=_little(followers, "<u4"), anchors=_little(anchors, "<u4"), weights=_little(weights, "<f4"),
+        lids=little(settling.lids, "<u4"), eye=little(settling.eye, "<u4"),
+        followers=little(followers, "<u4"), anchors=little(anchors, "<u4"), weights=little(weights, "<f4"),
     )  # fmt: skip
 
 
 def _crossing(crossing: Crossing) -> CrossingDocument:
     return CrossingDocument(
         upward=crossing.kind == "lips",
-        vertices=_little(crossing.vertices, "<u4"), weights=_little(crossing.weights, "<f4"),
-        near=_little(crossing.near, "<u4"), side=_little(crossing.side, "<f4"), share=_little(crossing.share, "<f4"),
+        vertices=little(crossing.vertices, "<u4"), weights=little(crossing.weights, "<f4"),
+        near=little(crossing.near, "<u4"), side=little(crossing.side, "<f4"), share=little(crossing.share, "<f4"),
     )  # fmt: skip
 
 
@@ -66,7 +67,7 @@ def allowance_document(cast: Cast, face: Face, expression: str, skin: Floats) ->
         return None
     allowed = allowance(settling, fit(cast.space, face), cast.expressions[expression], skin)
     places = np.flatnonzero(allowed)
-    return AllowanceDocument(places=_little(places, "<u4"), values=_little(allowed[places], "<f4"))
+    return AllowanceDocument(places=little(places, "<u4"), values=little(allowed[places], "<f4"))
 
 
 def ball_radii(cast: Cast, face: Face) -> tuple[float, float]:
@@ -76,7 +77,3 @@ def ball_radii(cast: Cast, face: Face) -> tuple[float, float]:
         return 0.0, 0.0
     left, right = Balls.of(fit(cast.space, face), settling.eyes, np.zeros((2, 2))).radii.tolist()
     return left, right
-
-
-def _little(array: NDArray[np.generic], dtype: str) -> bytes:
-    return np.ascontiguousarray(array, dtype=dtype).tobytes()

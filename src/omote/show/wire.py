@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import msgspec
+import numpy as np
+from numpy.typing import NDArray
 
 from omote.show.door import Refusal
 from omote.show.messages import MESSAGE_LIMIT, CompoundAsset, FaceAsset, FromClient, FromServer, HairAsset, Manifest
@@ -30,3 +32,8 @@ def decode(data: bytes) -> FromClient:
 def decode_answer(data: bytes) -> FromServer:
     """The server's message in `data`, for clients written in Python; msgspec.DecodeError for bytes that are none."""
     return _from_server.decode(data)
+
+
+def little(array: NDArray[np.generic], dtype: str) -> bytes:
+    """The bytes of an array for a document, as the little-endian dtype that it names."""
+    return np.ascontiguousarray(array, dtype=dtype).tobytes()

@@ -1,4 +1,5 @@
 import { decode } from "@msgpack/msgpack";
+import { aligned } from "./arrays";
 import { Backoff } from "./backoff";
 import type { CompoundAsset, FaceAsset, HairAsset, LineDocument, Manifest, MeshDocument } from "./messages";
 import { type HairStrands, readStrands } from "./strands";
@@ -25,8 +26,6 @@ export type Fetch = (address: string) => Promise<Uint8Array>;
 
 /** An answer that trying again will not change. */
 export class RefusedAddress extends Error {}
-
-const aligned = (bytes: Uint8Array): ArrayBuffer => bytes.slice().buffer as ArrayBuffer; // a view's offset may be odd
 
 /** The bytes behind an address of our server; RefusedAddress for a 4xx answer. */
 export async function fetchBytes(address: string): Promise<Uint8Array> {

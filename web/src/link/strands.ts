@@ -1,3 +1,4 @@
+import { aligned } from "./arrays";
 import type { HairAsset } from "./messages";
 
 /** Strands of hair on the generic face; n strands of `stations` places, root to tip. */
@@ -20,15 +21,13 @@ export interface HairStrands {
   light: Uint8Array;
 }
 
-const whole = (bytes: Uint8Array): ArrayBuffer => bytes.slice().buffer as ArrayBuffer; // a view's offset may be odd
-
 /** Strands as typed arrays; an Error when they do not belong to a skin of `skin` rows, or to each other. */
 export function readStrands(asset: HairAsset, skin: number): HairStrands {
   const { stations, links, width } = asset;
-  const points = Float32Array.from(new Int16Array(whole(asset.points)), (count) => count * asset.scale);
-  const rows = new Uint32Array(whole(asset.rows));
-  const anchors = new Uint32Array(whole(asset.anchors));
-  const counts = new Uint8Array(whole(asset.weights));
+  const points = Float32Array.from(new Int16Array(aligned(asset.points)), (count) => count * asset.scale);
+  const rows = new Uint32Array(aligned(asset.rows));
+  const anchors = new Uint32Array(aligned(asset.anchors));
+  const counts = new Uint8Array(aligned(asset.weights));
   const places = anchors.length * stations;
   const lengths = [points.length / 3, rows.length / links, counts.length / links, asset.light.length];
   if (!lengths.every((length) => length === places) || asset.facing.length !== 3 * places)
@@ -43,8 +42,8 @@ export function readStrands(asset: HairAsset, skin: number): HairStrands {
     rows,
     weights: shares(counts, links),
     anchors,
-    facing: new Int8Array(whole(asset.facing)),
-    light: new Uint8Array(whole(asset.light)),
+    facing: new Int8Array(aligned(asset.facing)),
+    light: new Uint8Array(aligned(asset.light)),
   };
 }
 

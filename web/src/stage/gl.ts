@@ -43,40 +43,38 @@ export function targetTexture(
 }
 
 /** Pairs of whole numbers as a texture, `width` pairs to a line. */
-export function dataTexture(gl: WebGL2RenderingContext, pairs: Uint32Array, width: number): WebGLTexture {
-  const height = Math.max(1, Math.ceil(pairs.length / 2 / width));
-  const padded = new Uint32Array(2 * width * height);
-  padded.set(pairs);
-  const texture = nearestTexture(gl, gl.RG32UI, width, height);
-  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RG_INTEGER, gl.UNSIGNED_INT, padded);
-  return texture;
-}
+export const dataTexture = (gl: WebGL2RenderingContext, pairs: Uint32Array, width: number): WebGLTexture =>
+  filledTexture(gl, pairs, 2, width);
+
+/** Whole numbers as a texture, four to a texel and `width` texels to a line. */
+export const wholeTexture = (gl: WebGL2RenderingContext, values: Uint32Array, width: number): WebGLTexture =>
+  filledTexture(gl, values, 4, width);
 
 /** Numbers as a float texture, `parts` (1, 2 or 4) to a texel and `width` texels to a line. */
-export function floatTexture(
+export const floatTexture = (
   gl: WebGL2RenderingContext,
   values: Float32Array,
   parts: 1 | 2 | 4,
   width: number,
+): WebGLTexture => filledTexture(gl, values, parts, width);
+
+function filledTexture(
+  gl: WebGL2RenderingContext,
+  values: Uint32Array | Float32Array,
+  parts: 1 | 2 | 4,
+  width: number,
 ): WebGLTexture {
   const height = Math.max(1, Math.ceil(values.length / parts / width));
-  const padded = new Float32Array(parts * width * height);
+  const real = values instanceof Float32Array;
+  const padded = new (real ? Float32Array : Uint32Array)(parts * width * height);
   padded.set(values);
-  const [inside, format] = { 1: [gl.R32F, gl.RED], 2: [gl.RG32F, gl.RG], 4: [gl.RGBA32F, gl.RGBA] }[parts] as [
-    number,
-    number,
-  ];
+  const inside = real
+    ? { 1: gl.R32F, 2: gl.RG32F, 4: gl.RGBA32F }[parts]
+    : { 1: gl.R32UI, 2: gl.RG32UI, 4: gl.RGBA32UI }[parts];
+  const format = real
+    ? { 1: gl.RED, 2: gl.RG, 4: gl.RGBA }[parts]
+    : { 1: gl.RED_INTEGER, 2: gl.RG_INTEGER, 4: gl.RGBA_INTEGER }[parts];
   const texture = nearestTexture(gl, inside, width, height);
-  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, format, gl.FLOAT, padded);
-  return texture;
-}
-
-/** Whole numbers as a texture, four to a texel and `width` texels to a line. */
-export function wholeTexture(gl: WebGL2RenderingContext, values: Uint32Array, width: number): WebGLTexture {
-  const height = Math.max(1, Math.ceil(values.length / 4 / width));
-  const padded = new Uint32Array(4 * width * height);
-  padded.set(values);
-  const texture = nearestTexture(gl, gl.RGBA32UI, width, height);
-  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, padded);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, format, real ? gl.FLOAT : gl.UNSIGNED_INT, padded);
   return texture;
 }

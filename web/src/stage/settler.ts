@@ -77,6 +77,7 @@ export class Settler {
       spread: createProgram(gl, PASS_VERTEX, SPREAD_FRAGMENT),
     };
     this.nothing = gl.createVertexArray();
+    this.fix();
   }
 
   /** The mixed face without expression is new in `still`. */
@@ -149,26 +150,35 @@ export class Settler {
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, DATA_WIDTH, lines, gl.RED, gl.FLOAT, this.allowedTexels);
   }
 
-  /** What stays the same in all passes of a frame. */
-  private prepare({ centres, radii, sights }: Sockets): void {
+  /** What never changes. */
+  private fix(): void {
     const { gl, programs, settling } = this;
     const { bulge, cornea, upright, eager, flattest } = settling.document;
+    for (const program of [programs.part, programs.upright]) {
+      gl.useProgram(program);
+      gl.uniform2f(gl.getUniformLocation(program, "cornea"), bulge, Math.cos(cornea));
+    }
+    const last = (name: string) => gl.getUniformLocation(programs.upright, name);
+    gl.uniform1f(last("upright"), upright);
+    gl.uniform1f(last("eager"), eager);
+    gl.uniform1f(last("flattest"), flattest);
+    gl.useProgram(programs.rung);
+    gl.uniform1i(gl.getUniformLocation(programs.rung, "first"), settling.triangles.length / 4);
+    gl.uniform1fv(gl.getUniformLocation(programs.rung, "upward"), settling.upward);
+    gl.useProgram(programs.spread);
+    gl.uniform1i(gl.getUniformLocation(programs.spread, "width"), settling.width);
+  }
+
+  /** What stays the same in all passes of a frame. */
+  private prepare({ centres, radii, sights }: Sockets): void {
+    const { gl, programs } = this;
     for (const program of [programs.part, programs.upright]) {
       gl.useProgram(program);
       const at = (name: string) => gl.getUniformLocation(program, name);
       gl.uniform3fv(at("centres"), centres);
       gl.uniform2fv(at("radii"), radii);
       gl.uniform3fv(at("sights"), sights);
-      gl.uniform2f(at("cornea"), bulge, Math.cos(cornea));
-      gl.uniform1f(at("upright"), upright);
-      gl.uniform1f(at("eager"), eager);
-      gl.uniform1f(at("flattest"), flattest);
     }
-    gl.useProgram(programs.rung);
-    gl.uniform1i(gl.getUniformLocation(programs.rung, "first"), settling.triangles.length / 4);
-    gl.uniform1fv(gl.getUniformLocation(programs.rung, "upward"), settling.upward);
-    gl.useProgram(programs.spread);
-    gl.uniform1i(gl.getUniformLocation(programs.spread, "width"), settling.width);
   }
 
   /** Opens lines that cross; where the result is. */

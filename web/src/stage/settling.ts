@@ -1,3 +1,4 @@
+import { aligned } from "../link/arrays";
 import type { SettlingDocument } from "../link/messages";
 
 export const RUNGS = 32;
@@ -31,7 +32,6 @@ export interface Settling {
   size: number;
 }
 
-const aligned = (bytes: Uint8Array): ArrayBuffer => bytes.slice().buffer as ArrayBuffer; // a view's offset may be odd
 const whole = (bytes: Uint8Array): Uint32Array => new Uint32Array(aligned(bytes));
 const real = (bytes: Uint8Array): Float32Array => new Float32Array(aligned(bytes));
 
