@@ -1,0 +1,71 @@
+"""Recipes: how an own expression or an own face was made, as plain data that can be kept, undone and mailed."""
+
+from __future__ import annotations
+
+import msgspec
+
+Vector = tuple[float, float, float]
+
+KEY = "#"
+"""Begins the source of what is known by its content's key; a source without it is a name of the built-in cast."""
+
+
+class Layer(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """An expression laid under the control points.
+
+    source: a name of the built-in cast, or `#` and a content key; label: what people read; region: one of
+    `model.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged.
+    """
+
+    source: str
+    label: str
+    weight: float = 1.0
+    region: str | None = None
+    mirrored: bool = False
+
+
+class Pull(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A muscle's contraction, 0 at rest, 1 as far as it goes."""
+
+    muscle: str
+    contraction: float
+
+
+class Recipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="expression"):
+    """An expression as an artist made it: what its fields add up to (`model.compose`).
+
+    net: rows of the generic face's sheet under the control points; vectors: dtheta (radians), dh (metres), R (1 on the
+    surface) of each; ground: `#` and the key of a field that the net cannot say, or None; eyes: left yaw, pitch, right
+    yaw, pitch, radians, and pupil: what is added to those of ground and layers.
+    """
+
+    net: tuple[int, ...]
+    vectors: tuple[Vector, ...]
+    ground: str | None = None
+    layers: tuple[Layer, ...] = ()
+    pulls: tuple[Pull, ...] = ()
+    eyes: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    pupil: float = 0.0
+
+
+class FaceRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="face"):
+    """A face made from faces (`model.compose`): a mix, regions from others, caricature, then handles.
+
+    base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
+    amount: of caricature, 1 for none; points: rows of the generic face's skin under the handles; moves: metres, on the
+    generic face.
+    """
+
+    base: dict[str, float]
+    regions: dict[str, str] = {}
+    amount: float = 1.0
+    points: tuple[int, ...] = ()
+    moves: tuple[Vector, ...] = ()
+
+
+def sources(recipe: Recipe | FaceRecipe, /) -> frozenset[str]:
+    """Every source that a recipe names."""
+    if isinstance(recipe, FaceRecipe):
+        return frozenset(recipe.base) | frozenset(recipe.regions.values())
+    ground = () if recipe.ground is None else (recipe.ground,)
+    return frozenset((*ground, *(layer.source for layer in recipe.layers)))
