@@ -1,4 +1,4 @@
-"""Writes `web/src/link/messages.ts` from `omote.show.messages`: `python tools/messages.py [--check]`."""
+"""Writes `web/src/link/messages.ts` and `editing.ts` from the Python messages: `python tools/messages.py [--check]`."""
 
 from __future__ import annotations
 
@@ -7,13 +7,15 @@ import sys
 import types
 import typing
 from pathlib import Path
+from types import ModuleType
 
 import msgspec
 
+from omote.edit import messages as editing
 from omote.show import messages
 
-TARGET = Path(__file__).parent.parent / "web" / "src" / "link" / "messages.ts"
-HEAD = "// Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.\n"
+FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
+HEAD = "// Written by tools/messages.py from src/omote/{}/messages.py. Do not edit: run `python tools/messages.py`.\n"
 PLAIN = {float: "number", int: "number", str: "string", bool: "boolean", bytes: "Uint8Array", type(None): "null"}
 
 
@@ -37,26 +39,49 @@ def interface(struct: type[msgspec.Struct]) -> str:
     return f"{comment}\nexport interface {struct.__name__} {{\n" + "\n".join(fields) + "\n}\n"
 
 
-def module() -> str:
-    """The whole TypeScript module, the same text for the same messages."""
-    structs = [value for value in vars(messages).values() if _is_message(value)]
+def show_module() -> str:
+    """The messages of the show's link in TypeScript, the same text for the same messages."""
     constants = [
         f"export const PROTOCOL_VERSION = {messages.PROTOCOL_VERSION};",
         f"export const LINK_PATH = {_quoted(messages.LINK_PATH)};",
         f"/** States per second. */\nexport const STATE_RATE = {messages.STATE_RATE:g};",
     ]
     unions = [_union("FromClient", messages.CLIENT_MESSAGES), _union("FromServer", messages.SERVER_MESSAGES)]
-    return "\n".join([HEAD, "\n".join(constants) + "\n", *map(interface, structs), *unions])
+    return _module("show", constants, structs_of(messages), unions)
+
+
+def editing_module() -> str:
+    """The messages of the editors' link in TypeScript, recipes and what is kept of them included."""
+    constants = [
+        f"export const EDITING_VERSION = {editing.EDITING_VERSION};",
+        f"export const EDITING_PATH = {_quoted(editing.EDITING_PATH)};",
+        f"/** Bytes; no message of an editor is longer. */\nexport const EDITING_LIMIT = {editing.EDITING_LIMIT};",
+    ]
+    unions = [_union("FromEditor", editing.EDITOR_MESSAGES), _union("ToEditor", editing.ANSWERS)]
+    return _module("edit", constants, structs_of(editing), unions)
+
+
+MODULES = {"messages.ts": show_module, "editing.ts": editing_module}
+
+
+def structs_of(module: ModuleType) -> list[type[msgspec.Struct]]:
+    """Every struct that a module of messages defines or names, in its order."""
+    return [value for value in vars(module).values() if _is_message(value)]
 
 
 def main(arguments: list[str]) -> int:
-    """Writes the mirror; with `--check` only says whether it is stale (exit status 1)."""
-    text = module()
+    """Writes the mirrors; with `--check` only says whether one is stale (exit status 1)."""
+    texts = {FOLDER / name: text() for name, text in MODULES.items()}
     if "--check" in arguments:
-        return 0 if TARGET.exists() and TARGET.read_text() == text else 1
-    TARGET.parent.mkdir(parents=True, exist_ok=True)
-    TARGET.write_text(text)
+        return 0 if all(path.exists() and path.read_text() == text for path, text in texts.items()) else 1
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    for path, text in texts.items():
+        path.write_text(text)
     return 0
+
+
+def _module(package: str, constants: list[str], structs: list[type[msgspec.Struct]], unions: list[str]) -> str:
+    return "\n".join([HEAD.format(package), "\n".join(constants) + "\n", *map(interface, structs), *unions])
 
 
 def _generic(origin: object, arguments: tuple[object, ...], annotation: object) -> str:
@@ -64,9 +89,9 @@ def _generic(origin: object, arguments: tuple[object, ...], annotation: object) 
         return " | ".join(map(_quoted, arguments))
     if origin in (typing.Union, types.UnionType):
         return " | ".join(map(type_script, arguments))
-    if origin is list:
+    if origin is list or (origin is tuple and arguments[1:] == (...,)):
         inner = type_script(arguments[0])
-        return f"({inner})[]" if " " in inner else f"{inner}[]"
+        return f"({inner})[]" if "|" in inner else f"{inner}[]"
     if origin is tuple:
         return f"[{', '.join(map(type_script, arguments))}]"
     if origin is dict and arguments[0] is str:

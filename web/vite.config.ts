@@ -2,6 +2,7 @@ import { resolve } from "node:path";
 import { defineConfig } from "vite";
 
 /** Pages and their files; "/assets/" belongs to the cast, so the bundle's own files live under "/static/". */
+const PAGES = ["index", "stage", "console", "editor"];
 const page = (name: string): string => resolve(import.meta.dirname, `${name}.html`);
 
 export default defineConfig({
@@ -12,6 +13,6 @@ export default defineConfig({
     emptyOutDir: true,
     assetsDir: "static",
     chunkSizeWarningLimit: 900,
-    rolldownOptions: { input: { index: page("index"), stage: page("stage"), console: page("console") } },
+    rolldownOptions: { input: Object.fromEntries(PAGES.map((name) => [name, page(name)])) },
   },
 });

@@ -22,7 +22,7 @@ def test_every_file_has_its_address(tmp_path: Path) -> None:
     pages = read_bundle(built(tmp_path))
     assert pages["/stage"] == pages["/stage.html"]
     assert pages["/stage"].body == b"<title>stage.html</title>"
-    assert set(pages) >= {"/", "/stage", "/console", "/static/stage-a1b2.js", "/favicon.svg"}
+    assert set(pages) >= {"/", "/stage", "/console", "/editor", "/static/stage-a1b2.js", "/favicon.svg"}
 
 
 @pytest.mark.parametrize(
@@ -47,5 +47,5 @@ def test_a_missing_page_says_how_to_build_it(tmp_path: Path, name: str) -> None:
 
 
 def test_no_bundle_at_all_says_the_same(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match=r"index\.html, stage\.html, console\.html missing"):
+    with pytest.raises(FileNotFoundError, match=r"index\.html, stage\.html, console\.html, editor\.html missing"):
         read_bundle(tmp_path / "nowhere")

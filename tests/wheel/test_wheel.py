@@ -145,7 +145,7 @@ def test_neither_node_nor_torch_is_there(scripts: Path, bare: dict[str, str]) ->
 
 
 def test_the_show_serves_its_pages(address: str) -> None:
-    for page in ("", "/stage", "/console"):
+    for page in ("", "/stage", "/console", "/editor"):
         text = fetch(f"{address}{page}").decode()
         assert "<!doctype html>" in text.lower()
         for script in re.findall(r'src="(/static/[^"]+)"', text):

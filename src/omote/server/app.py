@@ -112,7 +112,7 @@ class ShowServer:
         """A page, or one of its files."""
         page = self._pages.get(request.path)
         if page is None:
-            raise web.HTTPNotFound(text="there is no such page; the stage is at /stage, the console at /console.")
+            raise web.HTTPNotFound(text="there is no such page; the stage is at /stage, the console at /console, the editor at /editor.")
         keep = FOR_EVER if page.immutable else ALWAYS_ASK
         return web.Response(body=page.body, content_type=page.content_type, headers={"Cache-Control": keep})
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 FOLDER = Path(__file__).parent / "web"
-PAGES = {"/": "index.html", "/stage": "stage.html", "/console": "console.html"}
+PAGES = {"/": "index.html", "/stage": "stage.html", "/console": "console.html", "/editor": "editor.html"}
 TYPES = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".html": "text/html"}
 
 

@@ -231,7 +231,7 @@ export interface FaceDocument {
   centres: [[number, number, number], [number, number, number]];
   eye_radius: number;
   ball_radii: [number, number];
-  extremes: ([number, number, number])[];
+  extremes: [number, number, number][];
   look: Look;
 }
 
