@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import omote
-from omote.files.picturefile import write_picture
+from omote.files.wholefile import write_whole
 from omote.model.cast import Cast
 from omote.server.bundle import read_bundle
 from omote.server.chromium import open_chromium
@@ -145,7 +145,7 @@ async def draw(pictures: Sequence[Picture], browser: Path) -> None:
         for picture in pictures:
             studio = await open_studio(tools, address, picture.setting)
             target = PICTURES / f"gallery-{picture.name}.jpg"
-            write_picture(target, await studio.draw(picture.sheet))
+            write_whole(target, await studio.draw(picture.sheet))
             await studio.close()
             print(f"docs/pictures/{target.name}: {target.stat().st_size // 1000} kB", flush=True)
 

@@ -143,7 +143,8 @@ def check() -> None:
 
 def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: Any) -> None:
     """Draws a sheet into a file, or ends the command with a sentence and leaves no file behind."""
-    from omote.files.picturefile import check_writable, picture_kind, write_picture
+    from omote.files.picturefile import picture_kind
+    from omote.files.wholefile import check_writable, write_whole
     from omote.server.devtools import BrowserError
     from omote.server.studio import draw_sheet
     from omote.show.sheet import Setting, read_size
@@ -153,7 +154,7 @@ def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: 
         check_writable(output)
         width, height = read_size(size)
         chosen = Setting(width, height, **setting)
-        write_picture(output, draw_sheet(sheet_of(load_cast()).on_paper(chosen, kind), chosen))
+        write_whole(output, draw_sheet(sheet_of(load_cast()).on_paper(chosen, kind), chosen))
     except (OSError, ValueError, BrowserError) as error:
         fail(str(error))
 
