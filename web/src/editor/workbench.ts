@@ -1,0 +1,399 @@
+/**
+ * What the editor page knows and does: the item under work, what the hand moves before the server has answered, and
+ * what is selected and shown. Nothing here touches the page, a socket or a clock.
+ */
+
+import type { Library } from "../link/assets";
+import type {
+  DraftState,
+  FaceRecipe,
+  FromEditor,
+  Greet,
+  Greeted,
+  ItemDocument,
+  Layer,
+  Recipe,
+  RevisionDocument,
+  ToEditor,
+} from "../link/editing";
+import type { Manifest } from "../link/messages";
+import {
+  type Anatomy,
+  type Followers,
+  flat,
+  type Muscle,
+  type Net,
+  readAnatomy,
+  readNet,
+  split,
+  type Vector,
+} from "./net";
+
+/** What has changed. "live" is told at the rate of the pointer, all others rarely. */
+export type Topic = "cast" | "items" | "draft" | "selection" | "options" | "live" | "link" | "notices" | "history";
+
+/** drag: on the surface; pull: off it (R); add, remove, place: the net itself. */
+export type Tool = "drag" | "pull" | "add" | "remove" | "place";
+
+export interface Options {
+  readonly tool: Tool;
+  /** What a hand does on one side is done on the other. */
+  readonly mirror: boolean;
+  /** How far a drag takes points beside the dragged ones along, millimetres; 0: not at all. */
+  readonly falloff: number;
+  /** The only region that a drag moves, or null. */
+  readonly region: string | null;
+  readonly wireframe: boolean;
+  readonly needles: boolean;
+  readonly muscles: boolean;
+}
+
+type Unnumbered<R> = R extends unknown ? Omit<R, "request"> : never;
+/** A request before the link has numbered it. */
+export type Request = Unnumbered<Exclude<FromEditor, Greet>>;
+/** What a request is answered with when it is not refused. */
+export type Answer = Exclude<ToEditor, { type: "greeted" | "items" | "refused" }>;
+type Part<R> = R extends { item: number } ? Omit<R, "item"> : never;
+/** A request about the open item, before the bench has named it. */
+export type Change = Part<Request>;
+/** Sends a request; rejects with a sentence when it is refused or cannot be sent. */
+export type Ask = (request: Request) => Promise<Answer>;
+
+/** A sentence that stays until it is read; `actions`: what can be done about it. */
+export interface Notice {
+  readonly id: number;
+  readonly text: string;
+  readonly kind: "refusal" | "conflict" | "done";
+  readonly actions: readonly { readonly label: string; readonly act: () => void }[];
+}
+
+/** The most faces beside the work. */
+export const MOST_NEIGHBOURS = 10;
+const NEIGHBOURS = ["dog", "child", "old"];
+
+export class Workbench {
+  library: Library | null = null;
+  /** The newest manifest: the library's, or a later one of the same base with other own faces and expressions. */
+  manifest: Manifest | null = null;
+  anatomy: Anatomy | null = null;
+  items: readonly ItemDocument[] = [];
+  /** The draft of the open item as the server last told it; null while nothing is open. */
+  draft: DraftState | null = null;
+  /** The net of the draft; null while none is open, and for a face. */
+  net: Net | null = null;
+  revisions: readonly RevisionDocument[] = [];
+  /** The name of the face shown large, and of those beside it. */
+  work = "generic";
+  neighbours: readonly string[] = NEIGHBOURS;
+  /** Places in the net. */
+  selection: ReadonlySet<number> = new Set();
+  options: Options = {
+    tool: "drag",
+    mirror: false,
+    falloff: 0,
+    region: null,
+    wireframe: false,
+    needles: true,
+    muscles: false,
+  };
+  /** Vectors of the net as the hand has them now, (n, 3): the draft's, and the drag under way. Written by the canvas. */
+  live: Float64Array = new Float64Array(0);
+  /** Contractions as the hand has them now. */
+  livePulls: ReadonlyMap<string, number> = new Map();
+  /** A source that is shown instead of the draft (an old revision), or null. */
+  look: string | null = null;
+  notices: readonly Notice[] = [];
+  online = false;
+  /** What the steps undone were, the next to redo last. */
+  undone: readonly string[] = [];
+
+  /** The points of the drag under way, or null. */
+  #dragged: readonly number[] | null = null;
+  #before: Float64Array = new Float64Array(0);
+  #unanswered = 0;
+  #said = 0;
+  readonly #listeners = new Map<Topic, Set<() => void>>();
+
+  constructor(private readonly send: Ask) {}
+
+  listen(topic: Topic, heard: () => void): () => void {
+    const listeners = this.#listeners.get(topic) ?? new Set();
+    this.#listeners.set(topic, listeners.add(heard));
+    return () => listeners.delete(heard);
+  }
+
+  tell(topic: Topic): void {
+    for (const heard of this.#listeners.get(topic) ?? []) heard();
+  }
+
+  // --- what is known --------------------------------------------------------------------------------------------------
+
+  get muscles(): readonly Muscle[] {
+    return this.anatomy?.muscles ?? [];
+  }
+
+  get regions(): readonly string[] {
+    return this.anatomy?.regions ?? [];
+  }
+
+  /** For each region how much it owns of each vertex, 255 all. */
+  get masks(): readonly Uint8Array[] {
+    return this.anatomy?.masks ?? [];
+  }
+
+  get followers(): Followers | null {
+    return this.anatomy?.followers ?? null;
+  }
+
+  /** The open item. */
+  get item(): ItemDocument | null {
+    return this.items.find(({ id }) => id === this.draft?.item) ?? null;
+  }
+
+  /** The recipe under work, where it is an expression's. */
+  get recipe(): Recipe | null {
+    return this.draft?.recipe.kind === "expression" ? this.draft.recipe : null;
+  }
+
+  /** The recipe under work, where it is a face's. */
+  get face(): FaceRecipe | null {
+    return this.draft?.recipe.kind === "face" ? this.draft.recipe : null;
+  }
+
+  /** The source of the expression that faces wear now: an old revision that is looked at, the draft, or neutral. */
+  get shown(): string {
+    if (this.look !== null) return this.look;
+    return this.recipe === null ? "neutral" : (this.draft as DraftState).content;
+  }
+
+  /** True from `begin` to `letGo` or `cancel`. */
+  get dragging(): boolean {
+    return this.#dragged !== null;
+  }
+
+  /** True while the live vectors are more than the server has answered. */
+  get waiting(): boolean {
+    return this.#unanswered > 0;
+  }
+
+  setCast(library: Library, manifest: Manifest = library.manifest): void {
+    this.library = library;
+    this.manifest = manifest;
+    const known = (name: string) => manifest.faces.some((face) => face.name === name);
+    if (!known(this.work)) this.work = manifest.faces[0]?.name ?? this.work;
+    this.neighbours = this.neighbours.filter(known);
+    this.tell("cast");
+  }
+
+  setAnatomy(greeted: Greeted): void {
+    this.anatomy = readAnatomy(greeted);
+    this.setItems(greeted.items);
+  }
+
+  setItems(items: readonly ItemDocument[]): void {
+    this.items = items;
+    this.tell("items");
+  }
+
+  setOnline(online: boolean): void {
+    this.online = online;
+    this.tell("link");
+  }
+
+  /** The source of a face by its name. */
+  sourceOf(face: string): string {
+    const document: { name: string; source?: string } | undefined = this.manifest?.faces.find(
+      ({ name }) => name === face,
+    );
+    return document?.source ?? face;
+  }
+
+  // --- what is shown --------------------------------------------------------------------------------------------------
+
+  setOptions(change: Partial<Options>): void {
+    this.options = { ...this.options, ...change };
+    this.tell("options");
+  }
+
+  /** Shows a face large; the one that was takes its place beside it. */
+  setWork(name: string): void {
+    if (name === this.work) return;
+    this.neighbours = this.neighbours.map((one) => (one === name ? this.work : one));
+    this.work = name;
+    this.tell("cast");
+  }
+
+  setNeighbours(names: readonly string[]): void {
+    this.neighbours = [...new Set(names)].filter((name) => name !== this.work).slice(0, MOST_NEIGHBOURS);
+    this.tell("cast");
+  }
+
+  select(places: Iterable<number>): void {
+    this.selection = new Set(places);
+    this.tell("selection");
+  }
+
+  /** Shows a source instead of the draft; null: the draft again. */
+  setLook(source: string | null): void {
+    this.look = source;
+    this.tell("draft");
+  }
+
+  // --- hands ----------------------------------------------------------------------------------------------------------
+
+  /** A hand takes hold of points; it then writes `live` and says `liveChanged`. */
+  begin(points: readonly number[]): void {
+    this.#dragged = points;
+    this.#before = this.live.slice();
+  }
+
+  liveChanged(): void {
+    this.tell("live");
+  }
+
+  /** The hand lets go: the points are to lie at `targets`, metres, on the face under work. */
+  letGo(points: readonly number[], targets: readonly Vector[]): void {
+    this.#dragged = null;
+    const face = this.sourceOf(this.work);
+    this.edit({ type: "drag_points", face, points: [...points], targets: [...targets], vectors: split(this.live) });
+  }
+
+  /** The hand never meant it: all is where it was before `begin`. */
+  cancel(): void {
+    if (this.#dragged === null) return;
+    this.#dragged = null;
+    this.live = this.#before;
+    this.tell("live");
+  }
+
+  /** All vectors at once, shown at once; `what` goes into the history. */
+  setVectors(vectors: readonly Vector[], what: string): void {
+    this.live = flat(vectors);
+    this.tell("live");
+    this.edit({ type: "set_vectors", vectors: [...vectors], what });
+  }
+
+  /** Other control points, rows of the sheet. */
+  setNet(rows: readonly number[]): void {
+    this.edit({ type: "set_net", net: [...rows] });
+  }
+
+  setLayers(layers: readonly Layer[]): void {
+    this.edit({ type: "set_layers", layers: [...layers] });
+  }
+
+  /** A muscle pulls so much, on this page only, until `sendPulls`. */
+  pull(muscle: string, contraction: number): void {
+    this.livePulls = new Map(this.livePulls).set(muscle, contraction);
+    this.tell("live");
+  }
+
+  sendPulls(): void {
+    const pulls = [...this.livePulls].filter(([, contraction]) => contraction !== 0);
+    this.edit({ type: "set_pulls", pulls: pulls.map(([muscle, contraction]) => ({ muscle, contraction })) });
+  }
+
+  setEyes(eyes: Recipe["eyes"], pupil: number): void {
+    this.edit({ type: "set_eyes", eyes, pupil });
+  }
+
+  setFace(recipe: FaceRecipe, what: string): void {
+    this.edit({ type: "set_face", recipe, what });
+  }
+
+  // --- requests -------------------------------------------------------------------------------------------------------
+
+  /** Asks, takes the answer in, and says what is refused; null where it was. */
+  async ask(request: Request): Promise<Answer | null> {
+    this.#unanswered += 1;
+    try {
+      const answer = await this.send(request);
+      this.#unanswered -= 1;
+      this.receive(answer);
+      if (answer.type !== "draft") this.#settle();
+      return answer;
+    } catch (error) {
+      this.#unanswered -= 1;
+      this.say(error instanceof Error ? error.message : String(error));
+      this.#settle(); // what was refused goes from sight
+      return null;
+    }
+  }
+
+  /** A change of the open item; an old revision that was looked at goes, for who edits wants to see it. */
+  edit(change: Change): void {
+    if (this.draft === null) return;
+    this.look = null;
+    void this.ask({ ...change, item: this.draft.item } as Request);
+  }
+
+  /** Tells the user something that stays until it is read. */
+  say(text: string, kind: Notice["kind"] = "refusal", actions: Notice["actions"] = []): void {
+    this.#said += 1;
+    const others = this.notices.filter((notice) => notice.text !== text); // once is enough
+    this.notices = [...others, { id: this.#said, text, kind, actions }];
+    this.tell("notices");
+  }
+
+  dismiss(id: number): void {
+    this.notices = this.notices.filter((notice) => notice.id !== id);
+    this.tell("notices");
+  }
+
+  /** An answer, or what the server says by itself. */
+  receive(message: ToEditor): void {
+    if (message.type === "draft") this.#receiveDraft(message);
+    else if (message.type === "items") this.setItems(message.items);
+    else if (message.type === "greeted") this.setAnatomy(message);
+    else if (message.type === "history") this.#receiveHistory(message.item, message.revisions);
+    else if (message.type === "refused") this.say(message.reason);
+  }
+
+  #receiveHistory(item: number, revisions: readonly RevisionDocument[]): void {
+    if (item !== this.draft?.item) return;
+    this.revisions = revisions;
+    this.tell("history");
+  }
+
+  #receiveDraft(draft: DraftState): void {
+    const other = draft.item !== this.draft?.item;
+    const before = this.net;
+    if (draft.net !== null) this.net = readNet(draft.net);
+    else if (draft.recipe.kind === "face") this.net = null;
+    this.draft = draft;
+    if (other) this.#forget();
+    else if (this.net !== before) this.select(kept(this.selection, before, this.net));
+    this.#settle();
+    this.tell("draft");
+  }
+
+  /** Another item is open: what belonged to the one before goes. */
+  #forget(): void {
+    [this.#dragged, this.look, this.revisions, this.undone] = [null, null, [], []];
+    this.select([]);
+    this.tell("history");
+  }
+
+  /** What the hand shows becomes what the server has, unless an answer is still to come; a drag under way goes on. */
+  #settle(): void {
+    const recipe = this.recipe;
+    if (recipe === null || this.#unanswered > 0) return;
+    const vectors = flat(recipe.vectors);
+    if (this.#dragged !== null && vectors.length === this.live.length) {
+      const before = this.#before;
+      this.live = this.live.map((value, at) => (vectors[at] as number) + value - (before[at] as number));
+      this.#before = vectors;
+    } else {
+      this.#dragged = null;
+      this.live = vectors;
+    }
+    this.livePulls = new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction]));
+    this.tell("live");
+  }
+}
+
+/** The places of the same points in another net. */
+function kept(places: ReadonlySet<number>, from: Net | null, to: Net | null): number[] {
+  const rows = new Set([...places].map((place) => from?.rows[place]));
+  return (to?.rows ?? []).flatMap((row, place) => (rows.has(row) ? [place] : []));
+}
