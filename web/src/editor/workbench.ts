@@ -7,8 +7,6 @@ import type { Library } from "../link/assets";
 import type {
   DraftState,
   FaceRecipe,
-  FromEditor,
-  Greet,
   Greeted,
   ItemDocument,
   Layer,
@@ -28,6 +26,8 @@ import {
   split,
   type Vector,
 } from "./net";
+import { type Notice, Notices } from "./notices";
+import type { Answer, Ask, Change, Request } from "./requests";
 
 /** What has changed. "live" is told at the rate of the pointer, all others rarely. */
 export type Topic = "cast" | "items" | "draft" | "selection" | "options" | "live" | "link" | "notices" | "history";
@@ -46,25 +46,6 @@ export interface Options {
   readonly wireframe: boolean;
   readonly needles: boolean;
   readonly muscles: boolean;
-}
-
-type Unnumbered<R> = R extends unknown ? Omit<R, "request"> : never;
-/** A request before the link has numbered it. */
-export type Request = Unnumbered<Exclude<FromEditor, Greet>>;
-/** What a request is answered with when it is not refused. */
-export type Answer = Exclude<ToEditor, { type: "greeted" | "items" | "refused" }>;
-type Part<R> = R extends { item: number } ? Omit<R, "item"> : never;
-/** A request about the open item, before the bench has named it. */
-export type Change = Part<Request>;
-/** Sends a request; rejects with a sentence when it is refused or cannot be sent. */
-export type Ask = (request: Request) => Promise<Answer>;
-
-/** A sentence that stays until it is read; `actions`: what can be done about it. */
-export interface Notice {
-  readonly id: number;
-  readonly text: string;
-  readonly kind: "refusal" | "conflict" | "done";
-  readonly actions: readonly { readonly label: string; readonly act: () => void }[];
 }
 
 /** The most faces beside the work. */
@@ -102,7 +83,6 @@ export class Workbench {
   livePulls: ReadonlyMap<string, number> = new Map();
   /** A source that is shown instead of the draft (an old revision), or null. */
   look: string | null = null;
-  notices: readonly Notice[] = [];
   online = false;
   /** What the steps undone were, the next to redo last. */
   undone: readonly string[] = [];
@@ -111,7 +91,7 @@ export class Workbench {
   #dragged: readonly number[] | null = null;
   #before: Float64Array = new Float64Array(0);
   #unanswered = 0;
-  #said = 0;
+  readonly #notices = new Notices();
   readonly #listeners = new Map<Topic, Set<() => void>>();
 
   constructor(private readonly send: Ask) {}
@@ -127,6 +107,10 @@ export class Workbench {
   }
 
   // --- what is known --------------------------------------------------------------------------------------------------
+
+  get notices(): readonly Notice[] {
+    return this.#notices.all;
+  }
 
   get muscles(): readonly Muscle[] {
     return this.anatomy?.muscles ?? [];
@@ -202,10 +186,7 @@ export class Workbench {
 
   /** The source of a face by its name. */
   sourceOf(face: string): string {
-    const document: { name: string; source?: string } | undefined = this.manifest?.faces.find(
-      ({ name }) => name === face,
-    );
-    return document?.source ?? face;
+    return this.manifest?.faces.find(({ name }) => name === face)?.source ?? face;
   }
 
   // --- what is shown --------------------------------------------------------------------------------------------------
@@ -329,14 +310,12 @@ export class Workbench {
 
   /** Tells the user something that stays until it is read. */
   say(text: string, kind: Notice["kind"] = "refusal", actions: Notice["actions"] = []): void {
-    this.#said += 1;
-    const others = this.notices.filter((notice) => notice.text !== text); // once is enough
-    this.notices = [...others, { id: this.#said, text, kind, actions }];
+    this.#notices.say(text, kind, actions);
     this.tell("notices");
   }
 
   dismiss(id: number): void {
-    this.notices = this.notices.filter((notice) => notice.id !== id);
+    this.#notices.dismiss(id);
     this.tell("notices");
   }
 
@@ -347,6 +326,13 @@ export class Workbench {
     else if (message.type === "greeted") this.setAnatomy(message);
     else if (message.type === "history") this.#receiveHistory(message.item, message.revisions);
     else if (message.type === "refused") this.say(message.reason);
+  }
+
+  /** Nothing is open any more. */
+  leave(): void {
+    [this.draft, this.net, this.live, this.livePulls] = [null, null, new Float64Array(0), new Map()];
+    this.#forget();
+    this.tell("draft");
   }
 
   #receiveHistory(item: number, revisions: readonly RevisionDocument[]): void {
@@ -381,7 +367,7 @@ export class Workbench {
     const vectors = flat(recipe.vectors);
     if (this.#dragged !== null && vectors.length === this.live.length) {
       const before = this.#before;
-      this.live = this.live.map((value, at) => (vectors[at] as number) + value - (before[at] as number));
+      this.live = this.live.map((value, at) => (vectors[at] as number) + (value - (before[at] as number)));
       this.#before = vectors;
     } else {
       this.#dragged = null;

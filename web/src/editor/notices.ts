@@ -1,0 +1,25 @@
+/** Sentences that stay until they are read. */
+
+/** `actions`: what can be done about it. */
+export interface Notice {
+  readonly id: number;
+  readonly text: string;
+  readonly kind: "refusal" | "conflict" | "done";
+  readonly actions: readonly { readonly label: string; readonly act: () => void }[];
+}
+
+export class Notices {
+  all: readonly Notice[] = [];
+  #said = 0;
+
+  /** Says a sentence; the same one again takes the place of the former. */
+  say(text: string, kind: Notice["kind"], actions: Notice["actions"]): void {
+    this.#said += 1;
+    const others = this.all.filter((notice) => notice.text !== text && !(kind === "done" && notice.kind === "done"));
+    this.all = [...others, { id: this.#said, text, kind, actions }];
+  }
+
+  dismiss(id: number): void {
+    this.all = this.all.filter((notice) => notice.id !== id);
+  }
+}
