@@ -119,12 +119,65 @@ def test_memory_is_bounded_and_what_was_dropped_is_made_again() -> None:
     assert played(show, memory=6) == [*keys, *keys]
 
 
+def test_editors_come_before_all_but_what_is_on_air() -> None:
+    done: list[str] = []
+
+    async def show(supply: Supply) -> None:
+        async def make() -> bytes:
+            done.extend(key[1] for key in supply._made)
+            return b"made"
+
+        supply.serve(frozenset({"dog"}), frozenset({"cry"}))
+        orders = [supply.order(make), supply.get(("old", "smile")), supply.order(make)]
+        assert await asyncio.gather(*orders) == [b"made", b"os", b"made"]
+
+    assert played(show) == [("dog", "cry"), ("old", "smile"), ("dog", "neutral"), ("dog", "smile"), ("dog", "wink")]
+    assert done == ["cry", "cry"]
+
+
+def test_what_an_order_raises_comes_to_who_ordered_and_the_next_is_made() -> None:
+    async def show(supply: Supply) -> None:
+        async def refuse() -> bytes:
+            raise LookupError("no such muscle")
+
+        with pytest.raises(LookupError, match="no such muscle"):
+            await supply.order(refuse)
+        assert await supply.get(("old", "smile")) == b"os"
+
+    assert played(show) == [("old", "smile")]
+
+
+def test_an_order_of_who_has_gone_is_not_made() -> None:
+    async def show(supply: Supply) -> None:
+        async def make() -> bytes:
+            raise AssertionError
+
+        gone = asyncio.create_task(supply.order(make))
+        await asyncio.sleep(0)
+        gone.cancel()
+        assert await supply.get(("old", "smile")) == b"os"
+
+    assert played(show) == [("old", "smile")]
+
+
+def test_an_expression_that_comes_is_made_ahead_and_one_that_goes_is_not() -> None:
+    async def show(supply: Supply) -> None:
+        supply.serve(frozenset({"dog"}), NOTHING)
+        supply.stock(("neutral", "cry", "#1"))
+
+    assert played(show) == [("dog", "neutral"), ("dog", "cry"), ("dog", "#1")]
+
+
 def test_who_still_waits_when_the_show_ends_is_let_go() -> None:
     async def show(supply: Supply) -> None:
-        waiting = asyncio.create_task(supply.get(("old", "smile")))
+        waiting, ordered = (
+            asyncio.create_task(each)
+            for each in (supply.get(("old", "smile")), supply.order(lambda: supply.get(("old", "cry"))))
+        )
         await asyncio.sleep(0)
         supply.close()
-        with pytest.raises(asyncio.CancelledError):
-            await waiting
+        for each in (waiting, ordered):
+            with pytest.raises(asyncio.CancelledError):
+                await each
 
     assert played(show) == []

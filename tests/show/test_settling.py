@@ -15,8 +15,8 @@ from tests.synthetic import FACES
 def test_a_cast_without_lines_has_none(cast: Cast) -> None:
     assert settling_document(cast, first_rows(cast)) is None
     face = cast.faces[FACES[0]]
-    assert allowance_document(cast, face, "neutral", face.positions) is None
-    assert ball_radii(cast, face) == (0.0, 0.0)
+    assert allowance_document(cast.space, face, cast.expressions["neutral"], face.positions) is None
+    assert ball_radii(cast.space, face) == (0.0, 0.0)
 
 
 def test_the_document_holds_the_settling() -> None:
@@ -55,7 +55,10 @@ def test_an_allowance_is_the_engines_own() -> None:
     cast = load_cast()
     face = cast.faces["kaori"]
     skin = compound(cast.space, face, cast.expressions["eyeBlinkLeft"])
-    document, settling = allowance_document(cast, face, "eyeBlinkLeft", skin), settling_of(cast.space)
+    document, settling = (
+        allowance_document(cast.space, face, cast.expressions["eyeBlinkLeft"], skin),
+        settling_of(cast.space),
+    )
     assert document is not None
     assert settling is not None
     allowed = np.zeros(settling.size, np.float32)

@@ -6,27 +6,27 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 
-from omote.model.cast import GENERIC, NEUTRAL, Cast
+from omote.model.cast import GENERIC, NEUTRAL
 from omote.perform import axis
 from omote.perform.axis import Axis
 from omote.perform.channels import with_channel
 from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.lights import light_named
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
-from omote.perform.snapshot import Snapshot, checked
+from omote.perform.snapshot import Playable, Snapshot, checked
 from omote.perform.transition import DEFAULT_EASING, easing_named
 
 
 class Performer:
     """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out."""
 
-    def __init__(self, cast: Cast) -> None:
+    def __init__(self, cast: Playable) -> None:
         known(GENERIC, cast.faces, "face")
         self._cast = cast
         self._now = Snapshot(Axis(GENERIC), Axis(NEUTRAL))
 
     @classmethod
-    def restored(cls, cast: Cast, snapshot: Snapshot) -> Performer:
+    def restored(cls, cast: Playable, snapshot: Snapshot) -> Performer:
         """The performer that continues from a snapshot, frame by frame the same. Refuses what this cast cannot play."""
         performer = cls(cast)
         performer._now = checked(snapshot, cast)
@@ -35,6 +35,11 @@ class Performer:
     def snapshot(self) -> Snapshot:
         """Everything needed to continue later, or elsewhere."""
         return self._now
+
+    def recast(self, cast: Playable) -> None:
+        """Plays another cast from now on; what is on air stays. Refuses (ValueError) one without what is on air."""
+        self._now = checked(self._now, cast)
+        self._cast = cast
 
     def call_face(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings a face on air from whatever is showing; 0 seconds cut, `math.inf` waits for `fade_face`."""

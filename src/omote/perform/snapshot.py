@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Protocol
 
-from omote.model.cast import Cast
+from omote.model.expression import Expression
 from omote.perform.axis import Axis, Call
 from omote.perform.channels import with_channel
 from omote.perform.frame import Gaze, Head
@@ -14,6 +15,23 @@ from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.transition import DECAY_SECONDS, Glide, easing_named
+
+
+class Playable(Protocol):
+    """What can be called: a cast, or any other faces and expressions by name."""
+
+    @property
+    def faces(self) -> Mapping[str, object]:
+        """The faces, whatever stands for them."""
+
+    @property
+    def expressions(self) -> Mapping[str, Expression]:
+        """The expressions: the engine itself needs their eyes."""
+
+    @property
+    def digest(self) -> str:
+        """Names exactly these."""
+
 
 ROUNDING = 1e-6
 """How far sums and ranges may be off after a long show."""
@@ -32,7 +50,7 @@ class Snapshot:
     light: Axis = field(default_factory=lambda: Axis(FIRST_LIGHT))  # shows of before had no light to call
 
 
-def checked(snapshot: Snapshot, cast: Cast) -> Snapshot:
+def checked(snapshot: Snapshot, cast: Playable) -> Snapshot:
     """The same snapshot; refuses one that the cast cannot play, or that no performer can have written."""
     _check_axis(snapshot.face, cast.faces, "face")
     _check_axis(snapshot.expression, cast.expressions, "expression")
@@ -41,6 +59,16 @@ def checked(snapshot: Snapshot, cast: Cast) -> Snapshot:
         with_channel({}, cast.expressions, name, value)
     within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     return snapshot
+
+
+def names_held(snapshot: Snapshot) -> tuple[frozenset[str], frozenset[str]]:
+    """The faces and the expressions (channels are expressions too) that a snapshot cannot be played without."""
+    return _held(snapshot.face), _held(snapshot.expression) | frozenset(snapshot.channels)
+
+
+def _held(axis: Axis) -> frozenset[str]:
+    call = axis.call
+    return frozenset((axis.on_air,) if call is None else (axis.on_air, call.target, *call.start, *call.velocity))
 
 
 def _check_axis(axis: Axis, names: Mapping[str, object], what: str) -> None:

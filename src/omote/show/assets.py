@@ -11,16 +11,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
-from omote.model.cast import Cast
+from omote.model.cast import Cast, Look, Title
 from omote.model.compound import moved_parts, worn
+from omote.model.expression import Expression
 from omote.model.face import Face
 from omote.model.fitted import fit
 from omote.model.hair import LINKS, HairStyle, carried
+from omote.model.recipe import KEY
 from omote.model.transfer import compile_expression
 from omote.perform.lights import LIGHTS
+from omote.show import messages as wire
 from omote.show.messages import (
     PROTOCOL_VERSION,
     CompoundAsset,
+    ContentAsset,
     ExpressionDocument,
     FaceAsset,
     FaceDocument,
@@ -29,7 +33,6 @@ from omote.show.messages import (
     Kind,
     LightDocument,
     LineDocument,
-    Look,
     Manifest,
     MeshDocument,
 )
@@ -65,14 +68,21 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
     starts = first_rows(cast)
     manifest = Manifest(
         version=PROTOCOL_VERSION,
+        base=cast.digest,
         digest=cast.digest,
         vertices=sum(len(part.points) for part in cast.space.parts.values()) + cast.space.vertex_count,
         skin=cast.space.vertex_count,
         meshes=[_mesh_document(mesh, starts) for mesh in meshes],
         lines=[LineDocument(line.name, little(line.loop, "<u4")) for line in cast.space.lines],
         mask=mask,
-        faces=[_face_document(cast, face, urls[name]) for name, face in cast.faces.items()],
-        expressions=[_expression_document(cast, name) for name in cast.expressions],
+        faces=[
+            face_document(cast, face, cast.looks[name], label=plain_label(name), url=urls[name], source=name)
+            for name, face in cast.faces.items()
+        ],
+        expressions=[
+            expression_document(name, expression, cast.titles[name], source=name)
+            for name, expression in cast.expressions.items()
+        ],
         lights=[LightDocument(name, label) for name, label in LIGHTS.items()],
         hair=[HairDocument(name, url) for name, url in combed.items()],
         settling=settling_document(cast, starts),
@@ -104,20 +114,34 @@ def rest_positions(cast: Cast, face: Face) -> Points:
     return np.concatenate([fitted.positions, *(fitted.parts[name] for name in cast.space.parts)])
 
 
-def compound_positions(cast: Cast, face: Face, expression: str) -> Points:
+def compound_positions(cast: Cast, face: Face, expression: Expression) -> Points:
     """The positions of a face wearing an expression, (vertices, 3) metres; eyeballs before their turn."""
-    fitted, compiled = fit(cast.space, face), compile_expression(cast.space, cast.expressions[expression])
+    fitted, compiled = fit(cast.space, face), compile_expression(cast.space, expression)
     skin = worn(cast.space, face, compiled)
     parts = moved_parts(cast.space, fitted, skin, compiled.parts)
     return np.concatenate([skin, *(parts[name] for name in cast.space.parts)])
 
 
-def compound_asset(cast: Cast, face: Face, expression: str) -> CompoundAsset:
-    """The compound less its face, quantised: no vertex is further off than half of `scale` along each axis."""
-    positions = compound_positions(cast, face, expression)
+def compound_asset(cast: Cast, face: Face, expression: str | Expression) -> CompoundAsset:
+    """The compound less its face, quantised: no vertex is further off than half of `scale` along each axis.
+
+    Face and expression need not be of the cast; an expression of the cast goes by its name.
+    """
+    own = cast.expressions[expression] if isinstance(expression, str) else expression
+    positions = compound_positions(cast, face, own)
     moves = quantised(positions.astype(np.float64) - rest_positions(cast, face))
     skin = positions[: cast.space.vertex_count]
-    return msgspec.structs.replace(moves, allowed=allowance_document(cast, face, expression, skin))
+    return msgspec.structs.replace(moves, allowed=allowance_document(cast.space, face, own, skin))
+
+
+def content_asset(cast: Cast, key: str, face: Face, look: Look) -> ContentAsset:
+    """An own face by its content; ValueError where it does not belong to the cast's space, or wants other hair."""
+    if look.hair_style not in ("", *cast.hair):
+        raise ValueError(
+            f"the face has hair {look.hair_style!r}, which this cast has not: give it {', '.join(cast.hair)}"
+        )
+    document = face_document(cast, face, look, label=key, url=f"/contents/{key}", source=KEY + key)
+    return ContentAsset(document, little(rest_positions(cast, face), "<f4"))
 
 
 def hair_asset(style: HairStyle) -> HairAsset:
@@ -158,26 +182,33 @@ def _mesh_document(mesh: BakedMesh, starts: dict[str, int]) -> MeshDocument:
     return MeshDocument(mesh.name, little(source, "<u4"), little(mesh.uv, "<f4"), little(mesh.triangles, "<u4"))
 
 
-def _face_document(cast: Cast, face: Face, url: str) -> FaceDocument:
+def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, source: str) -> FaceDocument:
+    """What pages must know of a face; url: where its positions are."""
     fitted = fit(cast.space, face)
     eyes = {part.eye: name for name, part in cast.space.parts.items() if part.eye}
     centres = {eye: fitted.centres[name] for eye, name in eyes.items()}
     spans = [np.linalg.norm(fitted.parts[name] - centres[eye], axis=1).max() for eye, name in eyes.items()]
     return FaceDocument(
         name=face.name,
-        label=face.name.replace("_", " ").capitalize(),
+        label=label,
         url=url,
         centres=(_vector(centres.get("left")), _vector(centres.get("right"))),
         eye_radius=float(np.mean(spans)) if spans else 0.0,
-        ball_radii=ball_radii(cast, face),
-        extremes=[_vector(point) for point in extremes(outline(cast, face))],
-        look=Look(**asdict(cast.looks[face.name])),
+        ball_radii=ball_radii(cast.space, face),
+        extremes=[_vector(point) for point in extremes(outline(cast, face, look.hair_style))],
+        look=wire.Look(**asdict(look)),
+        source=source,
     )
 
 
-def outline(cast: Cast, face: Face) -> Points:
+def plain_label(name: str) -> str:
+    """What people read of a face that has nothing but its name."""
+    return name.replace("_", " ").capitalize()
+
+
+def outline(cast: Cast, face: Face, hair_style: str) -> Points:
     """What a camera must hold of a face, (n, 3) metres: its skin, and the hair that it wears."""
-    style = cast.hair.get(cast.looks[face.name].hair_style)
+    style = cast.hair.get(hair_style)
     if style is None:
         return face.positions
     strands = carried(style, cast.space.points, face.positions.astype(np.float64)).reshape(-1, 3)
@@ -190,11 +221,18 @@ def extremes(positions: Points) -> Points:
     return positions[ends]
 
 
-def _expression_document(cast: Cast, name: str) -> ExpressionDocument:
-    title, eyes = cast.titles[name], cast.expressions[name].eyes.ravel().tolist()
-    kind, pupil = msgspec.convert(title.kind, Kind), cast.expressions[name].pupil
-    angles = (eyes[0], eyes[1], eyes[2], eyes[3])
-    return ExpressionDocument(name, title.label, kind, title.region, eyes=angles, pupil=pupil)
+def expression_document(name: str, expression: Expression, title: Title, *, source: str) -> ExpressionDocument:
+    """What pages must know of an expression."""
+    eyes = expression.eyes.ravel().tolist()
+    return ExpressionDocument(
+        name=name,
+        label=title.label,
+        kind=msgspec.convert(title.kind, Kind),
+        region=title.region,
+        eyes=(eyes[0], eyes[1], eyes[2], eyes[3]),
+        pupil=expression.pupil,
+        source=source,
+    )
 
 
 def _vector(point: NDArray[np.floating] | None) -> Vector:

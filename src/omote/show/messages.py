@@ -22,6 +22,8 @@ Name = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 CallId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
 Role = Literal["stage", "console"]
 Level = Literal["lowest", "low", "medium", "high"]
+LayoutText = Annotated[str, msgspec.Meta(max_length=3600)]
+Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
 Kind = Literal["neutral", "performed", "arkit", "makehuman", "own"]
 
 
@@ -117,6 +119,26 @@ class Panic(Message, frozen=True):
     """Neutral, now."""
 
 
+class KeepFace(Message, frozen=True):
+    """Keeps the mix of faces on air as a new own face. An `id` executes once; answered with `kept`."""
+
+    id: CallId
+
+
+class KeepExpression(Message, frozen=True):
+    """Keeps expressions, channels and gaze on air as a new own expression. An `id` executes once; answered with
+    `kept`."""
+
+    id: CallId
+
+
+class SetLayout(Message, frozen=True):
+    """Keeps a page's document (JSON) in the show file under a name, where `/layouts/NAME` has it again."""
+
+    name: Name
+    document: LayoutText
+
+
 class Ping(Message, frozen=True):
     """Asks for a pong; `sent` is the client's own clock and comes back untouched."""
 
@@ -140,6 +162,21 @@ class Welcome(Message, frozen=True):
     epoch: int
     revision: int
     digest: str
+
+
+class CastChanged(Message, frozen=True, tag="cast"):
+    """The cast has other names or contents now: pages fetch the manifest again and go on."""
+
+    revision: int
+    digest: str
+
+
+class Kept(Message, frozen=True):
+    """Answers keep_face and keep_expression: the name under which it is in the cast, and what people read."""
+
+    id: str
+    name: str
+    label: str
 
 
 class CallState(msgspec.Struct, frozen=True):
@@ -223,10 +260,13 @@ FromClient = (
     | SetHead
     | SetGaze
     | Panic
+    | KeepFace
+    | KeepExpression
+    | SetLayout
     | Ping
     | Drawing
 )
-FromServer = Welcome | State | Pong | Refused | Crew
+FromServer = Welcome | CastChanged | State | Pong | Kept | Refused | Crew
 
 
 # --- documents over HTTP ----------------------------------------------------------------------------------------------
@@ -280,7 +320,8 @@ class FaceDocument(msgspec.Struct, frozen=True):
     """A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
 
     `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the farthest points
-    of skin and hair, least then greatest x, y and z, metres: what a picture has to hold.
+    of skin and hair, least then greatest x, y and z, metres: what a picture has to hold. `source`: its name in the
+    addresses of compounds, `#` and a content key for an own face; `tags`, `place`: for palettes.
     """
 
     name: str
@@ -291,11 +332,14 @@ class FaceDocument(msgspec.Struct, frozen=True):
     ball_radii: tuple[float, float]
     extremes: list[tuple[float, float, float]]
     look: Look
+    source: str
+    tags: list[str] = []
+    place: float = 0.0
 
 
 class ExpressionDocument(msgspec.Struct, frozen=True):
     """An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
-    what it adds to the pupils (1 as wide as they go, -1 as narrow)."""
+    what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face."""
 
     name: str
     label: str
@@ -303,6 +347,9 @@ class ExpressionDocument(msgspec.Struct, frozen=True):
     region: str
     eyes: tuple[float, float, float, float]
     pupil: float
+    source: str
+    tags: list[str] = []
+    place: float = 0.0
 
 
 class HairDocument(msgspec.Struct, frozen=True):
@@ -359,9 +406,12 @@ class LightDocument(msgspec.Struct, frozen=True):
 
 
 class Manifest(msgspec.Struct, frozen=True):
-    """All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes."""
+    """All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes.
+
+    `base`: the digest of the built-in cast, which stays as long as the server does; `digest`: with own things."""
 
     version: int
+    base: str
     digest: str
     vertices: int
     skin: int
@@ -378,6 +428,13 @@ class Manifest(msgspec.Struct, frozen=True):
 class FaceAsset(msgspec.Struct, frozen=True):
     """The positions of a face, (vertices, 3) f32 little-endian, metres."""
 
+    positions: bytes
+
+
+class ContentAsset(msgspec.Struct, frozen=True):
+    """An own face by its content, as `FaceDocument` and `FaceAsset` have it; its name is its content's key."""
+
+    face: FaceDocument
     positions: bytes
 
 
@@ -420,4 +477,4 @@ class CompoundAsset(msgspec.Struct, frozen=True):
 
 CLIENT_MESSAGES: tuple[type[Message], ...] = get_args(FromClient)
 SERVER_MESSAGES: tuple[type[Message], ...] = get_args(FromServer)
-DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, HairAsset, CompoundAsset)
+DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, ContentAsset, HairAsset, CompoundAsset)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from omote.perform.performer import Performer
-from omote.perform.snapshot import Snapshot
+from omote.perform.snapshot import Snapshot, names_held
 from omote.show import door
 from omote.show import messages as wire
 from omote.show.door import Refusal, number
@@ -18,7 +18,7 @@ from omote.show.state import state_of
 from omote.show.wire import decode
 
 if TYPE_CHECKING:
-    from omote.model.cast import Cast
+    from omote.perform.snapshot import Playable
 
 REMEMBERED_CALLS = 512
 SILENCE = 3.0
@@ -42,6 +42,14 @@ class Member:
     heard: float = -math.inf
 
 
+@dataclass(frozen=True)
+class Wish:
+    """Something to be kept in the show file, which a console asked for: for whoever holds the file."""
+
+    who: str
+    message: wire.KeepFace | wire.KeepExpression | wire.SetLayout
+
+
 class SessionSnapshot(msgspec.Struct, frozen=True):
     """All that a restarted server needs: the performer, and the calls already executed."""
 
@@ -52,18 +60,19 @@ class SessionSnapshot(msgspec.Struct, frozen=True):
 class ShowSession:
     """A running show: who is connected, what has been called, what is on air."""
 
-    def __init__(self, cast: Cast, performer: Performer, *, epoch: int = 1, revision: int = 1) -> None:
+    def __init__(self, cast: Playable, performer: Performer, *, epoch: int = 1, revision: int = 1) -> None:
         self.cast, self.performer, self.epoch, self.revision = cast, performer, epoch, revision
         self.number = 0
         self.refused = 0
         self.commands = 0
         self.crew: dict[str, Member] = {}
+        self.wishes: list[Wish] = []
         self._calls: dict[str, None] = {}
         self._now: float | None = None
         self._time = performer.snapshot().time
 
     @classmethod
-    def restored(cls, cast: Cast, snapshot: SessionSnapshot, *, epoch: int, revision: int = 1) -> ShowSession:
+    def restored(cls, cast: Playable, snapshot: SessionSnapshot, *, epoch: int, revision: int = 1) -> ShowSession:
         """The show of a snapshot, under a new epoch; ValueError when the snapshot does not fit the cast."""
         session = cls(cast, Performer.restored(cast, snapshot.performer), epoch=epoch, revision=revision)
         session._calls = dict.fromkeys(snapshot.calls)
@@ -97,6 +106,22 @@ class ShowSession:
         self._time = frame.time
         return state_of(self.cast, frame, epoch=self.epoch, number=self.number, revision=self.revision)
 
+    def recast(self, cast: Playable) -> wire.CastChanged:
+        """Plays another cast from now on, and what to tell everybody; ValueError where what is on air is not in it."""
+        self.performer.recast(cast)
+        self.cast = cast
+        self.revision += 1
+        return wire.CastChanged(self.revision, cast.digest)
+
+    def names_held(self) -> tuple[frozenset[str], frozenset[str]]:
+        """The faces and the expressions that the cast must not lose: they are on air, called or going."""
+        return names_held(self.performer.snapshot())
+
+    def take_wishes(self) -> list[Wish]:
+        """What consoles have asked to keep since the last time."""
+        wishes, self.wishes = self.wishes, []
+        return wishes
+
     def clock(self, now: float) -> float:
         """The show's clock at `now`, as in `State.time`: it runs on through a restart of the server."""
         return self._time if self._now is None else self._time + max(0.0, now - self._now)
@@ -120,15 +145,33 @@ class ShowSession:
             case wire.Drawing():
                 report = wire.StageReport(number(message.fps, door.FPS), message.level)
                 self.crew[who] = Member(self._member(who).role, report, heard=now)
-            case wire.CallFace() | wire.CallExpression() | wire.CallLight() if message.id in self._calls:
+            case (
+                wire.CallFace() | wire.CallExpression() | wire.CallLight() | wire.KeepFace() | wire.KeepExpression()
+            ) if message.id in self._calls:
                 pass  # a retry or a bouncing key: each call executes once
+            case wire.KeepFace() | wire.KeepExpression() | wire.SetLayout():
+                self._wish(Wish(who, message))
             case _:
                 self._obey(who, message)
         return []
 
-    def _obey(self, who: str, message: wire.FromClient) -> None:
+    def _wish(self, wish: Wish) -> None:
+        self._refuse_a_stage(wish.who, wish.message)
+        self.wishes.append(wish)
+        if not isinstance(wish.message, wire.SetLayout):
+            self._remember(wish.message.id)
+
+    def _refuse_a_stage(self, who: str, message: wire.FromClient) -> None:
         if self._member(who).role != "console":
             raise Refusal(f"{type(message).__struct_config__.tag} came from a stage, but only a console plays.")
+
+    def _remember(self, call: str) -> None:
+        self._calls[call] = None
+        if len(self._calls) > REMEMBERED_CALLS:
+            del self._calls[next(iter(self._calls))]
+
+    def _obey(self, who: str, message: wire.FromClient) -> None:
+        self._refuse_a_stage(who, message)
         try:
             OBEY[type(message)](self.performer, message)
         except Refusal:
@@ -137,9 +180,7 @@ class ShowSession:
             raise Refusal(f"{error}.") from error
         self.commands += 1
         if isinstance(message, wire.CallFace | wire.CallExpression | wire.CallLight):
-            self._calls[message.id] = None
-            if len(self._calls) > REMEMBERED_CALLS:
-                del self._calls[next(iter(self._calls))]
+            self._remember(message.id)
 
     def _welcome(self, who: str, hello: wire.Hello) -> wire.Welcome:
         if hello.version != wire.PROTOCOL_VERSION:

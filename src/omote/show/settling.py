@@ -6,9 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
+from omote.model.expression import Expression
 from omote.model.face import Face
 from omote.model.fitted import fit
 from omote.model.settling import Crossing, Settling, settling_of
+from omote.model.space import ParameterSpace
 from omote.perform.settle import BULGE, CORNEA, ROUNDS, UPRIGHT, Balls, allowance
 from omote.perform.upright import EAGER, FLATTEST
 from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument
@@ -60,20 +62,22 @@ def _followers(cast: Cast, settling: Settling, starts: dict[str, int]) -> tuple[
     return np.concatenate(rows), np.concatenate(anchors), np.concatenate(weights)
 
 
-def allowance_document(cast: Cast, face: Face, expression: str, skin: Floats) -> AllowanceDocument | None:
+def allowance_document(
+    space: ParameterSpace, face: Face, expression: Expression, skin: Floats
+) -> AllowanceDocument | None:
     """What the compound of a face and an expression, skin (V, 3), uses up by itself."""
-    settling = settling_of(cast.space)
+    settling = settling_of(space)
     if settling is None:
         return None
-    allowed = allowance(settling, fit(cast.space, face), cast.expressions[expression], skin)
+    allowed = allowance(settling, fit(space, face), expression, skin)
     places = np.flatnonzero(allowed)
     return AllowanceDocument(places=little(places, "<u4"), values=little(allowed[places], "<f4"))
 
 
-def ball_radii(cast: Cast, face: Face) -> tuple[float, float]:
+def ball_radii(space: ParameterSpace, face: Face) -> tuple[float, float]:
     """The radii of a face's eyeballs, left and right, metres; zero where there is none."""
-    settling = settling_of(cast.space)
+    settling = settling_of(space)
     if settling is None or len(settling.eyes) != 2:
         return 0.0, 0.0
-    left, right = Balls.of(fit(cast.space, face), settling.eyes, np.zeros((2, 2))).radii.tolist()
+    left, right = Balls.of(fit(space, face), settling.eyes, np.zeros((2, 2))).radii.tolist()
     return left, right

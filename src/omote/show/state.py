@@ -10,10 +10,10 @@ from omote.perform.frame import CallStatus, Frame
 from omote.show.messages import CallState, State
 
 if TYPE_CHECKING:
-    from omote.model.cast import Cast
+    from omote.perform.snapshot import Playable
 
 
-def state_of(cast: Cast, frame: Frame, *, epoch: int, number: int, revision: int) -> State:
+def state_of(cast: Playable, frame: Frame, *, epoch: int, number: int, revision: int) -> State:
     """The complete state of a frame; `eyes` and `lids` are what the gaze makes of it."""
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
     eyes = eye_angles(cast.expressions, frame.expressions, channels).ravel().tolist()

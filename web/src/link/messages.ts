@@ -88,6 +88,28 @@ export interface Panic {
   type: "panic";
 }
 
+/** Keeps the mix of faces on air as a new own face. An `id` executes once; answered with `kept`. */
+export interface KeepFace {
+  type: "keep_face";
+  id: string;
+}
+
+/**
+ * Keeps expressions, channels and gaze on air as a new own expression. An `id` executes once; answered with
+ * `kept`.
+ */
+export interface KeepExpression {
+  type: "keep_expression";
+  id: string;
+}
+
+/** Keeps a page's document (JSON) in the show file under a name, where `/layouts/NAME` has it again. */
+export interface SetLayout {
+  type: "set_layout";
+  name: string;
+  document: string;
+}
+
 /** Asks for a pong; `sent` is the client's own clock and comes back untouched. */
 export interface Ping {
   type: "ping";
@@ -108,6 +130,21 @@ export interface Welcome {
   epoch: number;
   revision: number;
   digest: string;
+}
+
+/** The cast has other names or contents now: pages fetch the manifest again and go on. */
+export interface CastChanged {
+  type: "cast";
+  revision: number;
+  digest: string;
+}
+
+/** Answers keep_face and keep_expression: the name under which it is in the cast, and what people read. */
+export interface Kept {
+  type: "kept";
+  id: string;
+  name: string;
+  label: string;
 }
 
 /**
@@ -222,7 +259,8 @@ export interface MeshDocument {
 /**
  * A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
  * `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the farthest points
- * of skin and hair, least then greatest x, y and z, metres: what a picture has to hold.
+ * of skin and hair, least then greatest x, y and z, metres: what a picture has to hold. `source`: its name in the
+ * addresses of compounds, `#` and a content key for an own face; `tags`, `place`: for palettes.
  */
 export interface FaceDocument {
   name: string;
@@ -233,11 +271,14 @@ export interface FaceDocument {
   ball_radii: [number, number];
   extremes: [number, number, number][];
   look: Look;
+  source: string;
+  tags: string[];
+  place: number;
 }
 
 /**
  * An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
- * what it adds to the pupils (1 as wide as they go, -1 as narrow).
+ * what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face.
  */
 export interface ExpressionDocument {
   name: string;
@@ -246,6 +287,9 @@ export interface ExpressionDocument {
   region: string;
   eyes: [number, number, number, number];
   pupil: number;
+  source: string;
+  tags: string[];
+  place: number;
 }
 
 /** A hair style: where its strands are. */
@@ -297,9 +341,13 @@ export interface LightDocument {
   label: string;
 }
 
-/** All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes. */
+/**
+ * All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes.
+ * `base`: the digest of the built-in cast, which stays as long as the server does; `digest`: with own things.
+ */
 export interface Manifest {
   version: number;
+  base: string;
   digest: string;
   vertices: number;
   skin: number;
@@ -315,6 +363,12 @@ export interface Manifest {
 
 /** The positions of a face, (vertices, 3) f32 little-endian, metres. */
 export interface FaceAsset {
+  positions: Uint8Array;
+}
+
+/** An own face by its content, as `FaceDocument` and `FaceAsset` have it; its name is its content's key. */
+export interface ContentAsset {
+  face: FaceDocument;
   positions: Uint8Array;
 }
 
@@ -367,7 +421,10 @@ export type FromClient =
   | SetHead
   | SetGaze
   | Panic
+  | KeepFace
+  | KeepExpression
+  | SetLayout
   | Ping
   | Drawing;
 
-export type FromServer = Welcome | State | Pong | Refused | Crew;
+export type FromServer = Welcome | CastChanged | State | Pong | Kept | Refused | Crew;
