@@ -25,7 +25,7 @@ Text = Annotated[str, msgspec.Meta(max_length=200)]
 Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
 Rows = Annotated[list[int], msgspec.Meta(max_length=400)]
 Vectors = Annotated[list[Vector], msgspec.Meta(max_length=400)]
-Layers = Annotated[list[Layer], msgspec.Meta(max_length=40)]
+Layers = Annotated[list[Layer], msgspec.Meta(max_length=200)]
 Pulls = Annotated[list[Pull], msgspec.Meta(max_length=40)]
 
 # --- editor to server -------------------------------------------------------------------------------------------------

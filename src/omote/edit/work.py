@@ -12,10 +12,11 @@ Contents = dict[str, bytes]
 
 
 class Bake(msgspec.Struct, frozen=True, tag=True):
-    """An own expression or face of a recipe; answered with `Baked`."""
+    """An own expression or face of a recipe; answered with `Baked`; weave: with the document of the recipe's net."""
 
     recipe: Recipe | FaceRecipe
     contents: Contents
+    weave: bool = False
 
 
 class Solve(msgspec.Struct, frozen=True, tag=True):

@@ -1,0 +1,224 @@
+"""Editors at work without server or mathematics: a craft that answers at once, a file of plain tables, pages."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from omote.edit import messages as wire
+from omote.edit.door import FEWEST_POINTS
+from omote.edit.on_air import OnAir
+from omote.edit.session import EditSession, Outcome
+from omote.edit.wire import encode, write_recipe
+from omote.edit.work import Bake, Baked, EditOrder, Flat, Renet, Solve
+from omote.files.changes import (
+    Change,
+    Draft,
+    DropDraft,
+    Edit,
+    Item,
+    Kind,
+    PutContent,
+    PutDraft,
+    PutEdit,
+    PutItem,
+    PutLayout,
+    PutRevision,
+    Revision,
+    Stored,
+)
+from omote.model.cast import Cast
+from omote.model.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.model.regions import REGIONS
+from omote.show.messages import Message
+
+MUSCLES = ("smiler", "frowner")
+WALL = 1.75e9
+POINTS = 5
+
+
+def net_of(cast: Cast, count: int = POINTS) -> tuple[int, ...]:
+    """As many vertices of the sheet, from its first on."""
+    assert count >= FEWEST_POINTS
+    return tuple(int(row) for row in np.flatnonzero(cast.space.on_sheet)[:count])
+
+
+def welcome() -> wire.Greeted:
+    """An answer to greet with two muscles and no pictures."""
+    muscles = [wire.MuscleDocument(name, name.title(), "linear", [0, 1], b"") for name in MUSCLES]
+    return wire.Greeted(0, "", muscles, list(REGIONS), b"", b"", b"", b"", [])
+
+
+def woven(net: tuple[int, ...]) -> wire.NetDocument:
+    """A document that names its net and says nothing else."""
+    return wire.NetDocument(list(net), b"", b"", b"", [-1] * len(net))
+
+
+def key_of(data: bytes) -> str:
+    """The key of a content."""
+    return hashlib.blake2b(data, digest_size=16).hexdigest()
+
+
+def craft(order: EditOrder) -> Baked:
+    """What the workshop would answer, with bytes that only name what they were made from.
+
+    Raises AssertionError where the order lacks a content that its recipe names.
+    """
+    named = {source.removeprefix(KEY) for source in sources(order.recipe) if source.startswith(KEY)}
+    assert named <= order.contents.keys(), "an order carries all that it needs"
+    made: dict[str, bytes] = {}
+    recipe: Recipe | FaceRecipe = order.recipe
+    net, miss = None, 0.0
+    match order:
+        case Solve():
+            vectors = list(order.vectors)
+            for place, (x, y, _) in zip(order.points, order.targets, strict=True):
+                vectors[place] = (x, y, 1.0)
+            recipe, miss = msgspec.structs.replace(order.recipe, vectors=tuple(vectors)), 1e-6
+        case Renet():
+            vectors = [(0.0, 0.0, 1.0)] * len(order.net)
+            recipe, net = msgspec.structs.replace(order.recipe, net=order.net, vectors=tuple(vectors)), woven(order.net)
+        case Flat():
+            ground = b"ground of " + write_recipe(order.recipe)
+            made[key_of(ground)] = ground
+            rest = ((0.0, 0.0, 1.0),) * len(order.recipe.net)
+            recipe = Recipe(order.recipe.net, rest, ground=KEY + key_of(ground))
+        case Bake():
+            net = woven(order.recipe.net) if order.weave and isinstance(order.recipe, Recipe) else None
+    data = b"made of " + write_recipe(recipe)
+    return Baked(recipe, key_of(data), made | {key_of(data): data}, net, miss)
+
+
+@dataclass
+class Tables:
+    """A show file in memory: what `files.showfile` keeps, by the words of `files.changes` alone."""
+
+    items: dict[int, Item] = field(default_factory=dict)
+    revisions: dict[tuple[int, int], Revision] = field(default_factory=dict)
+    drafts: dict[tuple[int, str], Draft] = field(default_factory=dict)
+    edits: dict[tuple[int, str, int], Edit] = field(default_factory=dict)
+    layouts: dict[str, bytes] = field(default_factory=dict)
+    contents: dict[str, bytes] = field(default_factory=dict)
+
+    def apply(self, changes: Iterable[Change]) -> None:
+        """Commits changes."""
+        for change in changes:
+            if isinstance(change, PutDraft | PutEdit | DropDraft):
+                self._apply_to_drafts(change)
+            else:
+                self._apply_to_items(change)
+
+    def stored(self) -> Stored:
+        """Everything but the contents, in the order of keys."""
+        return Stored(
+            tuple(self.items[key] for key in sorted(self.items)),
+            tuple(self.revisions[key] for key in sorted(self.revisions)),
+            tuple(self.drafts[key] for key in sorted(self.drafts)),
+            tuple(self.edits[key] for key in sorted(self.edits)),
+            dict(self.layouts),
+        )
+
+    def _apply_to_items(self, change: PutContent | PutItem | PutRevision | PutLayout) -> None:
+        match change:
+            case PutContent(key, data):
+                assert self.contents.setdefault(key, data) == data
+            case PutItem(item):
+                self.items[item.id] = item
+            case PutRevision(revision):
+                assert (revision.item, revision.number) not in self.revisions, "revisions are never replaced"
+                self.revisions[revision.item, revision.number] = revision
+            case PutLayout(name, document):
+                self.layouts[name] = document
+
+    def _apply_to_drafts(self, change: PutDraft | PutEdit | DropDraft) -> None:
+        match change:
+            case PutDraft(draft):
+                self.drafts[draft.item, draft.editor] = draft
+            case PutEdit(edit):
+                draft_key = edit.item, edit.editor
+                assert draft_key in self.drafts, "a step needs its draft"
+                steps = {key: kept for key, kept in self.edits.items() if key[:2] != draft_key or key[2] < edit.number}
+                self.edits = steps | {(*draft_key, edit.number): edit}
+            case DropDraft(item, editor):
+                self.drafts.pop((item, editor), None)
+                self.edits = {key: edit for key, edit in self.edits.items() if key[:2] != (item, editor)}
+
+
+class Studio:
+    """A session with its craft and its file: everything that is asked is done at once, unless `slow`."""
+
+    def __init__(self, cast: Cast, tables: Any = None, *, slow: bool = False) -> None:
+        self.cast, self.slow = cast, slow
+        self.tables = Tables() if tables is None else tables
+        self.on_air = OnAir(faces={"generic": 1.0}, expressions={"neutral": 1.0})
+        self.wall = WALL
+        self.craft: Callable[[EditOrder], Baked | str | None] = craft
+        self.orders: list[tuple[int, EditOrder]] = []
+        self.outcomes: list[Outcome] = []
+        self.start()
+
+    def start(self) -> None:
+        """The session of a server that starts, from what was committed."""
+        self.orders.clear()
+        contents: Mapping[str, bytes] = dict(self.tables.contents)
+        self.session = EditSession(
+            self.cast, self.tables.stored(), contents, net=net_of(self.cast), welcome=welcome()
+        )  # fmt: skip
+        self._request = 0
+
+    def greet(self, who: str, editor: str | None = None, name: str | None = None) -> wire.Greeted:
+        """A page that opens its link."""
+        (answer,) = self.say(who, wire.Greet(editor or who, name or who.title(), wire.EDITING_VERSION), wire.Greeted)
+        assert isinstance(answer, wire.Greeted)
+        return answer
+
+    def ask(self, who: str, request: Callable[..., Message], *arguments: Any) -> Any:
+        """The answer to a request, under a number of its own."""
+        self._request += 1
+        self.wall += 1.0
+        answers = self.say(who, request(self._request, *arguments))
+        found = [each for each in answers if getattr(each, "request", None) == self._request]
+        assert len(found) == 1, f"one answer to each request, but there are {found}"
+        return found[0]
+
+    def say(self, who: str, message: Message, kind: type = object) -> list[Any]:
+        """Everything of a kind that goes back to whoever speaks."""
+        told = self.hear(who, encode(message))  # type: ignore[arg-type]
+        return [each for to, each in told if to == who and isinstance(each, kind)]
+
+    def hear(self, who: str, data: bytes) -> list[tuple[str, Any]]:
+        """Everything that goes to anybody after these bytes, once all orders are done."""
+        return self.settle(self.session.hear(who, data, wall=self.wall, on_air=self.on_air))
+
+    def settle(self, outcome: Outcome) -> list[tuple[str, Any]]:
+        """Commits an outcome, does its orders (or, `slow`, lays them aside) and gives all messages."""
+        told: list[tuple[str, Any]] = []
+        outcomes = [outcome]
+        while outcomes:
+            outcome = outcomes.pop(0)
+            self.outcomes.append(outcome)
+            self.tables.apply(outcome.changes)
+            told += [(each.who, each.message) for each in outcome.replies]
+            self.orders += outcome.orders
+            while self.orders and not self.slow:
+                outcomes.append(self.answer(*self.orders.pop(0)))
+        return told
+
+    def answer(self, number: int, order: EditOrder) -> Outcome:
+        """The outcome of one order."""
+        baked = self.craft(order)
+        return self.session.made(number, encode(baked) if isinstance(baked, Baked) else baked)
+
+    def keep(self, kind: Kind, label: str | None = None, ticket: str = "ticket") -> Any:
+        """One press of "save what is on air", and what became of it."""
+        before = len(self.outcomes)
+        self.settle(
+            self.session.keep(kind, self.on_air, label=label, wall=self.wall, editor="console", ticket=ticket)
+        )  # fmt: skip
+        (kept,) = [kept for outcome in self.outcomes[before:] for kept in outcome.kept]
+        return kept
