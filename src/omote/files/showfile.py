@@ -1,45 +1,47 @@
-"""The show file: one SQLite file (`.omote`); its first table is the journal of the live state.
+"""The show file: one SQLite file (`.omote`) with the journal of the live state and all authored work.
 
 The journal is one row that is written over and over, so the file stays small. In WAL mode a commit survives the death
-of the process at once, and the loss of power from the next `flush` on.
+of the process at once; the loss of power, authored work at once too, the journal from the next `flush` on.
 """
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sqlite3
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-APPLICATION_ID = 0x4F4D4F54  # "OMOT"
-SCHEMA_VERSION = 1
-SCHEMA = """
-CREATE TABLE journal (
-    slot INTEGER PRIMARY KEY CHECK (slot = 1),
-    epoch INTEGER NOT NULL,
-    written REAL NOT NULL,
-    snapshot BLOB
-) STRICT;
-CREATE TABLE journal_aside (
-    epoch INTEGER PRIMARY KEY,
-    reason TEXT NOT NULL,
-    snapshot BLOB NOT NULL
-) STRICT;
-"""
+from omote.files.authored import apply_changes, read_all, read_contents, refuse_damaged, seal
+from omote.files.changes import Change, Stored
+from omote.files.schema import (
+    APPLICATION_ID,
+    SCHEMA_VERSION,
+    CorruptShowFileError,
+    ShowFileError,
+    migrate,
+    refuse_without_tables,
+    version_of,
+)
+
+__all__ = [
+    "APPLICATION_ID",
+    "SCHEMA_VERSION",
+    "CorruptShowFileError",
+    "JournalEntry",
+    "ShowFile",
+    "ShowFileError",
+    "default_path",
+    "move_aside",
+    "open_show",
+]
+
 ASIDE_LIMIT = 20
 """Snapshots kept that no server could start from; older ones go."""
 
 HIGHEST_EPOCH = 2**53
 """Epochs are numbers in the browser too; beyond this they would not be told apart."""
-
-
-class ShowFileError(RuntimeError):
-    """The show file cannot be used, and why, in one sentence; the file is untouched."""
-
-
-class CorruptShowFileError(ShowFileError):
-    """The file is no readable show file."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +58,28 @@ class ShowFile:
 
     def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
         self._connection = connection
+        self._flushed: int | None = None
         self.path = path
+
+    def stored(self) -> Stored:
+        """All authored work but the contents' bytes; sqlite3.Error where it cannot be read."""
+        return read_all(self._connection)
+
+    def contents(self) -> dict[str, bytes]:
+        """Every content's bytes (`files.contents`) by key; sqlite3.Error where they cannot be read."""
+        return dict(read_contents(self._connection))
+
+    def apply(self, changes: Iterable[Change]) -> None:
+        """Commits authored changes, all or none; they survive a loss of power when it returns.
+
+        sqlite3.OperationalError: not now; any other sqlite3.Error, ValueError or OverflowError: never.
+        """
+        self._connection.execute("PRAGMA synchronous = FULL")
+        try:
+            apply_changes(self._connection, changes)
+        finally:
+            with contextlib.suppress(sqlite3.Error):
+                self._connection.execute("PRAGMA synchronous = NORMAL")
 
     def journal(self) -> JournalEntry:
         """The last state; epoch 0 and no snapshot in a new file. sqlite3.Error where it cannot be read."""
@@ -70,8 +93,8 @@ class ShowFile:
         """Replaces the last state; returns when it is committed."""
         with self._connection:
             self._connection.execute(
-                "INSERT OR REPLACE INTO journal (slot, epoch, written, snapshot) VALUES (1, ?, ?, ?)",
-                (entry.epoch, entry.written, entry.snapshot),
+                "INSERT OR REPLACE INTO journal (slot, epoch, written, snapshot, sum) VALUES (1, ?, ?, ?, ?)",
+                (entry.epoch, entry.written, entry.snapshot, seal([entry.epoch, entry.snapshot])),
             )
 
     def set_aside(self, entry: JournalEntry, reason: str) -> None:
@@ -88,28 +111,53 @@ class ShowFile:
             self._connection.execute("UPDATE journal SET snapshot = NULL")
 
     def again(self) -> ShowFile:
-        """The same file opened a second time, for a thread that flushes while another writes."""
-        return ShowFile(sqlite3.connect(self.path, timeout=1.0, check_same_thread=False), self.path)
+        """The same file opened a second time, for another thread."""
+        connection = _connected(self.path)
+        try:
+            _set(connection)
+        except sqlite3.Error:
+            connection.close()
+            raise
+        return ShowFile(connection, self.path)
 
     def flush(self) -> None:
-        """Makes all that is committed survive a loss of power."""
+        """Makes all that is committed survive a loss of power.
+
+        Only where another connection has committed since the last time: a checkpoint that has nothing to do, while a
+        commit begins the log anew, can lose that commit (SQLite before 3.51.3, "the WAL-reset bug").
+        """
+        if self._version() == self._flushed:
+            return
         self._connection.execute("PRAGMA wal_checkpoint(PASSIVE)").fetchone()
+        self._flushed = self._version()
+
+    def copy_into(self, path: Path) -> None:
+        """Copies the file as it is now, log and all, into a new file without a log; others may write meanwhile."""
+        copy = sqlite3.connect(path)
+        try:
+            self._connection.backup(copy)
+            copy.execute("PRAGMA journal_mode = DELETE").fetchone()
+        finally:
+            copy.close()
 
     def close(self) -> None:
         """Closes the file; its write-ahead log is merged."""
         self._connection.close()
+
+    def _version(self) -> int:
+        (version,) = self._connection.execute("PRAGMA data_version").fetchone()
+        return int(version)
 
 
 def open_show(path: Path) -> ShowFile:
     """The show file at `path`, made when there is none; ShowFileError when it cannot be used."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        connection = sqlite3.connect(path, timeout=1.0, check_same_thread=False)
+        connection = _connected(path)
     except (OSError, sqlite3.Error) as error:
         raise ShowFileError(f"{path} cannot be opened ({error}); name another file.") from error
     try:
-        _check(connection, path)
-        _prepare(connection)
+        _prepare(connection, path)
     except sqlite3.OperationalError as error:
         connection.close()
         raise ShowFileError(f"{path} cannot be written ({error}); name another file or make it writable.") from error
@@ -142,37 +190,23 @@ def default_path(environment: Mapping[str, str] = os.environ) -> Path:
     return folder / "omote" / "show.omote"
 
 
-def _check(connection: sqlite3.Connection, path: Path) -> None:
-    (tables,) = connection.execute("SELECT count(*) FROM sqlite_schema").fetchone()
-    (application,) = connection.execute("PRAGMA application_id").fetchone()
-    (version,) = connection.execute("PRAGMA user_version").fetchone()
-    if tables == 0 and application == 0 and version == 0:
-        return
-    if application != APPLICATION_ID:
-        raise ShowFileError(f"{path} is a database, but not of Omote; name another file.")
-    if version > SCHEMA_VERSION:
-        raise ShowFileError(
-            f"{path} was written by a newer Omote (schema {version}, this one reads up to {SCHEMA_VERSION}); "
-            "update Omote."
-        )
-    (verdict,) = connection.execute("PRAGMA quick_check(1)").fetchone()
-    if verdict != "ok":
-        raise sqlite3.DatabaseError(verdict)
+def _connected(path: Path) -> sqlite3.Connection:
+    return sqlite3.connect(path, timeout=1.0, check_same_thread=False)
 
 
-def _prepare(connection: sqlite3.Connection) -> None:
-    connection.execute("PRAGMA journal_mode = WAL").fetchone()
-    connection.execute("PRAGMA synchronous = NORMAL")
+def _set(connection: sqlite3.Connection) -> None:
     connection.execute("PRAGMA foreign_keys = ON")
-    (version,) = connection.execute("PRAGMA user_version").fetchone()
-    if version == 0:
-        connection.executescript(
-            f"BEGIN; PRAGMA application_id = {APPLICATION_ID}; PRAGMA user_version = {SCHEMA_VERSION}; {SCHEMA} COMMIT;"
-        )
-    try:
-        connection.execute("SELECT slot, epoch, written, snapshot FROM journal").fetchone()
-        connection.execute("SELECT epoch, reason, snapshot FROM journal_aside").fetchone()
-    except sqlite3.OperationalError as error:
-        if "no such" not in str(error):
-            raise
-        raise sqlite3.DatabaseError(str(error)) from error
+    connection.execute("PRAGMA synchronous = NORMAL")
+
+
+def _prepare(connection: sqlite3.Connection, path: Path) -> None:
+    version = version_of(connection, path)
+    if version:
+        (verdict,) = connection.execute("PRAGMA quick_check(1)").fetchone()
+        if verdict != "ok":
+            raise sqlite3.DatabaseError(verdict)
+    connection.execute("PRAGMA journal_mode = WAL").fetchone()
+    _set(connection)
+    migrate(connection, version)
+    refuse_without_tables(connection)
+    refuse_damaged(connection)

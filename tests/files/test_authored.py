@@ -1,0 +1,302 @@
+"""Authored work comes back as it was put, all or nothing, and nothing damaged is taken for it."""
+
+import sqlite3
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from omote.files.authored import TABLES, row_of, seal
+from omote.files.changes import (
+    Change,
+    Draft,
+    DropDraft,
+    Edit,
+    Item,
+    PutContent,
+    PutDraft,
+    PutEdit,
+    PutItem,
+    PutLayout,
+    PutRevision,
+    Revision,
+    Stored,
+)
+from omote.files.contents import content_key
+from omote.files.schema import CorruptShowFileError
+from omote.files.showfile import ShowFile, open_show
+
+DATA = [b"", b"one", b"two" * 3000]
+KEYS = [content_key(data) for data in DATA]
+
+
+@pytest.fixture
+def show(tmp_path: Path) -> Iterator[ShowFile]:
+    """A new show file."""
+    opened = open_show(tmp_path / "a.omote")
+    yield opened
+    opened.close()
+
+
+def item(number: int = 1, **fields: object) -> Item:
+    """An expression."""
+    whole = {"id": number, "kind": "expression", "name": f"own-{number}", "label": "Own", **fields}
+    return Item(**whole)  # type: ignore[arg-type]
+
+
+def revision(item: int = 1, number: int = 1, **fields: object) -> Revision:
+    """A save of it."""
+    whole = {"item": item, "number": number, "parent": number - 1, "recipe": b"{}", "content": KEYS[1]}
+    return Revision(**(whole | {"written": 1.5, "editor": "Ada"} | fields))  # type: ignore[arg-type]
+
+
+FIRST: list[Change] = [
+    PutItem(item(head=1, tags=("wry", "left"))),
+    PutRevision(revision()),
+    PutContent(KEYS[1], DATA[1]),
+]
+
+
+def test_a_new_file_holds_nothing(show: ShowFile) -> None:
+    assert show.stored() == Stored()
+    assert show.contents() == {}
+
+
+def test_what_belongs_together_may_come_in_any_order(show: ShowFile) -> None:
+    show.apply(FIRST)
+    assert show.stored() == Stored(items=(item(head=1, tags=("wry", "left")),), revisions=(revision(),))
+    assert show.contents() == {KEYS[1]: DATA[1]}
+
+
+texts = st.text(st.characters(codec="utf-8"), max_size=8)
+reals = st.floats(-1e300, 1e300)
+ids = st.integers(1, 3)
+editors = st.sampled_from(["ada", "bo"])
+puts: st.SearchStrategy[Change] = st.one_of(
+    st.sampled_from([PutContent(key, data) for key, data in zip(KEYS, DATA, strict=True)]),
+    st.builds(
+        PutItem,
+        st.builds(
+            lambda number, **fields: item(number, **fields),
+            ids,
+            label=texts,
+            tags=st.lists(texts, max_size=3).map(tuple),
+            place=reals,
+            deleted=st.booleans(),
+            head=st.integers(0, 2),
+        ),
+    ),
+    st.builds(
+        PutRevision,
+        st.builds(
+            lambda item, number, **fields: revision(item, number, **fields),
+            ids,
+            st.integers(1, 3),
+            parent=st.integers(0, 3),
+            recipe=st.binary(max_size=5),
+            content=st.sampled_from(KEYS),
+            written=reals,
+            note=texts,
+            aside=st.booleans(),
+        ),
+    ),
+    st.builds(PutDraft, st.builds(Draft, ids, editors, st.integers(0, 3), st.integers(-1, 9))),
+    st.builds(PutEdit, st.builds(Edit, ids, editors, st.integers(0, 4), st.binary(max_size=5), texts)),
+    st.builds(DropDraft, ids, editors),
+    st.builds(PutLayout, texts, st.binary(max_size=5)),
+)
+
+
+class Ledger:
+    """What a show file should hold, in plain dictionaries."""
+
+    def __init__(self) -> None:
+        self.items: dict[int, Item] = {}
+        self.revisions: dict[tuple[int, int], Revision] = {}
+        self.drafts: dict[tuple[int, str], Draft] = {}
+        self.edits: dict[tuple[int, str, int], Edit] = {}
+        self.layouts: dict[str, bytes] = {}
+        self.contents: dict[str, bytes] = {}
+
+    def copy(self) -> "Ledger":
+        """Another with the same."""
+        other = Ledger()
+        for name, rows in vars(self).items():
+            setattr(other, name, dict(rows))
+        return other
+
+    def make(self, change: Change) -> bool:
+        """Makes a change; False where it must be refused."""
+        match change:
+            case PutRevision(row):
+                return self.revisions.setdefault((row.item, row.number), row) == row
+            case PutContent(key, data):
+                self.contents[key] = data
+            case PutItem(row):
+                self.items[row.id] = row
+            case PutLayout(name, document):
+                self.layouts[name] = document
+            case _:
+                self._make_in_draft(change)
+        return True
+
+    def _make_in_draft(self, change: Change) -> None:
+        match change:
+            case PutDraft(row):
+                self.drafts[row.item, row.editor] = row
+            case PutEdit(row):
+                self._drop_edits(row.item, row.editor, row.number)
+                self.edits[row.item, row.editor, row.number] = row
+            case DropDraft(number, editor):
+                if self.drafts.pop((number, editor), None):
+                    self._drop_edits(number, editor, 0)
+
+    def _drop_edits(self, number: int, editor: str, first: int) -> None:
+        self.edits = {key: row for key, row in self.edits.items() if key[:2] != (number, editor) or key[2] < first}
+
+    @property
+    def whole(self) -> bool:
+        """Whether everything belongs to something."""
+        owned = all(row.item in self.items and row.content in self.contents for row in self.revisions.values())
+        heads = all(not row.head or (row.id, row.head) in self.revisions for row in self.items.values())
+        drafts = all(row.item in self.items for row in self.drafts.values())
+        return owned and heads and drafts and all(key[:2] in self.drafts for key in self.edits)
+
+    @property
+    def stored(self) -> Stored:
+        """The rows in order."""
+        rows = {name: tuple(map(rows.__getitem__, sorted(rows))) for name, rows in vars(self).items()}
+        del rows["layouts"], rows["contents"]
+        return Stored(**rows, layouts=self.layouts)
+
+
+@given(st.lists(st.lists(puts, max_size=6), max_size=8))
+@settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_a_list_of_changes_is_made_whole_or_not_at_all(tmp_path: Path, lists: list[list[Change]]) -> None:
+    (tmp_path / "a.omote").unlink(missing_ok=True)
+    show, kept = open_show(tmp_path / "a.omote"), Ledger()
+    for changes in [FIRST, *lists]:
+        wanted = kept.copy()
+        possible = all(wanted.make(change) for change in changes) and wanted.whole
+        if possible:
+            show.apply(changes)
+            kept = wanted
+        else:
+            with pytest.raises(sqlite3.IntegrityError):
+                show.apply(changes)
+        assert show.stored() == kept.stored
+    assert show.contents() == kept.contents
+    show.close()
+    again = open_show(tmp_path / "a.omote")
+    assert again.stored() == kept.stored
+    again.close()
+
+
+def test_making_the_same_changes_again_does_nothing(show: ShowFile) -> None:
+    changes = [*FIRST, PutDraft(Draft(1, "ada", 1, 0)), PutEdit(Edit(1, "ada", 0, b"{}", "opened"))]
+    show.apply(changes)
+    before = show.stored()
+    show.apply(changes)
+    assert show.stored() == before
+
+
+def test_a_revision_is_never_changed_or_removed(show: ShowFile) -> None:
+    show.apply(FIRST)
+    with pytest.raises(sqlite3.IntegrityError, match="revision 1 of item 1 is there and is another"):
+        show.apply([PutRevision(revision(note="another"))])
+    other = sqlite3.connect(show.path)
+    for statement in ("UPDATE revision SET note = 'x'", "DELETE FROM revision"):
+        with pytest.raises(sqlite3.IntegrityError, match="a revision is never"):
+            other.execute(statement)
+    other.close()
+    assert show.stored().revisions == (revision(),)
+
+
+def test_an_item_keeps_its_name(show: ShowFile) -> None:
+    show.apply(FIRST)
+    with pytest.raises(sqlite3.IntegrityError, match="keeps its kind and its name for ever"):
+        show.apply([PutItem(item(name="other"))])
+    with pytest.raises(sqlite3.IntegrityError, match="UNIQUE"):
+        show.apply([PutItem(item(2, name="own-1"))])
+    show.apply([PutItem(item(2, name="own-1", kind="face"))])  # faces and expressions are called apart
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        PutItem(item(2, label=None)),
+        PutItem(item(2, place="first")),
+        PutItem(item(2, place=float("nan"))),
+        PutItem(item(2, kind="hat")),
+        PutItem(item(2**70)),
+        PutItem(item(2, label="\ud800")),
+        PutDraft(Draft(1, "ada", 0.5, 0)),  # type: ignore[arg-type]
+        PutEdit(Edit(1, "ada", 0, "text", "no draft")),  # type: ignore[arg-type]
+    ],
+)
+def test_what_could_not_come_back_is_refused(show: ShowFile, change: Change) -> None:
+    show.apply(FIRST)
+    before = show.stored()
+    with pytest.raises((sqlite3.IntegrityError, ValueError, OverflowError)):
+        show.apply([PutLayout("other", b"{}"), change])
+    assert show.stored() == before
+    show.apply([PutLayout("console", b"{}")])
+
+
+def test_whole_numbers_given_as_places_come_back(show: ShowFile) -> None:
+    for place in (1, -0.0, 2.0**60):
+        show.apply([PutItem(item(place=place))])
+        assert show.stored().items[0].place == place
+
+
+@pytest.mark.parametrize(
+    ("statement", "sentence"),
+    [
+        ("UPDATE item SET label = 'Other'", "its item 1 is damaged"),
+        ("UPDATE item SET tags = '['", "its item 1 is damaged"),
+        ("UPDATE item SET head = 7", "row 1 of item belongs to no revision"),
+        ("UPDATE content SET data = x'00'", f"its content {KEYS[1]} is damaged"),
+        ("DELETE FROM content", "row 1 of revision belongs to no content"),
+        ("UPDATE draft SET cursor = 5", "its draft 1, ada is damaged"),
+        ("UPDATE edit SET recipe = x'00'", "its edit 1, ada, 0 is damaged"),
+        ("UPDATE layout SET document = x'00'", "its layout console is damaged"),
+        ("UPDATE item SET label = CAST(x'ff' AS TEXT)", "Could not decode to UTF-8"),
+        ("DROP TABLE layout", "no such table: layout"),
+        ("ALTER TABLE edit DROP COLUMN what", "no such column: edit.what"),
+    ],
+)
+def test_rows_that_are_not_what_was_written_make_a_file_corrupt(
+    tmp_path: Path, statement: str, sentence: str
+) -> None:  # fmt: skip
+    show = open_show(tmp_path / "a.omote")
+    show.apply(
+        [
+            *FIRST,
+            PutDraft(Draft(1, "ada", 1, 0)),
+            PutEdit(Edit(1, "ada", 0, b"{}", "")),
+            PutLayout("console", b"{}"),
+        ]
+    )
+    show.close()
+    with sqlite3.connect(tmp_path / "a.omote") as connection:
+        connection.execute(statement)
+    connection.close()
+    with pytest.raises(CorruptShowFileError, match=sentence):
+        open_show(tmp_path / "a.omote")
+
+
+def test_every_column_of_every_row_is_sealed() -> None:
+    rows = (item(tags=("a",)), revision(), Draft(1, "a", 0, 0), Edit(1, "a", 0, b"", ""))
+    for table, row in zip(TABLES, rows, strict=False):
+        plain = {name: getattr(row, name) for name in table.columns}
+        if "tags" in plain:
+            plain["tags"] = '["a"]'
+        values = list(plain.values())
+        assert row_of(table, [*values, seal(values)]) == row
+        for place, value in enumerate(values):
+            other = [*values]
+            other[place] = value + type(value)(1) if isinstance(value, int | float) else value + value + value[:0] * 2
+            if other != values:
+                assert row_of(table, [*other, seal(values)]) is None
