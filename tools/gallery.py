@@ -6,24 +6,14 @@ at nine gazes, the lights, other backgrounds, half-way morphs. Judge by eye.
 
 from __future__ import annotations
 
-import asyncio
 import sys
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from pathlib import Path
+from dataclasses import replace
 
 import omote
-from omote.files.wholefile import write_whole
 from omote.model.cast import Cast
-from omote.server.bundle import read_bundle
-from omote.server.chromium import open_chromium
-from omote.server.library import built_in
-from omote.server.studio import open_house, open_studio
-from omote.show.posing import pose_of, posed
-from omote.show.sheet import Setting, Sheet
-from tools.browser import SENTENCE, find_browser
+from omote.show.sheet import Setting
+from tools.drawing import PICTURES, Picture, draw_wanted, sheet
 
-PICTURES = Path(__file__).resolve().parent.parent / "docs" / "pictures"
 MOST_BYTES = 6_000_000
 PLAYERS = ("kaori", "old", "child", "dog")
 EXPRESSIONS = ("neutral", "smile", "laugh", "sad", "angry", "surprise", "disgust", "kiss", "cry", "doubt")
@@ -41,40 +31,17 @@ STEPS = (0.0, 0.17, 0.33, 0.5, 0.67, 0.83, 1.0)
 BLUE, PAPER = "#2a5aa8", "#cfc6b4"
 
 
-@dataclass(frozen=True)
-class Picture:
-    """A sheet of the gallery, in its setting, and the name of its file."""
-
-    name: str
-    sheet: Sheet
-    setting: Setting
-
-
-Words = dict[str, str]
-
-
-def sheet(cast: Cast, rows: Sequence[tuple[str, Sequence[tuple[str, Words]]]]) -> Sheet:
-    """Rows of (name, pictures), each picture a caption and the words of its pose."""
-    return Sheet(
-        [[pose_of(cast, posed(cast, **words)) for _, words in row] for _, row in rows],
-        rows=[name for name, _ in rows],
-        captions=[[caption for caption, _ in row] for _, row in rows],
-        paper="#000",
-        kind="image/jpeg",
-    )
-
-
 def expressions(cast: Cast, face: str) -> Picture:
     """Ten expressions of a face, in two rows of five."""
     worn = [(name, {"face": face, "expression": name}) for name in EXPRESSIONS]
     drawn = replace(sheet(cast, [("", worn[:5]), ("", worn[5:])]), rows=())
-    return Picture(face, drawn, Setting(400, 450))
+    return Picture(f"gallery-{face}", drawn, Setting(400, 450))
 
 
 def turntable(cast: Cast) -> Picture:
     """Every face from seven sides."""
     rows = [(face, [("", {"face": face, "turn": str(yaw)}) for yaw in YAWS]) for face in cast.faces]
-    return Picture("turntable", sheet(cast, rows), Setting(280, 240))
+    return Picture("gallery-turntable", sheet(cast, rows), Setting(280, 240))
 
 
 def mouths(cast: Cast) -> Picture:
@@ -83,7 +50,7 @@ def mouths(cast: Cast) -> Picture:
         (face, [(name, {"face": face, "channels": unit, "turn": "30"}) for name, unit in MOUTHS.items()])
         for face in (*PLAYERS, "man")
     ]
-    return Picture("mouths", sheet(cast, rows), Setting(380, 400))
+    return Picture("gallery-mouths", sheet(cast, rows), Setting(380, 400))
 
 
 def eyes(cast: Cast) -> Picture:
@@ -93,7 +60,7 @@ def eyes(cast: Cast) -> Picture:
         looks = [(f"{face} {gaze}", {"face": face, "gaze": gaze}) for gaze in GAZES]
         rows += [(face, looks[at : at + 3]) for at in (0, 3, 6)]
     drawn = replace(sheet(cast, rows), rows=(), part=(0.19, 0.33, 0.62, 0.2))
-    return Picture("eyes", drawn, Setting(760, 860))
+    return Picture("gallery-eyes", drawn, Setting(760, 860))
 
 
 def lights(cast: Cast) -> Picture:
@@ -102,13 +69,13 @@ def lights(cast: Cast) -> Picture:
         (face, [(light, {"face": face, "expression": "smile", "light": light, "turn": "-20"}) for light in LIGHTS])
         for face in PLAYERS
     ]
-    return Picture("lights", sheet(cast, rows), Setting(400, 430))
+    return Picture("gallery-lights", sheet(cast, rows), Setting(400, 430))
 
 
 def keyed(cast: Cast, name: str, setting: Setting, paper: str) -> Picture:
     """Four faces before one colour."""
     row = [(face, {"face": face, "expression": "smile", "light": "portrait", "turn": "15"}) for face in PLAYERS]
-    return Picture(name, replace(sheet(cast, [("", row)]), rows=(), paper=paper), setting)
+    return Picture(f"gallery-{name}", replace(sheet(cast, [("", row)]), rows=(), paper=paper), setting)
 
 
 def morphs(cast: Cast) -> Picture:
@@ -120,7 +87,7 @@ def morphs(cast: Cast) -> Picture:
         )
         for one, other in MORPHS
     ]
-    return Picture("morphs", sheet(cast, rows), Setting(260, 290))
+    return Picture("gallery-morphs", sheet(cast, rows), Setting(260, 290))
 
 
 def gallery(cast: Cast) -> list[Picture]:
@@ -139,32 +106,12 @@ def gallery(cast: Cast) -> list[Picture]:
     ]
 
 
-async def draw(pictures: Sequence[Picture], browser: Path) -> None:
-    """Draws the pictures into their files, one after the other."""
-    async with open_house(built_in(), read_bundle()) as address, open_chromium(browser) as tools:
-        for picture in pictures:
-            studio = await open_studio(tools, address, picture.setting)
-            target = PICTURES / f"gallery-{picture.name}.jpg"
-            write_whole(target, await studio.draw(picture.sheet))
-            await studio.close()
-            print(f"docs/pictures/{target.name}: {target.stat().st_size // 1000} kB", flush=True)
-
-
 def main() -> int:
     """Draws the gallery, or those sheets whose names are given."""
-    everything = gallery(omote.load_cast())
-    wanted = [picture for picture in everything if picture.name in sys.argv[1:] or len(sys.argv) == 1]
-    if not wanted:
-        print(f"expected some of {', '.join(picture.name for picture in everything)}")
-        return 1
-    browser = find_browser()
-    if browser is None:
-        print(SENTENCE)
-        return 1
-    asyncio.run(draw(wanted, browser))
+    failed = draw_wanted(gallery(omote.load_cast()), sys.argv[1:])
     total = sum(path.stat().st_size for path in PICTURES.glob("gallery-*.jpg"))
     print(f"{total / 1e6:.1f} MB of {MOST_BYTES / 1e6:.0f}")
-    return 0 if total < MOST_BYTES else 1
+    return failed or int(total >= MOST_BYTES)
 
 
 if __name__ == "__main__":
