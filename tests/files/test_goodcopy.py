@@ -1,0 +1,108 @@
+"""The good copy is whole and proved, and a bad file never takes its place."""
+
+import sqlite3
+from pathlib import Path
+
+import pytest
+
+from omote.files.changes import PutContent, PutLayout
+from omote.files.contents import content_key
+from omote.files.goodcopy import good_path, keep_good_copy, prove, put_in_place, reading
+from omote.files.schema import CorruptShowFileError, ShowFileError
+from omote.files.showfile import JournalEntry, ShowFile, open_show
+
+DATA = bytes(20_000)
+
+
+def filled(path: Path) -> ShowFile:
+    """An open show file whose last changes are in its log only."""
+    show = open_show(path)
+    show.apply([PutContent(content_key(DATA), DATA), PutLayout("console", b"{}")])
+    show.write_journal(JournalEntry(7, 1.0, b"state"))
+    return show
+
+
+def test_the_copy_holds_all_that_is_committed_in_one_file(tmp_path: Path) -> None:
+    show = filled(tmp_path / "a.omote")
+    keep_good_copy(show)
+    alone = tmp_path / "elsewhere.omote"
+    alone.write_bytes(good_path(show.path).read_bytes())
+    prove(alone)
+    copy = open_show(alone)
+    assert (copy.stored(), copy.contents(), copy.journal()) == (show.stored(), show.contents(), show.journal())
+    copy.close()
+    show.close()
+    assert {file.name for file in tmp_path.iterdir()} == {"a.omote", "a.omote.good", "elsewhere.omote"}
+
+
+def test_a_newer_copy_takes_the_place_of_the_older(tmp_path: Path) -> None:
+    show = filled(tmp_path / "a.omote")
+    for name in ("first", "second"):
+        show.apply([PutLayout(name, b"{}")])
+        keep_good_copy(show)
+    show.close()
+    copy = open_show(good_path(show.path))
+    assert set(copy.stored().layouts) == {"console", "first", "second"}
+    copy.close()
+
+
+@pytest.mark.parametrize(
+    "statement", ["UPDATE content SET data = x'00'", "UPDATE layout SET document = x'00'", "DROP TABLE layout"]
+)
+def test_a_damaged_file_leaves_the_copy_of_before(tmp_path: Path, statement: str) -> None:
+    show = filled(tmp_path / "a.omote")
+    keep_good_copy(show)
+    before = good_path(show.path).read_bytes()
+    with sqlite3.connect(show.path) as other:
+        other.execute(statement)
+    other.close()
+    with pytest.raises(CorruptShowFileError):
+        keep_good_copy(show)
+    assert good_path(show.path).read_bytes() == before
+    assert not show.path.with_name("a.omote.good-new").exists()
+    show.close()
+
+
+def test_a_folder_that_takes_no_copy_says_so_and_keeps_the_one_of_before(tmp_path: Path) -> None:
+    show = filled(tmp_path / "a.omote")
+    keep_good_copy(show)
+    before = good_path(show.path).read_bytes()
+    (tmp_path / "a.omote.good-new").mkdir()
+    with pytest.raises(OSError, match="good-new"):
+        keep_good_copy(show)
+    (tmp_path / "a.omote.good-new").rmdir()
+    assert good_path(show.path).read_bytes() == before
+    show.close()
+
+
+def test_only_a_whole_show_file_of_this_version_is_proved(tmp_path: Path) -> None:
+    path = tmp_path / "a.omote"
+    with pytest.raises(CorruptShowFileError, match="unable to open"):
+        prove(path)
+    path.write_bytes(b"")
+    with pytest.raises(ShowFileError, match="schema 0"):
+        prove(path)
+    path.write_bytes(b"no database" * 100)
+    with pytest.raises(CorruptShowFileError, match="not a database"):
+        prove(path)
+    assert path.read_bytes() == b"no database" * 100
+
+
+def test_reading_writes_nothing_and_sees_what_is_committed(tmp_path: Path) -> None:
+    show = filled(tmp_path / "a #1?.omote")
+    connection = reading(show.path)
+    assert connection.execute("SELECT name FROM layout").fetchall() == [("console",)]
+    show.apply([PutLayout("other", b"{}")])
+    assert len(connection.execute("SELECT name FROM layout").fetchall()) == 2
+    with pytest.raises(sqlite3.OperationalError, match="readonly"):
+        connection.execute("DELETE FROM layout")
+    connection.close()
+    show.close()
+
+
+def test_a_file_is_put_in_place_of_another(tmp_path: Path) -> None:
+    (tmp_path / "draft").write_bytes(b"new")
+    (tmp_path / "file").write_bytes(b"old")
+    put_in_place(tmp_path / "draft", tmp_path / "file")
+    assert (tmp_path / "file").read_bytes() == b"new"
+    assert not (tmp_path / "draft").exists()
