@@ -386,10 +386,8 @@ class TangentsAsset(msgspec.Struct, frozen=True):
 
 
 class HandlesAsset(msgspec.Struct, frozen=True):
-    """Handles of the face editor, `/handles`: `points` rows of the skin, their labels, `mirror` places as in a net;
-    `basis` (rows, n) f16 little-endian: how far each row (skin, then parts) follows each handle's move."""
+    """Handles of the face editor, `/handles`: rows of the skin, their labels, `mirror` places as in a net."""
 
     points: list[int]
     labels: list[str]
     mirror: list[int]
-    basis: bytes

@@ -52,8 +52,8 @@ class FaceRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_fi
     """A face made from faces (`model.compose`): a mix, regions from others, caricature, then handles.
 
     base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
-    amount: of caricature, 1 for none; points: rows of the generic face's skin under the handles; moves: metres, on the
-    generic face.
+    amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,
+    regions and amount put them.
     """
 
     base: dict[str, float]

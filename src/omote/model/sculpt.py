@@ -80,21 +80,15 @@ def warp(sculpt: Sculpt, /) -> Callable[[Values], Values]:
     that bends least. Raises ValueError where the points lie in one plane.
     """
     points, moves = _both_sides(sculpt)
-    middle = points.mean(axis=0)
-    centres = (points - middle) / _UNIT
-    affine = np.column_stack([np.ones(len(centres)), centres])
-    if len(centres) < 4 or np.linalg.matrix_rank(affine, tol=1e-3) < 4:
+    if not _spread(points):
         raise ValueError(
             f"the {len(points)} control points of sculpt {sculpt.name!r} lie in one plane; expected at least four that "
             "do not: add one behind or beside them"
         )
-    system = np.block([[_kernel(sculpt.kernel, centres, centres), affine], [affine.T, np.zeros((4, 4))]])
-    answer = np.linalg.solve(system, np.concatenate([moves, np.zeros((4, 3))]))
+    answer = np.linalg.solve(_system(points, sculpt.kernel), np.concatenate([moves, np.zeros((4, 3))]))
 
     def moved(where: Values) -> Values:
-        local = (where - middle) / _UNIT
-        basis = np.column_stack([_kernel(sculpt.kernel, local, centres), np.ones(len(local)), local])
-        result: Values = where + basis @ answer
+        result: Values = where + _columns(points, sculpt.kernel, where) @ answer
         return result
 
     if not np.abs(moved(points) - points - moves).max() < _EXACT:
@@ -103,6 +97,19 @@ def warp(sculpt: Sculpt, /) -> Callable[[Values], Values]:
             "expected points that are apart: join those that nearly touch"
         )
     return moved
+
+
+def warp_basis(points: Values, where: Values, /, *, kernel: Kernel = "triharmonic") -> Values:
+    """How far each place where (m, 3) follows each of the control points (n, 3): (m, n), for `warp` is linear in the
+    moves. Raises ValueError where the points lie in one plane."""
+    if not _spread(points):
+        raise ValueError(
+            f"the {len(points)} control points lie in one plane; expected at least four that do not: add one behind or "
+            "beside them"
+        )
+    one_each = np.vstack([np.eye(len(points)), np.zeros((4, len(points)))])
+    result: Values = _columns(points, kernel, where) @ np.linalg.solve(_system(points, kernel), one_each)
+    return result
 
 
 def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | None = None, /) -> Face:
@@ -148,6 +155,30 @@ def _base(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face]) -> t
         for part, points in parts.items():
             points += weight * (fitted.parts[part] - space.parts[part].points)
     return skin, parts
+
+
+def _local(points: Values, where: Values) -> Values:
+    result: Values = (where - points.mean(axis=0)) / _UNIT
+    return result
+
+
+def _spread(points: Values) -> bool:
+    """Whether some four of the points lie in no plane."""
+    affine = np.column_stack([np.ones(len(points)), _local(points, points)])
+    return len(points) >= 4 and bool(np.linalg.matrix_rank(affine, tol=1e-3) == 4)
+
+
+def _system(points: Values, kernel: Kernel) -> Values:
+    """What maps a map's coefficients (n + 4) to the moves of its control points; below them, four zeros."""
+    centres = _local(points, points)
+    affine = np.column_stack([np.ones(len(points)), centres])
+    return np.block([[_kernel(kernel, centres, centres), affine], [affine.T, np.zeros((4, 4))]])
+
+
+def _columns(points: Values, kernel: Kernel, where: Values) -> Values:
+    """What a map's coefficients are weighed with at each place: (m, n + 4)."""
+    local, centres = _local(points, where), _local(points, points)
+    return np.column_stack([_kernel(kernel, local, centres), np.ones(len(local)), local])
 
 
 def _kernel(kernel: Kernel, where: Values, centres: Values) -> Values:

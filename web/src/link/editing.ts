@@ -8,8 +8,8 @@ export const EDITING_LIMIT = 65536;
 /**
  * A face made from faces (`model.compose`): a mix, regions from others, caricature, then handles.
  * base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
- * amount: of caricature, 1 for none; points: rows of the generic face's skin under the handles; moves: metres, on the
- * generic face.
+ * amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,
+ * regions and amount put them.
  */
 export interface FaceRecipe {
   kind: "face";
@@ -384,15 +384,11 @@ export interface TangentsAsset {
   tangents: Uint8Array;
 }
 
-/**
- * Handles of the face editor, `/handles`: `points` rows of the skin, their labels, `mirror` places as in a net;
- * `basis` (rows, n) f16 little-endian: how far each row (skin, then parts) follows each handle's move.
- */
+/** Handles of the face editor, `/handles`: rows of the skin, their labels, `mirror` places as in a net. */
 export interface HandlesAsset {
   points: number[];
   labels: string[];
   mirror: number[];
-  basis: Uint8Array;
 }
 
 export type FromEditor =
