@@ -129,6 +129,36 @@ def grid(
 
 
 @app.command()
+def export(
+    face: Annotated[str, typer.Argument(help="A face of the cast: kaori, dog.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: face.glb.")],
+    expressions: Annotated[str, typer.Option(help="arkit, performed, makehuman, all, or names, by commas.")] = "arkit",
+    hair: Annotated[bool, typer.Option("--hair/--no-hair", help="The face's hair, as ribbons.")] = True,
+    show: Annotated[Path | None, typer.Option(help="A show file (.omote) whose own work can be named too.")] = None,
+) -> None:
+    """Writes a face with expressions as morph targets (GLB), for Blender, three.js, game engines."""
+    from rich.console import Console
+    from rich.progress import track
+
+    from omote.builtin import load_mask, load_meshes
+    from omote.files.glb import check_name, glb_bytes
+    from omote.files.wholefile import check_writable, write_whole
+    from omote.show.export import Workbench, chosen, exported, worn_meshes
+
+    try:
+        check_name(output)
+        check_writable(output)
+        cast = load_cast() if show is None else load_ensemble(show)
+        names = chosen(cast, expressions)
+        busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
+        poses = ((name, worn_meshes(cast, face, name)) for name in busy)
+        write_whole(output, glb_bytes(exported(Workbench(cast, load_meshes(), load_mask()), face, poses, hair=hair)))
+    except (OSError, ValueError, RuntimeError) as error:
+        fail(str(error))
+    say(f"{output}: {face} with {len(names)} morph targets, {output.stat().st_size / 1e6:.1f} MB")
+
+
+@app.command()
 def check() -> None:
     """Says whether this machine can play."""
     from omote.server.check import checked
@@ -186,6 +216,15 @@ def load_cast() -> Cast:
         return builtin.load_cast()
     except (OSError, ValueError) as error:
         fail(str(error))
+
+
+def load_ensemble(path: Path) -> Cast:
+    """The built-in cast with the own faces and expressions of a show file that no show plays."""
+    from omote.server.closed import closed_show
+    from omote.show.ensemble import ensemble
+
+    with closed_show(path) as file:
+        return ensemble(load_cast(), file.stored(), file.contents())
 
 
 def print_json(cast: Cast) -> None:
