@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -32,6 +31,7 @@ from omote.files.changes import (
     Revision,
     Stored,
 )
+from omote.files.contents import content_key
 from omote.model.cast import Cast
 from omote.model.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.model.regions import REGIONS
@@ -59,11 +59,6 @@ def woven(net: tuple[int, ...]) -> wire.NetDocument:
     return wire.NetDocument(list(net), b"", b"", b"", [-1] * len(net))
 
 
-def key_of(data: bytes) -> str:
-    """The key of a content."""
-    return hashlib.blake2b(data, digest_size=16).hexdigest()
-
-
 def craft(order: EditOrder) -> Baked:
     """What the workshop would answer, with bytes that only name what they were made from.
 
@@ -85,13 +80,13 @@ def craft(order: EditOrder) -> Baked:
             recipe, net = msgspec.structs.replace(order.recipe, net=order.net, vectors=tuple(vectors)), woven(order.net)
         case Flat():
             ground = b"ground of " + write_recipe(order.recipe)
-            made[key_of(ground)] = ground
+            made[content_key(ground)] = ground
             rest = ((0.0, 0.0, 1.0),) * len(order.recipe.net)
-            recipe = Recipe(order.recipe.net, rest, ground=KEY + key_of(ground))
+            recipe = Recipe(order.recipe.net, rest, ground=KEY + content_key(ground))
         case Bake():
             net = woven(order.recipe.net) if order.weave and isinstance(order.recipe, Recipe) else None
     data = b"made of " + write_recipe(recipe)
-    return Baked(recipe, key_of(data), made | {key_of(data): data}, net, miss)
+    return Baked(recipe, content_key(data), made | {content_key(data): data}, net, miss)
 
 
 @dataclass

@@ -27,6 +27,7 @@ PLACE = Quantity("a place in the list", -1e9, 1e9)
 
 FEWEST_POINTS, MOST_POINTS = 3, 400
 MOST_LAYERS, MOST_PULLS, MOST_FACES = 200, 40, 40
+LONGEST_LABEL = 200
 _UNITY = 1e-3
 """How far the weights of a mix of faces may sum from one."""
 
@@ -80,6 +81,10 @@ def _check_expression(recipe: Recipe, bounds: Bounds) -> None:
     _check_count(len(recipe.layers), MOST_LAYERS, "layers")
     for layer in recipe.layers:
         number(layer.weight, WEIGHT)
+        if len(layer.label) > LONGEST_LABEL or not layer.label.isprintable():
+            raise Refusal(
+                f"a layer is labelled {layer.label[:80]!r}: give at most {LONGEST_LABEL} printable characters."
+            )
         if layer.region is not None:
             _check_region(layer.region)
     _check_count(len(recipe.pulls), MOST_PULLS, "muscles")

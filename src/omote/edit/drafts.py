@@ -85,8 +85,8 @@ def bring_back(authored: Authored, key: DraftKey, number: int) -> Plan:
 
 def is_dirty(ledger: Ledger, key: DraftKey) -> bool:
     """Whether a draft shows anything else than the revision it is based on."""
-    base = ledger.revisions.get(key[0], {}).get(ledger.drafts[key].base)
-    return base is None or read_recipe(base.recipe) != read_recipe(ledger.shown(key).recipe)
+    base, shown = ledger.revisions.get(key[0], {}).get(ledger.drafts[key].base), ledger.shown(key)
+    return base is None or (base.recipe != shown.recipe and read_recipe(base.recipe) != read_recipe(shown.recipe))
 
 
 def _is_outdated(ledger: Ledger, key: DraftKey) -> bool:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import singledispatchmethod
 
+from msgspec.structs import replace
+
 from omote.files.changes import (
     Change,
     DropDraft,
@@ -32,10 +34,12 @@ class Ledger:
         self.revisions: dict[int, dict[int, Revision]] = {}
         for revision in sorted(stored.revisions, key=lambda each: (each.item, each.number)):
             self.revisions.setdefault(revision.item, {})[revision.number] = revision
-        self.drafts = {(draft.item, draft.editor): draft for draft in stored.drafts}
-        self.edits: dict[DraftKey, list[Edit]] = {key: [] for key in self.drafts}
-        for edit in sorted(stored.edits, key=lambda each: each.number):
-            self.edits.setdefault((edit.item, edit.editor), []).append(edit)
+        self.edits = _unbroken(stored.edits)
+        self.drafts = {
+            key: replace(draft, cursor=min(draft.cursor, len(self.edits[key]) - 1))
+            for draft in stored.drafts
+            if (key := (draft.item, draft.editor)) in self.edits
+        }
         self.layouts = dict(stored.layouts)
 
     def apply(self, changes: Iterable[Change]) -> None:
@@ -55,7 +59,7 @@ class Ledger:
 
     def head(self, item: Item) -> Revision | None:
         """The revision that plays, None before the first save."""
-        return self.revisions[item.id][item.head] if item.head else None
+        return self.revisions.get(item.id, {}).get(item.head)
 
     def numbers(self, item: int) -> int:
         """The highest number of a revision of the item, 0 for none."""
@@ -116,3 +120,13 @@ class Ledger:
     @_apply.register
     def _(self, change: PutLayout) -> None:
         self.layouts[change.name] = change.document
+
+
+def _unbroken(edits: Iterable[Edit]) -> dict[DraftKey, list[Edit]]:
+    """The steps of each draft from 0 up to where, in a damaged file, the first is missing."""
+    found: dict[DraftKey, list[Edit]] = {}
+    for edit in sorted(edits, key=lambda each: each.number):
+        steps = found.get((edit.item, edit.editor), [])
+        if edit.number == len(steps):
+            found.setdefault((edit.item, edit.editor), steps).append(edit)
+    return found

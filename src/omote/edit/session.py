@@ -6,6 +6,7 @@ The server commits an outcome's changes before it sends its replies, so whatever
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 from msgspec.structs import replace
@@ -23,7 +24,7 @@ from omote.edit.requests import answer as respond
 from omote.edit.saving import Hand
 from omote.edit.shelf import Shelf
 from omote.edit.sources import Sources
-from omote.edit.wire import decode, decode_baked, read_recipe
+from omote.edit.wire import decode, decode_baked, read_recipe, write_recipe
 from omote.edit.work import Baked, EditOrder
 from omote.files.changes import Change, Kind, Stored
 from omote.model.cast import Cast
@@ -91,7 +92,8 @@ class EditSession:
     ) -> None:
         ledger, shelf = Ledger(stored), Shelf(contents)
         for revision in stored.revisions:
-            shelf.know(revision.recipe, revision.content)
+            with suppress(Refusal):  # what one recipe spoils, the others need not suffer
+                shelf.know(write_recipe(read_recipe(revision.recipe)), revision.content)
         bounds = Bounds(base.space.on_sheet, frozenset(muscle.name for muscle in welcome.muscles))
         self._authored = Authored(base, ledger, shelf, Sources(base, ledger, shelf), bounds, net)
         self._welcome = welcome
@@ -154,17 +156,13 @@ class EditSession:
         self, kind: Kind, on_air: OnAir, *, label: str | None, wall: float, editor: str, ticket: str = ""
     ) -> Outcome:
         """What is on air as a new item; `Outcome.kept` says what became of it, now or after an order."""
-        authored, answer = self._authored, _Answer()
-
-        def begin() -> Plan:
-            recipe = recipe_on_air(kind, on_air, authored.net, authored.sources)
-            return saving.keep(authored, kind, label, recipe, Hand(editor, "", wall), ticket)
-
-        task = Task((0, ""), begin, ticket=ticket)
+        authored, answer, hand = self._authored, _Answer(), Hand(editor, "", wall)
         try:
-            self._do(answer, task)
+            recipe = recipe_on_air(kind, on_air, authored.net, authored.sources)
+            plan = saving.keep(authored, kind, label, recipe, hand, ticket)
+            self._do(answer, Task((0, ""), lambda: plan, ticket=ticket))
         except Refusal as refusal:
-            self._fail(answer, task, refusal)
+            answer.kept.append(Kept(ticket, trouble=str(refusal)))
         return self._outcome(answer)
 
     # --- hearing ------------------------------------------------------------------------------------------------------
@@ -217,8 +215,7 @@ class EditSession:
         baked, shelf = decode_baked(result), self._authored.shelf
         if baked.key not in baked.contents and baked.key not in shelf:
             raise Refusal("the workshop's answer is without its content: try again.")
-        shelf.hold(plan.order.contents)
-        shelf.take(baked)
+        shelf.take(plan.order, baked)
         return baked
 
     def _carry_out(self, answer: _Answer, task: Task, result: Result) -> None:

@@ -12,7 +12,7 @@ from omote.edit.work import Bake, Baked, EditOrder
 from omote.files.changes import PutContent
 from omote.model.recipe import FaceRecipe, Recipe
 
-PASSING = 256
+PASSING = 2048
 """Contents of drafts that are remembered, so that undo needs no mathematics."""
 _NETS = 16
 _RECIPES = 4096
@@ -64,10 +64,12 @@ class Shelf(Mapping[str, bytes]):
             if key not in self._given and key not in self._kept:
                 _remember(self._passing, key, data, PASSING)
 
-    def take(self, baked: Baked) -> None:
-        """Remembers what the workshop made."""
-        self.hold(baked.contents)
+    def take(self, order: EditOrder, baked: Baked) -> None:
+        """Remembers what the workshop made of an order, and what it was made from."""
+        self.hold({**order.contents, **baked.contents})
         self.know(write_recipe(baked.recipe), baked.key)
+        if isinstance(order, Bake):
+            self.know(write_recipe(order.recipe), baked.key)
         if isinstance(baked.recipe, Recipe) and baked.net is not None:
             _remember(self._nets, baked.recipe.net, baked.net, _NETS)
 

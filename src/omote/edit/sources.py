@@ -68,13 +68,10 @@ class Sources:
             raise Refusal(f"content {str(error.args[0])[:80]!r} is not there any more: choose it again.") from error
 
     def _of_the_cast(self, kind: Kind, source: str) -> str:
-        names = {item.name for item in self._ledger.items.values() if item.kind == kind and not item.deleted}
+        built_in = self._built_in[kind]
+        own = (item.name for item in self._ledger.items.values() if item.kind == kind and not item.deleted)
         try:
-            known(
-                source,
-                self._built_in[kind] if source in self._built_in[kind] else names | {*self._built_in[kind]},
-                kind,
-            )
+            known(source, built_in if source in built_in else sorted({*own, *built_in}), kind)
         except ValueError as error:
             raise Refusal(f"{error}.") from error
         return source

@@ -51,5 +51,8 @@ def write_recipe(recipe: Recipe | FaceRecipe) -> bytes:
 
 
 def read_recipe(data: bytes) -> Recipe | FaceRecipe:
-    """The recipe in JSON that `write_recipe` wrote; msgspec.DecodeError for anything else."""
-    return _recipe.decode(data)
+    """The recipe in JSON that `write_recipe` wrote; Refusal for anything else."""
+    try:
+        return _recipe.decode(data)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise Refusal(f"the recipe that is kept cannot be read ({str(error)[:200]}): open another revision.") from error
