@@ -9,11 +9,13 @@ import pytest
 
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
-from omote.server import library as module
+from omote.server import bench
+from omote.server.bench import CompoundOrder
 from omote.server.library import Library, built_in
 from omote.server.workshop import open_workshop
 from omote.show.messages import CompoundAsset, Manifest
 from omote.show.session import ShowSession
+from omote.show.wire import encode
 from tests.server.synthetic_server import MASK, meshes
 
 
@@ -32,9 +34,14 @@ def ask(library: Library, *pairs: tuple[str, str]) -> list[bytes]:
     return asyncio.run(all_of_them())
 
 
+def alone(library: Library, face: str, expression: str) -> bytes:
+    """A compound, here and now."""
+    return library.compute(encode(CompoundOrder(face, expression, {})))
+
+
 def test_a_compound_is_computed_once(library: Library, monkeypatch: pytest.MonkeyPatch) -> None:
     first, second = ask(library, ("broad", "smile"), ("long", "smile"))
-    monkeypatch.setattr(module, "compound_asset", None)
+    monkeypatch.setattr(bench, "compound_asset", None)
     assert ask(library, ("broad", "smile"), ("long", "smile")) == [first, second]
     assert first != second
     msgspec.msgpack.decode(first, type=CompoundAsset)
@@ -51,15 +58,15 @@ def test_a_face_that_is_called_is_computed_in_full(library: Library, monkeypatch
         return [await library.compound("broad", name) for name in reversed(list(library.cast.expressions))]
 
     assert asyncio.run(all_of_it()) == [
-        library.compute("broad", name) for name in reversed(list(library.cast.expressions))
+        alone(library, "broad", name) for name in reversed(list(library.cast.expressions))
     ]
-    monkeypatch.setattr(module, "compound_asset", None)
+    monkeypatch.setattr(bench, "compound_asset", None)
     ask(library, *(("broad", name) for name in library.cast.expressions))
     library.close()
 
 
 def test_a_workshop_computes_the_same(library: Library) -> None:
-    alone = library.compute("broad", "smile")
+    expected = alone(library, "broad", "smile")
     said: list[str] = []
     library.employ(open_workshop(library.compute), said.append)
 
@@ -71,8 +78,8 @@ def test_a_workshop_computes_the_same(library: Library) -> None:
         library.close()
         return made, other
 
-    assert asyncio.run(together()) == (alone, library.compute("long", "smile"))
-    assert said == ["the process that computes compounds is gone; the server computes them itself."]
+    assert asyncio.run(together()) == (expected, alone(library, "long", "smile"))
+    assert said == ["the process that computes beside the show is gone; the server computes by itself."]
 
 
 @pytest.mark.parametrize("pair", [("nobody", "smile"), ("broad", "nothing")])
@@ -82,13 +89,13 @@ def test_names_that_the_cast_has_not_are_refused(library: Library, pair: tuple[s
 
 
 def test_every_address_of_the_manifest_is_there(library: Library) -> None:
-    manifest = msgspec.msgpack.decode(library.manifest, type=Manifest)
+    manifest = msgspec.msgpack.decode(asyncio.run(library.manifest()), type=Manifest)
     assert {face.url for face in manifest.faces} == set(library.assets)
     assert manifest.mask == library.mask_url
 
 
 def test_the_built_in_cast_has_a_library() -> None:
-    manifest = msgspec.msgpack.decode(built_in().manifest, type=Manifest)
+    manifest = msgspec.msgpack.decode(asyncio.run(built_in().manifest()), type=Manifest)
     assert [mesh.name for mesh in manifest.meshes] == [
         "skin", "eye_left", "eye_right", "teeth_upper", "teeth_lower", "tongue", "lashes",
     ]  # fmt: skip

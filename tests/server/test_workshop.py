@@ -15,6 +15,7 @@ from omote.server.workshop import (
     ClosedWorkshopError,
     FailedOrderError,
     Make,
+    RefusedOrderError,
     Workshop,
     framed,
     open_workshop,
@@ -24,40 +25,45 @@ from omote.server.workshop import (
 Orders = tuple[str, ...]
 
 
-def made(make: Make, *expressions: str, before: Callable[[Workshop], None] = lambda _: None) -> list[bytes | str]:
+def made(make: Make, *orders: str, before: Callable[[Workshop], None] = lambda _: None) -> list[bytes | str]:
     """What a workshop answers to these orders; a refusal as its sentence."""
     workshop = open_workshop(make)
 
-    async def ask(expression: str) -> bytes | str:
+    async def ask(order: str) -> bytes | str:
         try:
-            return await workshop.make("old", expression)
-        except (FailedOrderError, ClosedWorkshopError) as error:
+            return await workshop.make(order.encode())
+        except (FailedOrderError, RefusedOrderError, ClosedWorkshopError) as error:
             return str(error)
 
     async def ask_all() -> list[bytes | str]:
         try:
-            answers = [await ask(expressions[0])]
+            answers = [await ask(orders[0])]
             before(workshop)
-            return answers + [await ask(each) for each in expressions[1:]]
+            return answers + [await ask(each) for each in orders[1:]]
         finally:
             workshop.close()
 
     return asyncio.run(ask_all())
 
 
-def both(face: str, expression: str) -> bytes:
-    """The two names."""
-    return f"{face} {expression}".encode()
+def worn(order: bytes) -> bytes:
+    """The expression on the face that is the oldest."""
+    return b"old " + order
 
 
 def test_orders_are_made_in_another_process() -> None:
-    pids = made(lambda *_: str(os.getpid()).encode(), "smile", "cry")
+    pids = made(lambda _: str(os.getpid()).encode(), "smile", "cry")
     assert pids[0] == pids[1] != str(os.getpid()).encode()
-    assert made(both, "smile", "cry") == [b"old smile", b"old cry"]
+    assert made(worn, "smile", "cry") == [b"old smile", b"old cry"]
 
 
-def test_long_answers_come_whole() -> None:
-    assert made(lambda _, name: name.encode() * 1_000_000, "smile") == [b"smile" * 1_000_000]
+def test_an_order_may_be_answered_with_nothing() -> None:
+    assert made(lambda _: b"", "smile", "cry") == [b"", b""]
+
+
+def test_long_orders_and_answers_come_whole() -> None:
+    assert made(bytes.upper, "smile" * 1_000_000) == [b"SMILE" * 1_000_000]
+    assert made(lambda order: order * 1_000_000, "smile") == [b"smile" * 1_000_000]
 
 
 def test_what_cannot_be_made_is_refused_and_the_next_is_made(
@@ -65,33 +71,43 @@ def test_what_cannot_be_made_is_refused_and_the_next_is_made(
 ) -> None:
     monkeypatch.setattr(sys, "stderr", open(2, "w", closefd=False, buffering=1))  # noqa: SIM115  (a terminal's)
 
-    def make(face: str, expression: str) -> bytes:
-        if expression == "cry":
+    def make(order: bytes) -> bytes:
+        if order == b"cry":
             raise ArithmeticError("no tears")
-        return both(face, expression)
+        return worn(order)
 
     answers = made(make, "smile", "cry", "smile")
     assert answers[::2] == [b"old smile", b"old smile"]
-    assert "old wearing cry cannot be computed" in str(answers[1])
+    assert "this cannot be computed" in str(answers[1])
     assert "no tears" in capfd.readouterr().err
 
 
+def test_what_is_refused_comes_back_as_its_sentence_and_the_next_is_made() -> None:
+    def make(order: bytes) -> bytes:
+        if order == b"cry":
+            raise ValueError("there is no muscle \u00ab\u6d99\u00bb; near are zygomatic")
+        return worn(order)
+
+    refused = "there is no muscle \u00ab\u6d99\u00bb; near are zygomatic"
+    assert made(make, "smile", "cry", "smile") == [b"old smile", refused, b"old smile"]
+
+
 def test_a_hand_that_dies_is_replaced_and_its_order_made_by_another(tmp_path: Path) -> None:
-    def make(face: str, expression: str) -> bytes:
-        if expression == "cry" and not (tmp_path / "died").exists():
+    def make(order: bytes) -> bytes:
+        if order == b"cry" and not (tmp_path / "died").exists():
             (tmp_path / "died").touch()
             os.kill(os.getpid(), signal.SIGKILL)
-        return both(face, expression)
+        return worn(order)
 
     assert made(make, "smile", "cry", "smile") == [b"old smile", b"old cry", b"old smile"]
     assert (tmp_path / "died").exists()
 
 
 def test_an_order_that_kills_every_hand_is_refused_and_the_next_is_made() -> None:
-    def make(face: str, expression: str) -> bytes:
-        if expression == "cry":
+    def make(order: bytes) -> bytes:
+        if order == b"cry":
             os.kill(os.getpid(), signal.SIGKILL)
-        return both(face, expression)
+        return worn(order)
 
     answers = made(make, "smile", "cry", "smile")
     assert answers[::2] == [b"old smile", b"old smile"]
@@ -101,30 +117,30 @@ def test_an_order_that_kills_every_hand_is_refused_and_the_next_is_made() -> Non
 def test_a_hand_that_hangs_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "HANG_SECONDS", 0.05)
 
-    def make(face: str, expression: str) -> bytes:
-        if expression == "cry":
+    def make(order: bytes) -> bytes:
+        if order == b"cry":
             os.kill(os.getpid(), signal.SIGSTOP)
-        return both(face, expression)
+        return worn(order)
 
     assert made(make, "smile", "cry", "smile")[2] == b"old smile"
 
 
 def test_without_a_keeper_the_workshop_is_closed() -> None:
-    answers = made(both, "smile", "cry", before=lambda workshop: os.kill(workshop.keeper, signal.SIGKILL))
-    assert answers == [b"old smile", "the process that computes compounds is gone"]
+    answers = made(worn, "smile", "cry", before=lambda workshop: os.kill(workshop.keeper, signal.SIGKILL))
+    assert answers == [b"old smile", "the process that computes beside the show is gone"]
 
 
 def test_hand_and_keeper_end_with_the_server() -> None:
     end, held = os.pipe()  # ends when the last copy of the server is gone
 
-    def keep_open(_: str, __: str) -> bytes:
+    def keep_open(_: bytes) -> bytes:
         return b"!"
 
     pid = os.fork()
     if pid == 0:
         try:
             workshop = open_workshop(keep_open)
-            asyncio.run(workshop.make("old", "smile"))
+            asyncio.run(workshop.make(b"smile"))
             os.write(held, f"{workshop.keeper}\n".encode())
         finally:
             os._exit(0)  # as if it were killed: it closes nothing
@@ -148,7 +164,7 @@ def test_workshop_without_a_process_to_spare(monkeypatch: pytest.MonkeyPatch) ->
 
     monkeypatch.setattr(module, "copied", none_left)
     with pytest.raises(OSError, match="no process to spare"):
-        open_workshop(both)
+        open_workshop(worn)
 
 
 def test_frames_arrive_as_they_were_sent() -> None:

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Awaitable, Callable, Mapping
 
 from aiohttp import WSMsgType, web
 
+from omote.edit.messages import EDITING_PATH
+from omote.edit.on_air import OnAir, seen
 from omote.server.bundle import PAGES, Page
+from omote.server.casting import Casting
+from omote.server.desk import Desk
+from omote.server.editing import NO_FILE, Editing
 from omote.server.library import Library
-from omote.server.links import Link, Links, LinkSocket
+from omote.server.links import HEARTBEAT, Link, Links, LinkSocket
 from omote.server.security import add_headers, guard, mute_strangers
-from omote.server.workshop import FailedOrderError
-from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, Refused
-from omote.show.session import Outgoing, ShowSession
+from omote.server.workshop import FailedOrderError, RefusedOrderError
+from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Refused, State
+from omote.show.session import Outgoing, ShowSession, Wish
 from omote.show.wire import encode
 
-HEARTBEAT = 8.0
-"""Seconds of silence after which a link is asked whether it lives; it has half as long to answer."""
 FOR_EVER = "public, max-age=31536000, immutable"
 ALWAYS_ASK = "no-cache"
 MESSAGEPACK = "application/msgpack"
@@ -32,7 +35,23 @@ class ShowServer:
         self, session: ShowSession, library: Library, pages: Mapping[str, Page], *, clock: Clock = time.monotonic
     ) -> None:
         self.session, self.library, self.links, self.clock = session, library, Links(), clock
+        self.editing: Editing | None = None
         self._pages = pages
+        self._state: State | None = None
+
+    def edit(self, desk: Desk | None, reopen: Callable[[], Desk | None], report: Callable[[str], None]) -> None:
+        """Lets editors in; before `application`."""
+        self.editing = Editing(
+            desk,
+            self.library,
+            Casting(self.session, self.library, report),
+            reopen=reopen,
+            on_air=lambda: seen(self._state) if self._state else OnAir(),
+            tell=lambda who, message: self.links.answer(who, encode(message)),
+            announce=self.announce,
+            report=report,
+            clock=self.clock,
+        )
 
     def application(self, names: frozenset[str]) -> web.Application:
         """The aiohttp application; `names` are the hosts it answers to, beside addresses in figures."""
@@ -40,9 +59,15 @@ class ShowServer:
         application = web.Application(middlewares=[guard(names)], client_max_size=MESSAGE_LIMIT)
         application.on_response_prepare.append(add_headers)
         application.router.add_get(LINK_PATH, self.link)
+        if self.editing is not None:
+            application.router.add_get(EDITING_PATH, self.editing.link)
+            application.router.add_get("/layouts/{name}", self.layout)
         application.router.add_get("/manifest", self.manifest)
         application.router.add_get("/assets/{name}", self.asset)
-        application.router.add_get("/compounds/{digest}/{face}/{expression}", self.compound)
+        application.router.add_get("/compounds/{base}/{face}/{expression}", self.compound)
+        application.router.add_get("/tangents/{base}/{face}", self.tangents)
+        application.router.add_get("/handles", self.handles)
+        application.router.add_get("/contents/{key}", self.content)
         for path in (*PAGES, "/{page:.+}"):
             application.router.add_get(path, self.page)
         return application
@@ -50,16 +75,26 @@ class ShowServer:
     def tick(self) -> None:
         """One state for everybody."""
         now = self.clock()
-        state = self.session.tick(now)
+        state = self._state = self.session.tick(now)
         self.links.broadcast(encode(state), now)
         self.library.serve(state)
 
     def call_the_roll(self) -> None:
         """Tells everybody who is connected."""
         now = self.clock()
-        crew = encode(self.session.crew_now(now))
+        self.announce(self.session.crew_now(now))
+
+    def announce(self, message: FromServer) -> None:
+        """The same to everybody."""
+        data = encode(message)
         for link in self.links:
-            self.links.answer(link.who, crew)
+            self.links.answer(link.who, data)
+
+    async def hang_up(self) -> None:
+        """Tells every page that the server goes."""
+        if self.editing is not None:
+            await self.editing.close()
+        await self.links.hang_up()
 
     async def link(self, request: web.Request) -> web.WebSocketResponse:
         """A browser's link, from its first byte to its last."""
@@ -80,11 +115,11 @@ class ShowServer:
 
     async def manifest(self, request: web.Request) -> web.Response:
         """What the cast is made of."""
-        tag = f'"{self.library.cast.digest}"'
+        tag = f'"{self.library.troupe.digest}"'
         headers = {"Cache-Control": ALWAYS_ASK, "ETag": tag}
         if request.headers.get("If-None-Match") == tag:
             return web.Response(status=304, headers=headers)
-        return web.Response(body=self.library.manifest, content_type=MESSAGEPACK, headers=headers)
+        return web.Response(body=await self.library.manifest(), content_type=MESSAGEPACK, headers=headers)
 
     async def asset(self, request: web.Request) -> web.Response:
         """A face, or the mask, by the name of its content."""
@@ -97,22 +132,52 @@ class ShowServer:
         return web.Response(body=data, content_type=MESSAGEPACK, headers=kept)
 
     async def compound(self, request: web.Request) -> web.Response:
-        """A face wearing an expression."""
-        if request.match_info["digest"] != self.library.cast.digest:
+        """A face wearing an expression, by their sources."""
+        names = request.match_info
+        return await self._computed(request, lambda: self.library.compound(names["face"], names["expression"]))
+
+    async def tangents(self, request: web.Request) -> web.Response:
+        """How a face answers to fields, by its source."""
+        return await self._computed(request, lambda: self.library.tangents(request.match_info["face"]))
+
+    async def handles(self, request: web.Request) -> web.Response:
+        """The handles of the face editor."""
+        return await self._computed(request, self.library.handles, keep=ALWAYS_ASK)
+
+    async def content(self, request: web.Request) -> web.Response:
+        """An own face by its content."""
+        return await self._computed(request, lambda: self.library.face(request.match_info["key"]))
+
+    async def _computed(
+        self, request: web.Request, make: Callable[[], Awaitable[bytes]], keep: str = FOR_EVER
+    ) -> web.Response:
+        """What is made now if need be, and as a rule is the same for ever under its address."""
+        if request.match_info.get("base", self.library.cast.digest) != self.library.cast.digest:
             raise web.HTTPNotFound(text="the cast has changed: load /manifest again.")
         try:
-            data = await self.library.compound(request.match_info["face"], request.match_info["expression"])
+            data = await make()
         except KeyError as error:
             raise web.HTTPNotFound(text=f"there is no {str(error)[:80]} in this cast: load /manifest again.") from error
+        except RefusedOrderError as error:
+            raise web.HTTPNotFound(text=f"{error}.") from error
         except FailedOrderError as error:
             raise web.HTTPServiceUnavailable(text=f"{error}.") from error
-        return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": FOR_EVER})
+        return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": keep})
+
+    async def layout(self, request: web.Request) -> web.Response:
+        """A page's document, as `set_layout` kept it."""
+        found = None if self.editing is None else self.editing.layout(request.match_info["name"])
+        if found is None:
+            raise web.HTTPNotFound(text="there is no such layout in this show file.")
+        return web.Response(body=found, content_type="application/json", headers={"Cache-Control": ALWAYS_ASK})
 
     async def page(self, request: web.Request) -> web.Response:
         """A page, or one of its files."""
         page = self._pages.get(request.path)
         if page is None:
-            raise web.HTTPNotFound(text="there is no such page; the stage is at /stage, the console at /console, the editor at /editor.")
+            raise web.HTTPNotFound(
+                text="there is no such page; the stage is at /stage, the console at /console, the editor at /editor."
+            )
         keep = FOR_EVER if page.immutable else ALWAYS_ASK
         return web.Response(body=page.body, content_type=page.content_type, headers={"Cache-Control": keep})
 
@@ -121,9 +186,17 @@ class ShowServer:
             await link.turn(self.clock)
             if message.type is WSMsgType.BINARY:
                 self._deliver(self.session.hear(link.who, message.data, self.clock()))
+                self._keep(self.session.take_wishes())
             elif message.type is WSMsgType.TEXT:
                 reason = "text came, but messages are binary MessagePack."
                 self._deliver([Outgoing(link.who, Refused(reason))])
+
+    def _keep(self, wishes: list[Wish]) -> None:
+        for wish in wishes:
+            if self.editing is None:
+                self._deliver([Outgoing(wish.who, Refused(NO_FILE))])
+            else:
+                self.editing.wish(wish)
 
     def _deliver(self, outgoing: list[Outgoing]) -> None:
         for each in outgoing:

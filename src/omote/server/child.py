@@ -6,19 +6,23 @@ import asyncio
 import signal
 import socket
 import sys
-from collections.abc import Coroutine, Mapping
+from collections.abc import Callable, Coroutine, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from aiohttp import web
 
+from omote.files.showfile import ShowFile
 from omote.server.app import ShowServer
 from omote.server.beat import Playing, beat
 from omote.server.bundle import Page, read_bundle
+from omote.server.casting import gathered
+from omote.server.desk import Desk, open_desk
 from omote.server.journal import JournalWriter
 from omote.server.library import Library, built_in
 from omote.server.orders import Order
 from omote.server.restore import journal_entry, open_journal, restore
+from omote.server.scribe import Scribe
 from omote.server.security import own_names
 from omote.server.workshop import open_workshop
 
@@ -63,17 +67,19 @@ def run(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
 
 
 def employ_workshop(library: Library) -> None:
-    """Has compounds computed beside the server; where no process can be made, in a thread of it."""
+    """Has everything computed beside the server; where no process can be made, in a thread of it."""
     try:
         library.employ(open_workshop(library.compute), report)
     except OSError as error:
-        report(f"no process can be made to compute compounds ({error}); the server computes them itself.")
+        report(f"no process can be made that computes ({error}); the server computes by itself.")
 
 
 async def play(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
     """Plays until the supervisor's pipe ends or SIGTERM comes; raises what a tick raises."""
-    file = open_journal(show, report)
-    server = ShowServer(restore(material.library.cast, file, order, report), material.library, material.pages)
+    file, library = open_journal(show, report), material.library
+    desk, reopen = open_desks(file, library)
+    server = ShowServer(restore(library.troupe, file, order, report), library, material.pages)
+    server.edit(desk, reopen, report)
     journal = JournalWriter(file, report) if file else None
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()
@@ -81,12 +87,35 @@ async def play(material: Material, order: Order, *, show: Path, pipes: Pipes) ->
     try:
         await until_ended(beat(Playing(server, journal, pipes.pulse).tick), pipes.control)
     finally:
-        await server.links.hang_up()
+        await server.hang_up()
         await runner.cleanup()
-        material.library.close()
+        library.close()
+        if desk:
+            desk.keeper.close()
         if journal:
             journal.offer(journal_entry(server.session))
             journal.close()
+
+
+def open_desks(file: ShowFile | None, library: Library) -> tuple[Desk | None, Callable[[], Desk | None]]:
+    """The desk of a show file, its own things in the cast already, and what gives the desk anew."""
+    if file is None:
+        return None, lambda: None
+    keeper = Scribe(file.again(), report)
+
+    def reopened() -> Desk | None:
+        return open_desk(file, keeper, library.bench, report)
+
+    try:
+        desk = reopened()
+    except ImportError:  # TEMPORARY until craft lands
+        desk = None
+    if desk is None:
+        keeper.close()
+        return None, lambda: None
+    library.contents = desk.session.contents
+    library.play(gathered(library.cast, desk.session.own(), library.contents, report))
+    return desk, reopened
 
 
 async def until_ended(beating: Coroutine[object, object, None], control: int) -> None:

@@ -28,6 +28,8 @@ STALL_LIMIT = 10.0
 SEND_BUFFER = 32768
 """Bytes of the kernel's buffer: large ones would hold seconds of old states for a browser that pauses."""
 HANG_UP_SECONDS = 1.0
+HEARTBEAT = 8.0
+"""Seconds of silence after which a link is asked whether it lives; it has half as long to answer."""
 HEARD_RATE, HEARD_BURST = 1200.0, 240.0
 """Messages per second heard from one link: ten fingers on faders; more waits in its own socket."""
 
@@ -35,15 +37,22 @@ HEARD_RATE, HEARD_BURST = 1200.0, 240.0
 class LinkSocket(web.WebSocketResponse):
     """A browser's socket; on a message that is too long it says so before it closes."""
 
-    def __init__(self, *, heartbeat: float) -> None:
-        super().__init__(compress=False, max_msg_size=MESSAGE_LIMIT, heartbeat=heartbeat)
+    def __init__(
+        self,
+        *,
+        heartbeat: float,
+        limit: int = MESSAGE_LIMIT,
+        refusal: Callable[[str], bytes] = lambda reason: encode(Refused(reason)),
+    ) -> None:
+        super().__init__(compress=False, max_msg_size=limit, heartbeat=heartbeat)
+        self._limit, self._refusal = limit, refusal
 
     async def close(self, *, code: int = WSCloseCode.OK, message: bytes = b"", drain: bool = True) -> bool:
         """Closes; aiohttp calls it when a message is over the limit."""
         if code == WSCloseCode.MESSAGE_TOO_BIG and not self.closed:
-            message = f"a message was longer than {MESSAGE_LIMIT} bytes, the most that is read.".encode()
+            message = f"a message was longer than {self._limit} bytes, the most that is read.".encode()
             with contextlib.suppress(ConnectionError):
-                finish_now(self.send_bytes(encode(Refused(message.decode()))))
+                finish_now(self.send_bytes(self._refusal(message.decode())))
         return await super().close(code=code, message=message, drain=drain)
 
 
@@ -61,7 +70,7 @@ class Link:
     async def turn(self, clock: Callable[[], float]) -> None:
         """Waits until this link may say one more thing; meanwhile its socket fills, not our memory."""
         while not self.bucket.take(clock()):
-            await asyncio.sleep(1.0 / HEARD_RATE)
+            await asyncio.sleep(1.0 / self.bucket.rate)
 
     def send(self, data: bytes, limit: int) -> bool:
         """Sends now, or not at all when more than `limit` bytes still wait; never waits."""

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import msgspec
 
-from omote.files.showfile import CorruptShowFileError, JournalEntry, ShowFile, ShowFileError, move_aside, open_show
-from omote.model.cast import Cast
+from omote.files.rescue import Rescue, finish, is_lost, rescue_show
+from omote.files.showfile import CorruptShowFileError, JournalEntry, ShowFile, ShowFileError, open_show
 from omote.perform.performer import Performer
+from omote.perform.snapshot import Playable
 from omote.server.orders import Order
 from omote.show.session import SessionSnapshot, ShowSession
 
@@ -19,19 +20,44 @@ Report = Callable[[str], None]
 
 
 def open_journal(path: Path, report: Report) -> ShowFile | None:
-    """The show file; a corrupt one is kept aside and a new one made; None when the disk allows no file at all."""
+    """The show file's newest good state (`open_newest`); None when the disk allows no file at all."""
     try:
-        try:
-            return open_show(path)
-        except CorruptShowFileError as error:
-            report(f"{error} It is kept as {move_aside(path)}; the show starts neutral.")
-            return open_show(path)
+        return open_newest(path, report)
     except (ShowFileError, OSError) as error:
         report(f"{error} The show goes on without a journal.")
         return None
 
 
-def restore(cast: Cast, show: ShowFile | None, order: Order, report: Report) -> ShowSession:
+def open_newest(path: Path, report: Report) -> ShowFile:
+    """The show file, made when there is none; a corrupt or lost one is kept and its newest good state opened.
+
+    ShowFileError with a sentence where it cannot be used; then it is untouched.
+    """
+    try:
+        finish(path)
+        try:
+            if is_lost(path):
+                raise CorruptShowFileError(f"{path} is {'empty' if path.exists() else 'not there'}.")
+            return open_show(path)
+        except CorruptShowFileError as error:
+            report(f"{error} {_said(rescue_show(path))}")
+            return open_show(path)
+    except (sqlite3.Error, OSError) as error:
+        raise ShowFileError(f"{path} cannot be used ({error}); free the disk or name another file.") from error
+
+
+def _said(rescue: Rescue) -> str:
+    kept = "" if rescue.kept is None else f"It is kept as {rescue.kept}; "
+    newer = f"{rescue.newer} {'change' if rescue.newer == 1 else 'changes'}"
+    if rescue.copied is None:
+        opened = f"{newer} of authored work could be read and go on" if rescue.newer else "the show starts neutral"
+        return f"{kept}there is no good copy of it: {opened}."
+    made = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(rescue.copied))
+    more = f", with {newer} made after it" if rescue.newer else ""
+    return f"{kept}opened instead: its good copy of {made}{more}."
+
+
+def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report) -> ShowSession:
     """The session of the journal's last state, under a new epoch; a neutral one when none can be played."""
     last = _last_entry(show, report)
     epoch = next_epoch(last.epoch, order.epoch)
@@ -74,7 +100,7 @@ def _record(show: ShowFile | None, session: ShowSession, aside: JournalEntry | N
         report(f"the journal cannot be written ({error}); the show goes on.")
 
 
-def _played_on(cast: Cast, entry: JournalEntry, epoch: int, report: Report) -> ShowSession | None:
+def _played_on(cast: Playable, entry: JournalEntry, epoch: int, report: Report) -> ShowSession | None:
     if entry.snapshot is None:
         return None
     try:

@@ -1,8 +1,9 @@
-"""Where compounds are made: beside the server, in a process that shares its loaded cast, so that no tick is late.
+"""Where orders are made: beside the server, in a process that shares its loaded cast, so that no tick is late.
 
 The server opens it before it has a thread or a loop. Two copies of the server make it up: a keeper that only passes
 orders on, and a hand that works. A hand that dies or hangs is replaced and the order given again; an order that no hand
-survives is answered with nothing. Both end with the line to the server.
+survives is answered with nothing. Both end with the line to the server. An order is bytes, and so is what is made of
+it (`bench`); whoever makes it refuses with a ValueError, whose sentence comes back.
 """
 
 from __future__ import annotations
@@ -17,8 +18,6 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 
-import msgspec
-
 from omote.server.copies import copied, let_go
 from omote.server.priority import behind_the_show
 
@@ -27,10 +26,12 @@ TRIES = 2
 HANG_SECONDS = 20.0
 """Silence of a working hand after which it is replaced; a compound takes milliseconds."""
 
-Make = Callable[[str, str], bytes]
+Make = Callable[[bytes], bytes]
+
+MADE, REFUSED = b"+", b"-"
+"""Begin the answers; an empty one: it could not be made."""
 
 _length = struct.Struct("!I")
-_order: msgspec.msgpack.Decoder[tuple[str, str]] = msgspec.msgpack.Decoder(tuple[str, str])
 
 
 class ClosedWorkshopError(RuntimeError):
@@ -41,6 +42,10 @@ class FailedOrderError(RuntimeError):
     """The workshop could not make this."""
 
 
+class RefusedOrderError(ValueError):
+    """Whoever makes orders has refused this one, and why, in one sentence."""
+
+
 @dataclass
 class Workshop:
     """The server's end of a workshop: one order at a time."""
@@ -49,20 +54,22 @@ class Workshop:
     keeper: int
     _streams: tuple[asyncio.StreamReader, asyncio.StreamWriter] | None = None
 
-    async def make(self, face: str, expression: str) -> bytes:
-        """What was ordered; FailedOrderError when it cannot be made, ClosedWorkshopError when nobody is there."""
+    async def make(self, order: bytes) -> bytes:
+        """What was ordered.
+
+        RefusedOrderError when it must not be made, FailedOrderError when it cannot, ClosedWorkshopError when nobody is
+        there.
+        """
         try:
             if self._streams is None:
                 self._streams = await asyncio.open_unix_connection(sock=self.line)
             reader, writer = self._streams
-            writer.write(framed(msgspec.msgpack.encode((face, expression))))
+            writer.write(framed(order))
             (size,) = _length.unpack(await reader.readexactly(_length.size))
             made = await reader.readexactly(size)
         except (OSError, EOFError) as error:
-            raise ClosedWorkshopError("the process that computes compounds is gone") from error
-        if not made:
-            raise FailedOrderError(f"{face} wearing {expression} cannot be computed; the terminal of the show says why")
-        return made
+            raise ClosedWorkshopError("the process that computes beside the show is gone") from error
+        return answered(made)
 
     def close(self) -> None:
         """Ends it at once."""
@@ -150,15 +157,26 @@ def keep(line: socket.socket, make: Make) -> None:
 
 
 def work_on(line: socket.socket, make: Make) -> None:
-    """Makes what is ordered until the line ends; what cannot be made is answered with nothing."""
+    """Makes what is ordered until the line ends; what cannot be made is answered with nothing, a refusal with why."""
     while (order := received(line)) is not None:
         try:
-            made = make(*_order.decode(order))
+            made = MADE + make(order)
+        except ValueError as error:
+            made = REFUSED + str(error).encode()
         except Exception:
             traceback.print_exc()
             made = b""
         with suppress(ConnectionError):  # the keeper went without waiting for it
             line.sendall(framed(made))
+
+
+def answered(data: bytes) -> bytes:
+    """What an answer holds; FailedOrderError and RefusedOrderError where it holds nothing."""
+    if data.startswith(REFUSED):
+        raise RefusedOrderError(data[len(REFUSED) :].decode())
+    if not data:
+        raise FailedOrderError("this cannot be computed; the terminal of the show says why")
+    return data[len(MADE) :]
 
 
 def framed(data: bytes) -> bytes:

@@ -7,12 +7,12 @@ class TokenBucket:
     """Lets `burst` messages pass at once and `rate` per second after that; time is an argument."""
 
     def __init__(self, rate: float, burst: float) -> None:
-        self._rate, self._burst = rate, burst
+        self.rate, self._burst = rate, burst
         self._tokens, self._then = burst, 0.0
 
     def take(self, now: float) -> bool:
         """Whether one more message may pass at `now` (seconds, monotonic)."""
-        self._tokens = min(self._burst, self._tokens + max(0.0, now - self._then) * self._rate)
+        self._tokens = min(self._burst, self._tokens + max(0.0, now - self._then) * self.rate)
         self._then = now
         if self._tokens < 1.0:
             return False

@@ -22,14 +22,14 @@ OWN = "own"
 
 
 class Own(msgspec.Struct, frozen=True):
-    """An own face or expression as it plays: its name in the cast, what people read, the key of its content."""
+    """An own face or expression as it plays; content: the key of its bytes."""
 
     kind: Kind
     name: str
     label: str
+    tags: tuple[str, ...]
+    place: float
     content: str
-    tags: tuple[str, ...] = ()
-    place: float = 0.0
 
     @property
     def source(self) -> str:
@@ -53,27 +53,31 @@ class Troupe:
     @cached_property
     def digest(self) -> str:
         """A name for exactly this cast: the built-in cast's where there is nothing else."""
-        if not self.own:
-            return self.base.digest
-        return hashlib.blake2b(self.base.digest.encode() + msgspec.msgpack.encode(self.own), digest_size=12).hexdigest()
+        return digest_of(self.base.digest, self.own)
 
     def find(self, kind: Kind, name: str) -> Own | None:
         """The own thing of this name."""
         return next((each for each in self.own if (each.kind, each.name) == (kind, name)), None)
 
 
+def digest_of(base: str, own: tuple[Own, ...]) -> str:
+    """A name for a cast with own things, hexadecimal; that of the built-in cast where there are none."""
+    if not own:
+        return base
+    return hashlib.blake2b(base.encode() + msgspec.msgpack.encode(own), digest_size=12).hexdigest()
+
+
 def troupe_of(
     base: Cast, own: tuple[Own, ...], contents: Mapping[str, bytes], *, before: Troupe | None = None
 ) -> Troupe:
-    """The cast with own things, in the order of their places; what `before` holds already is not unpacked again.
+    """The cast with own things; what `before` holds already is not unpacked again.
 
     Raises ValueError where a name is taken or a content does not fit the cast, KeyError where one is missing.
     """
-    ordered = tuple(sorted(own, key=lambda each: (each.place, each.name)))
     faces = {name: name for name in base.faces}
     expressions, sources = dict(base.expressions), {name: name for name in base.expressions}
     known = {} if before is None else _unpacked(before)
-    for each in ordered:
+    for each in own:
         names: Mapping[str, object] = faces if each.kind == "face" else sources
         if each.name in names:
             raise ValueError(f"there are two {each.kind}s named {each.name!r}; expected another name for one of them")
@@ -82,7 +86,7 @@ def troupe_of(
             continue
         expressions[each.name] = known.get(each.content) or _fitting(base, unpack_expression(contents[each.content]))
         sources[each.name] = each.source
-    return Troupe(base, ordered, MappingProxyType(faces), MappingProxyType(expressions), MappingProxyType(sources))
+    return Troupe(base, own, MappingProxyType(faces), MappingProxyType(expressions), MappingProxyType(sources))
 
 
 def manifest_of(troupe: Troupe, built_in: Manifest, faces: Mapping[str, FaceDocument]) -> Manifest:

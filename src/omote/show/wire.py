@@ -7,14 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.show.door import Refusal
-from omote.show.messages import MESSAGE_LIMIT, CompoundAsset, FaceAsset, FromClient, FromServer, HairAsset, Manifest
+from omote.show.messages import MESSAGE_LIMIT, FromClient, FromServer
 
 _encoder = msgspec.msgpack.Encoder()
 _from_client: msgspec.msgpack.Decoder[FromClient] = msgspec.msgpack.Decoder(FromClient)
 _from_server: msgspec.msgpack.Decoder[FromServer] = msgspec.msgpack.Decoder(FromServer)
 
 
-def encode(message: FromClient | FromServer | Manifest | FaceAsset | HairAsset | CompoundAsset) -> bytes:
+def encode(message: msgspec.Struct) -> bytes:
     """The bytes of a message or a document."""
     return _encoder.encode(message)
 
