@@ -52,12 +52,16 @@ export interface Options {
 export const MOST_NEIGHBOURS = 10;
 const NEIGHBOURS = ["dog", "child", "old"];
 
+const LOOKING_AHEAD = { turns: [0, 0, 0, 0] as Recipe["eyes"], pupil: 0 };
+
 export class Workbench {
   library: Library | null = null;
   /** The newest manifest: the library's, or a later one of the same base with other own faces and expressions. */
   manifest: Manifest | null = null;
   anatomy: Anatomy | null = null;
   items: readonly ItemDocument[] = [];
+  /** Of the cast that pages may load now; "" before the server has said. */
+  digest = "";
   /** The draft of the open item as the server last told it; null while nothing is open. */
   draft: DraftState | null = null;
   /** The net of the draft; null while none is open, and for a face. */
@@ -81,6 +85,8 @@ export class Workbench {
   live: Float64Array = new Float64Array(0);
   /** Contractions as the hand has them now. */
   livePulls: ReadonlyMap<string, number> = new Map();
+  /** What the recipe adds to eyeballs and pupils, as the hand has it now. */
+  liveEyes: { readonly turns: Recipe["eyes"]; readonly pupil: number } = LOOKING_AHEAD;
   /** A source that is shown instead of the draft (an old revision), or null. */
   look: string | null = null;
   online = false;
@@ -171,11 +177,11 @@ export class Workbench {
 
   setAnatomy(greeted: Greeted): void {
     this.anatomy = readAnatomy(greeted);
-    this.setItems(greeted.items);
+    this.setItems(greeted.items, greeted.digest);
   }
 
-  setItems(items: readonly ItemDocument[]): void {
-    this.items = items;
+  setItems(items: readonly ItemDocument[], digest = this.digest): void {
+    [this.items, this.digest] = [items, digest];
     this.tell("items");
   }
 
@@ -274,8 +280,14 @@ export class Workbench {
     this.edit({ type: "set_pulls", pulls: pulls.map(([muscle, contraction]) => ({ muscle, contraction })) });
   }
 
-  setEyes(eyes: Recipe["eyes"], pupil: number): void {
-    this.edit({ type: "set_eyes", eyes, pupil });
+  /** Eyes turn so far, on this page only, until `sendEyes`. */
+  turnEyes(turns: Recipe["eyes"], pupil: number): void {
+    this.liveEyes = { turns, pupil };
+    this.tell("live");
+  }
+
+  sendEyes(): void {
+    this.edit({ type: "set_eyes", eyes: this.liveEyes.turns, pupil: this.liveEyes.pupil });
   }
 
   setFace(recipe: FaceRecipe, what: string): void {
@@ -322,7 +334,7 @@ export class Workbench {
   /** An answer, or what the server says by itself. */
   receive(message: ToEditor): void {
     if (message.type === "draft") this.#receiveDraft(message);
-    else if (message.type === "items") this.setItems(message.items);
+    else if (message.type === "items") this.setItems(message.items, message.digest);
     else if (message.type === "greeted") this.setAnatomy(message);
     else if (message.type === "history") this.#receiveHistory(message.item, message.revisions);
     else if (message.type === "refused") this.say(message.reason);
@@ -373,6 +385,7 @@ export class Workbench {
       this.#dragged = null;
       this.live = vectors;
     }
+    this.liveEyes = { turns: recipe.eyes, pupil: recipe.pupil };
     this.livePulls = new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction]));
     this.tell("live");
   }

@@ -1,0 +1,81 @@
+import { html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { base } from "../console/theme";
+import type { ItemDocument } from "../link/editing";
+import { controls } from "./controls_style";
+import { describe, save } from "./deeds";
+import { BenchElement, textOf } from "./element";
+import { style } from "./heading_style";
+import type { Topic } from "./workbench";
+
+/** The head of the page: what is open, whether it is saved, who else is at it. */
+@customElement("omote-heading")
+export class Heading extends BenchElement {
+  @state() private note = "";
+
+  static override styles = [base, controls, style];
+
+  protected override topics(): readonly Topic[] {
+    return ["draft", "items", "link"];
+  }
+
+  override render() {
+    const { bench } = this;
+    const { item, draft } = bench;
+    return html`
+      <div class="mark">OMOTE <small>EDITOR</small></div>
+      ${bench.online ? nothing : html`<div class="lost" role="alert">LINK LOST – what you do waits here</div>`}
+      ${item === null || draft === null ? html`<span class="grow"></span>` : this.#open(item, draft.dirty, draft.others)}
+      <label class="you" title="Other editors read this name">You:
+        <input aria-label="Your name" maxlength="64" .value=${this.rig.name()} @change=${this.#rename} /></label>
+      <a class="console" href="/console" target="_blank" title="Play what is saved">Console</a>
+      <button class="icon" title="Keys (?)" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
+    `;
+  }
+
+  #open(item: ItemDocument, dirty: boolean, others: readonly string[]) {
+    const { bench } = this;
+    return html`
+      <span class="dot ${dirty ? "dirty" : ""}" role="img" title=${dirty ? "Not saved yet" : "Saved"}
+        aria-label=${dirty ? "Not saved yet" : "Saved"}></span>
+      <input class="label" aria-label="Name" title="Rename" maxlength="64" .value=${item.label}
+        @change=${(event: Event) => this.#relabel(item, textOf(event))} />
+      <input class="tags" aria-label="Tags" placeholder="tags, with commas" title="Tags to find it by" .value=${item.tags.join(", ")}
+        @change=${(event: Event) => describe(bench, item, { tags: tagsOf(textOf(event)) })} />
+      ${others.length === 0 ? nothing : html`<span class="others" role="status">${others.join(", ")} ${others.length === 1 ? "is" : "are"} at it too</span>`}
+      <span class="grow"></span>
+      <input class="remark" aria-label="Note" placeholder="note (if you like)" maxlength="200" .value=${this.note}
+        @input=${(event: Event) => {
+          this.note = textOf(event);
+        }}
+        @keydown=${(event: KeyboardEvent) => (event.key === "Enter" ? this.save() : nothing)} />
+      <button class="main save" title="Save (Ctrl S): it plays from now on" ?disabled=${!dirty && item.head > 0}
+        @click=${() => this.save()}>Save</button>
+    `;
+  }
+
+  save(): void {
+    void save(this.bench, this.note);
+    this.note = "";
+  }
+
+  #relabel(item: ItemDocument, label: string): void {
+    if (label.trim() === "") this.requestUpdate();
+    else describe(this.bench, item, { label: label.trim() });
+  }
+
+  readonly #rename = (event: Event): void => {
+    const name = textOf(event).trim();
+    if (name !== "") this.rig.rename(name);
+  };
+}
+
+/** Tags as they are typed: between commas, each once. */
+export const tagsOf = (text: string): string[] => [
+  ...new Set(
+    text
+      .split(",")
+      .map((tag) => tag.trim())
+      .filter(Boolean),
+  ),
+];

@@ -1,0 +1,87 @@
+import { css } from "lit";
+
+export const style = css`
+  :host {
+    display: flex;
+    align-items: center;
+    gap: 8px;
+    padding: 0 10px;
+    min-width: 0;
+    height: 100%;
+  }
+  .mark {
+    font-size: 15px;
+    font-weight: 700;
+    letter-spacing: 0.22em;
+    color: var(--text);
+    white-space: nowrap;
+  }
+  .mark small {
+    font-size: 11px;
+    font-weight: 500;
+    color: var(--dim);
+  }
+  .lost {
+    color: #fff;
+    font-weight: 700;
+    background: #c3170a;
+    border-radius: 4px;
+    padding: 6px 12px;
+    white-space: nowrap;
+  }
+  .dot {
+    flex: none;
+    width: 10px;
+    height: 10px;
+    border-radius: 50%;
+    border: 2px solid var(--faint);
+  }
+  .dot.dirty {
+    background: var(--attention);
+    border-color: var(--attention);
+  }
+  .label {
+    font-size: 15px;
+    font-weight: 600;
+    flex: 0 1 190px;
+  }
+  .tags {
+    flex: 0 1 130px;
+  }
+  .remark {
+    flex: 0 1 150px;
+  }
+  .others {
+    color: var(--attention);
+    white-space: nowrap;
+  }
+  .save {
+    min-width: 76px;
+    height: 36px;
+  }
+  .you {
+    display: flex;
+    align-items: center;
+    gap: 5px;
+    font-size: 12px;
+    color: var(--faint);
+  }
+  .you input {
+    width: 92px;
+    border-color: transparent;
+    background: none;
+    color: var(--dim);
+  }
+  .console {
+    color: var(--dim);
+    text-decoration: none;
+    padding: 6px 4px;
+  }
+  @media (max-width: 1000px) {
+    .you,
+    .tags,
+    .mark small {
+      display: none;
+    }
+  }
+`;

@@ -1,0 +1,66 @@
+import { css, html } from "lit";
+import { customElement } from "lit/decorators.js";
+import { base } from "../console/theme";
+import { controls } from "./controls_style";
+import { BenchElement } from "./element";
+import { HELP } from "./keys";
+
+/** The keys and the words of the editor, over everything else. Tells `close`. */
+@customElement("omote-editor-help")
+export class EditorHelp extends BenchElement {
+  static override styles = [
+    base,
+    controls,
+    css`
+      :host {
+        position: fixed;
+        inset: 0;
+        z-index: 9;
+        display: grid;
+        place-items: center;
+        background: #000c;
+        padding: 12px;
+      }
+      section {
+        max-width: 720px;
+        max-height: 100%;
+        overflow: auto;
+        padding: 18px 22px;
+      }
+      dl {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        gap: 5px 16px;
+        margin: 12px 0;
+      }
+      dt {
+        white-space: nowrap;
+        font-weight: 700;
+        color: var(--hand);
+      }
+      dd {
+        margin: 0;
+        color: var(--dim);
+      }
+      p {
+        margin: 8px 0;
+      }
+    `,
+  ];
+
+  override firstUpdated(): void {
+    this.renderRoot.querySelector("button")?.focus();
+  }
+
+  override render() {
+    return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Keys">
+      <h2>Keys</h2>
+      <dl>${HELP.map(([keys, does]) => html`<dt>${keys}</dt><dd>${does}</dd>`)}</dl>
+      <h2>Words</h2>
+      <p>An expression belongs to no face. Each needle says how a point of the skin turns around the head (Δθ), rises (Δh) and leaves the surface (R); every face makes of it what suits its own shape.</p>
+      <p>Your draft is kept with every step; Save makes a revision of it, and that is what the console plays. Nothing saved is ever replaced: History brings back any of it.</p>
+      <p>Left and right are the character's own.</p>
+      <button @click=${() => this.dispatchEvent(new CustomEvent("close"))}>Close</button>
+    </section>`;
+  }
+}

@@ -1,0 +1,79 @@
+import { css, html } from "lit";
+import { customElement } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import { base } from "../console/theme";
+import { controls } from "./controls_style";
+import { BenchElement } from "./element";
+import type { Notice } from "./notices";
+import type { Topic } from "./workbench";
+
+/** What must be read: it stays until it has been. */
+@customElement("omote-notices")
+export class NoticesView extends BenchElement {
+  static override styles = [
+    base,
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: 6px;
+        justify-items: center;
+        pointer-events: none;
+      }
+      div {
+        pointer-events: auto;
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: 6px 10px;
+        max-width: 640px;
+        padding: 8px 8px 8px 14px;
+        border-radius: 6px;
+        color: var(--text);
+        background: #1d2126;
+        border: 1px solid var(--edge);
+        box-shadow: 0 6px 24px #000a;
+        user-select: text;
+        -webkit-user-select: text;
+      }
+      .refusal,
+      .conflict {
+        border-color: var(--attention);
+        background: #2a2108;
+      }
+      .done {
+        border-color: var(--coming);
+        background: #0d2417;
+      }
+      span {
+        flex: 1 1 240px;
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["notices"];
+  }
+
+  override render() {
+    return repeat(
+      this.bench.notices,
+      ({ id }) => id,
+      (notice) => this.#notice(notice),
+    );
+  }
+
+  #notice({ id, text, kind, actions }: Notice) {
+    return html`<div class=${kind} role=${kind === "done" ? "status" : "alert"}>
+      <span>${text}</span>
+      ${actions.map(
+        ({ label, act }) =>
+          html`<button @click=${() => {
+            this.bench.dismiss(id);
+            act();
+          }}>${label}</button>`,
+      )}
+      <button class="icon quiet" title="I have read it" aria-label="Dismiss" @click=${() => this.bench.dismiss(id)}>✕</button>
+    </div>`;
+  }
+}

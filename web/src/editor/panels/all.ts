@@ -1,0 +1,123 @@
+import { css, html } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { base } from "../../console/theme";
+import { controls } from "../controls_style";
+import { BenchElement } from "../element";
+import type { Topic } from "../workbench";
+import "../amount";
+import "./exchange";
+import "./eyes";
+import "./history";
+import "./layers";
+import "./muscles";
+import "./points";
+import "./recipe";
+
+type Tab = "layers" | "muscles" | "points" | "eyes" | "recipe" | "history" | "exchange";
+const FOR_EXPRESSIONS: readonly (readonly [Tab, string])[] = [
+  ["layers", "Layers"],
+  ["muscles", "Muscles"],
+  ["points", "Numbers"],
+  ["eyes", "Eyes"],
+  ["history", "History"],
+  ["exchange", "In & out"],
+];
+const FOR_FACES: readonly (readonly [Tab, string])[] = [
+  ["recipe", "Recipe"],
+  ["history", "History"],
+  ["exchange", "In & out"],
+];
+
+/** What the open item is made of, one side of it at a time. */
+@customElement("omote-panels")
+export class Panels extends BenchElement {
+  @state() private tab: Tab = "layers";
+
+  static override styles = [
+    base,
+    controls,
+    css`
+      :host {
+        display: grid;
+        grid-template-rows: auto minmax(0, 1fr);
+        min-height: 0;
+      }
+      [role="tablist"] {
+        display: grid;
+        grid-template-columns: repeat(3, 1fr);
+        gap: 2px;
+        padding: 6px;
+        border-bottom: 1px solid var(--line);
+      }
+      [role="tab"] {
+        padding: 0 4px;
+        font-size: 12.5px;
+      }
+      [role="tab"][aria-selected="true"] {
+        background: var(--raised);
+        color: var(--text);
+        border-color: var(--edge);
+      }
+      .inside {
+        overflow: hidden auto;
+        scrollbar-width: thin;
+        scrollbar-color: var(--edge) transparent;
+        min-height: 0;
+      }
+      .empty {
+        padding: 14px;
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["draft"];
+  }
+
+  override render() {
+    const { bench, rig } = this;
+    if (bench.draft === null)
+      return html`<p class="empty">What an expression is made of stands here once one is open: layers, muscles, numbers, eyes, history.</p>`;
+    const tabs = bench.face === null ? FOR_EXPRESSIONS : FOR_FACES;
+    const tab = tabs.some(([one]) => one === this.tab) ? this.tab : (tabs[0] as (typeof tabs)[0])[0];
+    return html`
+      <div role="tablist" aria-label="Made of" @keydown=${this.#roam}>
+        ${tabs.map(
+          ([
+            one,
+            label,
+          ]) => html`<button role="tab" id=${one} data-tab=${one} aria-selected=${one === tab} aria-controls="inside"
+            tabindex=${one === tab ? 0 : -1} @click=${() => this.show(one)}>${label}</button>`,
+        )}
+      </div>
+      <div class="inside" id="inside" role="tabpanel" aria-labelledby=${tab}>${PANELS[tab](rig)}</div>
+    `;
+  }
+
+  show(tab: Tab): void {
+    this.tab = tab;
+  }
+
+  /** Arrows go from tab to tab, as everywhere. */
+  readonly #roam = (event: KeyboardEvent): void => {
+    const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+    if (by === 0) return;
+    event.preventDefault();
+    const tabs = [...this.renderRoot.querySelectorAll<HTMLElement>("[role=tab]")];
+    const at = tabs.findIndex((one) => one.dataset.tab === (event.target as HTMLElement).dataset.tab);
+    const next = tabs[(at + by + tabs.length) % tabs.length];
+    next?.click();
+    next?.focus();
+  };
+}
+
+type Rig = BenchElement["rig"];
+const PANELS: Readonly<Record<Tab, (rig: Rig) => unknown>> = {
+  layers: (rig) => html`<omote-layers .rig=${rig}></omote-layers>`,
+  muscles: (rig) => html`<omote-muscles .rig=${rig}></omote-muscles>`,
+  points: (rig) => html`<omote-points .rig=${rig}></omote-points>`,
+  eyes: (rig) => html`<omote-eyes .rig=${rig}></omote-eyes>`,
+  recipe: (rig) => html`<omote-recipe .rig=${rig}></omote-recipe>`,
+  history: (rig) => html`<omote-history .rig=${rig}></omote-history>`,
+  exchange: (rig) => html`<omote-exchange .rig=${rig}></omote-exchange>`,
+};

@@ -1,0 +1,109 @@
+import { css, html, nothing } from "lit";
+import { customElement, property, queryAll, state } from "lit/decorators.js";
+import { base } from "../../console/theme";
+import { controls } from "../controls_style";
+import { distances, drawShape, heat, largest, SKIN } from "../difference";
+import { BenchElement } from "../element";
+import { wearing } from "../shapes";
+import { MILLIMETRES, shown } from "../units";
+
+/** One of two things that are compared: a content, and what people call it. */
+export interface Side {
+  readonly content: string;
+  readonly label: string;
+}
+
+/** Below this all is called alike, metres: what the wire rounds away. */
+const ALIKE = 2e-5;
+
+/** Two revisions beside each other, and where they differ. */
+@customElement("omote-comparison")
+export class Comparison extends BenchElement {
+  @property({ attribute: false }) sides!: readonly [Side, Side];
+  @state() private sentence = "Drawing…";
+  @queryAll("canvas") private canvases!: NodeListOf<HTMLCanvasElement>;
+
+  static override styles = [
+    base,
+    controls,
+    css`
+      :host {
+        position: fixed;
+        inset: 0;
+        z-index: 9;
+        display: grid;
+        place-items: center;
+        background: #000c;
+        padding: 12px;
+      }
+      section {
+        padding: 14px 16px;
+        display: grid;
+        gap: 10px;
+        max-height: 100%;
+        max-width: 100%;
+        overflow: auto;
+      }
+      .pictures {
+        display: grid;
+        grid-template-columns: repeat(3, minmax(0, 320px));
+        gap: 8px;
+      }
+      figure {
+        margin: 0;
+        display: grid;
+        gap: 4px;
+      }
+      canvas {
+        width: 100%;
+        border: 1px solid var(--line);
+        border-radius: 5px;
+      }
+      figcaption {
+        color: var(--dim);
+        text-align: center;
+      }
+    `,
+  ];
+
+  override firstUpdated(): void {
+    this.renderRoot.querySelector("button")?.focus();
+    this.#draw().catch((error: unknown) => {
+      this.sentence = error instanceof Error ? error.message : String(error);
+    });
+  }
+
+  async #draw(): Promise<void> {
+    const { bench } = this;
+    const worn = ({ content }: Side): Promise<Float32Array> =>
+      bench.face === null ? wearing(bench, bench.sourceOf(bench.work), content) : wearing(bench, content, "neutral");
+    const [one, other] = await Promise.all(this.sides.map(worn));
+    if (one === undefined || other === undefined) return;
+    const apart = distances(one, other);
+    const most = largest(apart);
+    const meshes = (bench.library?.meshes ?? []).filter(({ name }) => !name.includes("lash"));
+    const [first, second, third] = [...this.canvases] as [HTMLCanvasElement, HTMLCanvasElement, HTMLCanvasElement];
+    drawShape(first, one, meshes, () => SKIN);
+    drawShape(second, other, meshes, () => SKIN);
+    drawShape(third, other, meshes, (row) => heat((apart[row] as number) / Math.max(most, ALIKE)));
+    this.sentence =
+      most < ALIKE ? "They are alike." : `They differ by up to ${shown(most, MILLIMETRES)} mm, where it is red.`;
+  }
+
+  override render() {
+    const picture = (caption: unknown) =>
+      html`<figure><canvas width="480" height="520"></canvas><figcaption>${caption}</figcaption></figure>`;
+    return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Comparison"
+      @keydown=${(event: KeyboardEvent) => (event.key === "Escape" ? this.#close() : nothing)}>
+      <div class="pictures">
+        ${picture(this.sides[0].label)} ${picture(this.sides[1].label)}
+        ${picture(html`<span role="status">${this.sentence}</span>`)}
+      </div>
+      <div class="row"><span class="grow"></span><button @click=${() => this.#close()}>Close</button></div>
+    </section>`;
+  }
+
+  #close(): void {
+    this.dispatchEvent(new CustomEvent("close"));
+  }
+}

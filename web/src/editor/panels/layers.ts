@@ -1,0 +1,101 @@
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import { base } from "../../console/theme";
+import type { Layer } from "../../link/editing";
+import { amountOf } from "../amount";
+import { controls, panel } from "../controls_style";
+import { bake } from "../deeds";
+import { BenchElement, textOf } from "../element";
+import { sourceChoice } from "../source_choice";
+import { labelOf, sourcesOf } from "../sources";
+import { PERCENT } from "../units";
+import type { Topic } from "../workbench";
+
+/** Expressions laid under the control points: brow of one, mouth of another. */
+@customElement("omote-layers")
+export class Layers extends BenchElement {
+  static override styles = [
+    base,
+    controls,
+    panel,
+    css`
+      .name {
+        font-weight: 600;
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["draft", "items", "cast"];
+  }
+
+  get #layers(): readonly Layer[] {
+    return this.bench.recipe?.layers ?? [];
+  }
+
+  #change(at: number, change: Partial<Layer>): void {
+    this.bench.setLayers(this.#layers.map((layer, place) => (place === at ? { ...layer, ...change } : layer)));
+  }
+
+  #move(at: number, by: -1 | 1): void {
+    const layers = [...this.#layers];
+    const [layer] = layers.splice(at, 1);
+    layers.splice(at + by, 0, layer as Layer);
+    this.bench.setLayers(layers);
+  }
+
+  override render() {
+    const sources = sourcesOf(this.bench, "expression");
+    const add = (source: string): void => {
+      if (source === "") return;
+      const layer = { source, label: labelOf(sources, source), weight: 1, region: null, mirrored: false };
+      this.bench.setLayers([...this.#layers, layer]);
+    };
+    return html`
+      <p>Expressions that lie under your needles and add up: the brow of one, the mouth of another.</p>
+      ${sourceChoice(sources, { label: "Add a layer", first: "+ Add an expression as a layer…", chosen: add })}
+      <ul>
+        ${repeat(
+          this.#layers,
+          (layer, at) => `${at} ${layer.source}`,
+          (layer, at) => this.#layer(layer, at),
+        )}
+      </ul>
+      ${this.#layers.length === 0 ? nothing : this.#bake()}
+    `;
+  }
+
+  #layer(layer: Layer, at: number) {
+    return html`<li class="card" data-layer=${at}>
+      <div class="row">
+        <span class="name grow">${layer.label}</span>
+        <button class="icon quiet" title="Move up" aria-label="Move ${layer.label} up" ?disabled=${at === 0}
+          @click=${() => this.#move(at, -1)}>↑</button>
+        <button class="icon quiet" title="Move down" aria-label="Move ${layer.label} down"
+          ?disabled=${at === this.#layers.length - 1} @click=${() => this.#move(at, 1)}>↓</button>
+        <button class="icon quiet" title="Take this layer away" aria-label="Remove ${layer.label}"
+          @click=${() => this.bench.setLayers(this.#layers.filter((_, place) => place !== at))}>✕</button>
+      </div>
+      <omote-amount label="Weight" .unit=${PERCENT} .low=${-0.5} .high=${1.5} .value=${layer.weight}
+        hint="How much of it; below zero the opposite"
+        @done=${(event: Event) => this.#change(at, { weight: amountOf(event) })}></omote-amount>
+      <div class="row">
+        <select class="grow" aria-label="Region of ${layer.label}" title="Only this part of the face"
+          @change=${(event: Event) => this.#change(at, { region: textOf(event) || null })}>
+          <option value="" ?selected=${layer.region === null}>Whole face</option>
+          ${this.bench.regions.map(
+            (region) => html`<option value=${region} ?selected=${region === layer.region}>Only ${region}</option>`,
+          )}
+        </select>
+        <label class="row" title="Left and right exchanged"><input type="checkbox" .checked=${layer.mirrored}
+          @change=${() => this.#change(at, { mirrored: !layer.mirrored })} /> mirrored</label>
+      </div>
+    </li>`;
+  }
+
+  #bake() {
+    return html`<button title="Layers, muscles and needles become one field; the needles then stand at rest on it"
+      @click=${() => bake(this.bench)}>Bake into one</button>`;
+  }
+}
