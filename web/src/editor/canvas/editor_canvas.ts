@@ -1,0 +1,199 @@
+/** The editor's canvas: the face under work large, the others beside it, all wearing the draft; and hands on it. */
+
+import type { Mesh } from "../../link/assets";
+import { now } from "../../link/clock";
+import { type Anatomy, study } from "../../stage/anatomy";
+import { drawsInSoftware } from "../../stage/machine";
+import { rowTriangles } from "../../stage/topology";
+import { flat } from "../net";
+import type { Workbench } from "../workbench";
+import { Aspect } from "./aspect";
+import type { ViewName } from "./camera";
+import { Company } from "./company";
+import { Complexions } from "./complexion";
+import { ballFrames, ballsOf, gazeOf } from "./eyes";
+import { Hands } from "./hands";
+import { NeedleMarks } from "./needle_marks";
+import { Overlay } from "./overlay";
+import { Pace } from "./pace";
+import { Painter } from "./painter";
+import { exposeProbe } from "./probe";
+import { filled } from "./surface";
+
+export class EditorCanvas {
+  readonly pace = new Pace();
+  readonly aspect: Aspect;
+  readonly hands: Hands;
+  company: Company | undefined;
+  private painter: Painter | undefined;
+  private overlay: Overlay | undefined;
+  private marks: NeedleMarks | undefined;
+  private frames: ReturnType<typeof ballFrames> = [];
+  private anatomy: Anatomy | undefined;
+  private stale = true;
+  private ended = false;
+  private readonly gl: WebGL2RenderingContext;
+  private readonly leave: (() => void)[] = [];
+
+  /** Draws on a canvas of the page what a workbench knows; an Error with a sentence where nothing can be drawn. */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    readonly bench: Workbench,
+  ) {
+    const gl = canvas.getContext("webgl2", {
+      alpha: false,
+      antialias: !drawsInSoftware(),
+      powerPreference: "high-performance",
+    });
+    if (gl === null)
+      throw new Error("This browser cannot draw the faces (WebGL 2 is off); try another, or switch it on.");
+    this.gl = gl;
+    this.aspect = new Aspect(canvas);
+    this.hands = new Hands(this);
+    for (const topic of ["cast", "items", "draft", "selection", "options", "live"] as const)
+      this.leave.push(bench.listen(topic, () => this.hear(topic)));
+    const size = new ResizeObserver(() => this.redraw());
+    size.observe(canvas);
+    this.leave.push(() => size.disconnect());
+    exposeProbe(this);
+    void this.open();
+    const tick = (): void => {
+      if (this.ended) return;
+      this.frame();
+      requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+  }
+
+  /** Turns the head: "front", "left", "right", "three-quarter" and the other side's. */
+  view(name: ViewName | "three-quarter"): void {
+    this.aspect.look(name === "three-quarter" ? "three_quarter_left" : name);
+    this.redraw();
+  }
+
+  /** Draws anew in the next frame. */
+  redraw(): void {
+    this.stale = true;
+  }
+
+  /** The source of the face under work: the draft's own where a face is edited. */
+  get workSource(): string {
+    const { bench } = this;
+    return bench.face !== null && bench.draft !== null ? bench.draft.content : bench.sourceOf(bench.work);
+  }
+
+  dispose(): void {
+    this.ended = true;
+    for (const leave of this.leave) leave();
+    this.hands.dispose();
+    this.aspect.dispose();
+    this.overlay?.dispose();
+    this.company?.dispose();
+  }
+
+  private async open(): Promise<void> {
+    const { bench, gl } = this;
+    const { library } = bench;
+    if (library === null || this.anatomy !== undefined) return;
+    const skin = library.meshes.find(({ name }) => name === "skin");
+    if (skin === undefined) throw new Error("The cast has no skin; bake it again.");
+    this.anatomy = await study(library);
+    const complexions = await Complexions.open(gl, library, this.anatomy, skin);
+    this.company = new Company(gl, library, this.anatomy, complexions, drawsInSoftware() ? 512 : 1024);
+    this.painter = new Painter(gl, this.company.crowd, library.meshes);
+    this.marks = new NeedleMarks(gl, this.painter);
+    this.overlay = new Overlay(this, this.painter, this.marks);
+    this.frames = ballFrames(this.anatomy);
+    this.hands.know(this.anatomy, surfaceOf(library.meshes, this.anatomy));
+    for (const topic of ["cast", "items", "draft", "live"] as const) this.hear(topic);
+  }
+
+  private hear(topic: "cast" | "items" | "draft" | "selection" | "options" | "live"): void {
+    this.redraw();
+    const { bench, company } = this;
+    if (company === undefined) {
+      if (topic === "cast") void this.open();
+      return;
+    }
+    if (topic === "items" || topic === "draft") company.setFollowers(bench.followers);
+    if (topic === "cast" || topic === "draft") this.cast(company);
+    if (topic === "draft" || topic === "live") this.dress(company, topic === "draft");
+    this.overlay?.hear();
+  }
+
+  private cast(company: Company): void {
+    const { bench } = this;
+    if (bench.manifest === null) return;
+    const sources = [this.workSource, ...bench.neighbours.map((name) => bench.sourceOf(name))];
+    company.show(bench.manifest, sources).then(
+      () => this.redraw(),
+      (error: unknown) => bench.say(error instanceof Error ? error.message : String(error)),
+    );
+  }
+
+  private dress(company: Company, anew: boolean): void {
+    const { bench } = this;
+    const { recipe, look, net, manifest } = bench;
+    const worn =
+      recipe === null || look !== null ? undefined : { vectors: flat(recipe.vectors), pulls: pullsOf(recipe) };
+    const moves = worn === undefined ? undefined : { vectors: bench.live, pulls: bench.livePulls };
+    company.follow({ net, moves, muscles: bench.muscles });
+    if (anew && manifest !== null) company.dress(manifest, { source: bench.shown, moves: worn, net });
+  }
+
+  private frame(): void {
+    const time = now();
+    this.pace.look(performance.now());
+    const { company, painter } = this;
+    if (company === undefined || painter === undefined) return;
+    const resized = this.aspect.fit();
+    const moved = company.advance(time);
+    if (moved || resized || this.stale) this.draw(company, painter, moved);
+    else this.pace.idle();
+  }
+
+  private draw(company: Company, painter: Painter, moved: boolean): void {
+    this.stale = false;
+    const { bench, aspect, gl } = this;
+    if (bench.manifest === null) return;
+    const sources = [this.workSource, ...bench.neighbours.map((name) => bench.sourceOf(name))];
+    const boxes = aspect.share(sources.length - 1);
+    painter.frame([0, 0, this.canvas.width, this.canvas.height], aspect.ground);
+    const gaze = gazeOf(bench.look === null ? bench.recipe : null, bench.manifest);
+    sources.forEach((source, n) => {
+      const member = company.member(source);
+      if (member === undefined || member.block < 0) return;
+      const camera = aspect.camera(n, member.bounds);
+      const hovered = this.hands.over === n && n > 0;
+      painter.frame(aspect.pixels(camera.box), hovered ? aspect.hovered : aspect.tile(n));
+      const balls = ballsOf(this.frames, member.figure.base, gaze.angles);
+      const { block, complexion, document } = member;
+      painter.face({ block, complexion, look: document.look, balls, pupil: gaze.pupil }, camera);
+      if (n === 0) this.overlay?.draw(block, camera);
+    });
+    this.overlay?.place(sources, boxes);
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    this.pace.frame(performance.now(), moved, () => this.finished(fence));
+  }
+
+  private finished(fence: WebGLSync | null): boolean {
+    const { gl } = this;
+    if (fence === null) return true;
+    if (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
+    gl.deleteSync(fence);
+    return true;
+  }
+}
+
+const pullsOf = (recipe: NonNullable<Workbench["recipe"]>): Map<string, number> =>
+  new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction]));
+
+/** What a pointer lands on: skin, eyeballs, and the lips' opening closed. */
+function surfaceOf(meshes: readonly Mesh[], anatomy: Anatomy): { skin: Uint32Array; land: Uint32Array } {
+  const skin = meshes.filter(({ name }) => name === "skin").flatMap((mesh) => [...rowTriangles(mesh)]);
+  const balls = meshes.filter(({ name }) => name.startsWith("eye_")).flatMap((mesh) => [...rowTriangles(mesh)]);
+  const lips = anatomy.lines.get("lips");
+  const closed = lips === undefined ? [] : filled(lips, anatomy.positions, [0, 0, 1]);
+  return { skin: Uint32Array.from(skin), land: Uint32Array.from([...skin, ...balls, ...closed]) };
+}

@@ -1,0 +1,55 @@
+/** Where a face's eyeballs stand and where they look. */
+
+import type { Recipe } from "../../link/editing";
+import type { Manifest } from "../../link/messages";
+import type { Anatomy } from "../../stage/anatomy";
+import { type BallFrame, ballFrame } from "../../stage/eye_mesh";
+import { writeTurn } from "../../stage/pose";
+import type { Ball } from "./painter";
+import { add, minus, rowOf, type Triple, times } from "./triples";
+
+/** How to read each eyeball's axes from its rows. */
+export const ballFrames = (anatomy: Anatomy): BallFrame[] =>
+  [0, 1].flatMap((side) => {
+    const [first, end] = [anatomy.eyeRows[2 * side] as number, anatomy.eyeRows[2 * side + 1] as number];
+    return end > first ? [ballFrame(anatomy.positions, first, end)] : [];
+  });
+
+/** The eyeballs of a face, turned by angles (left yaw, pitch, right yaw, pitch; radians). */
+export function ballsOf(frames: readonly BallFrame[], positions: Float32Array, angles: readonly number[]): Ball[] {
+  return frames.map(({ rows, fromPairs }, side) => {
+    const ends = rows.map((row) => rowOf(positions, row)) as [Triple, Triple, Triple, Triple, Triple, Triple];
+    const centre = times(ends.reduce(add), 1 / 6);
+    const halves = [0, 2, 4].flatMap((n) => times(minus(ends[n] as Triple, ends[n + 1] as Triple), 0.5));
+    const turn = new Float32Array(9);
+    writeTurn(angles[2 * side] ?? 0, angles[2 * side + 1] ?? 0, turn, 0);
+    return { centre: Float32Array.from(centre), axes: times3(turn, times3(halves, fromPairs)) };
+  });
+}
+
+/** a @ b, both (3, 3) column by column. */
+function times3(a: ArrayLike<number>, b: ArrayLike<number>): Float32Array {
+  return Float32Array.from({ length: 9 }, (_, at) => {
+    const [column, row] = [Math.floor(at / 3), at % 3];
+    return [0, 1, 2].reduce((sum, n) => sum + (a[3 * n + row] as number) * (b[3 * column + n] as number), 0);
+  });
+}
+
+/** Angles and pupils that a recipe adds up to, as far as the cast's documents tell. */
+export function gazeOf(recipe: Recipe | null, manifest: Manifest): { angles: number[]; pupil: number } {
+  if (recipe === null) return { angles: [0, 0, 0, 0], pupil: 0 };
+  const angles: number[] = [...recipe.eyes];
+  let pupil = recipe.pupil;
+  for (const { source, weight, region, mirrored } of recipe.layers) {
+    const known = manifest.expressions.find((one) => one.source === source);
+    if (known === undefined || (region !== null && region !== "eyes")) continue;
+    const [leftYaw, leftPitch, rightYaw, rightPitch] = known.eyes;
+    const worn = [leftYaw, leftPitch, rightYaw, rightPitch];
+    if (mirrored) worn.splice(0, 4, -rightYaw, rightPitch, -leftYaw, leftPitch);
+    worn.forEach((angle, at) => {
+      angles[at] = (angles[at] as number) + weight * angle;
+    });
+    pupil += weight * known.pupil;
+  }
+  return { angles, pupil };
+}

@@ -1,0 +1,144 @@
+/** What lies over the faces: needles, the mesh's edges, muscles; and, as elements of the page, names and the rubber band. */
+
+import { rowTriangles } from "../../stage/topology";
+import type { Box, Camera } from "./camera";
+import type { EditorCanvas } from "./editor_canvas";
+import type { NeedleMarks, NeedleState } from "./needle_marks";
+import type { Lines, Painter } from "./painter";
+
+const EDGE = [1, 1, 1, 0.16];
+const MUSCLE = [0.93, 0.36, 0.3, 0.9];
+const SLACK = [0.93, 0.5, 0.42, 0.45];
+/** Metres that lines lie off the skin. */
+const EDGE_LIFT = 0.0002;
+const MUSCLE_LIFT = 0.0012;
+
+export class Overlay {
+  private readonly layer: HTMLElement;
+  private readonly names: HTMLElement[] = [];
+  private readonly rubber: HTMLElement;
+  private wires: Lines | undefined;
+  private muscles: Lines | undefined;
+  private pulled = "";
+
+  constructor(
+    private readonly stage: EditorCanvas,
+    private readonly painter: Painter,
+    private readonly marks: NeedleMarks,
+  ) {
+    const { canvas } = stage;
+    this.layer = document.createElement("div");
+    Object.assign(this.layer.style, { position: "absolute", pointerEvents: "none", overflow: "hidden" });
+    this.rubber = this.layer.appendChild(document.createElement("div"));
+    Object.assign(this.rubber.style, {
+      position: "absolute",
+      border: "1px solid #ffc66d",
+      background: "#ffc66d22",
+      display: "none",
+    });
+    canvas.after(this.layer);
+  }
+
+  dispose(): void {
+    this.layer.remove();
+  }
+
+  /** Something of the workbench changed. */
+  hear(): void {
+    const { bench } = this.stage;
+    const pulled = JSON.stringify([bench.options.muscles, [...bench.livePulls], bench.muscles.length]);
+    if (pulled === this.pulled) return;
+    this.pulled = pulled;
+    this.muscles = undefined;
+  }
+
+  /** Draws over the face under work. */
+  draw(block: number, camera: Camera): void {
+    const { bench, hands, aspect } = this.stage;
+    if (bench.options.wireframe) {
+      this.wires ??= this.buildWires();
+      this.painter.lines(this.wires, block, camera, EDGE_LIFT);
+    }
+    if (bench.options.muscles) {
+      this.muscles ??= this.buildMuscles();
+      this.painter.lines(this.muscles, block, camera, MUSCLE_LIFT);
+    }
+    if (bench.net === null || hands.needles().length === 0) return;
+    const rows = bench.net.rows.map((row, place) => (hands.placing?.place === place ? hands.placing.row : row));
+    this.marks.set(rows, this.states());
+    this.marks.draw(block, camera, hands.needleLength, aspect.ratio);
+  }
+
+  /** Puts names and rubber band where they belong. */
+  place(sources: readonly string[], boxes: readonly Box[]): void {
+    const { canvas, company, hands } = this.stage;
+    const { style } = this.layer;
+    style.left = `${canvas.offsetLeft}px`;
+    style.top = `${canvas.offsetTop}px`;
+    style.width = `${canvas.clientWidth}px`;
+    style.height = `${canvas.clientHeight}px`;
+    sources.forEach((source, n) => {
+      const name = this.name(n);
+      const [box, text] = [boxes[n] as Box, company?.member(source)?.document.label ?? "..."];
+      if (name.textContent !== text) name.textContent = text;
+      const [left, top] = [`${box.left + 8}px`, `${box.top + box.height - 24}px`];
+      if (name.style.left !== left) name.style.left = left;
+      if (name.style.top !== top) name.style.top = top;
+    });
+    for (const name of this.names.splice(sources.length)) name.remove();
+    this.rubber.style.display = hands.band === undefined ? "none" : "block";
+    if (hands.band === undefined) return;
+    const [left, top, right, bottom] = hands.band;
+    const rect = { left: `${left}px`, top: `${top}px`, width: `${right - left}px`, height: `${bottom - top}px` };
+    Object.assign(this.rubber.style, rect);
+  }
+
+  private name(n: number): HTMLElement {
+    const known = this.names[n];
+    if (known !== undefined) return known;
+    const made = this.layer.appendChild(document.createElement("span"));
+    const font = n === 0 ? "500 13px/18px system-ui, sans-serif" : "400 11px/18px system-ui, sans-serif";
+    Object.assign(made.style, { position: "absolute", font, color: "#d8d2c8", textShadow: "0 1px 2px #000" });
+    this.names[n] = made;
+    return made;
+  }
+
+  private states(): NeedleState[] {
+    const { bench, hands } = this.stage;
+    const mask = bench.options.region === null ? undefined : bench.masks[bench.regions.indexOf(bench.options.region)];
+    const images = new Set(hands.grip?.party.mirrored.values());
+    return (bench.net?.rows ?? []).map((row, place): NeedleState => {
+      if (bench.selection.has(place)) return "selected";
+      if (hands.grip?.party.shares.has(place) || images.has(place)) return "taken";
+      if (place === hands.hovered) return "hovered";
+      return mask !== undefined && (mask[row] as number) === 0 ? "barred" : "still";
+    });
+  }
+
+  private buildWires(): Lines {
+    const skin = this.stage.bench.library?.meshes.find(({ name }) => name === "skin");
+    const corners = skin === undefined ? new Uint32Array() : rowTriangles(skin);
+    const rows: number[] = [];
+    for (let at = 0; at < corners.length; at++) {
+      const [a, b] = [corners[at] as number, corners[at - (at % 3) + ((at + 1) % 3)] as number];
+      if (a < b) rows.push(a, b); // each edge once: its other triangle walks it the other way
+    }
+    return this.painter.buildLines(
+      rows,
+      rows.flatMap((_, n) => (n % 2 === 0 ? EDGE : [])),
+    );
+  }
+
+  private buildMuscles(): Lines {
+    const { bench } = this.stage;
+    const [rows, colours]: [number[], number[]] = [[], []];
+    for (const muscle of bench.muscles) {
+      const ring = muscle.kind === "sphincter" ? [...muscle.line, muscle.line[0] as number] : muscle.line;
+      for (let n = 0; n + 1 < ring.length; n++) {
+        rows.push(ring[n] as number, ring[n + 1] as number);
+        colours.push(...((bench.livePulls.get(muscle.name) ?? 0) > 0 ? MUSCLE : SLACK));
+      }
+    }
+    return this.painter.buildLines(rows, colours);
+  }
+}

@@ -1,0 +1,63 @@
+/** What tests, benchmarks and curious users may ask of the canvas: `window.omoteEditor`. */
+
+import { now } from "../../link/clock";
+import type { EditorCanvas } from "./editor_canvas";
+import type { Counters } from "./pace";
+
+export interface EditorProbe {
+  /** Whether all faces wear the draft, and nothing eases. */
+  settled(): boolean;
+  counters(): Counters;
+  /** The needles on the canvas: place, row, where the head and the foot are (CSS pixels), whether it can be seen. */
+  needles(): { place: number; row: number; head: [number, number]; foot: [number, number] }[];
+  /** The positions of a face as the GPU has them, (rows, 3) metres. */
+  readPositions(face: string): number[];
+  /** The positions of a face as the page computes them, (rows, 3) metres, when nothing eases. */
+  positions(face: string): number[];
+  /** The view: yaw, pitch, zoom, pan. */
+  view(): { yaw: number; pitch: number; zoom: number; pan: [number, number] };
+  /** The faces' boxes, CSS pixels, the work's first. */
+  faces(): string[];
+  /** Vectors as the hand has them, (n, 3). */
+  vectors(): number[];
+}
+
+declare global {
+  interface Window {
+    omoteEditor?: EditorProbe;
+  }
+}
+
+/** Puts the probe on the page. */
+export function exposeProbe(stage: EditorCanvas): void {
+  const { bench, pace } = stage;
+  const memberOf = (face: string) => {
+    const member = stage.company?.member(bench.sourceOf(face));
+    if (member === undefined || member.block < 0) throw new Error(`The face "${face}" is not shown.`);
+    return member;
+  };
+  window.omoteEditor = {
+    settled: () => stage.company?.settled(now()) === true && !bench.waiting,
+    counters: () => ({
+      drawn: pace.drawn,
+      intervals: [...pace.intervals],
+      waits: [...pace.waits],
+      differences: Object.fromEntries(stage.company?.differences ?? []),
+      arrived: stage.company?.arrived ?? 0,
+      fps: pace.fps,
+    }),
+    needles: () => {
+      const camera = stage.hands.camera();
+      if (camera === undefined) return [];
+      return stage.hands.needles().map(({ place, head, foot }) => {
+        const [a, b] = [camera.project(head), camera.project(foot)];
+        return { place, row: bench.net?.rows[place] ?? -1, head: [a[0], a[1]], foot: [b[0], b[1]] };
+      });
+    },
+    readPositions: (face) => Array.from(stage.company?.crowd.read(memberOf(face).block) ?? []),
+    positions: (face) => Array.from(stage.company?.positions(memberOf(face)) ?? []),
+    view: () => stage.aspect.view,
+    faces: () => [bench.work, ...bench.neighbours],
+    vectors: () => [...bench.live],
+  };
+}

@@ -1,0 +1,94 @@
+/** What a pointer lands on: the skin, the eyeballs, and the openings closed, so that lips and lids glide over them. */
+
+import { add, cross, dot, minus, rowOf, type Triple, times } from "./triples";
+
+/** Where a ray meets a surface: metres from its origin, the triangle's corners, and the point. */
+export interface Hit {
+  distance: number;
+  corners: Triple;
+  point: Triple;
+}
+
+/** Where a ray first meets a triangle that faces it (Moller and Trumbore 1997); positions (rows, 3), triangles (t, 3). */
+export function hit(
+  positions: Float32Array,
+  triangles: Uint32Array,
+  origin: Readonly<Triple>,
+  direction: Readonly<Triple>,
+): Hit | undefined {
+  const [dx, dy, dz] = direction;
+  let [best, found] = [Infinity, -1];
+  for (let at = 0; at < triangles.length; at += 3) {
+    const [a, b, c] = [
+      3 * (triangles[at] as number),
+      3 * (triangles[at + 1] as number),
+      3 * (triangles[at + 2] as number),
+    ];
+    const [ax, ay, az] = [positions[a] as number, positions[a + 1] as number, positions[a + 2] as number];
+    const [ex, ey, ez] = [
+      (positions[b] as number) - ax,
+      (positions[b + 1] as number) - ay,
+      (positions[b + 2] as number) - az,
+    ];
+    const [fx, fy, fz] = [
+      (positions[c] as number) - ax,
+      (positions[c + 1] as number) - ay,
+      (positions[c + 2] as number) - az,
+    ];
+    const [px, py, pz] = [dy * fz - dz * fy, dz * fx - dx * fz, dx * fy - dy * fx];
+    const volume = ex * px + ey * py + ez * pz;
+    if (volume <= 1e-14) continue; // seen from behind
+    const [sx, sy, sz] = [origin[0] - ax, origin[1] - ay, origin[2] - az];
+    const u = (sx * px + sy * py + sz * pz) / volume;
+    if (u < 0 || u > 1) continue;
+    const [qx, qy, qz] = [sy * ez - sz * ey, sz * ex - sx * ez, sx * ey - sy * ex];
+    const v = (dx * qx + dy * qy + dz * qz) / volume;
+    if (v < 0 || u + v > 1) continue;
+    const distance = (fx * qx + fy * qy + fz * qz) / volume;
+    if (distance > 0 && distance < best) [best, found] = [distance, at];
+  }
+  if (found < 0) return undefined;
+  const corners: Triple = [triangles[found], triangles[found + 1], triangles[found + 2]] as Triple;
+  return { distance: best, corners, point: add(origin, times(direction, best)) };
+}
+
+/** A closed line of rows filled with triangles that face like `outward`: ears cut off at the shortest diagonals. */
+export function filled(loop: ArrayLike<number>, positions: Float32Array, outward: Readonly<Triple>): number[] {
+  const left = Array.from(loop);
+  const triangles: number[] = [];
+  const gap = (a: number, b: number) => {
+    const between = minus(rowOf(positions, a), rowOf(positions, b));
+    return dot(between, between);
+  };
+  while (left.length >= 3) {
+    const count = left.length;
+    let [ear, least] = [0, Infinity];
+    for (let n = 0; n < count; n++) {
+      const across = gap(left[n] as number, left[(n + 2) % count] as number);
+      if (across < least) [ear, least] = [n, across];
+    }
+    const corners = [left[ear], left[(ear + 1) % count], left[(ear + 2) % count]] as Triple;
+    triangles.push(...facing(corners, positions, outward));
+    left.splice((ear + 1) % count, 1);
+  }
+  return triangles;
+}
+
+function facing(corners: Triple, positions: Float32Array, outward: Readonly<Triple>): Triple {
+  const [a, b, c] = corners.map((row) => rowOf(positions, row)) as [Triple, Triple, Triple];
+  const front = dot(cross(minus(b, a), minus(c, a)), outward) >= 0;
+  return front ? corners : [corners[0], corners[2], corners[1]];
+}
+
+/** The vertex of a hit's triangle that lies nearest to it among those that are welcome. */
+export function nearestCorner(
+  { corners, point }: Hit,
+  positions: Float32Array,
+  welcome: (row: number) => boolean,
+): number | undefined {
+  const far = (row: number) => {
+    const off = minus(rowOf(positions, row), point);
+    return dot(off, off);
+  };
+  return corners.filter(welcome).sort((a, b) => far(a) - far(b))[0];
+}
