@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +16,7 @@ from omote.geometry.locate import Strip
 from omote.model.expression import Expression
 from omote.model.face import Face
 from omote.model.fitted import fit
+from omote.model.sides import apart, held, own_side, sides
 from omote.model.space import ParameterSpace
 from omote.model.transfer import slide
 
@@ -29,16 +31,25 @@ _RING = 16
 class ControlNet:
     """Points on S joined by a Delaunay net that is periodic in theta, and each vertex's place in it; made by `build`.
 
-    theta, h (n,) radians and metres, the artist's points first, then the two rings; triangles (t, 3); basis (V, n):
-    the barycentric weights of eq. 1, so that a field is `basis @ values` (eq. 2).
+    theta, h (n,) radians and metres, the artist's points first, then the two rings; triangles (t, 3); corners, weights
+    (V, 3): the points around each vertex and its barycentric weights (eq. 1), all zero off the sheet. No vertex has its
+    weights from across an opening of lids or lips.
     """
 
     space: ParameterSpace
     theta: Values
     h: Values
     triangles: Indices
-    basis: sparse.csr_array
+    corners: Indices
+    weights: Values
     own: int
+
+    @cached_property
+    def basis(self) -> sparse.csr_array:
+        """The weights as a matrix (V, n), so that a field is `basis @ values` (eq. 2)."""
+        rows = np.repeat(np.arange(len(self.corners)), 3)
+        shape = (len(self.corners), len(self.theta))
+        return sparse.coo_array((self.weights.ravel(), (rows, self.corners.ravel())), shape=shape).tocsr()
 
     @staticmethod
     def build(space: ParameterSpace, theta: ArrayLike, h: ArrayLike) -> ControlNet:
@@ -62,16 +73,8 @@ class ControlNet:
                 f"{len(theta)} control points join each other around both sides of the head; "
                 "expected enough points, all around, that every edge of the net is the only one between its ends"
             )
-        strip = Strip.of(unrolled, all_h[triangles], mesh.neighbours(triangles))
-        sheet = np.flatnonzero(space.on_sheet)
-        start = np.zeros(len(sheet), np.int32)
-        landing = strip.locate(space.theta[sheet], space.h[sheet], start)
-        columns = triangles[landing.triangles]
-        rows = np.repeat(sheet, 3)
-        basis = sparse.coo_array(
-            (landing.weights.ravel(), (rows, columns.ravel())), shape=(space.vertex_count, len(all_theta))
-        )
-        return ControlNet(space, all_theta, all_h, triangles, basis.tocsr(), len(theta))
+        corners, weights = _around(space, all_theta, all_h, triangles, unrolled, metric)
+        return ControlNet(space, all_theta, all_h, triangles, corners, weights, len(theta))
 
     def expression(self, values: ArrayLike, /) -> Expression:
         """The expression that these vectors at the control points give: eq. 2.
@@ -166,6 +169,35 @@ def _periodic_delaunay(theta: Values, h: Values, metric: float) -> tuple[Indices
     kept[doubled < 0] = kept[doubled < 0][:, ::-1]
     kept = kept[np.abs(doubled) > 1e-12]
     return np.ascontiguousarray(kept % count, np.int32), unrolled[kept]
+
+
+def _around(
+    space: ParameterSpace, theta: Values, h: Values, triangles: Indices, unrolled: Values, metric: float
+) -> tuple[Indices, Values]:  # fmt: skip
+    """The points around each vertex (V, 3) and its weights (V, 3), from its own side of lids and lips."""
+    strip = Strip.of(unrolled, h[triangles], mesh.neighbours(triangles))
+    sheet = np.flatnonzero(space.on_sheet)
+    landing = strip.locate(space.theta[sheet], space.h[sheet], np.zeros(len(sheet), np.int32))
+    landed, found = landing.triangles.copy(), landing.weights.copy()
+    of_vertices, of_points = sides(space)[:, sheet], sides(space)[:, _nearest_vertices(space, theta, h)]
+    across = np.flatnonzero(apart(of_vertices, of_points[:, triangles[landed]]))
+    middle = unrolled.mean(axis=1, keepdims=True)
+    plane = np.stack([(unrolled - middle + wrap(middle)) * metric, h[triangles]], axis=2)
+    where = np.stack([space.theta[sheet[across]] * metric, space.h[sheet[across]]], axis=1)
+    own = own_side(of_vertices[:, across], of_points, triangles, plane, where)
+    across, where, own = across[own >= 0], where[own >= 0], own[own >= 0]
+    landed[across], found[across] = own, held(_barycentric(plane[own], where))
+    corners = np.zeros((space.vertex_count, 3), np.int32)
+    weights = np.zeros((space.vertex_count, 3))
+    corners[sheet], weights[sheet] = triangles[landed], found
+    return corners, weights
+
+
+def _barycentric(corners: Values, where: Values) -> Values:
+    """The weights (n, 3) of points (n, 2) in triangles with corners (n, 3, 2), beyond their edges too."""
+    sides = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)
+    two = np.linalg.solve(sides, (where - corners[:, 0])[..., None])[..., 0]
+    return np.column_stack([1.0 - two.sum(axis=1), two])
 
 
 def _nearest_vertices(space: ParameterSpace, theta: Values, h: Values) -> Indices:

@@ -58,7 +58,7 @@ def region_weights(space: ParameterSpace, where: Values | None = None, /) -> dic
     ValueError where the space has no two eyeballs to measure the head by.
     """
     points = space.points if where is None else where
-    middle, unit = _frame(space)
+    middle, unit = eye_frame(space)
     local = (points - middle) / unit
     local[:, 0] = np.abs(local[:, 0])
     nearness = np.stack([-(((local - spot.middle) / spot.widths) ** 2).sum(axis=1) for spot in _SPOTS])
@@ -127,7 +127,7 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     parts = {name: part.points + within * (fitted.parts[name] - part.points) for name, part in space.parts.items()}
     if beyond == 0.0:
         return _checked(space, name, skin, parts, {})
-    further = grown(space.points, skin, space.triangles, beyond, _BELL * _frame(space)[1])
+    further = grown(space.points, skin, space.triangles, beyond, _BELL * eye_frame(space)[1])
     for part in space.parts.values():
         moves = _bell(space, further - skin, part.points)
         parts[part.name] = _ball(parts[part.name], moves, part.points, beyond) if part.eye else parts[part.name] + moves
@@ -146,7 +146,7 @@ def _ball(ball: Values, moves: Values, generic: Values, beyond: float) -> Values
 
 def _bell(space: ParameterSpace, difference: Values, where: Values) -> Values:
     """The sheet's difference (V, 3), each point's the mean under a bell around it."""
-    width = _BELL * _frame(space)[1]
+    width = _BELL * eye_frame(space)[1]
     sheet = np.unique(space.skin_triangles)
     square = cdist(where, space.points[sheet], "sqeuclidean") / (2.0 * width * width)
     bell = _areas(space)[sheet] * np.exp(square.min(axis=1, keepdims=True) - square)
@@ -162,8 +162,9 @@ def _areas(space: ParameterSpace) -> Values:
     return area
 
 
-def _frame(space: ParameterSpace) -> tuple[Values, float]:
-    """The point midway between the eyes and the distance between them, on the generic face."""
+def eye_frame(space: ParameterSpace) -> tuple[Values, float]:
+    """The point midway between the eyes (3,) and their distance, metres, on the generic face; ValueError where
+    it has no two eyeballs."""
     eyes = [part.points.mean(axis=0) for part in space.parts.values() if part.eye]
     if len(eyes) != 2:
         raise ValueError(

@@ -1,0 +1,154 @@
+"""Control points put where a hand let them go, on the face on which it dragged them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from omote.geometry.cylinder import wrap
+from omote.model.compound import carrier, on_generic, worn
+from omote.model.expression import Expression
+from omote.model.face import Face
+from omote.model.smooth import carried
+from omote.model.space import ParameterSpace
+from omote.model.transfer import locate_field
+from omote.model.weave import Weave
+
+Values = NDArray[np.float64]
+
+CLOSE = 2e-5
+"""Metres within which a solve is content; what people are promised is 5e-5."""
+MOST = 60
+"""Compounds that a solve may take."""
+
+# No step is longer, metres; a step that leads so many times farther away is taken back and its successor shortened.
+_STRIDE, _AWAY, _DAMPED = 0.03, 2.0, 0.5
+_LEAST_RATIO = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """Vectors (n, 3) of the whole net, how far the worst dragged point is from its target, metres, and how many
+    compounds it took."""
+
+    vectors: Values
+    miss: float
+    compounds: int
+
+
+def solved(
+    space: ParameterSpace, face: Face, under: Expression, weave: Weave, vectors: ArrayLike, points: Sequence[int],
+    targets: ArrayLike, /,
+) -> Solved:  # fmt: skip
+    """Vectors with which control points `points` (places in the net) lie at targets (m, 3), metres, on a face.
+
+    under: the expression without the net's field; vectors (n, 3): where to start; only those of the points change.
+    Raises ValueError on places that are none, other shapes and numbers that are not finite.
+    """
+    start = np.array(vectors, np.float64)
+    weave.field(start)
+    goal, chosen = _checked_targets(weave, points, targets), np.array(points, np.int64)
+    drag = _Drag(space, face, under, weave, start, chosen)
+    return _found(drag, goal)
+
+
+@dataclass(frozen=True, eq=False)
+class _Drag:
+    """What a solve works on; its unknowns are where the generic head's vertices under the points go, (m, 3) metres:
+    there the map to any face is nearly a translation."""
+
+    space: ParameterSpace
+    face: Face
+    under: Expression
+    weave: Weave
+    start: Values
+    chosen: NDArray[np.int64]
+
+    @cached_property
+    def rows(self) -> NDArray[np.int64]:
+        """The vertices under the dragged points."""
+        return np.array(self.weave.rows)[self.chosen]
+
+    @cached_property
+    def beneath(self) -> Values:
+        """The field without the net's (V, 3): dtheta, dh, R - 1."""
+        return np.stack([self.under.dtheta, self.under.dh, self.under.ratio - 1.0], axis=1)
+
+    def vectors(self, places: Values) -> Values:
+        """The net's vectors (n, 3) with which the generic head's points go to places (m, 3)."""
+        theta, h, radius = self.space.cylinder.unroll(places)
+        at = self.rows
+        there = np.stack([
+            wrap(theta - self.space.theta[at]), h - self.space.h[at], radius / self._radii,
+        ], axis=1)  # fmt: skip
+        result = self.start.copy()
+        result[self.chosen] = there - self.beneath[at]
+        return result
+
+    def places(self) -> Values:
+        """Where the start puts the points on the generic head, (m, 3)."""
+        at = self.rows
+        dtheta, dh, over = (self.beneath[at] + self.start[self.chosen]).T
+        theta, radius = self.space.theta[at] + dtheta, over * self._radii
+        axis = self.space.cylinder
+        return np.stack(
+            [axis.x + radius * np.sin(theta), self.space.h[at] + dh, axis.z + radius * np.cos(theta)], axis=1
+        )
+
+    def worn(self, places: Values) -> Values:
+        """Where the points lie on the face, (m, 3), when they are at places on the generic head."""
+        dtheta, dh, over = (self.beneath + self.weave.field(self.vectors(places))).T
+        ratios = np.maximum(1.0 + over, _LEAST_RATIO)
+        compiled = locate_field(self.space, dtheta, dh, ratios, self.under.residual, {})
+        if self.space.transfer == "paper":
+            return worn(self.space, self.face, compiled)[self.rows].astype(np.float64)
+        return carried(carrier(self.space, self.face), on_generic(self.space, compiled))[self.rows]
+
+    @cached_property
+    def _radii(self) -> Values:
+        return self.space.cylinder.unroll(self.space.points[self.rows])[2]
+
+
+def _found(drag: _Drag, goal: Values) -> Solved:
+    """Broyden's method (1965) on the places, from the answer of a translation."""
+    places = drag.places()
+    answer = np.eye(goal.size)
+    lack = (goal - drag.worn(places)).ravel()
+    best, least, count = places, lack, 1
+    while _worst(least) > CLOSE and count < MOST:
+        step = answer @ lack
+        step *= min(1.0, _STRIDE / max(_worst(step), 1e-12))
+        places = places + step.reshape(-1, 3)
+        after = (goal - drag.worn(places)).ravel()
+        count += 1
+        change = lack - after
+        along = step @ answer
+        scale = float(along @ change)
+        if abs(scale) > 1e-3 * float(step @ step):
+            answer += np.outer(step - answer @ change, along) / scale
+        lack = after
+        if _worst(lack) < _worst(least):
+            best, least = places, lack
+        elif _worst(lack) > _AWAY * _worst(least):
+            places, lack, answer = best, least, np.eye(goal.size) * _DAMPED ** (1 + count // 8)
+    return Solved(drag.vectors(best), _worst(least), count)
+
+
+def _worst(lack: Values) -> float:
+    return float(np.linalg.norm(lack.reshape(-1, 3), axis=1).max(initial=0.0))
+
+
+def _checked_targets(weave: Weave, points: Sequence[int], targets: ArrayLike) -> Values:
+    for point in points:
+        if isinstance(point, bool) or not 0 <= point < len(weave.rows):
+            raise ValueError(f"control point {point!r} does not exist; expected 0 to {len(weave.rows) - 1}")
+    if len(set(points)) < len(points):
+        raise ValueError(f"control points {list(points)} are dragged; expected each of them once")
+    goal = np.asarray(targets, np.float64)
+    if goal.shape != (len(points), 3) or not np.isfinite(goal).all():
+        raise ValueError(f"targets have shape {goal.shape}; expected finite metres ({len(points)}, 3)")
+    return goal
