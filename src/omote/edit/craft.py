@@ -10,7 +10,7 @@ from typing import TypeVar
 import msgspec
 
 from omote.edit.messages import NetDocument, TangentsAsset
-from omote.edit.work import Bake, Baked, Contents, EditOrder, Flat, Renet, Solve
+from omote.edit.work import Baked, Contents, EditOrder, Flat, Renet, Solve
 from omote.files.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
 from omote.model.cast import Cast
 from omote.model.compose import composed, renetted
