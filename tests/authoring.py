@@ -154,6 +154,7 @@ class Studio:
         self.wall = WALL
         self.craft: Callable[[EditOrder], Baked | str | None] = craft
         self.orders: list[tuple[int, EditOrder]] = []
+        self.ordered: list[EditOrder] = []
         self.outcomes: list[Outcome] = []
         self.start()
 
@@ -200,6 +201,7 @@ class Studio:
             self.tables.apply(outcome.changes)
             told += [(each.who, each.message) for each in outcome.replies]
             self.orders += outcome.orders
+            self.ordered += [order for _, order in outcome.orders]
             while self.orders and not self.slow:
                 outcomes.append(self.answer(*self.orders.pop(0)))
         return told

@@ -95,7 +95,7 @@ class EditSession:
             with suppress(Refusal):  # what one recipe spoils, the others need not suffer
                 shelf.know(write_recipe(read_recipe(revision.recipe)), revision.content)
         bounds = Bounds(base.space.on_sheet, frozenset(muscle.name for muscle in welcome.muscles))
-        self._authored = Authored(base, ledger, shelf, Sources(base, ledger, shelf), bounds, net)
+        self.authored = Authored(base, ledger, shelf, Sources(base, ledger, shelf), bounds, net)
         self._welcome = welcome
         self.refused = 0
         self.crew: dict[str, Member] = {}
@@ -106,7 +106,7 @@ class EditSession:
     @property
     def contents(self) -> Mapping[str, bytes]:
         """The bytes of everything that can be shown, by key: kept or not."""
-        return self._authored.shelf
+        return self.authored.shelf
 
     @property
     def digest(self) -> str:
@@ -115,11 +115,11 @@ class EditSession:
 
     def own(self) -> tuple[Own, ...]:
         """The own faces and expressions that play."""
-        return items.own_things(self._authored.ledger)
+        return items.own_things(self.authored.ledger)
 
     def stored(self) -> Stored:
         """All authored work."""
-        return self._authored.ledger.stored()
+        return self.authored.ledger.stored()
 
     def hear(self, who: str, data: bytes, *, wall: float, on_air: OnAir) -> Outcome:
         """What follows from the bytes of an editor; wall: seconds since 1970, for people to read only."""
@@ -156,7 +156,7 @@ class EditSession:
         self, kind: Kind, on_air: OnAir, *, label: str | None, wall: float, editor: str, ticket: str = ""
     ) -> Outcome:
         """What is on air as a new item; `Outcome.kept` says what became of it, now or after an order."""
-        authored, answer, hand = self._authored, _Answer(), Hand(editor, "", wall)
+        authored, answer, hand = self.authored, _Answer(), Hand(editor, "", wall)
         try:
             recipe = recipe_on_air(kind, on_air, authored.net, authored.sources)
             plan = saving.keep(authored, kind, label, recipe, hand, ticket)
@@ -178,7 +178,7 @@ class EditSession:
         member = self.crew.get(who)
         if member is None:
             raise Refusal("nothing is heard before greet: send greet with editor, name and version first.")
-        asked = Asked(self._authored, message, Hand(member.name, member.editor, wall), on_air)
+        asked = Asked(self.authored, message, Hand(member.name, member.editor, wall), on_air)
         request: int = asked.message.request
         return Task(lane(message, member.editor), lambda: respond(asked), who, request)
 
@@ -193,7 +193,7 @@ class EditSession:
         try:
             plan = task.begin()
             if isinstance(plan, Plan):
-                known = self._authored.shelf.recall(plan.order)
+                known = self.authored.shelf.recall(plan.order)
                 if known is None:
                     answer.orders.append(self._lanes.order(task, plan))
                     return False
@@ -212,14 +212,14 @@ class EditSession:
         """The workshop's answer, its contents remembered; Refusal where there is none."""
         if not isinstance(result, bytes):
             raise Refusal(result or "the workshop gave no answer: try again.")
-        baked, shelf = decode_baked(result), self._authored.shelf
+        baked, shelf = decode_baked(result), self.authored.shelf
         if baked.key not in baked.contents and baked.key not in shelf:
             raise Refusal("the workshop's answer is without its content: try again.")
         shelf.take(plan.order, baked)
         return baked
 
     def _carry_out(self, answer: _Answer, task: Task, result: Result) -> None:
-        self._authored.ledger.apply(result.changes)
+        self.authored.ledger.apply(result.changes)
         answer.changes += result.changes
         member = self.crew.get(task.who)
         if member is not None and result.opened is not None:
@@ -245,7 +245,7 @@ class EditSession:
                 answer.replies.append(Outgoing(who, state))
 
     def _state(self, key: DraftKey, *, whole: bool, miss: float) -> wire.DraftState:
-        ledger, shelf = self._authored.ledger, self._authored.shelf
+        ledger, shelf = self.authored.ledger, self.authored.shelf
         draft, shown = ledger.drafts[key], ledger.shown(key)
         recipe = read_recipe(shown.recipe)
         return wire.DraftState(
@@ -280,7 +280,7 @@ class EditSession:
 
     def _outcome(self, answer: _Answer) -> Outcome:
         """The outcome, and the list of all items to everybody where it has changed."""
-        before, self._digest = self._digest, digest_of(self._authored.base.digest, self.own())
+        before, self._digest = self._digest, digest_of(self.authored.base.digest, self.own())
         listed = self._listed()
         if answer.greeted is not None:
             welcome = replace(self._welcome, version=wire.EDITING_VERSION, digest=self._digest, items=listed.items)
@@ -294,6 +294,6 @@ class EditSession:
         return Outcome(tuple(answer.orders), tuple(answer.changes), replies, self._digest != before, tuple(answer.kept))
 
     def _listed(self) -> wire.Items:
-        ledger = self._authored.ledger
+        ledger = self.authored.ledger
         order = sorted(ledger.items.values(), key=lambda item: (item.place, item.id))
         return wire.Items(self._digest, [items.document(ledger, item, self._editors(item.id)) for item in order])
