@@ -9,15 +9,17 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Any
 
 import msgspec
 
+from omote.edit.craft import Craft
+from omote.edit.greeting import greeting
 from omote.edit.handles_asset import handles_asset
 from omote.edit.messages import Greeted
 from omote.edit.work import Contents, EditOrder
 from omote.files.contents import content_kind, unpack_expression, unpack_face
 from omote.model.cast import Cast, Look
+from omote.model.default_net import default_net
 from omote.model.expression import Expression
 from omote.model.face import Face
 from omote.model.recipe import KEY
@@ -83,13 +85,16 @@ class Bench:
     @cached_property
     def welcome(self) -> Greeted:
         """What does not change of the answer to an editor who greets."""
-        return self.craft.welcome("", [])
+        return greeting(self.cast)
 
     @cached_property
-    def craft(self) -> Any:
-        """Whoever makes editors' orders."""
-        from omote.edit.craft import Craft
+    def net(self) -> tuple[int, ...]:
+        """The control points of a new expression."""
+        return default_net(self.cast.space)
 
+    @cached_property
+    def craft(self) -> Craft:
+        """Whoever makes editors' orders."""
         return Craft(self.cast)
 
     def _face(self, source: str, contents: Mapping[str, bytes]) -> tuple[Face, Look]:

@@ -106,10 +106,7 @@ def open_desks(file: ShowFile | None, library: Library) -> tuple[Desk | None, Ca
     def reopened() -> Desk | None:
         return open_desk(file, keeper, library.bench, report)
 
-    try:
-        desk = reopened()
-    except ImportError:  # TEMPORARY until craft lands
-        desk = None
+    desk = reopened()
     if desk is None:
         keeper.close()
         return None, lambda: None

@@ -40,8 +40,5 @@ def open_desk(show: ShowFile, keeper: Keeper, bench: Bench, report: Callable[[st
     except sqlite3.Error as error:
         report(f"the authored work in {show.path} cannot be read ({error}); the show goes on without it.")
         return None
-    from omote.model.weave import default_net
-
-    net = default_net(bench.cast.space)
-    session = EditSession(bench.cast, stored, contents, net=net, welcome=bench.welcome)
+    session = EditSession(bench.cast, stored, contents, net=bench.net, welcome=bench.welcome)
     return Desk(session, keeper, dict(stored.layouts))

@@ -63,8 +63,7 @@ def warm(library: Library) -> None:
     for expression in list(cast.expressions)[:2]:
         compound_asset(cast, face, expression)
     Performer(cast).advance(1.0 / STATE_RATE)
-    with contextlib.suppress(ImportError):  # TEMPORARY
-        _ = library.bench.welcome  # and with it the craft of editors' orders
+    _ = library.bench.craft, library.bench.net, library.bench.welcome
     gc.collect()
     gc.freeze()  # copies share this memory with us as long as nobody touches it
 

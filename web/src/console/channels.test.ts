@@ -9,6 +9,9 @@ const unit = (name: string, kind: ExpressionDocument["kind"] = "arkit", region =
   region,
   eyes: [0, 0, 0, 0],
   pupil: 0,
+  source: name,
+  tags: [],
+  place: 0,
 });
 
 describe("the region of an expression", () => {

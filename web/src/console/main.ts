@@ -18,6 +18,16 @@ const THUMB: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };
 const consoleId = (): string =>
   [...crypto.getRandomValues(new Uint32Array(2))].map((part) => part.toString(36)).join("");
 
+/** What the page has fetched of the cast; none before the server has answered. */
+let library: Library | null = null;
+
+/** The cast is another: takes it in and goes on; a page of another built-in cast must begin anew. */
+async function recast(desk: Desk): Promise<void> {
+  if (library === null) return;
+  if (!(await library.renew())) location.reload();
+  else if (library.manifest !== desk.manifest) desk.setManifest(library.manifest);
+}
+
 function connect(): Desk {
   const desk: Desk = new Desk(
     (message) => link.send(message),
@@ -26,8 +36,9 @@ function connect(): Desk {
   );
   const link = new Link("console", {
     welcome: ({ digest }) => {
-      if (desk.manifest !== null && desk.manifest.digest !== digest) location.reload(); // another cast: other names
+      if (desk.manifest !== null && desk.manifest.digest !== digest) void recast(desk);
     },
+    cast: () => void recast(desk),
     state: (state) => desk.receiveState(state),
     crew: (crew) => desk.receiveCrew(crew),
     refused: (reason) => desk.say(reason),
@@ -65,7 +76,7 @@ async function start(): Promise<void> {
   document.body.append(page);
   rig.painter.start();
   stayAwake();
-  const library = await Library.open();
+  library = await Library.open();
   rig.desk.setManifest(library.manifest);
   await page.open(library);
   openStudio(library).then(

@@ -13,13 +13,14 @@ const mesh = {
 const manifest = {
   lines: [],
   version: 1,
-  digest: "d",
+  base: "d",
+  digest: "d2",
   vertices: 3,
   skin: 3,
   meshes: [mesh],
   mask: "/assets/mask",
-  faces: [{ name: "kaori", url: "/assets/kaori" }],
-  expressions: [{ name: "a smile" }],
+  faces: [{ name: "kaori", source: "kaori", url: "/assets/kaori" }],
+  expressions: [{ name: "a smile", source: "a smile" }],
 } as unknown as Manifest;
 const compound = (rows: number[]): Uint8Array =>
   encode({
@@ -49,6 +50,50 @@ describe("a library", () => {
     await expect(library.positions("nobody")).rejects.toThrow("nobody");
     await expect(library.positions("kaori")).rejects.toThrow("expected 3");
     await expect(library.compound("kaori", "frown")).rejects.toThrow("frown");
+  });
+
+  it("takes in names that come, change or go, and keeps what it has fetched", async () => {
+    const own = (digest: string, content: string) => ({
+      ...manifest,
+      digest,
+      faces: [...manifest.faces, { name: "kin", source: `#${content}`, url: `/contents/${content}` }],
+      expressions: [{ name: "grin", source: `#${content}e` }],
+    });
+    const answers = [own("d3", "1"), own("d4", "2"), { ...manifest, base: "other" }];
+    const asked: string[] = [];
+    const library = new Library(manifest, async (address) => {
+      asked.push(address);
+      if (address === "/manifest") return encode(answers.shift());
+      return address.startsWith("/compounds") ? compound([2]) : encode({ positions: bytes(new Float32Array(9)) });
+    });
+    await library.positions("kaori");
+    expect(await library.renew()).toBe(true);
+    expect([library.sourceOf("faces", "kin"), library.sourceOf("expressions", "grin")]).toEqual(["#1", "#1e"]);
+    await library.compound("#1", "#1e");
+    expect(await library.renew()).toBe(true);
+    await library.positions("#1"); // still on its way out
+    await library.positions("#2");
+    await library.positions("kaori");
+    expect(library.sourceOf("faces", "kin")).toBe("#2");
+    expect(library.manifest.digest).toBe("d4");
+    expect(await library.renew()).toBe(false);
+    expect(library.manifest.digest).toBe("d4");
+    expect(asked.filter((address) => address !== "/manifest")).toEqual([
+      "/assets/kaori",
+      "/compounds/d/%231/%231e",
+      "/contents/1",
+      "/contents/2",
+    ]);
+  });
+
+  it("lets the newest of two answers win, whichever comes first", async () => {
+    const waiting: ((bytes: Uint8Array) => void)[] = [];
+    const library = new Library(manifest, () => new Promise((resolve) => waiting.push(resolve)));
+    const [first, second] = [library.renew(), library.renew()];
+    waiting[1]?.(encode({ ...manifest, digest: "new" }));
+    waiting[0]?.(encode({ ...manifest, digest: "old" }));
+    expect(await Promise.all([first, second])).toEqual([true, true]);
+    expect(library.manifest.digest).toBe("new");
   });
 
   it("tries again until the server is there, but not against a refusal", async () => {

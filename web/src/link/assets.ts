@@ -1,7 +1,16 @@
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "./arrays";
 import { Backoff } from "./backoff";
-import type { CompoundAsset, FaceAsset, HairAsset, LineDocument, Manifest, MeshDocument } from "./messages";
+import type {
+  CompoundAsset,
+  ExpressionDocument,
+  FaceAsset,
+  FaceDocument,
+  HairAsset,
+  LineDocument,
+  Manifest,
+  MeshDocument,
+} from "./messages";
 import { type HairStrands, readStrands } from "./strands";
 
 /** A drawn mesh; `source` maps its vertices to rows of the positions, `uv` (0, 0) is the upper left corner. */
@@ -87,26 +96,67 @@ function readAllowance(document: CompoundAsset["allowed"]): Compound["allowed"] 
   };
 }
 
-/** The cast as documents: the manifest, and faces and compounds that are fetched once, when first asked for. */
+/** Begins the source of what is known by its content; other sources are names of the built-in cast. */
+export const KEY = "#";
+
+/**
+ * The cast as documents: the manifest, and faces and compounds that are fetched once, when first asked for. What a name
+ * of the cast stands for may change during the show; a source (`sourceOf`) stands for the same for ever.
+ */
 export class Library {
   readonly meshes: readonly Mesh[];
   /** Rows of the lines around the openings, by name, in walking order. */
   readonly lines: ReadonlyMap<string, Uint32Array>;
-  private readonly faceUrls: ReadonlyMap<string, string>;
-  private readonly expressions: ReadonlySet<string>;
-  private readonly faces = new Map<string, Promise<Float32Array>>();
+  /** Every face and every expression that ever was in the cast, by source. */
+  readonly faces = new Map<string, FaceDocument>();
+  readonly expressions = new Map<string, ExpressionDocument>();
+  private present: Manifest;
+  private renewals = 0;
+  private sources = { faces: new Map<string, string>(), expressions: new Map<string, string>() };
+  private readonly positioned = new Map<string, Promise<Float32Array>>();
   private readonly compounds = new Map<string, Promise<Compound>>();
   private readonly styles = new Map<string, Promise<HairStrands>>();
   private picture: Promise<ImageBitmap[]> | undefined;
 
   constructor(
-    readonly manifest: Manifest,
+    manifest: Manifest,
     private readonly read: Fetch = fetchBytes,
   ) {
+    this.present = manifest;
     this.meshes = manifest.meshes.map((mesh) => readMesh(mesh, manifest.vertices));
     this.lines = new Map(manifest.lines.map((line) => [line.name, readLine(line, manifest.vertices)]));
-    this.faceUrls = new Map(manifest.faces.map((face) => [face.name, face.url]));
-    this.expressions = new Set(manifest.expressions.map((expression) => expression.name));
+    this.recast(manifest);
+  }
+
+  /** The cast as it is now. */
+  get manifest(): Manifest {
+    return this.present;
+  }
+
+  /** Takes in the cast as it is now; false: the built-in cast is another, which needs another library. */
+  async renew(): Promise<boolean> {
+    this.renewals += 1;
+    const turn = this.renewals;
+    const manifest = decode(await insist("/manifest", this.read)) as Manifest;
+    if (manifest.base !== this.present.base) return false;
+    if (turn === this.renewals) this.recast(manifest); // else a newer one is on its way
+    return true;
+  }
+
+  /** Another cast on the same built-in one: names come, change what they stand for, or go. */
+  recast(manifest: Manifest): void {
+    this.present = manifest;
+    for (const kind of ["faces", "expressions"] as const) {
+      const documents: readonly (FaceDocument | ExpressionDocument)[] = manifest[kind];
+      this.sources[kind] = new Map(documents.map(({ name, source }) => [name, source]));
+    }
+    for (const face of manifest.faces) this.faces.set(face.source, face);
+    for (const expression of manifest.expressions) this.expressions.set(expression.source, expression);
+  }
+
+  /** What a name of the cast stands for now; a source stands for itself, and so does a name that the cast has not. */
+  sourceOf(kind: "faces" | "expressions", name: string): string {
+    return this.sources[kind].get(name) ?? name;
   }
 
   /** The library of the server that served this page; waits until the server is there. */
@@ -114,18 +164,18 @@ export class Library {
     return new Library(decode(await insist("/manifest", read)) as Manifest, read);
   }
 
-  hasFace(name: string): boolean {
-    return this.faceUrls.has(name);
+  hasFace(source: string): boolean {
+    return this.faces.has(source);
   }
 
-  hasExpression(name: string): boolean {
-    return this.expressions.has(name);
+  hasExpression(source: string): boolean {
+    return this.expressions.has(source) || source.startsWith(KEY);
   }
 
-  /** The positions of a face, (vertices, 3) metres. */
+  /** The positions of a face by its source, (vertices, 3) metres. */
   positions(face: string): Promise<Float32Array> {
-    return remembered(this.faces, face, async () => {
-      const url = this.faceUrls.get(face);
+    return remembered(this.positioned, face, async () => {
+      const url = this.faces.get(face)?.url;
       if (url === undefined) throw new Error(`There is no face "${face}" in this cast.`);
       const asset = decode(await insist(url, this.read)) as FaceAsset;
       const positions = new Float32Array(aligned(asset.positions));
@@ -144,9 +194,9 @@ export class Library {
     });
   }
 
-  /** One face wearing one expression, less the face. */
+  /** One face wearing one expression, by their sources, less the face. */
   compound(face: string, expression: string): Promise<Compound> {
-    const path = [this.manifest.digest, face, expression].map(encodeURIComponent).join("/");
+    const path = [this.manifest.base, face, expression].map(encodeURIComponent).join("/");
     return remembered(this.compounds, path, async () => {
       if (!this.hasFace(face) || !this.hasExpression(expression))
         throw new Error(`There is no compound of "${face}" and "${expression}" in this cast.`);

@@ -1,7 +1,7 @@
 import { decode, encode } from "@msgpack/msgpack";
 import { Backoff } from "./backoff";
 import { now, ServerClock } from "./clock";
-import type { Crew, FromClient, FromServer, Hello, State, Welcome } from "./messages";
+import type { Crew, FromClient, FromServer, Hello, Kept, State, Welcome } from "./messages";
 import { LINK_PATH, PROTOCOL_VERSION } from "./messages";
 import { Newest } from "./newest";
 
@@ -11,6 +11,10 @@ export interface LinkHandlers {
   state?: (state: State) => void;
   welcome?: (welcome: Welcome) => void;
   crew?: (crew: Crew) => void;
+  /** The cast has other names or contents now: fetch the manifest again (`Library.renew`). */
+  cast?: () => void;
+  /** What was asked to be kept is in the cast. */
+  kept?: (kept: Kept) => void;
   /** A message of ours was not obeyed; the sentence is for the operator. */
   refused?: (reason: string) => void;
   /** A ping came back after so many seconds. */
@@ -35,6 +39,7 @@ export class Link {
   private heard = 0;
   private pinged = 0;
   private epoch = -1;
+  private revision = -1;
   private up = false;
   private closed = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -134,6 +139,12 @@ export class Link {
       case "crew":
         this.handlers.crew?.(message);
         break;
+      case "cast":
+        this.recast(message.revision);
+        break;
+      case "kept":
+        this.handlers.kept?.(message);
+        break;
       case "refused":
         this.handlers.refused?.(message.reason);
         break;
@@ -143,6 +154,7 @@ export class Link {
   private welcome(welcome: Welcome): void {
     if (welcome.epoch !== this.epoch) this.clock.reset();
     this.epoch = welcome.epoch;
+    this.revision = welcome.revision;
     this.up = true;
     this.backoff.reset();
     this.ping();
@@ -150,8 +162,15 @@ export class Link {
     this.handlers.connected?.(true);
   }
 
+  private recast(revision: number): void {
+    if (revision <= this.revision) return;
+    this.revision = revision;
+    this.handlers.cast?.();
+  }
+
   private state(state: State): void {
     if (!this.newest.accept(state)) return;
+    if (state.epoch === this.epoch) this.recast(state.revision); // the message may have been lost
     this.clock.arrived(state.time, this.heard);
     this.handlers.state?.(state);
   }

@@ -3,6 +3,7 @@ import type { Library } from "../link/assets";
 import { type Anatomy, study } from "./anatomy";
 import { Backdrop } from "./backdrop";
 import { Blender, type Eyeballs } from "./blender";
+import { Changeover } from "./changeover";
 import { Crossfade } from "./crossfade";
 import { frame, portraitCamera, type Shot, tileView } from "./framing";
 import { Hair } from "./hair";
@@ -18,7 +19,7 @@ import { FEATURES, type Features, firstLevel, type Level, pixelRatio } from "./q
 import { createRenderer } from "./renderer";
 import { Shadow } from "./shadow";
 import { wearLayers } from "./skin_layers";
-import { type Named, named, traitsOf, writeTraits } from "./traits";
+import { traitsOf, writeTraits } from "./traits";
 
 /** How a view draws; everything may be left out. */
 export interface FaceViewOptions {
@@ -53,7 +54,7 @@ export class FaceView {
   private readonly eyeUniforms: [EyeUniforms, EyeUniforms] = [eyeUniforms(), eyeUniforms()];
   private readonly looks: Looks;
   private readonly hair: Hair;
-  private readonly named: Named;
+  private readonly changeover: Changeover;
   private readonly size = new THREE.Vector2();
   private readonly point = new THREE.Vector3();
   private scene = new THREE.Scene();
@@ -62,6 +63,8 @@ export class FaceView {
   private blender!: Blender;
   private holdings!: Holdings;
   private shadow!: Shadow;
+  /** What is to be shown, by the names of the cast, and what is drawn, by source. */
+  private called: Pose;
   private pose: Pose;
   private blended = "";
   private drawnAt: number | undefined;
@@ -90,10 +93,10 @@ export class FaceView {
       radii: new Float32Array(2),
       turns: new Float32Array(18),
     };
-    this.looks = new Looks(library.manifest.faces);
+    this.looks = new Looks(library.faces);
     this.hair = new Hair(library, anatomy.positions);
-    this.named = named(library.manifest);
-    this.pose = resting(library.manifest.faces[0]?.name ?? "generic");
+    this.changeover = new Changeover(library);
+    this.called = this.pose = resting(library.manifest.faces[0]?.name ?? "generic");
     this.build();
     canvas.addEventListener("webglcontextlost", this.contextLost);
     canvas.addEventListener("webglcontextrestored", this.contextRestored);
@@ -111,10 +114,11 @@ export class FaceView {
 
   /** What the next `render` draws; `coming`: names that will be needed soon and are fetched ahead. */
   show(pose: Pose, coming = NOBODY): void {
-    this.pose = pose;
-    const { faces, expressions } = namesOf(pose);
-    this.holdings.want([...faces, ...coming.faces], [...expressions, ...coming.expressions]);
-    this.hair.want([...faces, ...coming.faces]);
+    this.called = pose;
+    const names = namesOf(pose);
+    const faces = this.changeover.wanted("faces", [...names.faces, ...coming.faces]);
+    this.holdings.want(faces, this.changeover.wanted("expressions", [...names.expressions, ...coming.expressions]));
+    this.hair.want(faces);
   }
 
   /** Draws at another level from when its shaders are ready on, fading over to it. */
@@ -139,6 +143,9 @@ export class FaceView {
     if (!this.alive) return false;
     const seconds = Math.min(0.1, Math.max(0, time - (this.drawnAt ?? time)));
     this.drawnAt = time;
+    const arrival = (faces: readonly string[], worn: readonly string[]) =>
+      this.holdings.arrival(faces, worn, this.blender);
+    this.pose = this.changeover.pose(this.called, seconds, arrival, atOnce);
     this.blend(seconds, atOnce);
     this.hair.dress(this.holdings.faces(this.pose, this.blender), seconds, atOnce);
     if (this.nextHead !== undefined) this.exchange(this.nextHead);
@@ -157,7 +164,7 @@ export class FaceView {
 
   /** Whether all of the present pose shows in full. */
   get settled(): boolean {
-    return this.alive && this.holdings.settled(this.pose, this.blender);
+    return this.alive && this.changeover.settled(this.called) && this.holdings.settled(this.pose, this.blender);
   }
 
   /** The graphics context that the view draws with. */
@@ -254,7 +261,7 @@ export class FaceView {
     frame(this.camera, this.options.shot ?? PORTRAIT, this.extremes(), width, height, tile);
     this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
     this.looks.dress(this.pose, this.shared, this.eyeUniforms);
-    writeTraits(traitsOf(this.pose, this.named), this.shared);
+    writeTraits(traitsOf(this.pose, this.library), this.shared);
     this.lightUp();
     this.renderer.render(this.scene, this.camera);
   }

@@ -31,14 +31,14 @@ export class Hair {
   private readonly heads = new Map<THREE.Group, { shared: HeadUniforms; features: Features }>();
   private readonly tint: THREE.IUniform<THREE.Color> = { value: new THREE.Color() };
   private readonly versions = new Map<string, number>();
-  private readonly colours: ReadonlyMap<string, THREE.Color>;
+  private readonly colours = new Map<string, THREE.Color>();
 
   /** `generic`: the positions of the face that styles are made on. */
-  constructor(library: Library, generic: Float32Array) {
+  constructor(
+    private readonly library: Library,
+    generic: Float32Array,
+  ) {
     this.wardrobe = new Wardrobe(library, generic);
-    this.colours = new Map(
-      library.manifest.faces.map(({ name, look }) => [name, new THREE.Color().setStyle(look.hair)]),
-    );
   }
 
   /** Fetches the hair of these faces. */
@@ -88,10 +88,18 @@ export class Hair {
     if (total <= 0) return;
     this.tint.value.setRGB(0, 0, 0);
     for (const [face, weight] of wearers) {
-      const { r, g, b } = this.colours.get(face) as THREE.Color;
+      const { r, g, b } = this.colour(face);
       const { value } = this.tint;
       value.setRGB(value.r + (r * weight) / total, value.g + (g * weight) / total, value.b + (b * weight) / total);
     }
+  }
+
+  private colour(face: string): THREE.Color {
+    const known = this.colours.get(face);
+    if (known !== undefined) return known;
+    const colour = new THREE.Color().setStyle(this.library.faces.get(face)?.look.hair ?? "#000000");
+    this.colours.set(face, colour);
+    return colour;
   }
 
   private write(style: Worn, into: StyleUniforms): void {

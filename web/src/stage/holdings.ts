@@ -12,7 +12,7 @@ const UPLOADS = 8; // layers uploaded in one frame, so that no frame is late for
 const keyOf = (face: string, expression: string | undefined): string =>
   expression === undefined ? face : `${face}\n${expression}`;
 
-/** What a stage holds of the cast: fetched lazily, uploaded a few per frame, held back until then and never popped. */
+/** What a stage holds of the cast, by source: fetched lazily, uploaded a few per frame, held back until then and never popped. */
 export class Holdings {
   private readonly sheets = new Map<string, Fill>();
   private readonly asked = new Map<string, Promise<unknown>>();
@@ -38,6 +38,17 @@ export class Holdings {
       this.fetchFace(face);
       for (const name of names) this.fetchCompound(face, name);
     }
+  }
+
+  /** How far faces wearing expressions are here; what was refused counts as shown. */
+  arrival(faces: readonly string[], expressions: readonly string[], blender: Blender): "away" | "here" | "shown" {
+    const worn = expressions.filter((name) => name !== "neutral" && this.library.hasExpression(name));
+    const keys = faces
+      .filter((face) => this.library.hasFace(face))
+      .flatMap((face) => [undefined, ...worn].map((name) => keyOf(face, name)));
+    const all = (test: (key: string) => boolean): boolean => keys.every((key) => this.lost.has(key) || test(key));
+    if (!all((key) => this.sheets.has(key))) return "away";
+    return all((key) => blender.layers.has(key) && this.shares.get(key) === 1) ? "shown" : "here";
   }
 
   /** Waits until everything that was ever wanted has come, or was refused. */

@@ -15,13 +15,12 @@ type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
   extremes: [number, number, number][];
 };
 
-/** The looks of a cast's faces, mixed with the weights of the faces on air. */
+/** The looks of faces by source, mixed with the weights of the faces on air. */
 export class Looks {
-  private readonly looks: ReadonlyMap<string, FaceLook>;
+  private readonly looks = new Map<string, FaceLook>();
 
-  constructor(faces: readonly FaceDocument[]) {
-    this.looks = new Map(faces.map((face) => [face.name, readLook(face)]));
-  }
+  /** `faces`: documents by source; more may come. */
+  constructor(private readonly faces: ReadonlyMap<string, FaceDocument>) {}
 
   /** The mix in linear light, for the shaders. */
   dress(pose: Pose, shared: HeadUniforms, eyes: readonly EyeUniforms[]): void {
@@ -66,10 +65,14 @@ export class Looks {
   }
 
   private shares(pose: Pose): [FaceLook, number][] {
-    const weights = faceWeights(pose, (face) => (this.looks.has(face) ? 1 : 0));
-    return [...weights]
-      .filter(([face]) => this.looks.has(face))
-      .map(([face, weight]) => [this.looks.get(face) as FaceLook, weight]);
+    const weights = faceWeights(pose, (face) => (this.faces.has(face) ? 1 : 0));
+    return [...weights].filter(([face]) => this.faces.has(face)).map(([face, weight]) => [this.look(face), weight]);
+  }
+
+  private look(face: string): FaceLook {
+    const look = this.looks.get(face) ?? readLook(this.faces.get(face) as FaceDocument);
+    this.looks.set(face, look);
+    return look;
   }
 }
 

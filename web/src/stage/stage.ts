@@ -1,6 +1,6 @@
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
-import { STATE_RATE, type State, type Welcome } from "../link/messages";
+import { STATE_RATE, type State } from "../link/messages";
 import { Link } from "../link/socket";
 import { Breath } from "./breath";
 import { LevelChooser } from "./chooser";
@@ -68,7 +68,10 @@ export class Stage {
     this.headRoom = new HeadRoom(view.context);
     this.link = new Link("stage", {
       state: (state) => this.receive(state),
-      welcome: (welcome) => void this.greet(welcome),
+      welcome: (welcome) => {
+        if (welcome.digest !== this.view.library.manifest.digest) void this.recast();
+      },
+      cast: () => void this.recast(),
     });
     this.fit();
     addEventListener("resize", () => this.fit());
@@ -133,9 +136,9 @@ export class Stage {
     this.lateness.arrived((this.link.clock.at(time) ?? state.time) - state.time);
   }
 
-  /** Another cast than ours: takes it over without a new page. */
-  private async greet(welcome: Welcome): Promise<void> {
-    if (welcome.digest === this.view.library.manifest.digest || this.reloading) return;
+  /** Another cast than ours: takes it in; on another built-in cast with a new view. */
+  private async recast(): Promise<void> {
+    if ((await this.view.library.renew()) || this.reloading) return;
     this.reloading = true;
     try {
       const view = await loadView(this.canvas, await Library.open(), this.parameters, this.view.level);

@@ -1,15 +1,16 @@
 import { describe, expect, it } from "vitest";
 import type { ExpressionDocument, FaceDocument } from "../link/messages";
 import { mixPoses, type Pose, resting } from "./pose";
-import { named, type Traits, traitsOf, writeTraits } from "./traits";
+import { type Traits, traitsOf, writeTraits } from "./traits";
 
 const face = (name: string, iris_size: number, slit: number, lashes: number) =>
   ({ name, look: { iris_size, slit, lashes } }) as FaceDocument;
 const expression = (name: string, pupil: number) => ({ name, pupil }) as ExpressionDocument;
-const CAST = named({
-  faces: [face("kaori", 1, 0, 0.9), face("cat", 1.5, 1, 0.1)],
-  expressions: [expression("fear", 1), expression("angry", -0.5), expression("pupils-narrow", -1)],
-});
+const byName = <T extends { name: string }>(...documents: T[]) => new Map(documents.map((one) => [one.name, one]));
+const CAST = {
+  faces: byName(face("kaori", 1, 0, 0.9), face("cat", 1.5, 1, 0.1)),
+  expressions: byName(expression("fear", 1), expression("angry", -0.5), expression("pupils-narrow", -1)),
+};
 const of = (pose: Pose) => traitsOf(pose, CAST);
 
 describe("traits", () => {

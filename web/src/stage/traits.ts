@@ -14,20 +14,14 @@ export interface Traits {
 type Faces = ReadonlyMap<string, FaceDocument>;
 type Expressions = ReadonlyMap<string, ExpressionDocument>;
 
-/** A cast's documents by name. */
-export interface Named {
+/** Documents by source. */
+export interface Documents {
   faces: Faces;
   expressions: Expressions;
 }
 
-/** The documents of a cast by name. */
-export const named = (cast: { faces: FaceDocument[]; expressions: ExpressionDocument[] }): Named => ({
-  faces: new Map(cast.faces.map((face) => [face.name, face])),
-  expressions: new Map(cast.expressions.map((expression) => [expression.name, expression])),
-});
-
 /** The traits of a pose: linear in the faces' weights, the pupils in those of expressions and channels. */
-export function traitsOf(pose: Pose, { faces, expressions }: Named): Traits {
+export function traitsOf(pose: Pose, { faces, expressions }: Documents): Traits {
   const traits: Traits = { irisSize: 0, slit: 0, lashes: 0, pupil: 0 };
   for (const [name, weight] of faceWeights(pose, (face) => (faces.has(face) ? 1 : 0))) {
     const { iris_size, slit, lashes } = (faces.get(name) as FaceDocument).look;

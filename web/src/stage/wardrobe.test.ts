@@ -26,7 +26,13 @@ function late(): { library: Library; come: () => void } {
     { name: "kaori", look: { hair_style: "bob" } },
     { name: "dog", look: { hair_style: "" } },
   ];
-  const library = { manifest: { faces }, positions: async () => generic, hair: () => waiting };
+  const known = new Map(faces.map((face) => [face.name, face]));
+  const library = {
+    faces: known,
+    hasFace: (face: string) => known.has(face),
+    positions: async () => generic,
+    hair: () => waiting,
+  };
   return { library: library as unknown as Library, come };
 }
 

@@ -18,7 +18,6 @@ export interface Worn {
 
 /** What of the cast's hair is here, and how the faces on air wear it; a style that comes late grows in. */
 export class Wardrobe {
-  private readonly styleOf: ReadonlyMap<string, string>;
   private readonly faces = new Map<string, Float32Array>();
   private readonly asked = new Map<string, Promise<unknown>>();
   private readonly offsets = new Map<string, Offsets>();
@@ -32,16 +31,14 @@ export class Wardrobe {
   constructor(
     private readonly library: Library,
     private readonly generic: Float32Array,
-  ) {
-    this.styleOf = new Map(library.manifest.faces.map((face) => [face.name, face.look.hair_style]));
-  }
+  ) {}
 
   /** Fetches what these faces wear, and the faces, which all styles on air must fit. */
   want(faces: Iterable<string>): void {
     for (const face of faces) {
-      if (!this.styleOf.has(face)) continue;
+      if (!this.library.hasFace(face)) continue;
       this.ask(`face ${face}`, async () => this.faces.set(face, await this.library.positions(face)));
-      const style = this.styleOf.get(face) as string;
+      const style = this.styleOf(face);
       if (style !== "") this.ask(`style ${style}`, async () => this.take(style, await this.library.hair(style)));
     }
   }
@@ -54,7 +51,7 @@ export class Wardrobe {
   /** Dresses the faces on air, by weight, `seconds` after the last frame; `atOnce`: in full. */
   dress(faces: ReadonlyMap<string, number>, seconds: number, atOnce: boolean): void {
     const here = new Map([...faces].filter(([face]) => this.faces.has(face)));
-    const styles = styleWeights(here, (face) => this.styleOf.get(face) as string);
+    const styles = styleWeights(here, (face) => this.styleOf(face));
     this.wearers = new Map([...styles.values()].flatMap((wearers) => [...wearers]));
     for (const style of this.worn.values()) {
       const wearers = styles.get(style.name) ?? new Map<string, number>();
@@ -64,6 +61,10 @@ export class Wardrobe {
       style.grown = grownAt(weight) * grownAt(FULL * (this.shares.get(style.name) as number));
       if (style.grown > 0) this.mix(style, here);
     }
+  }
+
+  private styleOf(face: string): string {
+    return this.library.faces.get(face)?.look.hair_style ?? "";
   }
 
   private mix(style: Worn, faces: ReadonlyMap<string, number>): void {
