@@ -7,8 +7,9 @@ import pytest
 
 from omote.files.changes import PutContent, PutLayout
 from omote.files.contents import content_key
-from omote.files.goodcopy import good_path, keep_good_copy, prove, put_in_place, reading
-from omote.files.schema import CorruptShowFileError, ShowFileError
+from omote.files.goodcopy import good_path, keep_good_copy, put_in_place
+from omote.files.proof import prove
+from omote.files.schema import CorruptShowFileError
 from omote.files.showfile import JournalEntry, ShowFile, open_show
 
 DATA = bytes(20_000)
@@ -72,31 +73,6 @@ def test_a_folder_that_takes_no_copy_says_so_and_keeps_the_one_of_before(tmp_pat
         keep_good_copy(show)
     (tmp_path / "a.omote.good-new").rmdir()
     assert good_path(show.path).read_bytes() == before
-    show.close()
-
-
-def test_only_a_whole_show_file_of_this_version_is_proved(tmp_path: Path) -> None:
-    path = tmp_path / "a.omote"
-    with pytest.raises(CorruptShowFileError, match="unable to open"):
-        prove(path)
-    path.write_bytes(b"")
-    with pytest.raises(ShowFileError, match="schema 0"):
-        prove(path)
-    path.write_bytes(b"no database" * 100)
-    with pytest.raises(CorruptShowFileError, match="not a database"):
-        prove(path)
-    assert path.read_bytes() == b"no database" * 100
-
-
-def test_reading_writes_nothing_and_sees_what_is_committed(tmp_path: Path) -> None:
-    show = filled(tmp_path / "a #1?.omote")
-    connection = reading(show.path)
-    assert connection.execute("SELECT name FROM layout").fetchall() == [("console",)]
-    show.apply([PutLayout("other", b"{}")])
-    assert len(connection.execute("SELECT name FROM layout").fetchall()) == 2
-    with pytest.raises(sqlite3.OperationalError, match="readonly"):
-        connection.execute("DELETE FROM layout")
-    connection.close()
     show.close()
 
 

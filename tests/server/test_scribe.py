@@ -9,7 +9,8 @@ from queue import SimpleQueue
 import pytest
 
 from omote.files.changes import Change, PutLayout
-from omote.files.goodcopy import good_path, prove
+from omote.files.goodcopy import good_path
+from omote.files.proof import prove
 from omote.files.showfile import JournalEntry, ShowFile, open_show
 from omote.server.scribe import Fate, Scribe
 

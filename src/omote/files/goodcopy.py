@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import os
-import sqlite3
 from pathlib import Path
 
-from omote.files.authored import refuse_damaged
-from omote.files.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError, refuse_without_tables, version_of
+from omote.files.proof import prove
 from omote.files.showfile import ShowFile
 
 
@@ -30,28 +28,6 @@ def keep_good_copy(show: ShowFile, /) -> None:
         put_in_place(draft, good_path(show.path))
     finally:
         draft.unlink(missing_ok=True)
-
-
-def prove(path: Path, /) -> None:
-    """ShowFileError with a sentence where a file is no whole show file of this version; it is not touched."""
-    try:
-        connection = reading(path)
-        try:
-            version = version_of(connection, path)
-            if version != SCHEMA_VERSION:
-                raise ShowFileError(f"{path} has schema {version}; expected {SCHEMA_VERSION}.")
-            refuse_without_tables(connection)
-            refuse_damaged(connection)
-        finally:
-            connection.close()
-    except sqlite3.Error as error:
-        raise CorruptShowFileError(f"{path} is no readable show file ({error}).") from error
-
-
-def reading(path: Path, /) -> sqlite3.Connection:
-    """A connection that reads a show file and writes nothing, also while a show has it open; sqlite3.Error where there
-    is none."""
-    return sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", uri=True, timeout=1.0)
 
 
 def put_in_place(draft: Path, path: Path, /) -> None:

@@ -13,16 +13,15 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from omote.files.authored import apply_changes, read_all, read_contents, refuse_damaged, seal
+from omote.files.authored import apply_changes, read_all, read_contents, seal
 from omote.files.changes import Change, Stored
+from omote.files.proof import examined
 from omote.files.schema import (
     APPLICATION_ID,
     SCHEMA_VERSION,
     CorruptShowFileError,
     ShowFileError,
     migrate,
-    refuse_without_tables,
-    version_of,
 )
 
 __all__ = [
@@ -153,34 +152,36 @@ def open_show(path: Path) -> ShowFile:
     """The show file at `path`, made when there is none; ShowFileError when it cannot be used."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
+        version = examined(path)
         connection = _connected(path)
     except (OSError, sqlite3.Error) as error:
         raise ShowFileError(f"{path} cannot be opened ({error}); name another file.") from error
     try:
-        _prepare(connection, path)
+        connection.execute("PRAGMA journal_mode = WAL").fetchone()
+        _set(connection)
+        migrate(connection, version)
     except sqlite3.OperationalError as error:
         connection.close()
         raise ShowFileError(f"{path} cannot be written ({error}); name another file or make it writable.") from error
     except sqlite3.DatabaseError as error:
         connection.close()
         raise CorruptShowFileError(f"{path} is no readable show file ({error}).") from error
-    except ShowFileError:
-        connection.close()
-        raise
     return ShowFile(connection, path)
 
 
-def move_aside(path: Path) -> Path:
-    """Renames a corrupt show file, and its log, to the first free `<name>.corrupt-<n>`; gives the new path."""
+def move_aside(path: Path) -> Path | None:
+    """Renames a corrupt show file, and its log, to the first free `<name>.corrupt-<n>`; gives the new path.
+
+    None where there is no file; a log without one is moved all the same.
+    """
+    names = [name for name in ("", "-wal", "-shm") if path.with_name(path.name + name).exists()]
     number = 1
-    while (kept := path.with_name(f"{path.name}.corrupt-{number}")).exists():
+    while any(path.with_name(f"{path.name}.corrupt-{number}{name}").exists() for name in names):
         number += 1
-    path.rename(kept)
-    for suffix in ("-wal", "-shm"):
-        log = path.with_name(path.name + suffix)
-        if log.exists():
-            log.rename(kept.with_name(kept.name + suffix))
-    return kept
+    kept = path.with_name(f"{path.name}.corrupt-{number}")
+    for name in names:
+        path.with_name(path.name + name).rename(kept.with_name(kept.name + name))
+    return kept if "" in names else None
 
 
 def default_path(environment: Mapping[str, str] = os.environ) -> Path:
@@ -197,16 +198,3 @@ def _connected(path: Path) -> sqlite3.Connection:
 def _set(connection: sqlite3.Connection) -> None:
     connection.execute("PRAGMA foreign_keys = ON")
     connection.execute("PRAGMA synchronous = NORMAL")
-
-
-def _prepare(connection: sqlite3.Connection, path: Path) -> None:
-    version = version_of(connection, path)
-    if version:
-        (verdict,) = connection.execute("PRAGMA quick_check(1)").fetchone()
-        if verdict != "ok":
-            raise sqlite3.DatabaseError(verdict)
-    connection.execute("PRAGMA journal_mode = WAL").fetchone()
-    _set(connection)
-    migrate(connection, version)
-    refuse_without_tables(connection)
-    refuse_damaged(connection)

@@ -47,14 +47,18 @@ def open_newest(path: Path, report: Report) -> ShowFile:
 
 
 def _said(rescue: Rescue) -> str:
-    kept = "" if rescue.kept is None else f"It is kept as {rescue.kept}; "
+    kept = "" if rescue.kept is None else f"it is kept as {rescue.kept}; "
     newer = f"{rescue.newer} {'change' if rescue.newer == 1 else 'changes'}"
     if rescue.copied is None:
         opened = f"{newer} of authored work could be read and go on" if rescue.newer else "the show starts neutral"
-        return f"{kept}there is no good copy of it: {opened}."
+        return _sentence(f"{kept}there is no good copy of it: {opened}.")
     made = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(rescue.copied))
     more = f", with {newer} made after it" if rescue.newer else ""
-    return f"{kept}opened instead: its good copy of {made}{more}."
+    return _sentence(f"{kept}opened instead: its good copy of {made}{more}.")
+
+
+def _sentence(text: str) -> str:
+    return text[0].upper() + text[1:]
 
 
 def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report) -> ShowSession:
