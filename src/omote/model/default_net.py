@@ -20,12 +20,13 @@ COUNT = 104
 
 # How far points stand from each other, in distances between the eyes.
 _SPACING: dict[Region, float] = {
-    "brows": 0.28, "eyes": 0.26, "nose": 0.3, "cheeks": 0.36, "mouth": 0.26, "jaw": 0.42, "ears": 1.1, "skull": 1.5,
+    "brows": 0.28, "eyes": 0.26, "nose": 0.3, "cheeks": 0.36, "mouth": 0.26, "jaw": 0.42, "ears": 1.1, "skull": 1.4,
 }  # fmt: skip
 # Shares of the arc of a lid, and of a lip, where points stand, up to the middle; the corners are always there.
 _LID, _LIP = (0.22, 0.5, 0.78), (0.16, 0.33, 0.5)
-# The brow's points in front view, in distances between the eyes from the point between them.
+# Points of brows and forehead in front view, in distances between the eyes from the point between them.
 _BROW = ((0.14, 0.3), (0.34, 0.38), (0.58, 0.4), (0.82, 0.3))
+_FOREHEAD = ((0.0, 0.62), (0.32, 0.78), (0.7, 0.72), (0.0, 1.1), (0.55, 1.2))
 # A point nearer to the midline than this share of the spacing would crowd its mirror image.
 _ASIDE = 0.45
 
@@ -51,12 +52,12 @@ def _on_line(space: ParameterSpace, line: Line) -> list[int]:
 
 
 def _features(space: ParameterSpace) -> list[int]:
-    """The brows, the tip and the wings of the nose, and the chin."""
+    """Brows and forehead, the tip and the wings of the nose, and the chin."""
     middle, unit = eye_frame(space)
     shares = region_weights(space)
     local = (space.points - middle) / unit
     front = _candidates(space) & (local[:, 2] > np.median(local[:, 2]))
-    rows = [_least(np.hypot(local[:, 0] - x, local[:, 1] - y), front) for x, y in _BROW]
+    rows = [_least(np.hypot(local[:, 0] - x, local[:, 1] - y), front) for x, y in (*_BROW, *_FOREHEAD)]
     nose, jaw = front & (shares["nose"] > 0.5), front & (shares["jaw"] > 0.5)
     midline = np.abs(local[:, 0]) < 1e-6
     rows.append(_least(-local[:, 2], nose & midline))

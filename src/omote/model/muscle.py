@@ -16,8 +16,9 @@ from scipy.sparse.linalg import splu
 
 from omote.geometry.cylinder import wrap
 from omote.geometry.laplacian import cotangents, smoothing
-from omote.model.lines import chains
+from omote.model.lines import Line, chains
 from omote.model.sides import sides
+from omote.model.socket import falling, radius_of
 from omote.model.space import ParameterSpace
 
 Values = NDArray[np.float64]
@@ -27,7 +28,13 @@ Lip = Literal["both", "upper", "lower"]
 # Rings over which the head's radius is smoothed before the skin slides along it: a lip's edge is no slope of the face.
 _SLOPE_ROUNDS = 20
 # Lids meet so far up from the lower one; beyond them the skin follows within so many of the ring's half-heights.
-_MEETING, _LID_REACH = 0.25, 1.2
+_MEETING, _LID_REACH = 0.1, 1.2
+# How steep a way over the head's slope may be, and how far from the eyeball, in radii, skin keeps its distance from it.
+_STEEPEST, _NEAR, _FAR = 0.8, 1.1, 1.4
+# A ring draws together so much less upwards than across: the skin gathers.
+_FLATTER = 0.3
+# Near its corner, within this share of the mouth's half width, a lip stays with the other.
+_CORNER = 0.8
 
 
 @dataclass(frozen=True)
@@ -37,7 +44,7 @@ class Muscle:
     rows: vertices under its line, from the bone to the skin (a sphincter: its ring); bone, skin: its ends on S, across
     and up, metres (a sphincter: its middle, and its half-axes); pull: how far the skin goes, metres; spread: a linear
     muscle's half angle, radians, a sheet's half width, metres; reach: how far the pull is felt beyond the skin end,
-    metres (a sphincter: in half-axes); lip: the lip that goes with it; swell: R - 1 at its strongest; closes: the line
+    metres (a sphincter: in half-axes); lip: the lip that goes with it; swell: R - 1 in the middle of a sphincter; closes: the line
     whose lids a sphincter brings together. ValueError on numbers that make no muscle.
     """
 
@@ -77,13 +84,13 @@ def pull_field(space: ParameterSpace, muscle: Muscle, /) -> Values:
     across = wrap(space.theta - muscle.bone[0] / metric) * metric
     place = np.stack([across, space.h - muscle.bone[1]], axis=1)
     move = {"linear": _linear, "sheet": _sheet, "sphincter": _sphincter}[muscle.kind](muscle, place)
-    strength = np.hypot(move[:, 0], move[:, 1]) / max(abs(muscle.pull), 1e-9)
-    if muscle.kind == "sphincter":
-        strength = _ring(muscle, place)
+    if muscle.closes:
         move += _closing(space, muscle)
     share = _share(space, muscle.lip) * space.on_sheet
     dtheta, dh = move[:, 0] * share / metric, move[:, 1] * share
-    over = slid(space, dtheta, dh) + muscle.swell * strength * share
+    over = slid(space, dtheta, dh)
+    if muscle.swell:
+        over += muscle.swell * _bell(_off(muscle, place) / muscle.reach) * share
     result: Values = np.where(space.on_sheet[:, None], np.stack([dtheta, dh, over], axis=1), 0.0)
     return result
 
@@ -96,15 +103,38 @@ def metric_of(space: ParameterSpace, /) -> float:
 def slid(space: ParameterSpace, dtheta: Values, dh: Values, /) -> Values:
     """R - 1 (V,) with which the generic head's skin stays on its smoothed surface while it goes by dtheta, dh (V,)."""
     average = smoothing(space.sheet_triangles, space.vertex_count)
-    smooth = space.cylinder.unroll(space.points)[2]
+    radius = space.cylinder.unroll(space.points)[2]
+    smooth = radius
     for _ in range(_SLOPE_ROUNDS):
         smooth = average @ smooth
-    over = np.zeros(space.vertex_count)
     rows = np.flatnonzero(space.on_sheet & ((dtheta != 0) | (dh != 0))).astype(np.int32)
     landing = space.locate(space.theta[rows] + dtheta[rows], space.h[rows] + dh[rows], rows)
     there = (landing.weights * smooth[space.location_triangles[landing.triangles]]).sum(axis=1)
-    over[rows] = there / smooth[rows] - 1.0
+    most = _STEEPEST * np.hypot(dtheta[rows] * smooth[rows], dh[rows])
+    further = most * np.tanh((there - smooth[rows]) / np.maximum(most, 1e-12))
+    over = np.zeros(space.vertex_count)
+    over[rows] = _around_balls(space, rows, dtheta[rows], dh[rows], further) / radius[rows]
     return over
+
+
+def _around_balls(
+    space: ParameterSpace, rows: NDArray[np.int32], dtheta: Values, dh: Values, further: Values
+) -> Values:
+    """How much farther from the axis (n,) vertices go, metres: by `further`, lids so that they keep their distance from
+    the middle of the eyeball."""
+    result, theta = further.copy(), space.theta[rows] + dtheta
+    ahead = np.stack([np.sin(theta), np.zeros(len(rows)), np.cos(theta)], axis=1)
+    axis = np.stack([np.full(len(rows), space.cylinder.x), space.h[rows] + dh, np.full(len(rows), space.cylinder.z)], 1)
+    for part in space.parts.values():
+        if part.eye:
+            distance = np.linalg.norm(space.points[rows] - part.points.mean(axis=0), axis=1)
+            to_ball = part.points.mean(axis=0) - axis
+            along = (ahead * to_ball).sum(axis=1)
+            left = distance**2 - (to_ball**2).sum(axis=1) + along**2
+            radius = along + np.sqrt(np.maximum(left, 0.0)) - space.cylinder.unroll(space.points[rows])[2]
+            hold = falling((distance / radius_of(part.points) - _NEAR) / (_FAR - _NEAR)) * (left > 0)
+            result += hold * (radius - result)
+    return result
 
 
 def _linear(muscle: Muscle, place: Values) -> Values:
@@ -133,15 +163,20 @@ def _sphincter(muscle: Muscle, place: Values) -> Values:
     """Towards the middle across, as far as a vertex is from it within the ring."""
     strength = _ring(muscle, place)
     inward = np.clip(place / np.array(muscle.skin), -1.5, 1.5)
-    inward[:, 1] *= muscle.skin[1] / muscle.skin[0]
+    inward[:, 1] *= _FLATTER * muscle.skin[1] / muscle.skin[0]
     result: Values = -muscle.pull * strength[:, None] * inward
     return result
 
 
 def _ring(muscle: Muscle, place: Values) -> Values:
     """1 in the ring, falling to 0 at reach half-axes."""
-    distance = np.hypot(*(place / np.array(muscle.skin)).T)
-    return _bell(np.maximum(distance - 1.0, 0.0) / max(muscle.reach - 1.0, 1e-9))
+    return _bell(np.maximum(_off(muscle, place) - 1.0, 0.0) / max(muscle.reach - 1.0, 1e-9))
+
+
+def _off(muscle: Muscle, place: Values) -> Values:
+    """How far from a sphincter's middle, in half-axes."""
+    result: Values = np.hypot(*(place / np.array(muscle.skin)).T)
+    return result
 
 
 def _closing(space: ParameterSpace, muscle: Muscle) -> Values:
@@ -182,8 +217,8 @@ def _share(space: ParameterSpace, lip: Lip) -> Values:
 
 
 def lip_share(space: ParameterSpace, lip: Lip, /) -> Values:
-    """How much each vertex goes with the upper (lower) lip, (V,) from 0 to 1: all above (below) the mouth, and what is
-    harmonic between beside it. Ones where the head has no lips."""
+    """How much each vertex goes with the upper (lower) lip, (V,) from 0 to 1: all above (below) the mouth, less
+    towards its corners, and what is harmonic between beside it. Ones where the head has no lips."""
     rows = [row for row, line in enumerate(space.lines) if line.kind == "lips"]
     if not rows:
         return np.ones(space.vertex_count)
@@ -191,7 +226,16 @@ def lip_share(space: ParameterSpace, lip: Lip, /) -> Values:
     free = np.flatnonzero(space.on_sheet & (side == 0) & (space.welded == np.arange(space.vertex_count)))
     weights = cotangents(space.points, space.sheet_triangles)[free]
     inner = sparse.diags_array(weights.sum(axis=1) + 1e-9) - weights[:, free]
-    share = (side > 0).astype(np.float64)
+    share = (side == (1 if lip == "upper" else -1)) * _off_corners(space, space.lines[rows[0]])
     share[free] = splu(sparse.csc_array(inner)).solve(weights @ share)
-    result: Values = share[space.welded] if lip == "upper" else 1.0 - share[space.welded]
+    result: Values = share[space.welded]
     return result
+
+
+def _off_corners(space: ParameterSpace, line: Line) -> Values:
+    """0 at the corners of a mouth, 1 away from them, (V,)."""
+    upper, _ = chains(space.points, line.loop)
+    corners = space.points[upper[[0, -1]]]
+    half = float(np.linalg.norm(corners[1] - corners[0])) / 2
+    distance = np.linalg.norm(space.points[:, None] - corners, axis=2).min(axis=1)
+    return 1.0 - falling(distance / (_CORNER * half))

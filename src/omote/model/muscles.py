@@ -136,24 +136,24 @@ class _Head:
 
     def mouth_ring(self) -> Muscle:
         """Orbicularis oris: the mouth purses and comes forward; its ring is as high as the lips are thick."""
-        ring = self.ring(self.lips, "orbicularis_oris", "Purse the lips", scale=1.0, pull=0.14, reach=2.2)
-        return replace(ring, skin=(ring.skin[0], 0.45 * ring.skin[0]), swell=0.05)
+        ring = self.ring(self.lips, "orbicularis_oris", "Purse the lips", scale=1.0, pull=0.13, reach=2.8)
+        return replace(ring, skin=(ring.skin[0], 0.45 * ring.skin[0]), swell=0.06)
 
     def mentalis(self) -> Muscle:
         """The chin's skin goes up and pushes the lower lip."""
         chin, lip = self.at(0.0, -1.62), self.on_lip(1, 0.0)
-        up = self.sheet("mentalis", "Push the chin up", lip, chin, pull=0.1, width=0.42, reach=0.35)
+        up = self.sheet("mentalis", "Push the chin up", lip, chin, pull=0.1, width=0.42, reach=0.22)
         return replace(up, lip="lower")
 
 
 def _left(head: _Head) -> tuple[Muscle, ...]:
     cheek = head.at(0.72, -0.45)
     return (
-        head.linear("zygomaticus_left", "Smile, left", cheek, head.corner(), pull=0.19, spread=50.0, reach=0.5),
-        head.linear("depressor_left", "Mouth corner down, left", head.at(0.5, -1.72), head.corner(), pull=0.14,
-                    spread=50.0, reach=0.32),
+        head.linear("zygomaticus_left", "Smile, left", cheek, head.corner(), pull=0.2, spread=55.0, reach=0.65),
+        head.linear("depressor_left", "Mouth corner down, left", head.at(0.5, -1.72), head.corner(), pull=0.11,
+                    spread=60.0, reach=0.55),
         head.linear("levator_left", "Upper lip up, left", head.at(0.3, -0.3), head.on_lip(0, 0.45), pull=0.12,
-                    spread=32.0, reach=0.2, lip="upper"),
+                    spread=34.0, reach=0.2, lip="upper"),
         head.sheet("frontalis_inner_left", "Inner brow up, left", head.at(0.2, 1.0), head.at(0.2, 0.36), pull=0.16,
                    width=0.36, reach=0.3),
         head.sheet("frontalis_outer_left", "Outer brow up, left", head.at(0.72, 1.0), head.at(0.7, 0.4), pull=0.16,
