@@ -44,8 +44,8 @@ class Muscle:
     rows: vertices under its line, from the bone to the skin (a sphincter: its ring); bone, skin: its ends on S, across
     and up, metres (a sphincter: its middle, and its half-axes); pull: how far the skin goes, metres; spread: a linear
     muscle's half angle, radians, a sheet's half width, metres; reach: how far the pull is felt beyond the skin end,
-    metres (a sphincter: in half-axes); lip: the lip that goes with it; swell: R - 1 in the middle of a sphincter; closes: the line
-    whose lids a sphincter brings together. ValueError on numbers that make no muscle.
+    metres (a sphincter: in half-axes); lip: the lip that goes with it; swell: R - 1 in the middle of a sphincter;
+    closes: the line whose lids a sphincter brings together. ValueError on numbers that make no muscle.
     """
 
     name: str
