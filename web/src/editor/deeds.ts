@@ -42,6 +42,8 @@ export async function save(bench: Workbench, note: string): Promise<void> {
     bench.receive({ ...bench.draft, request: -1, net: null, base: answer.revision, dirty: false });
   }
   if (answer.aside) tellAside(bench, answer);
+  else if (answer.revision === base)
+    bench.say(answer.sentence, "done"); // nothing was new
   else tellSaved(bench, answer);
   askHistory(bench);
 }

@@ -1,9 +1,9 @@
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { base } from "../console/theme";
-import type { ItemDocument } from "../link/editing";
+import type { DraftState, ItemDocument } from "../link/editing";
 import { controls } from "./controls_style";
-import { describe, save } from "./deeds";
+import { describe, redo, save, undo } from "./deeds";
 import { BenchElement, textOf } from "./element";
 import { style } from "./heading_style";
 import type { Topic } from "./workbench";
@@ -16,7 +16,7 @@ export class Heading extends BenchElement {
   static override styles = [base, controls, style];
 
   protected override topics(): readonly Topic[] {
-    return ["draft", "items", "link"];
+    return ["draft", "items", "link", "options"];
   }
 
   override render() {
@@ -25,7 +25,7 @@ export class Heading extends BenchElement {
     return html`
       <div class="mark">OMOTE <small>EDITOR</small></div>
       ${bench.online ? nothing : html`<div class="lost" role="alert">LINK LOST – what you do waits here</div>`}
-      ${item === null || draft === null ? html`<span class="grow"></span>` : this.#open(item, draft.dirty, draft.others)}
+      ${item === null || draft === null ? html`<span class="grow"></span>` : this.#open(item, draft)}
       <label class="you" title="Other editors read this name">You:
         <input aria-label="Your name" maxlength="64" .value=${this.rig.name()} @change=${this.#rename} /></label>
       <a class="console" href="/console" target="_blank" title="Play what is saved">Console</a>
@@ -33,8 +33,9 @@ export class Heading extends BenchElement {
     `;
   }
 
-  #open(item: ItemDocument, dirty: boolean, others: readonly string[]) {
+  #open(item: ItemDocument, draft: DraftState) {
     const { bench } = this;
+    const { dirty, others } = draft;
     return html`
       <span class="dot ${dirty ? "dirty" : ""}" role="img" title=${dirty ? "Not saved yet" : "Saved"}
         aria-label=${dirty ? "Not saved yet" : "Saved"}></span>
@@ -44,6 +45,7 @@ export class Heading extends BenchElement {
         @change=${(event: Event) => describe(bench, item, { tags: tagsOf(textOf(event)) })} />
       ${others.length === 0 ? nothing : html`<span class="others" role="status">${others.join(", ")} ${others.length === 1 ? "is" : "are"} at it too</span>`}
       <span class="grow"></span>
+      ${this.#steps(draft.undo, draft.redo, draft.what)}
       <input class="remark" aria-label="Note" placeholder="note (if you like)" maxlength="200" .value=${this.note}
         @input=${(event: Event) => {
           this.note = textOf(event);
@@ -52,6 +54,16 @@ export class Heading extends BenchElement {
       <button class="main save" title="Save (Ctrl S): it plays from now on" ?disabled=${!dirty && item.head > 0}
         @click=${() => this.save()}>Save</button>
     `;
+  }
+
+  #steps(back: number, forward: number, what: string) {
+    const next = this.bench.undone.at(-1) ?? "";
+    return html`<div class="steps">
+      <button data-step="undo" ?disabled=${back === 0} title=${back === 0 ? "Nothing to undo" : `Undo: ${what} (Ctrl Z)`}
+        @click=${() => undo(this.bench)}>↶ <span>${back === 0 ? "Undo" : what}</span></button>
+      <button data-step="redo" ?disabled=${forward === 0} title=${forward === 0 ? "Nothing to redo" : `Redo: ${next} (Ctrl Shift Z)`}
+        @click=${() => redo(this.bench)}>↷ <span>${forward === 0 ? "Redo" : next || "Redo"}</span></button>
+    </div>`;
   }
 
   save(): void {

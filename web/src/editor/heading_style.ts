@@ -46,10 +46,27 @@ export const style = css`
     flex: 0 1 190px;
   }
   .tags {
-    flex: 0 1 130px;
+    flex: 0 1 110px;
+  }
+  .steps {
+    display: flex;
+    gap: 2px;
+    min-width: 0;
+  }
+  .steps button {
+    display: flex;
+    align-items: center;
+    gap: 5px;
+    min-width: 0;
+  }
+  .steps span {
+    max-width: 92px;
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
   }
   .remark {
-    flex: 0 1 150px;
+    flex: 0 1 120px;
   }
   .others {
     color: var(--attention);
@@ -77,7 +94,16 @@ export const style = css`
     text-decoration: none;
     padding: 6px 4px;
   }
+  @media (max-width: 1400px) {
+    .remark {
+      flex-basis: 90px;
+    }
+    .you {
+      font-size: 0;
+    }
+  }
   @media (max-width: 1000px) {
+    .steps span,
     .you,
     .tags,
     .mark small {

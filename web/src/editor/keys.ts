@@ -31,9 +31,9 @@ export const TOOLS: readonly (readonly [Tool, string, string, string])[] = [
 
 export const VIEWS: readonly (readonly [View, string, string])[] = [
   ["front", "Front", "1"],
-  ["left", "Left side", "2"],
-  ["right", "Right side", "3"],
-  ["three-quarter", "Three-quarter", "4"],
+  ["left", "Left", "2"],
+  ["right", "Right", "3"],
+  ["three-quarter", "¾", "4"],
 ];
 
 const LETTERS: Readonly<Record<string, Command>> = {

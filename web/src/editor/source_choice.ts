@@ -12,7 +12,11 @@ export const sourceChoice = (
     chosen,
   }: { label: string; first: string; value?: string; chosen: (source: string) => void },
 ) => html`<select class="grow" aria-label=${label} title=${label}
-  @change=${(event: Event) => chosen(textOf(event))}>
+  @change=${(event: Event) => {
+    const source = textOf(event);
+    (event.target as HTMLSelectElement).value = value; // until it is so
+    chosen(source);
+  }}>
   <option value="" ?selected=${value === ""}>${first}</option>
   ${grouped(sources).map(
     ([group, inside]) => html`<optgroup label=${group}>

@@ -2,7 +2,6 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../console/theme";
 import { controls } from "./controls_style";
-import { redo, undo } from "./deeds";
 import { BenchElement, textOf } from "./element";
 import { TOOLS, VIEWS, type View } from "./keys";
 import type { Options, Topic } from "./workbench";
@@ -25,7 +24,7 @@ export class Tools extends BenchElement {
         display: flex;
         flex-wrap: wrap;
         align-items: center;
-        gap: 4px 12px;
+        gap: 4px 10px;
         padding: 6px 8px;
       }
       .group {
@@ -47,12 +46,6 @@ export class Tools extends BenchElement {
         color: var(--text);
         font-size: 12px;
       }
-      .step {
-        max-width: 150px;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
       select {
         max-width: 112px;
       }
@@ -73,7 +66,6 @@ export class Tools extends BenchElement {
             html`<button data-view=${view} title="${label} (${key})" @click=${() => this.#view(view)}>${label}</button>`,
         )}
       </div>
-      ${bench.draft === null ? nothing : this.#steps(bench.draft.undo, bench.draft.redo, bench.draft.what)}
       <omote-faces-choice .rig=${this.rig}></omote-faces-choice>
     `;
   }
@@ -119,16 +111,6 @@ export class Tools extends BenchElement {
         ]) => html`<button data-option=${option} aria-pressed=${this.bench.options[option]} title="Show ${label.toLowerCase()} (${key})"
           @click=${() => this.bench.setOptions({ [option]: !this.bench.options[option] })}>${label}</button>`,
       )}
-    </div>`;
-  }
-
-  #steps(back: number, forward: number, what: string) {
-    const next = this.bench.undone.at(-1) ?? "";
-    return html`<div class="group">
-      <button class="step" data-step="undo" ?disabled=${back === 0} title="Undo: ${what} (Ctrl Z)"
-        @click=${() => undo(this.bench)}>↶ ${back === 0 ? "Undo" : what}</button>
-      <button class="step" data-step="redo" ?disabled=${forward === 0} title="Redo: ${next} (Ctrl Shift Z)"
-        @click=${() => redo(this.bench)}>↷ ${forward === 0 ? "Redo" : next || "Redo"}</button>
     </div>`;
   }
 

@@ -17,6 +17,11 @@ const TABS: readonly (readonly [Kind, string])[] = [
   ["face", "Faces"],
 ];
 
+/** Two sheets, one behind the other; few fonts have it. */
+const COPY = html`<svg width="13" height="13" viewBox="0 0 13 13" fill="none" stroke="currentColor" aria-hidden="true">
+  <path d="M4.5 4.5h7v7h-7zM8.5 4.5v-3h-7v7h3" />
+</svg>`;
+
 /** Own expressions and faces, and all that they can begin from. */
 @customElement("omote-library")
 export class LibraryPanel extends BenchElement {
@@ -126,7 +131,8 @@ export class LibraryPanel extends BenchElement {
   }
 
   #remark(item: ItemDocument): string {
-    const here = item.editors.length === 0 ? "" : `open: ${item.editors.join(", ")}`;
+    const others = item.editors.filter((name) => name !== this.rig.name());
+    const here = others.length === 0 ? "" : `open: ${others.join(", ")}`;
     return [item.head === 0 ? "not saved yet" : "", item.tags.join(", "), here].filter(Boolean).join(" · ");
   }
 
@@ -147,13 +153,13 @@ export class LibraryPanel extends BenchElement {
   }
 
   #acts(item: ItemDocument, shown: readonly ItemDocument[]) {
-    const act = (label: string, sign: string, does: () => void, off = false) =>
+    const act = (label: string, sign: unknown, does: () => void, off = false) =>
       html`<button class="icon quiet" title=${label} aria-label="${label}: ${item.label}" ?disabled=${off} @click=${does}>${sign}</button>`;
     return [
       act("Further up", "↑", () => this.#shift(item, -1), shown[0] === item),
       act("Further down", "↓", () => this.#shift(item, 1), shown.at(-1) === item),
       act("Rename", "✎", () => void this.#name(item)),
-      act("Duplicate", "⧉", () => duplicate(this.bench, item), item.head === 0),
+      act("Duplicate", COPY, () => duplicate(this.bench, item), item.head === 0),
       act("Delete", "✕", () => void remove(this.bench, item)),
     ];
   }
