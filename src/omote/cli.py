@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import sys
 import webbrowser
@@ -11,6 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
+
+from omote.file_commands import file_app
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
@@ -31,6 +32,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
+app.add_typer(file_app, name="file")
 
 
 def main() -> None:
@@ -48,9 +50,10 @@ def show(
     """Opens a show: serves stage and console, and keeps them alive."""
     if sys.platform == "win32":
         fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
-    from omote.files.showfile import CorruptShowFileError, ShowFileError, default_path, open_show
+    from omote.files.showfile import ShowFileError, default_path
     from omote.server import bundle
     from omote.server.lock import ShowLockedError, lock_show
+    from omote.server.restore import open_newest
     from omote.server.supervisor import Supervisor, listen_on
 
     path = (file or default_path()).absolute()
@@ -58,8 +61,7 @@ def show(
         bundle.read_bundle()
         lock = lock_show(path)
         listening = listen_on(host, port)  # before the file is made: a refused port leaves none
-        with contextlib.suppress(CorruptShowFileError):  # the server keeps it aside and says so
-            open_show(path).close()
+        open_newest(path, say).close()
     except (OSError, ShowFileError, ShowLockedError) as error:
         fail(str(error))
     port = listening.getsockname()[1]

@@ -1,0 +1,109 @@
+"""`omote file`: what is in a show file, for people and for programs."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from omote.cli import app
+from omote.file_commands import moment
+from omote.files.changes import PutContent, PutItem, PutRevision
+from omote.files.contents import content_key, pack_expression
+from omote.files.showfile import ShowFile, open_show
+from omote.model.cast import Cast
+from tests.files.ledger import item, revision
+
+RECIPE = b'{"kind":"expression","net":[],"vectors":[]}'
+
+
+@pytest.fixture
+def show(tmp_path: Path, cast: Cast) -> Iterator[ShowFile]:
+    """A show that is played while it is looked into: two expressions, one saved twice."""
+    opened = open_show(tmp_path / "a.omote")
+    data = pack_expression(cast.expressions["smile"])
+    key = content_key(data)
+    opened.apply(
+        [
+            PutContent(key, data),
+            PutItem(item(1, name="smirk", label="Smirk [left]", tags=("wry",), head=2)),
+            PutItem(item(2, name="sneer", deleted=True)),
+            PutRevision(revision(1, 1, content=key, recipe=RECIPE, note="first")),
+            PutRevision(revision(1, 2, content=key, recipe=RECIPE, editor="Bo")),
+            PutRevision(revision(1, 3, content=key, recipe=RECIPE, parent=1, aside=True)),
+        ]
+    )
+    yield opened
+    opened.close()
+
+
+def said(*arguments: object, status: int = 0) -> str:
+    """What a command prints."""
+    result = CliRunner().invoke(app, ["file", *map(str, arguments)], env={"COLUMNS": "160"})
+    assert result.exit_code == status, result.output
+    return result.output
+
+
+def test_list_shows_own_work(show: ShowFile) -> None:
+    text = said("list", show.path)
+    assert "Smirk [left]" in text
+    assert "sneer" in text
+    smirk, sneer = json.loads(said("list", show.path, "--json"))
+    assert smirk == {
+        "kind": "expression",
+        "name": "smirk",
+        "label": "Smirk [left]",
+        "revision": 2,
+        "revisions": 3,
+        "drafts": 0,
+        "tags": "wry",
+        "deleted": False,
+    }
+    assert sneer["deleted"] is True
+
+
+def test_list_of_a_new_file_says_so(tmp_path: Path) -> None:
+    open_show(tmp_path / "a.omote").close()
+    assert "has no own faces or expressions yet" in said("list", tmp_path / "a.omote")
+
+
+def test_history_tells_what_plays_and_what_is_aside(show: ShowFile) -> None:
+    rows = json.loads(said("history", show.path, "smirk", "--json"))
+    assert [(row["revision"], row["of"], row["by"], row["note"], row["state"]) for row in rows] == [
+        (1, 0, "Ada", "first", ""),
+        (2, 1, "Bo", "", "plays"),
+        (3, 1, "Ada", "", "aside"),
+    ]
+    assert "plays" in said("history", show.path, "smirk", "--kind", "expression")
+    assert "has never been saved" in said("history", show.path, "sneer")
+
+
+def test_check_says_what_is_good_and_what_is_not(show: ShowFile) -> None:
+    text = said("check", show.path)
+    assert "BAD" not in text
+    assert "a.omote is whole: schema" in text
+    show.apply([PutRevision(revision(1, 4, content=show.stored().revisions[0].content, recipe=b"?"))])
+    text = said("check", show.path, status=1)
+    assert "BAD   the recipe of revision 4 of smirk cannot be read" in text
+    assert "a.omote is not all right; omote show" in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("list", "none.omote"), "there is no show file none.omote; omote show makes one"),
+        (("history", "none.omote", "smirk"), "there is no show file none.omote"),
+    ],
+)
+def test_a_file_that_is_not_there_is_one_sentence(arguments: tuple[str, ...], sentence: str) -> None:
+    assert sentence in said(*arguments, status=1)
+
+
+def test_a_name_that_is_not_there_is_one_sentence(show: ShowFile) -> None:
+    assert "no own face or expression 'grin'; there are: smirk, sneer" in said("history", show.path, "grin", status=1)
+
+
+@pytest.mark.parametrize("seconds", [1e300, float("nan"), -1e300])
+def test_a_time_that_no_clock_shows_is_a_question(seconds: float) -> None:
+    assert moment(seconds) == "?"
