@@ -22,7 +22,7 @@ export class Amount extends LitElement {
     css`
       :host {
         display: grid;
-        grid-template-columns: minmax(74px, 0.8fr) minmax(60px, 1fr) 58px 16px;
+        grid-template-columns: minmax(84px, 1fr) minmax(56px, 0.9fr) 54px 14px;
         align-items: center;
         gap: 6px;
       }

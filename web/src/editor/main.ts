@@ -1,9 +1,7 @@
 /** The editor page: authored once, played on every face. */
 
-import { decode } from "@msgpack/msgpack";
 import { PICTURE, Portraits } from "../console/portraits";
-import { insist, Library } from "../link/assets";
-import type { Manifest } from "../link/messages";
+import { Library } from "../link/assets";
 import { openItem } from "./deeds";
 import { EditingLink } from "./editing_link";
 import { EditorPage } from "./editor_page";
@@ -21,22 +19,18 @@ async function idle(bench: Workbench): Promise<void> {
   while (bench.dragging || bench.waiting);
 }
 
-/** Keeps the manifest as new as the items: what has been saved is there to begin from, to wear, to lay under. */
+/** Keeps the cast as new as the items: what has been saved is there to begin from, to wear, to lay under. */
 function followCast(bench: Workbench): void {
-  let reading = false;
-  const behind = (): boolean =>
-    bench.library !== null && bench.digest !== "" && bench.digest !== bench.manifest?.digest;
-  const follow = async (): Promise<void> => {
-    if (reading || !behind()) return;
-    reading = true;
-    const asked = bench.digest;
-    const manifest = decode(await insist("/manifest")) as Manifest;
-    reading = false;
-    if (manifest.base !== bench.library?.manifest.base) location.reload(); // a server with another cast
-    bench.setCast(bench.library as Library, manifest);
-    if (asked !== bench.digest) await follow(); // it changed once more meanwhile
-  };
-  bench.listen("items", () => void follow());
+  let last = "";
+  bench.listen("items", () => {
+    const { library, digest } = bench;
+    if (library === null || digest === "" || digest === last) return;
+    last = digest;
+    void library.renew().then((same) => {
+      if (same) bench.setCast(library);
+      else location.reload(); // a server with another built-in cast
+    });
+  });
 }
 
 /** The address names the open item, so that a reload opens it again. */

@@ -7,7 +7,10 @@ import { BenchElement } from "./element";
 import type { Notice } from "./notices";
 import type { Topic } from "./workbench";
 
-/** What must be read: it stays until it has been. */
+/** Milliseconds for which good news stands. */
+const SEEN = 20_000;
+
+/** What must be read. */
 @customElement("omote-notices")
 export class NoticesView extends BenchElement {
   static override styles = [
@@ -50,6 +53,24 @@ export class NoticesView extends BenchElement {
       }
     `,
   ];
+
+  readonly #timers = new Map<number, ReturnType<typeof setTimeout>>();
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    for (const timer of this.#timers.values()) clearTimeout(timer);
+  }
+
+  /** Good news goes by itself; what went wrong stays until it has been read. */
+  override willUpdate(): void {
+    for (const { id, kind } of this.bench.notices) {
+      if (kind !== "done" || this.#timers.has(id)) continue;
+      this.#timers.set(
+        id,
+        setTimeout(() => this.bench.dismiss(id), SEEN),
+      );
+    }
+  }
 
   protected override topics(): readonly Topic[] {
     return ["notices"];

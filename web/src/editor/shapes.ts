@@ -2,14 +2,14 @@
 
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "../link/arrays";
-import { insist, readCompound } from "../link/assets";
+import { insist } from "../link/assets";
 import type { ContentAsset } from "../link/messages";
 import type { Workbench } from "./workbench";
 
 /** The positions of a face by its source, (vertices, 3) metres. */
-async function facePositions({ library, manifest }: Workbench, source: string): Promise<Float32Array> {
-  if (library === null || manifest === null) throw new Error("The cast is not here yet; wait a moment.");
-  if (!source.startsWith("#")) return library.positions(source);
+async function facePositions({ library }: Workbench, source: string): Promise<Float32Array> {
+  if (library === null) throw new Error("The cast is not here yet; wait a moment.");
+  if (library.hasFace(source)) return library.positions(source);
   const asset = decode(await insist(`/contents/${source.slice(1)}`)) as ContentAsset;
   return new Float32Array(aligned(asset.positions));
 }
@@ -17,14 +17,12 @@ async function facePositions({ library, manifest }: Workbench, source: string): 
 /** A face (a source) that wears an expression (a source), (vertices, 3) metres. */
 export async function wearing(bench: Workbench, face: string, expression: string): Promise<Float32Array> {
   const rest = await facePositions(bench, face);
-  if (expression === "neutral" || bench.manifest === null) return rest;
-  const path = [bench.manifest.base, face, expression].map(encodeURIComponent).join("/");
-  const compound = readCompound(await insist(`/compounds/${path}`), bench.manifest.vertices);
+  if (expression === "neutral" || bench.library === null) return rest;
+  const { scale, indices, deltas } = await bench.library.compound(face, expression);
   const worn = rest.slice();
-  compound.indices.forEach((row, at) => {
+  indices.forEach((row, at) => {
     for (let axis = 0; axis < 3; axis += 1)
-      worn[3 * row + axis] =
-        (worn[3 * row + axis] as number) + compound.scale * (compound.deltas[3 * at + axis] as number);
+      worn[3 * row + axis] = (worn[3 * row + axis] as number) + scale * (deltas[3 * at + axis] as number);
   });
   return worn;
 }

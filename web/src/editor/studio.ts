@@ -1,32 +1,13 @@
 /** Pictures of (face, expression) off screen, one after the other, on one graphics context. */
 
 import type { Sitting } from "../console/portraits";
-import { type Compound, insist, Library, readCompound } from "../link/assets";
+import type { Library } from "../link/assets";
 import { FaceView } from "../stage/face_view";
 import type { Shot } from "../stage/framing";
 import { resting } from "../stage/pose";
 
 /** Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. */
 const THUMB: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };
-
-/** A library that gives shapes by their sources, drafts and old revisions among them. */
-class SourceLibrary extends Library {
-  readonly #worn = new Map<string, Promise<Compound>>();
-
-  override hasExpression(name: string): boolean {
-    return name.startsWith("#") || super.hasExpression(name);
-  }
-
-  override compound(face: string, expression: string): Promise<Compound> {
-    if (!expression.startsWith("#")) return super.compound(face, expression);
-    const path = [this.manifest.base, face, expression].map(encodeURIComponent).join("/");
-    const known = this.#worn.get(path);
-    if (known !== undefined) return known;
-    const read = insist(`/compounds/${path}`).then((bytes) => readCompound(bytes, this.manifest.vertices));
-    this.#worn.set(path, read);
-    return read;
-  }
-}
 
 export class Studio {
   /** What is being drawn; the next picture waits for it. */
@@ -36,8 +17,7 @@ export class Studio {
 
   static async open(library: Library): Promise<Studio> {
     const canvas = document.createElement("canvas");
-    const sources = new SourceLibrary(library.manifest);
-    return new Studio(await FaceView.load(canvas, sources, { shot: THUMB, pixelRatio: 1 }));
+    return new Studio(await FaceView.load(canvas, library, { shot: THUMB, pixelRatio: 1 }));
   }
 
   /** Rejects when it cannot be drawn. */

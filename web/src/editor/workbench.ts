@@ -56,8 +56,6 @@ const LOOKING_AHEAD = { turns: [0, 0, 0, 0] as Recipe["eyes"], pupil: 0 };
 
 export class Workbench {
   library: Library | null = null;
-  /** The newest manifest: the library's, or a later one of the same base with other own faces and expressions. */
-  manifest: Manifest | null = null;
   anatomy: Anatomy | null = null;
   items: readonly ItemDocument[] = [];
   /** Of the cast that pages may load now; "" before the server has said. */
@@ -114,6 +112,11 @@ export class Workbench {
 
   // --- what is known --------------------------------------------------------------------------------------------------
 
+  /** The cast as it is now. */
+  get manifest(): Manifest | null {
+    return this.library?.manifest ?? null;
+  }
+
   get notices(): readonly Notice[] {
     return this.#notices.all;
   }
@@ -166,9 +169,10 @@ export class Workbench {
     return this.#unanswered > 0;
   }
 
-  setCast(library: Library, manifest: Manifest = library.manifest): void {
+  /** The library has come, or has been renewed. */
+  setCast(library: Library): void {
     this.library = library;
-    this.manifest = manifest;
+    const { manifest } = library;
     const known = (name: string) => manifest.faces.some((face) => face.name === name);
     if (!known(this.work)) this.work = manifest.faces[0]?.name ?? this.work;
     this.neighbours = this.neighbours.filter(known);
@@ -192,7 +196,7 @@ export class Workbench {
 
   /** The source of a face by its name. */
   sourceOf(face: string): string {
-    return this.manifest?.faces.find(({ name }) => name === face)?.source ?? face;
+    return this.library?.sourceOf("faces", face) ?? face;
   }
 
   // --- what is shown --------------------------------------------------------------------------------------------------

@@ -85,9 +85,22 @@ export class Comparison extends BenchElement {
     const [first, second, third] = [...this.canvases] as [HTMLCanvasElement, HTMLCanvasElement, HTMLCanvasElement];
     drawShape(first, one, meshes, () => SKIN);
     drawShape(second, other, meshes, () => SKIN);
+    void this.#portray([first, second]);
     drawShape(third, other, meshes, (row) => heat((apart[row] as number) / Math.max(most, ALIKE)));
     this.sentence =
       most < ALIKE ? "They are alike." : `They differ by up to ${shown(most, MILLIMETRES)} mm, where it is red.`;
+  }
+
+  /** The first two as they look on a stage, where expressions are compared; the plain shapes stay where that fails. */
+  async #portray(canvases: readonly HTMLCanvasElement[]): Promise<void> {
+    const studio = this.rig.studio();
+    if (studio === null || this.bench.face !== null) return;
+    const face = this.bench.sourceOf(this.bench.work);
+    for (const [at, canvas] of canvases.entries()) {
+      const expression = (this.sides[at] as Side).content;
+      const picture = await studio.picture({ face, expression }, canvas.width, canvas.height).catch(() => null);
+      if (picture !== null) canvas.getContext("2d")?.drawImage(picture, 0, 0);
+    }
   }
 
   override render() {

@@ -11,14 +11,14 @@ import type { Topic } from "../workbench";
 
 /** Which of left yaw, left pitch, right yaw, right pitch a slider turns; several turn together. */
 const TOGETHER: readonly (readonly [string, readonly number[]])[] = [
-  ["Left – right", [0, 2]],
-  ["Down – up", [1, 3]],
+  ["Sideways", [0, 2]],
+  ["Up", [1, 3]],
 ];
 const APART: readonly (readonly [string, readonly number[]])[] = [
-  ["Left eye, left – right", [0]],
-  ["Left eye, down – up", [1]],
-  ["Right eye, left – right", [2]],
-  ["Right eye, down – up", [3]],
+  ["Left eye, sideways", [0]],
+  ["Left eye, up", [1]],
+  ["Right eye, sideways", [2]],
+  ["Right eye, up", [3]],
 ];
 
 /** Eyeballs and pupils: what the expression adds to where the show looks. */
@@ -35,7 +35,7 @@ export class Eyes extends BenchElement {
   override render() {
     const { pupil } = this.bench.liveEyes;
     return html`
-      <p>What this expression adds to the gaze; left is the character's own left.</p>
+      <p>What this expression adds to the gaze. Sideways is + towards the character's own left, which is on the right of the picture.</p>
       <label class="row"><input type="checkbox" .checked=${this.together}
         @change=${() => {
           this.together = !this.together;

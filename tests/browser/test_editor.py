@@ -1,0 +1,392 @@
+"""The editor page, used as an artist uses it: by mouse, by keyboard, by two at once, and over a link that breaks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from playwright.sync_api import Locator, Page, WebSocketRoute, expect
+
+expect.set_options(timeout=20_000)  # nothing here measures time; busy machines may take theirs
+
+OpenPage = Callable[..., Page]
+Editor = Callable[..., Page]
+
+BENCH = "document.querySelector('omote-editor').rig.bench"
+SETTLED = "bench.draft !== null && canvas !== undefined && canvas.settled()"
+REACH = 5e-5
+"""Metres within which a dragged point lies where it was put."""
+
+
+@pytest.fixture
+def editor(open_page: OpenPage) -> Editor:
+    """Opens an editor, each one somebody else, and waits until it is greeted and draws."""
+
+    def open_one(path: str = "/editor", **options: Any) -> Page:
+        page = open_page(path, **options)
+        wait_for(page, "bench.online && bench.library !== null && canvas !== undefined")
+        return page
+
+    return open_one
+
+
+def wait_for(page: Page, condition: str, seconds: float = 60) -> None:
+    """Waits until a condition on the `bench` or the `canvas` (its probe) holds, looking in every frame."""
+    page.evaluate(f"""() => new Promise((done, fail) => {{
+        const tooLate = performance.now() + {1000 * seconds};
+        const holds = () => {{
+            const bench = document.querySelector("omote-editor")?.rig.bench;
+            const canvas = window.omoteEditor;
+            return Boolean(bench) && ({condition});
+        }};
+        const look = () => {{
+            if (holds()) done();
+            else if (performance.now() < tooLate) requestAnimationFrame(look);
+            else fail(new Error("never came: " + {condition!r}));
+        }};
+        look();
+    }})""")
+
+
+def bench(page: Page, expression: str) -> Any:
+    """What an expression on the bench gives."""
+    return page.evaluate(f"{BENCH}.{expression}")
+
+
+def make(page: Page, label: str, start: str | None = None) -> None:
+    """A new expression by the buttons of the page, opened and worn by all faces."""
+    page.locator("[data-new]").click()
+    form = page.get_by_role("form", name="New expression")
+    form.get_by_label("Name").fill(label)
+    if start is not None:
+        form.get_by_label("Begin from").select_option(label=start)
+    form.get_by_role("button", name="Create").click()
+    wait_for(page, f"bench.item?.label === {label!r} && {SETTLED}")
+
+
+def needle(page: Page, region: tuple[float, float, float]) -> dict[str, Any]:
+    """The needle nearest to a place on the face under work, metres."""
+    needles = page.evaluate("window.omoteEditor.needles()")
+    rows = positions(page, str(bench(page, "work")))
+    return min(needles, key=lambda one: float(np.linalg.norm(rows[one["row"]] - np.array(region))))
+
+
+def mouth_corner(page: Page) -> dict[str, Any]:
+    """The needle nearest to the left end of the lips."""
+    lips = np.array(page.evaluate(f"[...{BENCH}.library.lines.get('lips')]"))
+    rows = positions(page, str(bench(page, "work")))
+    corner = rows[lips[rows[lips, 0].argmax()]]
+    return needle(page, (float(corner[0]), float(corner[1]), float(corner[2])))
+
+
+def positions(page: Page, face: str) -> NDArray[np.float64]:
+    """What a face shows, (rows, 3) metres."""
+    return np.array(page.evaluate(f"window.omoteEditor.positions({face!r})")).reshape(-1, 3)
+
+
+def vectors(page: Page) -> NDArray[np.float64]:
+    """The control vectors as the hand has them, (n, 3)."""
+    return np.array(page.evaluate("window.omoteEditor.vectors()")).reshape(-1, 3)
+
+
+def grip(page: Page, one: dict[str, Any]) -> tuple[float, float]:
+    """Takes a needle in hand; where the pointer then is."""
+    box = page.locator("omote-editor main .work canvas").first.bounding_box()
+    assert box is not None
+    x, y = box["x"] + one["head"][0], box["y"] + one["head"][1]
+    page.mouse.move(x, y)
+    page.mouse.down()
+    return x, y
+
+
+def drag(page: Page, one: dict[str, Any], dx: float = 9, dy: float = -12) -> None:
+    """Drags a needle by so many pixels, until the server's answer is worn."""
+    steps = int(bench(page, "draft.undo"))
+    x, y = grip(page, one)
+    page.mouse.move(x + dx, y + dy, steps=5)
+    page.mouse.up()
+    wait_for(page, f"bench.draft.undo === {steps + 1} && {SETTLED}")
+
+
+def save(page: Page) -> None:
+    """Saves by the keyboard."""
+    page.keyboard.press("Control+s")
+    wait_for(page, "!bench.draft.dirty && bench.item.head > 0")
+
+
+def notice(page: Page) -> Locator:
+    return page.locator("omote-notices [role]")
+
+
+# --- one artist -------------------------------------------------------------------------------------------------------
+
+
+def test_a_newcomer_makes_a_crooked_smile_with_what_the_page_says(editor: Editor, open_page: OpenPage) -> None:
+    page = editor()
+    expect(page.locator(".welcome li")).to_have_count(3)
+    page.locator(".welcome").get_by_role("button", name="New expression").click()
+    page.get_by_label("Name").fill("Crooked smile")
+    page.get_by_role("button", name="Create").click()
+    wait_for(page, SETTLED)
+    expect(page.locator(".welcome")).to_have_count(0)
+    expect(page.locator(".hint")).to_contain_text("Drag a needle")
+    drag(page, mouth_corner(page))
+    page.get_by_role("button", name="Save").click()
+    expect(notice(page)).to_contain_text("is now under Own")
+    console = open_page("/console")
+    tile = console.locator(".expressions .tile", has_text="Crooked smile")
+    tile.click()
+    name = tile.get_attribute("data-name")
+    desk = "document.querySelector('omote-console').rig.desk"
+    expect(tile).to_have_class("tile air")
+    assert console.evaluate(f"{desk}.state.expressions[{name!r}]") > 0
+    console.evaluate(f"{desk}.panic()")
+
+
+def test_all_faces_follow_while_a_needle_is_dragged_and_it_lies_where_it_was_put(editor: Editor) -> None:
+    page = editor()
+    make(page, "Follow me")
+    faces = page.evaluate("window.omoteEditor.faces()")
+    assert len(faces) >= 4
+    assert "dog" in faces
+    before = {face: positions(page, face) for face in faces}
+    corner = mouth_corner(page)
+    x, y = grip(page, corner)
+    page.mouse.move(x + 9, y - 12, steps=5)
+    wait_for(page, "bench.dragging")
+    for face in faces:  # before the server has heard of it
+        moved = np.linalg.norm(positions(page, face) - before[face], axis=1)
+        assert moved[corner["row"]] > 1e-3, face
+    page.mouse.up()
+    wait_for(page, f"bench.draft.undo === 1 && {SETTLED}")
+    assert bench(page, "draft.miss") <= REACH
+
+
+def test_undo_and_redo_go_back_and_forth_exactly_and_name_their_steps(editor: Editor) -> None:
+    page = editor()
+    make(page, "Back and forth")
+    still = vectors(page)
+    drag(page, mouth_corner(page))
+    smiled = vectors(page)
+    drag(page, mouth_corner(page), dx=-6, dy=4)
+    undo, redo = page.locator("[data-step=undo]"), page.locator("[data-step=redo]")
+    expect(undo).to_contain_text("drag")
+    page.keyboard.press("Control+z")
+    wait_for(page, f"bench.draft.redo === 1 && {SETTLED}")
+    np.testing.assert_array_equal(vectors(page), smiled)
+    undo.click()
+    wait_for(page, f"bench.draft.redo === 2 && {SETTLED}")
+    np.testing.assert_array_equal(vectors(page), still)
+    expect(undo).to_be_disabled()
+    redo.click()
+    wait_for(page, f"bench.draft.redo === 1 && {SETTLED}")
+    np.testing.assert_array_equal(vectors(page), smiled)
+
+
+def test_typed_numbers_move_the_selected_needle_and_nonsense_is_refused(editor: Editor) -> None:
+    page = editor()
+    make(page, "Numbers")
+    place = mouth_corner(page)["place"]
+    page.evaluate(f"{BENCH}.select([{place}])")
+    page.locator("[data-tab=points]").click()
+    height = page.get_by_label("Height")
+    height.fill("3,5")
+    height.press("Enter")
+    wait_for(page, f"bench.draft.undo === 1 && {SETTLED}")
+    assert vectors(page)[place, 1] == pytest.approx(0.0035)
+    height.fill("high")
+    height.press("Enter")
+    expect(notice(page)).to_contain_text('"high" is not a number')
+    page.get_by_role("button", name="Reset selected").click()
+    wait_for(page, f"bench.draft.undo === 2 && {SETTLED}")
+    np.testing.assert_array_equal(vectors(page)[place], [0, 0, 1])
+
+
+def test_layers_muscles_and_eyes_make_steps_and_bake_into_one(editor: Editor) -> None:
+    page = editor()
+    make(page, "Composed", start="Smile")
+    start = positions(page, "dog")
+    page.locator("[data-tab=layers]").click()
+    page.get_by_label("Add a layer").select_option(label="Surprise")
+    wait_for(page, f"bench.draft.undo === 1 && {SETTLED}")
+    page.get_by_label("Region of Surprise").select_option("brows")
+    wait_for(page, f"bench.draft.undo === 2 && {SETTLED}")
+    page.locator("[data-tab=muscles]").click()
+    muscle = page.locator("[data-muscle]").first.locator("input[type=text]")
+    muscle.fill("80")
+    muscle.press("Enter")
+    wait_for(page, f"bench.draft.undo === 3 && {SETTLED}")
+    composed = positions(page, "dog")
+    assert np.abs(composed - start).max() > 1e-3
+    page.locator("[data-tab=layers]").click()
+    page.get_by_role("button", name="Bake into one").click()
+    wait_for(page, f"bench.draft.undo === 4 && {SETTLED}")
+    assert bench(page, "recipe.layers.length") == 0
+    assert bench(page, "recipe.pulls.length") == 0
+    # the wire rounds compounds to counts
+    np.testing.assert_allclose(positions(page, "dog"), composed, atol=2e-5)
+
+
+def test_an_old_revision_is_looked_at_compared_and_brought_back(editor: Editor) -> None:
+    page = editor()
+    make(page, "Two states")
+    first = positions(page, "child")
+    save(page)
+    drag(page, mouth_corner(page))
+    save(page)
+    second = positions(page, "child")
+    page.locator("[data-tab=history]").click()
+    old = page.locator("[data-revision='1']")
+    old.get_by_role("button", name="Look").click()
+    expect(page.locator(".looking")).to_contain_text("old revision")
+    wait_for(page, SETTLED)
+    np.testing.assert_allclose(positions(page, "child"), first, atol=2e-5)
+    page.keyboard.press("Escape")
+    wait_for(page, f"bench.look === null && {SETTLED}")
+    np.testing.assert_allclose(positions(page, "child"), second, atol=2e-5)
+    old.get_by_role("button", name="Compare").click()
+    expect(page.get_by_role("dialog", name="Comparison")).to_contain_text("They differ by up to")
+    page.get_by_role("dialog").get_by_role("button", name="Close").click()
+    old.get_by_role("button", name="Bring back").click()
+    wait_for(page, f"bench.draft.dirty && {SETTLED}")
+    np.testing.assert_allclose(positions(page, "child"), first, atol=2e-5)
+
+
+def test_a_reload_finds_the_draft_with_its_steps(editor: Editor) -> None:
+    page = editor()
+    make(page, "Kept")
+    drag(page, mouth_corner(page))
+    drawn = vectors(page)
+    page.reload()
+    wait_for(page, f"bench.item?.label === 'Kept' && {SETTLED}")
+    np.testing.assert_array_equal(vectors(page), drawn)
+    assert bench(page, "draft.undo") == 1
+    assert bench(page, "draft.dirty") is True
+
+
+def test_items_are_renamed_tagged_found_copied_deleted_and_brought_back(editor: Editor) -> None:
+    page = editor()
+    make(page, "Grumble")
+    save(page)
+    label = page.get_by_label("Name", exact=True)
+    label.fill("Grumpy")
+    label.press("Enter")
+    tags = page.get_by_label("Tags", exact=True)
+    tags.fill("act two, angry")
+    tags.press("Enter")
+    wait_for(page, "bench.item.label === 'Grumpy' && bench.item.tags.length === 2")
+    own = page.locator("omote-library li.item")
+    page.get_by_label("Search by name or tag").fill("act grum")
+    expect(own).to_have_count(1)
+    page.get_by_label("Duplicate: Grumpy").click()
+    expect(own).to_have_count(2)
+    page.get_by_label("Delete: Grumpy copy").click()
+    expect(own).to_have_count(1)
+    page.get_by_role("button", name="Undo", exact=True).last.click()
+    expect(own).to_have_count(2)
+
+
+# --- two artists ------------------------------------------------------------------------------------------------------
+
+
+def test_whoever_saves_second_is_told_and_chooses(editor: Editor) -> None:
+    anna = editor()
+    make(anna, "Ours")
+    drag(anna, mouth_corner(anna))
+    save(anna)
+    ben = editor(f"/editor#{bench(anna, 'item.name')}")
+    wait_for(ben, SETTLED)
+    expect(ben.locator(".others")).to_contain_text("at it too")
+    drag(ben, mouth_corner(ben), dx=-8, dy=8)
+    drag(anna, mouth_corner(anna), dx=4, dy=-8)
+    save(anna)
+    ben.keyboard.press("Control+s")
+    expect(notice(ben).filter(has_text="saved")).to_contain_text("meanwhile")
+    mine = vectors(ben)
+    ben.get_by_role("button", name="Look at theirs").click()
+    wait_for(ben, "bench.look === bench.item.content")
+    ben.keyboard.press("Escape")
+    np.testing.assert_array_equal(vectors(ben), mine)
+    ben.locator("[data-tab=history]").click()
+    expect(ben.locator("[data-revision='3']")).to_contain_text("aside")
+    head = bench(ben, "item.head")
+    ben.keyboard.press("Control+s")
+    wait_for(ben, f"bench.item.head > {head}")
+    assert bench(ben, "item.content") == bench(ben, "draft.content")
+
+
+# --- a link that breaks -----------------------------------------------------------------------------------------------
+
+
+def test_a_drag_made_while_the_link_is_lost_arrives_when_it_is_back(editor: Editor) -> None:
+    page = editor()
+    links: list[WebSocketRoute] = []
+    away = [False]
+
+    def carry(link: WebSocketRoute) -> None:
+        if away[0]:
+            link.close()
+        else:
+            link.connect_to_server()
+            links.append(link)
+
+    page.route_web_socket("**/editing", carry)
+    page.reload()
+    wait_for(page, "bench.online && bench.library !== null && canvas !== undefined")
+    make(page, "Over a bad link")
+    corner = mouth_corner(page)
+    away[0] = True
+    links[-1].close()
+    expect(page.locator(".lost[role='alert']")).to_contain_text("LINK LOST")
+    x, y = grip(page, corner)
+    page.mouse.move(x + 9, y - 12, steps=5)
+    page.mouse.up()
+    page.keyboard.press("Control+s")
+    expect(notice(page)).to_contain_text("Save: not sent")
+    away[0] = False
+    wait_for(page, f"bench.online && bench.draft.undo === 1 && {SETTLED}")
+    assert np.abs(vectors(page)[corner["place"]] - [0, 0, 1]).max() > 0
+    assert bench(page, "draft.miss") <= REACH
+
+
+# --- hands of all kinds -----------------------------------------------------------------------------------------------
+
+
+def test_every_control_has_a_name_and_fingers_find_room(editor: Editor) -> None:
+    page = editor(has_touch=True, is_mobile=True)
+    make(page, "For fingers")
+    small = page.evaluate("""() => {
+        const found = [];
+        const look = (root) => {
+            for (const one of root.querySelectorAll("*")) {
+                if (one.shadowRoot) look(one.shadowRoot);
+                if (!one.matches("button, select, input")) continue;
+                const box = one.getBoundingClientRect();
+                const label = one.getAttribute("aria-label") || one.title || one.textContent.trim()
+                    || one.labels?.[0]?.textContent.trim();
+                if (!label) found.push(`${one.outerHTML} has no name`);
+                if (one.matches("button") && box.height > 0 && box.height < 40) found.push(`${label}: ${box.height}`);
+            }
+        };
+        look(document);
+        return found;
+    }""")
+    assert small == []
+
+
+def test_keys_take_up_tools_and_a_question_mark_opens_the_help(editor: Editor) -> None:
+    page = editor()
+    make(page, "Keys")
+    page.locator("omote-editor main .work canvas").first.focus()
+    for key, tool in (("p", "pull"), ("a", "add"), ("r", "remove"), ("m", "place"), ("d", "drag")):
+        page.keyboard.press(key)
+        assert bench(page, "options.tool") == tool
+    page.keyboard.press("x")
+    assert bench(page, "options.mirror") is True
+    page.keyboard.press("?")
+    expect(page.get_by_role("dialog", name="Keys")).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("dialog", name="Keys")).to_have_count(0)
