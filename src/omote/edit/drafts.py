@@ -86,7 +86,12 @@ def bring_back(authored: Authored, key: DraftKey, number: int) -> Plan:
 def is_dirty(ledger: Ledger, key: DraftKey) -> bool:
     """Whether a draft shows anything else than the revision it is based on."""
     base, shown = ledger.revisions.get(key[0], {}).get(ledger.drafts[key].base), ledger.shown(key)
-    return base is None or (base.recipe != shown.recipe and read_recipe(base.recipe) != read_recipe(shown.recipe))
+    if base is None or base.recipe == shown.recipe:
+        return base is None
+    try:  # what another program wrote may be the same recipe in other bytes, or none that can be read
+        return read_recipe(base.recipe) != read_recipe(shown.recipe)
+    except Refusal:
+        return True
 
 
 def _is_outdated(ledger: Ledger, key: DraftKey) -> bool:
