@@ -23,6 +23,7 @@ AT_REST = """
 """
 TO_REST = f"""() => {{
     const desk = {DESK};
+    desk.arrange({{ kind: "performed", tab: "brows", linked: true }});
     for (const axis of ["face", "expression"]) {{
         desk.bar(axis).nudge(0);
         desk.setTiming(axis, {{ seconds: 0 }});

@@ -2,14 +2,13 @@ import { html } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { ExpressionDocument } from "../link/messages";
+import type { BankTab } from "./arrangement";
 import { style } from "./bank_style";
 import { byRegion, type Region, type Strip, stripsOf } from "./channels";
 import type { Topic } from "./desk";
 import { PaintedElement, Written } from "./element";
 import { base } from "./theme";
 import "./fader";
-
-type Tab = Region | "touched";
 
 const KINDS: Readonly<Record<ExpressionDocument["kind"], string>> = {
   neutral: "",
@@ -22,7 +21,6 @@ const KINDS: Readonly<Record<ExpressionDocument["kind"], string>> = {
 /** A fader for every channel, a region at a time; what is touched can be gathered on one tab. */
 @customElement("omote-bank")
 export class Bank extends PaintedElement {
-  @state() private tab: Tab = "brows";
   /** The channels gathered when the tab "touched" was opened; a fader brought back to zero stays under the hand. */
   @state() private gathered: readonly string[] = [];
   @query("nav") private nav!: HTMLElement;
@@ -31,7 +29,11 @@ export class Bank extends PaintedElement {
   static override styles = [base, style];
 
   protected override topics(): readonly Topic[] {
-    return ["cast"];
+    return ["cast", "layout"];
+  }
+
+  private get tab(): BankTab {
+    return this.desk.arrangement.tab;
   }
 
   /** The channels of the tab now open. */
@@ -46,13 +48,13 @@ export class Bank extends PaintedElement {
     return Object.keys(channels).filter((name) => channels[name] !== 0);
   }
 
-  #open(tab: Tab): void {
+  #open(tab: BankTab): void {
     this.gathered = this.#touched();
-    this.tab = tab;
+    this.desk.arrange({ tab });
   }
 
   override render() {
-    const tabs: Tab[] = ["touched", ...byRegion(this.desk.expressions).keys()];
+    const tabs: BankTab[] = ["touched", ...byRegion(this.desk.expressions).keys()];
     const shown = this.#shown();
     return html`
       <header>
@@ -69,8 +71,7 @@ export class Bank extends PaintedElement {
           aria-pressed=${this.desk.linked}
           title="Left and right of a pair move together"
           @click=${() => {
-            this.desk.linked = !this.desk.linked;
-            this.requestUpdate();
+            this.desk.arrange({ linked: !this.desk.linked });
           }}
         >
           Link R L
@@ -115,7 +116,7 @@ export class Bank extends PaintedElement {
     const touched = new Set(this.#touched());
     const regions = byRegionCached(this.desk.expressions);
     for (const button of this.nav.querySelectorAll<HTMLElement>("button")) {
-      const tab = button.dataset.tab as Tab;
+      const tab = button.dataset.tab as BankTab;
       const names = tab === "touched" ? [...touched] : (regions.get(tab) ?? []).filter((name) => touched.has(name));
       this.#written.text(button.querySelector(".count") as Element, names.length === 0 ? "" : String(names.length));
     }

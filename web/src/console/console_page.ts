@@ -108,6 +108,7 @@ export class ConsolePage extends RigElement {
     const { seconds } = this.desk.timing[axis];
     if (command.do === "call") this.#at<Palette>(axis === "face" ? ".faces" : ".expressions")?.callIndex(command.index);
     else if (command.do === "release") this.desk.release(axis);
+    else if (command.do === "keep") this.desk.keep(axis);
     else if (command.do === "hand") this.desk.setTiming(axis, { seconds: seconds === null ? 1 : null });
     else this.desk.setTiming(axis, { seconds: neighbour(seconds, command.direction) });
   }

@@ -65,6 +65,30 @@ describe("calls", () => {
   });
 });
 
+describe("keeping what is on air", () => {
+  it("asks for a face or an expression, each time under an id of its own", () => {
+    desk.keep("face");
+    desk.keep("expression");
+    desk.keep("expression");
+    expect(sent).toMatchObject([{ type: "keep_face" }, { type: "keep_expression" }, { type: "keep_expression" }]);
+    expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(3);
+  });
+
+  it("says under which name it was kept, and where to edit it; the next notice has no such offer", () => {
+    desk.receiveKept({ type: "kept", id: "me-1", name: "on-air-3", label: "On air 3" });
+    expect([desk.notice, desk.offer?.address]).toEqual(["Kept as On air 3.", "/editor"]);
+    desk.say("No.");
+    expect(desk.offer).toBeNull();
+  });
+
+  it("asks nothing while the link is lost", () => {
+    desk.setOnline(false);
+    desk.keep("face");
+    expect(sent).toEqual([]);
+    expect(desk.notice).toMatch(/Not sent/);
+  });
+});
+
 describe("lights", () => {
   it("come in the time of a face, and never by hand", () => {
     desk.setTiming("face", { seconds: 4, easing: "late" });
@@ -119,7 +143,7 @@ describe("knobs", () => {
     expect(sent.map((message) => "name" in message && message.name)).toEqual(["mouthSmileLeft", "mouthSmileRight"]);
     expect(desk.channel("mouthSmileRight").value(now)).toBe(0.5);
     sent.length = 0;
-    desk.linked = false;
+    desk.arrange({ linked: false });
     desk.channel("mouthSmileLeft").grip(0.7);
     desk.flush();
     expect(sent).toHaveLength(1);

@@ -9,10 +9,12 @@ import type {
   ExpressionDocument,
   FaceDocument,
   FromClient,
+  Kept,
   LightDocument,
   Manifest,
   State,
 } from "../link/messages";
+import { type Arrangement, FIRST } from "./arrangement";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
 import { Holds } from "./hold";
 import type { Axis } from "./keys";
@@ -20,7 +22,7 @@ import { Outbox } from "./outbox";
 import type { Seconds, Timing } from "./timing";
 
 /** What has changed, for elements that render (rarely); what moves is read every frame instead. */
-export type Topic = "cast" | "crew" | "link" | "timing" | "call" | "notice" | "panic";
+export type Topic = "cast" | "crew" | "link" | "timing" | "layout" | "call" | "notice" | "panic";
 
 /** One number under a hand. */
 export interface Knob {
@@ -48,16 +50,12 @@ export class Desk {
   /** Milliseconds there and back, or null before the first pong. */
   latency: number | null = null;
   online = false;
-  /** The last thing the operator must read: a refusal, or why nothing was sent. */
+  /** The last thing the operator must read: a refusal, or why nothing was sent; and where to go for it. */
   notice: string | null = null;
-  /** Left and right of a pair move together. */
-  linked = true;
+  offer: { readonly label: string; readonly address: string } | null = null;
   /** Rises with each panic: a drag begun before it is over. */
   era = 0;
-  readonly timing: Record<Axis, Timing> = {
-    face: { seconds: 2, easing: "smooth" },
-    expression: { seconds: 0.5, easing: "smooth" },
-  };
+  arrangement: Arrangement = FIRST;
 
   #strips: Strip[] = [];
   #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
@@ -140,9 +138,14 @@ export class Desk {
     this.#tell("link");
   }
 
-  say(notice: string | null): void {
-    this.notice = notice;
+  say(notice: string | null, offer: Desk["offer"] = null): void {
+    [this.notice, this.offer] = [notice, offer];
     this.#tell("notice");
+  }
+
+  /** What was on air is in the cast. */
+  receiveKept({ label }: Kept): void {
+    this.say(`Kept as ${label}.`, { label: "Edit it", address: "/editor" });
   }
 
   /** True when the link is there; else tells the operator that nothing was sent. */
@@ -151,19 +154,39 @@ export class Desk {
     return this.online;
   }
 
+  get timing(): Arrangement["timing"] {
+    return this.arrangement.timing;
+  }
+
+  /** Left and right of a pair move together. */
+  get linked(): boolean {
+    return this.arrangement.linked;
+  }
+
   setTiming(axis: Axis, change: Partial<Timing>): void {
-    this.timing[axis] = { ...this.timing[axis], ...change };
-    this.#tell("timing");
+    this.arrange({ timing: { ...this.timing, [axis]: { ...this.timing[axis], ...change } } });
+  }
+
+  /** Lays the console out. */
+  arrange(change: Partial<Arrangement>): void {
+    this.arrangement = { ...this.arrangement, ...change };
+    if (change.timing !== undefined) this.#tell("timing");
+    this.#tell("layout");
   }
 
   callSeconds(axis: Axis): Seconds {
     return this.timing[axis].seconds;
   }
 
+  /** A name for a message that is to be obeyed once. */
+  #nextId(): string {
+    this.#calls += 1;
+    return `${this.id}-${this.#calls}`;
+  }
+
   call(axis: Axis, name: string): void {
     if (!this.#mayAct()) return;
-    this.#calls += 1;
-    const id = `${this.id}-${this.#calls}`;
+    const id = this.#nextId();
     const type = axis === "face" ? "call_face" : "call_expression";
     this.#outbox.push({ type, id, name, ...this.timing[axis] });
   }
@@ -171,9 +194,14 @@ export class Desk {
   /** Calls a light in the time of a face; in two seconds where faces are called by hand, for a light has no T-bar. */
   callLight(name: string): void {
     if (!this.#mayAct()) return;
-    this.#calls += 1;
     const { seconds, easing } = this.timing.face;
-    this.#outbox.push({ type: "call_light", id: `${this.id}-${this.#calls}`, name, seconds: seconds ?? 2, easing });
+    this.#outbox.push({ type: "call_light", id: this.#nextId(), name, seconds: seconds ?? 2, easing });
+  }
+
+  /** Keeps what is on air on an axis as a new face or expression of the cast. */
+  keep(axis: Axis): void {
+    if (this.#mayAct())
+      this.#outbox.push({ type: axis === "face" ? "keep_face" : "keep_expression", id: this.#nextId() });
   }
 
   release(axis: Axis): void {

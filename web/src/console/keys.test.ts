@@ -31,6 +31,11 @@ describe("a key", () => {
     expect(commandOf(press("F5", "F5"), false)).toBeNull();
   });
 
+  it("keeps what is on air", () => {
+    expect(commandOf(press("n", "KeyN"), false)).toEqual({ do: "keep", axis: "face" });
+    expect(commandOf(press("m", "KeyM"), false)).toEqual({ do: "keep", axis: "expression" });
+  });
+
   it("means one thing", () => {
     const codes = [...FACE_KEYS, ...EXPRESSION_KEYS];
     expect(new Set(codes).size).toBe(18);

@@ -10,6 +10,7 @@ export type Command =
   | { do: "timing"; axis: Axis; direction: -1 | 1 }
   | { do: "hand"; axis: Axis }
   | { do: "release"; axis: Axis }
+  | { do: "keep"; axis: Axis }
   | { do: "focus"; place: Place }
   | { do: "centre" }
   | { do: "clear" };
@@ -41,6 +42,8 @@ const COMMANDS: Readonly<Record<string, Command>> = {
   KeyL: { do: "focus", place: "light" },
   KeyV: { do: "release", axis: "face" },
   KeyB: { do: "release", axis: "expression" },
+  KeyN: { do: "keep", axis: "face" },
+  KeyM: { do: "keep", axis: "expression" },
   KeyC: { do: "centre" },
   KeyX: { do: "clear" },
 };
@@ -55,6 +58,7 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["A  S", "By hand or timed: face, expression"],
   ["F  G", "To the T-bar of the face, of the expression; then arrows"],
   ["V  B", "Let go of the T-bar of the face, of the expression"],
+  ["N  M", "Keep what is on air as a new face, as a new expression"],
   ["H  J", "To the head pad, to the gaze pad; then arrows"],
   ["L", "To the lights; then Tab and Enter"],
   ["C", "Head and gaze to the centre"],

@@ -8,6 +8,7 @@ import { resting } from "../stage/pose";
 import { ConsolePage } from "./console_page";
 import { Desk } from "./desk";
 import type { Rig } from "./element";
+import { LayoutKeeper, layoutName } from "./layout_keeper";
 import { Painter } from "./painter";
 import { PICTURE, Portraits, type Studio } from "./portraits";
 
@@ -28,7 +29,7 @@ async function recast(desk: Desk): Promise<void> {
   else if (library.manifest !== desk.manifest) desk.setManifest(library.manifest);
 }
 
-function connect(): Desk {
+function connect(): { desk: Desk; link: Link } {
   const desk: Desk = new Desk(
     (message) => link.send(message),
     () => performance.now(),
@@ -41,11 +42,12 @@ function connect(): Desk {
     cast: () => void recast(desk),
     state: (state) => desk.receiveState(state),
     crew: (crew) => desk.receiveCrew(crew),
+    kept: (kept) => desk.receiveKept(kept),
     refused: (reason) => desk.say(reason),
     connected: (up) => desk.setOnline(up),
     trip: (seconds) => desk.receiveTrip(seconds * 1000),
   });
-  return desk;
+  return { desk, link };
 }
 
 /** Thumbnails by one view on a canvas of its own: one graphics context for all of them. */
@@ -69,7 +71,8 @@ function stayAwake(): void {
 }
 
 async function start(): Promise<void> {
-  const rig: Rig = { desk: connect(), painter: new Painter(), portraits: new Portraits() };
+  const { desk, link } = connect();
+  const rig: Rig = { desk, painter: new Painter(), portraits: new Portraits() };
   rig.painter.add({ paint: () => rig.desk.flush() }); // first in each frame, so that what was drawn is what was sent
   const page = new ConsolePage();
   page.rig = rig;
@@ -77,7 +80,8 @@ async function start(): Promise<void> {
   rig.painter.start();
   stayAwake();
   library = await Library.open();
-  rig.desk.setManifest(library.manifest);
+  await new LayoutKeeper(desk, layoutName(location.search), (message) => link.send(message)).open();
+  desk.setManifest(library.manifest);
   await page.open(library);
   openStudio(library).then(
     (studio) => rig.portraits.open(studio),

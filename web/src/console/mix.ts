@@ -29,6 +29,22 @@ export class Mix extends PaintedElement {
         padding: 8px 10px;
         min-width: 0;
       }
+      header {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        gap: 6px;
+        min-width: 0;
+      }
+      header button {
+        height: 20px;
+        min-height: 0;
+        padding: 0 7px;
+        font-size: 11px;
+        white-space: nowrap;
+        overflow: hidden;
+        text-overflow: ellipsis;
+      }
       .rows {
         display: grid;
         align-content: start;
@@ -111,7 +127,16 @@ export class Mix extends PaintedElement {
 
   override render() {
     return html`
-      <h2>${this.axis === "face" ? "Face" : "Expression"}</h2>
+      <header>
+        <h2>${this.axis === "face" ? "Face" : "Expression"}</h2>
+        <button
+          data-keep=${this.axis}
+          title="Keep what is on air as a new ${this.axis} (${this.axis === "face" ? "N" : "M"})"
+          @click=${() => this.desk.keep(this.axis)}
+        >
+          Keep ${this.axis}
+        </button>
+      </header>
       <div class="rows" data-axis=${this.axis}>
         ${Array.from({ length: ROWS }, () => html`<div class="row none"><i></i><b></b><span></span></div>`)}
       </div>

@@ -2,6 +2,7 @@ import { html, nothing } from "lit";
 import { customElement, property, query, queryAll, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { ExpressionDocument, FaceDocument } from "../link/messages";
+import { KINDS, type PaletteKind } from "./arrangement";
 import { REGIONS, regionOf } from "./channels";
 import type { Topic } from "./desk";
 import { PaintedElement, Written } from "./element";
@@ -12,20 +13,21 @@ import { PICTURE, type Sitting } from "./portraits";
 import { base } from "./theme";
 import "./timing_row";
 
-type Kind = "performed" | "arkit" | "makehuman";
-const KINDS: readonly (readonly [Kind, string])[] = [
-  ["performed", "Performed"],
-  ["arkit", "ARKit"],
-  ["makehuman", "MakeHuman"],
-];
+const LABELS: Readonly<Record<PaletteKind, string>> = {
+  performed: "Performed",
+  own: "Own",
+  arkit: "ARKit",
+  makehuman: "MakeHuman",
+};
 /** How long a face must be alone on air before the expressions are drawn anew on it, in milliseconds. */
 const SETTLED = 800;
+
+type Tile = FaceDocument | ExpressionDocument;
 
 /** The faces or the expressions, as pictures: a tap calls one in the chosen time. */
 @customElement("omote-palette")
 export class Palette extends PaintedElement {
   @property() axis: Axis = "face";
-  @state() private kind: Kind = "performed";
   @state() private search = "";
   /** The face that the expressions are shown on. */
   @state() private model = "generic";
@@ -37,21 +39,33 @@ export class Palette extends PaintedElement {
   static override styles = [base, style];
 
   protected override topics(): readonly Topic[] {
-    return ["cast"];
+    return ["cast", "layout"];
+  }
+
+  private get kind(): PaletteKind {
+    return this.desk.arrangement.kind;
   }
 
   /** What the palette shows now, in order; its first nine have hot keys. */
-  get shown(): readonly (FaceDocument | ExpressionDocument)[] {
-    return this.axis === "face" ? this.desk.faces : this.#sections().flatMap(([, inside]) => inside);
+  get shown(): readonly Tile[] {
+    return this.#sections().flatMap(([, inside]) => inside);
   }
 
-  /** The expressions under their headings: units by region; what is performed or searched needs none. */
-  #sections(): [string, ExpressionDocument[]][] {
+  /** Tiles under their headings: units by region; what is searched needs none. The crew's own come last, so that the
+   * hot keys of all others stay where they are when something is kept during the show. */
+  #sections(): [string, Tile[]][] {
+    const all: readonly Tile[] = this.axis === "face" ? this.desk.faces : this.desk.expressions;
     const words = this.search.toLowerCase().split(/\s+/).filter(Boolean);
-    if (words.length > 0)
-      return [["", this.desk.expressions.filter((one) => words.every((word) => textOf(one).includes(word)))]];
-    const inside = this.desk.expressions.filter((one) => this.#inTab(one));
-    if (this.kind === "performed") return [["", inside]];
+    if (words.length > 0) return [["", all.filter((one) => words.every((word) => textOf(one).includes(word)))]];
+    const own = all.filter(isOwn).sort((a, b) => a.place - b.place);
+    if (this.axis === "face")
+      return withOwn(
+        this.desk.faces.filter((one) => !isOwn(one)),
+        own,
+      );
+    if (this.kind === "own") return [["", own]];
+    const inside = this.desk.expressions.filter((one) => !isOwn(one) && this.#inTab(one));
+    if (this.kind === "performed") return withOwn(inside, own);
     const regions = REGIONS.map((region): [string, ExpressionDocument[]] => [
       region,
       inside.filter((one) => regionOf(one) === region),
@@ -75,47 +89,50 @@ export class Palette extends PaintedElement {
 
   override render() {
     return html`
-      ${this.axis === "face" ? html`<header><h2>Faces</h2></header>` : this.#expressionHeader()}
+      <header>${this.axis === "face" ? html`<h2>Faces</h2>` : this.#tabs()} ${this.#searchField()}</header>
       <div class="tiles">${this.#tiles()}</div>
       <omote-timing .rig=${this.rig} .axis=${this.axis}></omote-timing>
     `;
   }
 
-  #expressionHeader() {
-    return html`<header>
-      <div class="tabs" role="tablist" aria-label="Kinds of expressions">
-        ${KINDS.map(
-          ([kind, label]) => html`<button
-            role="tab"
-            data-kind=${kind}
-            aria-selected=${this.kind === kind && this.search === ""}
-            @click=${() => {
-              this.kind = kind;
-              this.search = "";
-            }}
-          >
-            ${label}
-          </button>`,
-        )}
-      </div>
-      <input
-        type="search"
-        placeholder="search /"
-        aria-label="Search expressions by name or region"
-        .value=${this.search}
-        @input=${(event: Event) => {
-          this.search = (event.target as HTMLInputElement).value;
-        }}
-      />
-    </header>`;
+  #tabs() {
+    return html`<div class="tabs" role="tablist" aria-label="Kinds of expressions">
+      ${KINDS.map(
+        (kind) => html`<button
+          role="tab"
+          data-kind=${kind}
+          aria-selected=${this.kind === kind && this.search === ""}
+          @click=${() => {
+            this.desk.arrange({ kind });
+            this.search = "";
+          }}
+        >
+          ${LABELS[kind]}
+        </button>`,
+      )}
+    </div>`;
+  }
+
+  #searchField() {
+    const what = this.axis === "face" ? "faces by name or tag" : "expressions by name, region or tag";
+    return html`<input
+      type="search"
+      placeholder=${this.axis === "face" ? "search" : "search /"}
+      aria-label="Search ${what}"
+      .value=${this.search}
+      @input=${(event: Event) => {
+        this.search = (event.target as HTMLInputElement).value;
+      }}
+    />`;
   }
 
   #tiles() {
     const shown = this.shown;
     if (shown.length === 0 && this.search !== "")
       return html`<div class="none">Nothing is called "${this.search}".</div>`;
-    const sections = this.axis === "face" ? [["", shown] as const] : this.#sections();
-    return sections.map(
+    if (shown.length === 0 && this.kind === "own" && this.axis === "expression")
+      return html`<div class="none">Nothing of your own yet: keep what is on air (M), or make one in the <a href="/editor" target="_blank">editor</a>.</div>`;
+    return this.#sections().map(
       ([heading, inside]) => html`${heading === "" ? nothing : html`<div class="region">${heading}</div>`}
         ${repeat(
           inside,
@@ -125,13 +142,14 @@ export class Palette extends PaintedElement {
     );
   }
 
-  #tile(one: FaceDocument | ExpressionDocument, index: number) {
+  #tile(one: Tile, index: number) {
     const key = keyLabel(this.axis, index);
     return html`<button
-      class="tile"
+      class="tile ${isOwn(one) ? "own" : ""}"
       data-name=${one.name}
+      data-source=${one.source}
       aria-label="${one.label}${key === null ? "" : `, key ${key}`}"
-      title=${one.name}
+      title=${[one.name, ...one.tags].join(", ")}
       @click=${() => this.desk.call(this.axis, one.name)}
     >
       <canvas width="${PICTURE.width}" height="${PICTURE.height}" aria-hidden="true"></canvas>
@@ -147,11 +165,18 @@ export class Palette extends PaintedElement {
 
   override updated(): void {
     for (const tile of this.tiles) {
-      const name = tile.dataset.name ?? "";
+      const source = tile.dataset.source ?? "";
       const sitting: Sitting =
-        this.axis === "face" ? { face: name, expression: "neutral" } : { face: this.model, expression: name };
+        this.axis === "face"
+          ? { face: source, expression: "neutral" }
+          : { face: this.#modelSource, expression: source };
       this.rig.portraits.ask(tile.querySelector("canvas") as HTMLCanvasElement, sitting);
     }
+  }
+
+  /** What the model is now: an own face that was saved again is another picture. */
+  get #modelSource(): string {
+    return this.desk.faces.find(({ name }) => name === this.model)?.source ?? this.model;
   }
 
   paint(now: number): void {
@@ -178,5 +203,18 @@ export class Palette extends PaintedElement {
   }
 }
 
-const textOf = (one: ExpressionDocument): string =>
-  `${one.name} ${one.label} ${one.kind} ${regionOf(one)}`.toLowerCase();
+/** The crew's own, not the built-in cast's. */
+const isOwn = ({ source }: Tile): boolean => source.startsWith("#");
+
+const withOwn = (others: Tile[], own: Tile[]): [string, Tile[]][] =>
+  own.length === 0
+    ? [["", others]]
+    : [
+        ["", others],
+        ["Own", own],
+      ];
+
+const textOf = (one: Tile): string =>
+  [one.name, one.label, ...one.tags, isOwn(one) ? "own" : "", "kind" in one ? `${one.kind} ${regionOf(one)}` : ""]
+    .join(" ")
+    .toLowerCase();

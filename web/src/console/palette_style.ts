@@ -101,6 +101,10 @@ export const style = css`
     overflow-wrap: anywhere;
     background: var(--raised);
   }
+  .tile.own .name::before {
+    content: "✎ ";
+    color: var(--dim);
+  }
   .tile .key {
     position: absolute;
     left: 3px;
@@ -147,5 +151,8 @@ export const style = css`
     grid-column: 1 / -1;
     color: var(--faint);
     padding: 12px 4px;
+  }
+  .none a {
+    color: var(--text);
   }
 `;

@@ -54,12 +54,20 @@ export class StatusBar extends RigElement {
     return html`
       <div class="mark">OMOTE</div>
       ${this.desk.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
-      <div class="notice" role="status">${this.desk.notice ?? ""}</div>
+      <div class="notice" role="status">
+        ${this.desk.notice ?? ""}
+        ${this.#offer()}
+      </div>
       <button class="help" title="Keys" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
       <button class="panic ${this.panicked ? "done" : ""}" @pointerdown=${this.#press} @click=${this.#click}>
         PANIC<small>neutral now · Esc</small>
       </button>
     `;
+  }
+
+  #offer() {
+    const { offer } = this.desk;
+    return offer === null ? nothing : html`<a href=${offer.address} target="_blank">${offer.label}</a>`;
   }
 
   /** On the way down, not on release: panic does not wait for the finger to lift. */

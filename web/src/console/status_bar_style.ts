@@ -55,6 +55,10 @@ export const style = css`
     text-overflow: ellipsis;
     white-space: nowrap;
   }
+  .notice a {
+    color: var(--text);
+    margin-left: 6px;
+  }
   .panic {
     width: 230px;
     min-width: 130px;
