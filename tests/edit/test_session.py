@@ -234,6 +234,7 @@ def _fields(struct: Any) -> dict[str, Any]:
 pages = st.sampled_from(["ann", "bob"])
 numbers = st.integers(0, 7)
 amounts = st.sampled_from([-1.0, -0.5, 0.0, 0.25, 0.5, 1.0])
+MOST_ITEMS = 3
 
 
 class Authors(RuleBasedStateMachine):
@@ -245,14 +246,15 @@ class Authors(RuleBasedStateMachine):
         super().__init__()
         self.shown: dict[tuple[str, int], wire.DraftState] = {}
         self.saved: dict[tuple[int, int], str] = {}
-        self.open: set[tuple[str, int]] = set()
 
     @initialize()
     def begin(self) -> None:
         """An empty file, both greet, one item."""
         self.studio = Studio(synthetic.cast(), None if self.tables is None else self.tables())
         self._greet()
-        self.create("ann", 0, "Grin")
+        self.create("ann", 3, "Grin")
+        self.save("ann", 0)
+        self.open_item("bob", 0)
 
     @rule(who=pages, number=numbers, label=st.sampled_from(["Grin", "grin", "smile", "笑顔"]))
     def create(self, who: str, number: int, label: str) -> None:
@@ -261,7 +263,7 @@ class Authors(RuleBasedStateMachine):
         request: tuple[Any, ...] = (wire.CreateExpression, label, start, False)
         if number == 7:
             request = (wire.CreateFace, label, {"broad": 0.5, "long": 0.5}, False)
-        if len(self.studio.session.stored().items) < 6:
+        if len(self.studio.session.stored().items) < MOST_ITEMS:
             self._heard(who, self.studio.ask(who, *request))
 
     @rule(who=pages, number=numbers)
@@ -281,21 +283,37 @@ class Authors(RuleBasedStateMachine):
         """An editor leaves an item."""
         self.studio.ask(who, wire.CloseItem, self._item(number))
 
-    @rule(who=pages, number=numbers, kind=st.integers(0, 7), amount=amounts)
+    @rule(who=pages, number=numbers, kind=st.integers(0, 6), amount=amounts)
     def edit(self, who: str, number: int, kind: int, amount: float) -> None:
-        """One step, or a refusal where the item is of the other kind."""
-        item = self._item(number)
-        before = self.shown.get((who, item))
-        state = self.studio.ask(who, *self._edit(kind, item, amount))
-        if isinstance(state, wire.DraftState) and before is not None and state.recipe != before.recipe:
-            assert (state.undo, state.redo) == (before.undo + 1, 0)
-        self._heard(who, state)
+        """One step, which is shown, and nothing is left to redo."""
+        before = self._at(who, number)
+        if before is not None:
+            state = self.studio.ask(who, *self._edit(kind, before, amount))
+            assert isinstance(state, wire.DraftState)
+            self._see(state, kind, amount)
+            if state.recipe == before.recipe:
+                assert (state.undo, state.redo) == (before.undo, before.redo)
+            else:
+                assert (state.undo, state.redo) == (before.undo + 1, 0)
+            self._heard(who, state)
+
+    @rule(number=numbers, pulls=st.tuples(amounts, amounts), first=pages)
+    def clash(self, number: int, pulls: tuple[float, float], first: str) -> None:
+        """Both work on one item and save; what both saved can be brought back."""
+        item, second = self._item(number), "bob" if first == "ann" else "ann"
+        for who, pull in zip((first, second), pulls, strict=True):
+            self.edit(who, number, 4, pull)
+        for who in (first, second):
+            self.save(who, number)
+        for who in (first, second):
+            for revision in [each[1] for each in self.saved if each[0] == item][-2:]:
+                self.bring_back(who, number, revision)
 
     @rule(who=pages, number=numbers)
     def undo_and_redo(self, who: str, number: int) -> None:
         """Undo then redo is as if nothing had been done."""
-        item = self._item(number)
-        before, tables = self.shown.get((who, item)), self.studio.tables.stored()
+        item, before = self._item(number), self._at(who, number)
+        tables = self.studio.tables.stored()
         state = self.studio.ask(who, wire.Undo, item)
         if isinstance(state, wire.DraftState) and before is not None:
             assert (state.undo, state.redo) == (before.undo - 1, before.redo + 1)
@@ -312,7 +330,7 @@ class Authors(RuleBasedStateMachine):
     def save(self, who: str, number: int) -> None:
         """A revision: it plays unless another played that this editor was not told of."""
         item = self._item(number)
-        state, head = self.shown.get((who, item)), self._head(item)
+        state, head = self._at(who, number), self._head(item)
         saved = self.studio.ask(who, wire.Save, item, "")
         if isinstance(saved, wire.Saved):
             assert state is not None
@@ -327,17 +345,17 @@ class Authors(RuleBasedStateMachine):
     def bring_back(self, who: str, number: int, revision: int) -> None:
         """Any revision ever acknowledged can be shown again, exactly."""
         item = self._item(number)
-        known = [each for each in self.saved if each[0] == item]
-        wanted = known[revision % len(known)][1] if known else revision
-        state = self.studio.ask(who, wire.BringBack, item, wanted)
-        if isinstance(state, wire.DraftState):
+        known = [each[1] for each in self.saved if each[0] == item]
+        if self._at(who, number) is not None and known:
+            wanted = revision if revision in known else known[revision % len(known)]
+            state = self.studio.ask(who, wire.BringBack, item, wanted)
             assert state.content == self.saved[item, wanted]
-        self._heard(who, state)
+            self._heard(who, state)
 
     @rule(who=pages, number=numbers, label=st.sampled_from(["Copy", "Grin"]))
     def duplicate(self, who: str, number: int, label: str) -> None:
         """A copy that plays."""
-        if len(self.studio.session.stored().items) < 6:
+        if len(self.studio.session.stored().items) < MOST_ITEMS:
             saved = self.studio.ask(who, wire.Duplicate, self._item(number), label)
             if isinstance(saved, wire.Saved):
                 self.saved[saved.item, 1] = self.studio.tables.stored().revisions[-1].content
@@ -350,15 +368,17 @@ class Authors(RuleBasedStateMachine):
         self.studio.ask(who, wire.Describe, self._item(number), label, ["tag"], place)
         assert {item.id: item.name for item in self.studio.session.stored().items} == names
 
-    @rule(who=pages, number=numbers, on_air=st.booleans())
-    def delete(self, who: str, number: int, on_air: bool) -> None:
-        """Out of the cast, unless it is on air."""
+    @rule(who=pages, number=numbers, on_air=st.booleans(), back=st.booleans())
+    def delete(self, who: str, number: int, on_air: bool, back: bool) -> None:
+        """Out of the cast, unless it is on air; and often back again."""
         item = self._item(number)
         name = next(each.name for each in self.studio.session.stored().items if each.id == item)
         self.studio.on_air = OnAir({"generic": 1.0}, {name: 1.0} if on_air else {"neutral": 1.0})
         answer = self.studio.ask(who, wire.Delete, item)
         assert isinstance(answer, wire.EditRefused) == on_air
         self.studio.on_air = NOBODY
+        if back:
+            self.restore(who, number)
 
     @rule(who=pages, number=numbers)
     def restore(self, who: str, number: int) -> None:
@@ -368,7 +388,7 @@ class Authors(RuleBasedStateMachine):
     @rule(kind=st.sampled_from(["face", "expression"]), number=numbers, amount=amounts)
     def keep(self, kind: Any, number: int, amount: float) -> None:
         """The console's one press."""
-        if len(self.studio.session.stored().items) < 6:
+        if len(self.studio.session.stored().items) < MOST_ITEMS:
             self.studio.on_air = OnAir(
                 {"broad": 0.5, "long": 0.5}, {synthetic.EXPRESSIONS[number]: 1.0}, {"jawOpen": amount}
             )  # fmt: skip
@@ -480,21 +500,43 @@ class Authors(RuleBasedStateMachine):
             if revision.item == item:
                 self.saved[item, revision.number] = KEY + revision.content
 
-    def _edit(self, kind: int, item: int, amount: float) -> tuple[Any, ...]:
-        state = self.shown.get(("ann", item)) or self.shown.get(("bob", item))
-        count = len(getattr(state.recipe, "net", ())) if state is not None else POINTS
-        vectors = [(amount / 10, 0.0, 1.0), *[REST] * (count - 1)]
+    def _at(self, who: str, number: int) -> wire.DraftState | None:
+        """What an editor sees of an item, opened where it is not; None where it is deleted."""
+        item = self._item(number)
+        if not self._of(item).deleted and (who, item) not in self.shown:
+            self._heard(who, self.studio.ask(who, wire.OpenItem, item))
+        return None if self._of(item).deleted else self.shown[who, item]
+
+    def _edit(self, kind: int, state: wire.DraftState, amount: float) -> tuple[Any, ...]:
+        if isinstance(state.recipe, FaceRecipe):
+            return wire.SetFace, state.item, FaceRecipe({"broad": amount, "long": 1.0 - amount}), "mix"
+        vectors = [(amount / 10, 0.0, 1.0), *[REST] * (len(state.recipe.net) - 1)]
         edits: list[tuple[Any, ...]] = [
-            (wire.SetVectors, item, vectors, "nudge"),
-            (wire.DragPoints, item, "broad", [0], [(amount / 10, 0.01, 0.05)], vectors),
-            (wire.SetNet, item, list(net_of(self.studio.cast, POINTS + int(2 * abs(amount))))),
-            (wire.SetLayers, item, [Layer("smile", "Smile", amount)]),
-            (wire.SetPulls, item, [Pull("smiler", amount)]),
-            (wire.SetEyes, item, (amount, 0.0, amount, 0.0), amount),
-            (wire.Flatten, item),
-            (wire.SetFace, item, FaceRecipe({"broad": amount, "long": 1.0 - amount}), "mix"),
+            (wire.SetVectors, state.item, vectors, "nudge"),
+            (wire.DragPoints, state.item, "broad", [0], [(amount / 10, 0.01, 0.05)], vectors),
+            (wire.SetNet, state.item, list(net_of(self.studio.cast, POINTS + int(2 * abs(amount))))),
+            (wire.SetLayers, state.item, [Layer("smile", "Smile", amount)]),
+            (wire.SetPulls, state.item, [Pull("smiler", amount)]),
+            (wire.SetEyes, state.item, (amount, 0.0, amount, 0.0), amount),
+            (wire.Flatten, state.item),
         ]
         return edits[kind]
+
+    def _see(self, state: wire.DraftState, kind: int, amount: float) -> None:
+        """What was asked for is what is shown."""
+        recipe = state.recipe
+        if isinstance(recipe, FaceRecipe):
+            assert recipe.base == {"broad": amount, "long": 1.0 - amount}
+            return
+        assert {
+            0: recipe.vectors[0] == (amount / 10, 0.0, 1.0),
+            1: recipe.vectors[0] == (amount / 10, 0.01, 1.0),
+            2: recipe.net == net_of(self.studio.cast, POINTS + int(2 * abs(amount))),
+            3: recipe.layers == (Layer("smile", "Smile", amount),),
+            4: recipe.pulls == (Pull("smiler", amount),),
+            5: (recipe.eyes, recipe.pupil) == ((amount, 0.0, amount, 0.0), amount),
+            6: recipe.ground is not None and (recipe.layers, recipe.pulls) == ((), ()),
+        }[kind]
 
 
 def played(seed: int, steps: int) -> Authors:
@@ -517,7 +559,7 @@ def played(seed: int, steps: int) -> Authors:
             case 3:
                 authors.open_item(who, number)
             case _:
-                authors.edit(who, number, int(rng.integers(8)), amount)
+                authors.edit(who, number, int(rng.integers(7)), amount)
     return authors
 
 
