@@ -5,7 +5,7 @@ import type { Camera } from "./camera";
 import type { EditorCanvas } from "./editor_canvas";
 import type { Figure } from "./figure";
 import { Grip, type Ground } from "./grip";
-import { nudgeOf, VIEW_KEYS } from "./keys";
+import { nudgeOf } from "./keys";
 import { NEEDLE, type Needle, needlesOn, picked, REACH, within } from "./needles";
 import { hit, nearestCorner } from "./surface";
 import type { Pair } from "./triples";
@@ -215,14 +215,12 @@ export class Hands {
     this.abandon();
   }
 
-  /** Whether something was under way that is now as before. */
-  private abandon(): boolean {
-    const busy = this.grip !== undefined || this.placing !== undefined || this.band !== undefined;
+  /** What was under way is as if it had not been. */
+  private abandon(): void {
     this.grip?.cancel();
     this.dropGrip();
     [this.placing, this.band, this.press, this.nudging] = [undefined, undefined, undefined, false];
     this.stage.redraw();
-    return busy;
   }
 
   private dropGrip(): void {
@@ -398,20 +396,14 @@ export class Hands {
   // --- keys -----------------------------------------------------------------------------------------------------------
 
   private key(event: KeyboardEvent): void {
-    const idle = document.activeElement === null || document.activeElement === document.body;
-    if (event.key === "Escape" && this.abandon()) {
-      event.preventDefault();
-      return;
-    }
-    if ((!idle && document.activeElement !== this.stage.canvas) || event.ctrlKey || event.metaKey) return;
-    const view = VIEW_KEYS[event.key];
+    const { canvas, pace } = this.stage;
+    if (event.key === "Escape") this.abandon();
     const step = nudgeOf(event);
-    if (view !== undefined && !event.altKey) this.stage.view(view);
-    else if (step !== undefined && this.beginNudge()) {
-      this.stage.pace.moved(event.timeStamp);
-      this.grip?.nudge(...step);
-    } else return;
+    const focused = (canvas.getRootNode() as Document | ShadowRoot).activeElement === canvas;
+    if (step === undefined || !focused || event.ctrlKey || event.metaKey || !this.beginNudge()) return;
     event.preventDefault();
+    pace.moved(event.timeStamp);
+    this.grip?.nudge(...step);
   }
 
   private beginNudge(): boolean {

@@ -1,16 +1,5 @@
 /** Keys of the canvas. */
 
-import type { ViewName } from "./camera";
-
-/** Views by key: as one walks around the head. */
-export const VIEW_KEYS: Readonly<Record<string, ViewName | undefined>> = {
-  "1": "right",
-  "2": "three_quarter_right",
-  "3": "front",
-  "4": "three_quarter_left",
-  "5": "left",
-};
-
 /** Metres of a nudge, and of a fine one (Shift). */
 export const NUDGE = 0.0005;
 export const FINE_NUDGE = 0.0001;
