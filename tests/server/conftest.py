@@ -1,17 +1,26 @@
 """What the tests of the server share: a show behind a real socket, on a clock of the test."""
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
 
 import aiohttp
 import pytest_asyncio
 from aiohttp import web
 from aiohttp.test_utils import TestClient, TestServer
 
+from omote.edit import messages as editing
+from omote.edit import wire as edit_wire
+from omote.files.showfile import open_show
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
 from omote.server.app import ShowServer
+from omote.server.child import open_desks
 from omote.server.library import Library
+from omote.server.orders import Order
+from omote.server.restore import journal_entry, restore
 from omote.server.security import own_names
 from omote.show import messages as wire
 from omote.show.session import ShowSession
@@ -67,6 +76,78 @@ async def obeyed(socket: aiohttp.ClientWebSocketResponse, *messages: wire.FromCl
     for message in (*messages, wire.Ping(1.0)):
         await socket.send_bytes(encode(message))
     assert isinstance(await answer(socket), wire.Pong)
+
+
+@dataclass
+class Editor:
+    """An editor's page without a screen: numbers its requests and reads their answers."""
+
+    socket: aiohttp.ClientWebSocketResponse
+    greeted: editing.Greeted | None = None
+    request: int = 0
+    heard: list[editing.ToEditor] = field(default_factory=list)
+
+    async def greet(self, editor: str = "e1", name: str = "Ada") -> editing.Greeted:
+        """The answer to greet."""
+        await self.socket.send_bytes(encode(editing.Greet(editor, name, editing.EDITING_VERSION)))
+        answered = await self.next(editing.Greeted)
+        assert isinstance(answered, editing.Greeted)
+        return answered
+
+    async def ask(self, make: Callable[..., wire.Message], *arguments: object) -> Any:
+        """The answer to a request."""
+        self.request += 1
+        await self.socket.send_bytes(encode(make(self.request, *arguments)))
+        return await self.next(object, request=self.request)
+
+    async def next(self, kind: type, request: int | None = None) -> editing.ToEditor:
+        """The next message of a kind, and to a request; those before it are kept in `heard`."""
+        while True:
+            message = edit_wire.decode_answer(await self.socket.receive_bytes(timeout=30.0))
+            if isinstance(message, kind) and request in (None, getattr(message, "request", None)):
+                return message
+            self.heard.append(message)
+
+
+@dataclass
+class Atelier(House):
+    """A house with a show file that editors may come to."""
+
+    said: list[str] = field(default_factory=list)
+    path: Path = Path()
+
+    async def editor(self, editor: str = "e1", name: str = "Ada") -> Editor:
+        """An editor who has greeted."""
+        page = Editor(await self.client.ws_connect(editing.EDITING_PATH, max_msg_size=0))
+        page.greeted = await page.greet(editor, name)
+        return page
+
+
+@asynccontextmanager
+async def open_atelier(cast: Cast, path: Path | None) -> AsyncIterator[Atelier]:
+    """A show with or without a file, put together as `child.play` does; ticks come from the test."""
+    clock, said, file = Clock(), list[str](), None if path is None else open_show(path)
+    library = Library(cast, meshes(cast), MASK)
+    desk, reopen = open_desks(file, library, said.append)
+    session = restore(library.troupe, file, Order(epoch=1, neutral=False), said.append)
+    show = ShowServer(session, library, PAGES, clock=clock)
+    show.edit(desk, reopen, said.append)
+    async with TestClient(TestServer(show.application(own_names()))) as client:
+        yield Atelier(show, client, clock, said, path or Path())
+        await show.hang_up()
+    library.close()
+    if desk:
+        desk.keeper.close()
+    if file:
+        file.write_journal(journal_entry(show.session))
+        file.close()
+
+
+@pytest_asyncio.fixture
+async def atelier(cast: Cast, tmp_path: Path) -> AsyncIterator[Atelier]:
+    """A house that editors may come to."""
+    async with open_atelier(cast, tmp_path / "show.omote") as opened:
+        yield opened
 
 
 @pytest_asyncio.fixture

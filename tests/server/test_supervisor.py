@@ -18,10 +18,13 @@ import aiohttp
 import msgspec
 import pytest
 
+from omote.edit import messages as editing
+from omote.edit.messages import EDITING_PATH
 from omote.files.showfile import JournalEntry, open_show
 from omote.server.supervisor import listen_on
 from omote.show import messages as wire
 from omote.show.wire import decode_answer, encode
+from tests.server.conftest import Editor
 
 ROOT = Path(__file__).parents[2]
 LIMIT = 60.0
@@ -118,6 +121,22 @@ def test_a_killed_server_is_replaced_and_the_fade_goes_on(show: Show) -> None:
         assert after.face_call.target == "broad"
         assert after.time >= before.time - 1.0
         before = after
+
+
+def test_a_killed_server_is_replaced_by_one_that_has_the_own_face_on_air(show: Show) -> None:
+    async def authored() -> None:
+        async with aiohttp.ClientSession() as http, http.ws_connect(show.url + EDITING_PATH, max_msg_size=0) as link:
+            page = Editor(link)
+            await page.greet()
+            draft = await page.ask(editing.CreateFace, "Cousin", {"broad": 0.5, "long": 0.5}, False)
+            assert isinstance(await page.ask(editing.Save, draft.item, ""), editing.Saved)
+
+    asyncio.run(asyncio.wait_for(authored(), LIMIT))
+    before = ask(show, wire.CallFace("1", "cousin", 0.0, "smooth"))
+    while not journalled(show, b"cousin"):
+        before = ask(show)
+    os.kill(show.server(), signal.SIGKILL)
+    assert ask(show, above=before.epoch).faces == {"cousin": 1.0}
 
 
 def journalled(show: Show, word: bytes) -> bool:

@@ -11,7 +11,7 @@ from omote.model.cast import Cast
 from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
 from omote.show import messages as wire
-from omote.show.session import REMEMBERED_CALLS, SILENCE, Outgoing, SessionSnapshot, ShowSession
+from omote.show.session import REMEMBERED_CALLS, SILENCE, Outgoing, SessionSnapshot, ShowSession, Wish
 from omote.show.wire import encode
 from tests import synthetic
 
@@ -254,3 +254,73 @@ def test_a_call_repeated_after_a_restart_still_executes_once(cast: Cast) -> None
     other.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
     other.receive("a", wire.CallFace("same", "broad", 1.0, "smooth"), 0.0)
     assert other.commands == 0
+
+
+class Recast:
+    """A cast with other names than the one it stands for."""
+
+    def __init__(self, cast: Cast, faces: list[str], expressions: list[str], digest: str = "other") -> None:
+        self.faces = {name: name for name in faces}
+        self.expressions = {name: cast.expressions.get(name, cast.expressions["smile"]) for name in expressions}
+        self.digest = digest
+
+
+@given(messages=st.lists(command, max_size=25), pause=st.floats(0.0, 2.0))
+def test_a_recast_changes_nothing_that_is_on_air(cast: Cast, messages: list[wire.FromClient], pause: float) -> None:
+    session, plain = opened(cast, "a"), opened(cast, "a")
+    for message in messages:
+        for each in (session, plain):
+            each.receive("a", message, 0.0)
+            each.tick(pause)
+    told = session.recast(Recast(cast, [*cast.faces, "cousin"], [*cast.expressions, "grin"]))
+    assert told == wire.CastChanged(revision=2, digest="other")
+    for step in range(1, 5):
+        now = pause + step * FRAME
+        assert session.tick(now) == msgspec.structs.replace(plain.tick(now), revision=2)
+
+
+@given(messages=st.lists(command, max_size=25), pause=st.floats(0.0, 2.0))
+def test_a_recast_without_what_is_held_is_refused_and_with_it_alone_is_not(
+    cast: Cast, messages: list[wire.FromClient], pause: float
+) -> None:
+    session = opened(cast, "a")
+    for message in messages:
+        session.receive("a", message, 0.0)
+        session.tick(pause)
+    faces, expressions = session.names_held()
+    rest = ["neutral", *(name for name in cast.expressions if name.startswith("eyeLook"))]
+    before = session.tick(pause)
+    for name in faces:
+        with pytest.raises(ValueError, match=rf"there is no face {name!r}"):
+            session.recast(Recast(cast, [*(faces - {name}), "cousin"], [*expressions, *rest]))
+    for name in expressions - {*rest}:
+        with pytest.raises(ValueError, match=rf"there is no (expression|channel) {name!r}"):
+            session.recast(Recast(cast, [*faces], [*(expressions - {name}), *rest]))
+    assert session.revision == 1
+    session.recast(Recast(cast, [*faces], [*expressions, *rest]))
+    after = session.tick(pause)
+    assert (after.faces, after.expressions, after.channels) == (before.faces, before.expressions, before.channels)
+
+
+def test_own_names_can_be_called_once_they_are_there(cast: Cast) -> None:
+    session = opened(cast, "a")
+    call = wire.CallExpression("1", "grin", 0.0, "smooth")
+    assert "there is no expression 'grin'" in reasons(session.receive("a", call, 0.0))[0]
+    session.recast(Recast(cast, [*cast.faces], [*cast.expressions, "grin"]))
+    assert session.receive("a", call, 0.0) == []
+    assert session.tick(0.0).expressions == {"grin": 1.0}
+    welcome = session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    assert welcome == [Outgoing("s", wire.Welcome(wire.PROTOCOL_VERSION, 5, 2, "other"))]
+
+
+def test_wishes_are_taken_once_and_only_of_consoles(cast: Cast) -> None:
+    session = opened(cast, "a")
+    session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    assert "only a console plays" in reasons(session.receive("s", wire.KeepFace("k"), 0.0))[0]
+    keep, layout = wire.KeepFace("k"), wire.SetLayout("desk", "{}")
+    said: list[wire.KeepFace | wire.KeepExpression | wire.SetLayout] = [keep, keep, wire.KeepExpression("l"), layout]
+    for message in said:
+        assert session.receive("a", message, 0.0) == []
+    assert session.take_wishes() == [Wish("a", message) for message in said[1:]]
+    assert session.take_wishes() == []
+    assert "k" in session.snapshot().calls

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import time
 from collections.abc import Awaitable, Callable, Mapping
 
@@ -92,9 +93,7 @@ class ShowServer:
 
     async def hang_up(self) -> None:
         """Tells every page that the server goes."""
-        if self.editing is not None:
-            await self.editing.close()
-        await self.links.hang_up()
+        await asyncio.gather(self.links.hang_up(), *([self.editing.close()] if self.editing else []))
 
     async def link(self, request: web.Request) -> web.WebSocketResponse:
         """A browser's link, from its first byte to its last."""

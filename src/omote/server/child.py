@@ -77,7 +77,7 @@ def employ_workshop(library: Library) -> None:
 async def play(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
     """Plays until the supervisor's pipe ends or SIGTERM comes; raises what a tick raises."""
     file, library = open_journal(show, report), material.library
-    desk, reopen = open_desks(file, library)
+    desk, reopen = open_desks(file, library, report)
     server = ShowServer(restore(library.troupe, file, order, report), library, material.pages)
     server.edit(desk, reopen, report)
     journal = JournalWriter(file, report) if file else None
@@ -97,7 +97,9 @@ async def play(material: Material, order: Order, *, show: Path, pipes: Pipes) ->
             journal.close()
 
 
-def open_desks(file: ShowFile | None, library: Library) -> tuple[Desk | None, Callable[[], Desk | None]]:
+def open_desks(
+    file: ShowFile | None, library: Library, report: Callable[[str], None]
+) -> tuple[Desk | None, Callable[[], Desk | None]]:
     """The desk of a show file, its own things in the cast already, and what gives the desk anew."""
     if file is None:
         return None, lambda: None

@@ -7,6 +7,7 @@ What follows from one thing follows in order, in one task, and the mathematics w
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import time
 from collections.abc import Awaitable, Callable, Coroutine
 from dataclasses import dataclass, field
@@ -18,7 +19,7 @@ from aiohttp import WSMsgType, web
 from omote.edit.messages import EDITING_LIMIT, EditRefused, ToEditor
 from omote.edit.on_air import OnAir
 from omote.edit.plan import Kept
-from omote.edit.session import Outcome
+from omote.edit.session import EditSession, Outcome
 from omote.edit.wire import encode
 from omote.edit.work import EditOrder
 from omote.files.changes import Change, Kind, PutLayout
@@ -57,8 +58,9 @@ class Page:
 
     async def send_all(self) -> None:
         """Sends for ever, at the pace at which the page reads."""
-        while True:
-            await self.link.socket.send_bytes(await self.unsent.get())
+        with contextlib.suppress(ConnectionError):
+            while True:
+                await self.link.socket.send_bytes(await self.unsent.get())
 
 
 class Editing:
@@ -111,7 +113,7 @@ class Editing:
             self.links.close(page.link)
             del self._pages[page.link.who]
             if self.desk is not None:
-                self._take(self.desk, self.desk.session.leave(page.link.who))
+                self._take(self.desk, lambda session: session.leave(page.link.who))
         return ws
 
     def wish(self, wish: Wish) -> None:
@@ -123,8 +125,8 @@ class Editing:
         else:
             kind: Kind = "face" if isinstance(wish.message, wire.KeepFace) else "expression"
             ticket, wall = f"{wish.who} {wish.message.id}", _wall()
-            kept = self.desk.session.keep(kind, self._on_air(), label=None, wall=wall, editor=CONSOLE, ticket=ticket)
-            self._take(self.desk, kept)
+            keep = partial(EditSession.keep, label=None, wall=wall, editor=CONSOLE, ticket=ticket)
+            self._take(self.desk, lambda session: keep(session, kind, self._on_air()))
 
     def layout(self, name: str) -> bytes | None:
         """A page's document, JSON; None where there is none."""
@@ -144,11 +146,16 @@ class Editing:
             elif message.type is WSMsgType.BINARY and self.desk is None:
                 self._send(link.who, EditRefused(-1, NO_FILE))
             elif message.type is WSMsgType.BINARY and self.desk is not None:
-                heard = self.desk.session.hear(link.who, message.data, wall=_wall(), on_air=self._on_air())
-                self._take(self.desk, heard)
+                hear = partial(EditSession.hear, wall=_wall(), on_air=self._on_air())
+                self._take(self.desk, partial(hear, who=link.who, data=message.data))
 
-    def _take(self, desk: Desk, outcome: Outcome) -> None:
-        """Begins an outcome's orders, and lets the rest of it follow in its turn."""
+    def _take(self, desk: Desk, happens: Callable[[EditSession], Outcome]) -> None:
+        """Begins the orders that come of something, and lets the rest of it follow in its turn."""
+        try:
+            outcome = happens(desk.session)
+        except Exception as error:
+            self._start_anew(f"an edit could not be understood ({error!r})")
+            return
         for number, order in outcome.orders:
             self._begin(self._work(desk, number, order))
         if outcome.changes or outcome.replies or outcome.kept or outcome.cast:
@@ -161,7 +168,7 @@ class Editing:
         except (RefusedOrderError, FailedOrderError) as error:
             result = f"{error}."
         if desk is self.desk:
-            self._take(desk, desk.session.made(number, result))
+            self._take(desk, lambda session: session.made(number, result))
 
     def _lay_out(self, desk: Desk, who: str, asked: wire.SetLayout) -> None:
         document = asked.document.encode()
@@ -174,7 +181,7 @@ class Editing:
             self._tell(who, wire.Refused(f"there are {MOST_LAYOUTS} layouts already: use the name of one of them."))
             return
         desk.layouts[asked.name] = document
-        self._take(desk, Outcome(changes=(PutLayout(asked.name, document),)))
+        self._take(desk, lambda _: Outcome(changes=(PutLayout(asked.name, document),)))
 
     async def _carry_out(self, desk: Desk, outcome: Outcome) -> None:
         if desk is not self.desk:
@@ -216,8 +223,12 @@ class Editing:
             page.link.transport.abort()
 
     async def _play_what_is_kept(self) -> None:
-        if self.desk is not None:
+        if self.desk is None:
+            return
+        try:
             self._announce(await self._casting.recast(self.desk.session.own(), self.desk.session.contents))
+        except (ValueError, KeyError) as error:
+            self._report(f"the cast stays as it is ({error}).")
 
     def _tell_kept(self, kept: Kept) -> None:
         who, _, call = kept.ticket.partition(" ")

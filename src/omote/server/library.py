@@ -116,8 +116,8 @@ class Library:
         """What an order, as bytes, is answered with, here and now."""
         return self.bench.make(order)
 
-    def employ(self, workshop: Workshop, report: Callable[[str], None]) -> None:
-        """Has orders made by a workshop from now on, as long as there is one."""
+    def employ(self, workshop: Workshop | None, report: Callable[[str], None]) -> None:
+        """Has orders made by a workshop from now on, as long as there is one; report: says things to the operator."""
         self._workshop, self._report = workshop, report
 
     def close(self) -> None:
