@@ -221,12 +221,12 @@ def load_cast() -> Cast:
 
 
 def load_ensemble(path: Path) -> Cast:
-    """The built-in cast with the own faces and expressions of a show file that no show plays."""
-    from omote.server.closed import closed_show
+    """The built-in cast with the own faces and expressions of a show file."""
+    from omote.files.inspection import inspect_show
     from omote.show.ensemble import ensemble
 
-    with closed_show(path) as file:
-        return ensemble(load_cast(), file.stored(), file.contents())
+    found = inspect_show(path)
+    return ensemble(load_cast(), found.stored, found.contents)
 
 
 def print_json(cast: Cast) -> None:

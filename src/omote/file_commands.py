@@ -1,4 +1,5 @@
-"""`omote file ...`: what is in a show file; these commands read only, also while a show plays it."""
+"""`omote file ...`: what is in a show file, what comes in and goes out; all but `import` read only, also while a show
+plays it."""
 
 from __future__ import annotations
 
@@ -83,6 +84,59 @@ def history(
     show_rows(rows, json=json, none=f"{name} has never been saved.")
 
 
+@file_app.command("import")
+def take_in(
+    file: ShowFileArgument,
+    things: Annotated[
+        list[Path], typer.Argument(help="Expressions (.json), heads with morph targets (.glb), shapes (.obj).")
+    ],
+    face: Annotated[str, typer.Option(help="The face of the cast that the shapes start from.")] = "",
+    kind: Annotated[
+        Literal["expression", "face"], typer.Option("--as", help="What the files are: expressions, or faces at rest.")
+    ] = "expression",
+) -> None:
+    """Takes expressions or faces made elsewhere into a show file that no show plays."""
+    from omote.builtin import load_cast
+    from omote.edit.adopt import adopted
+    from omote.server.closed import closed_show, wall_clock
+    from omote.server.customs import expressions_from, faces_from
+    from omote.show.ensemble import ensemble
+
+    arrivals = []
+    with refusals():
+        cast = load_cast()
+        if file.exists():
+            with closed_show(file) as show:  # so that nobody waits for what a show's lock then refuses
+                cast = ensemble(cast, show.stored(), show.contents())
+        found = faces_from(cast, things, look=face) if kind == "face" else expressions_from(cast, things, face=face)
+        for arrival, sentence in found:
+            typer.echo(f"omote: {sentence}", err=True)
+            arrivals.append(arrival)
+        with closed_show(file, new=True) as show:
+            show.apply(adopted(cast, show.stored(), arrivals, wall=wall_clock()))
+    typer.echo(f"omote: {file} has {len(arrivals)} {kind}{'' if len(arrivals) == 1 else 's'} more.", err=True)
+
+
+@file_app.command("export")
+def give_out(
+    file: ShowFileArgument,
+    name: Annotated[str, typer.Argument(help="The name of an own expression (omote file list), or one of the cast.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The document to write: smile.json.")],
+) -> None:
+    """Writes an expression as a document that any crew can take in."""
+    from omote.builtin import load_cast
+    from omote.edit.adopt import mail_of
+    from omote.files.exchange import encode
+    from omote.files.inspection import inspect_show
+    from omote.files.wholefile import check_writable, write_whole
+
+    with refusals():
+        check_writable(output)
+        found = inspect_show(file)
+        write_whole(output, encode(mail_of(load_cast(), found.stored, found.contents, name)))
+    typer.echo(f"omote: {output} holds {name}.", err=True)
+
+
 def moment(seconds: float) -> str:
     """A time of the calendar (seconds since 1970) as people write it here; "?" for one that no clock shows."""
     try:
@@ -97,10 +151,11 @@ def refusals() -> Iterator[None]:
     import sqlite3
 
     from omote.files.schema import ShowFileError
+    from omote.server.lock import ShowLockedError
 
     try:
         yield
-    except (ShowFileError, OSError, sqlite3.Error) as error:
+    except (ShowFileError, ShowLockedError, OSError, ValueError, sqlite3.Error) as error:
         typer.echo(f"omote: {error}", err=True)
         raise typer.Exit(1) from error
 

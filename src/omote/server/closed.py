@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -28,3 +29,8 @@ def closed_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
             file.close()
     finally:
         os.close(lock)
+
+
+def wall_clock() -> float:
+    """Seconds since 1970, for people who read a history."""
+    return time.time_ns() / 1e9

@@ -1,0 +1,36 @@
+"""Vertices of Wavefront OBJ files, in their order; one file is one shape of a mesh."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+LARGEST = 128 * 2**20
+"""Bytes of a file at most."""
+MOST_VERTICES = 1_000_000
+_NUMBERS = 6  # x, y, z, and what some programs write after them: a weight, or a colour
+
+
+def read_obj(data: bytes, /) -> NDArray[np.float64]:
+    """The vertices (n, 3) of an OBJ file; ValueError, in a sentence, where it has none or one is no point."""
+    if len(data) > LARGEST:
+        raise ValueError(f"the file has {len(data)} bytes; expected {LARGEST} at most")
+    lines = [line for line in data.splitlines() if line.lstrip()[:2] in (b"v ", b"v\t")]
+    if not 1 <= len(lines) <= MOST_VERTICES:
+        raise ValueError(f"the file has {len(lines)} vertices; expected an OBJ file of 1 to {MOST_VERTICES}")
+    points = np.array([_point(line) for line in lines])
+    bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
+    if len(bad):
+        raise ValueError(f"vertex {bad[0] + 1} is {points[bad[0]]}; expected finite numbers: export the file anew")
+    return points
+
+
+def _point(line: bytes) -> list[float]:
+    words = line.split()[1:]
+    try:
+        numbers = [float(word) for word in words[:_NUMBERS]]
+    except ValueError:
+        numbers = []
+    if len(numbers) < 3:
+        raise ValueError(f"the line {line[:80].decode('ascii', 'replace')!r} is no vertex; expected v x y z")
+    return numbers[:3]
