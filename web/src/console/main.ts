@@ -21,9 +21,12 @@ const consoleId = (): string =>
 
 /** What the page has fetched of the cast; none before the server has answered. */
 let library: Library | null = null;
+/** It may be another than was fetched: the server said so meanwhile. */
+let stale = false;
 
 /** The cast is another: takes it in and goes on; a page of another built-in cast must begin anew. */
 async function recast(desk: Desk): Promise<void> {
+  stale = library === null;
   if (library === null) return;
   if (!(await library.renew())) location.reload();
   else if (library.manifest !== desk.manifest) desk.setManifest(library.manifest);
@@ -82,6 +85,7 @@ async function start(): Promise<void> {
   library = await Library.open();
   await new LayoutKeeper(desk, layoutName(location.search), (message) => link.send(message)).open();
   desk.setManifest(library.manifest);
+  if (stale) void recast(rig.desk);
   await page.open(library);
   openStudio(library).then(
     (studio) => rig.portraits.open(studio),

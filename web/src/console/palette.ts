@@ -145,7 +145,7 @@ export class Palette extends PaintedElement {
   #tile(one: Tile, index: number) {
     const key = keyLabel(this.axis, index);
     return html`<button
-      class="tile ${isOwn(one) ? "own" : ""}"
+      class=${isOwn(one) ? "tile own" : "tile"}
       data-name=${one.name}
       data-source=${one.source}
       aria-label="${one.label}${key === null ? "" : `, key ${key}`}"

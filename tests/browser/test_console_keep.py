@@ -1,0 +1,165 @@
+"""Keeping what is on air from the console: one press makes a face or an expression that plays at once, and a layout
+that another tablet opens the same from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from playwright.sync_api import Page, expect
+
+from tests.browser.pictures import picture
+from tests.browser.test_console import DESK, choose, console, fader, region, tile, wait_for
+
+__all__ = ["console"]
+
+OpenPage = Callable[..., Page]
+Console = Callable[..., Page]
+
+SAME = 2e-5
+"""Metres between a mix of two faces and the face kept of it: compounds and positions are kept as float32."""
+
+
+@pytest.fixture
+def stage(open_page: OpenPage) -> Page:
+    """A stage at its lowest quality that draws."""
+    page = open_page("/stage?quality=lowest", width=480, height=480)
+    page.wait_for_selector("canvas")
+    until(page, "window.omoteStage?.settled() === true")
+    return page
+
+
+def until(page: Page, condition: str, seconds: float = 60) -> None:
+    page.evaluate(f"""() => new Promise((done, fail) => {{
+        const tooLate = performance.now() + {1000 * seconds};
+        const look = () => {{
+            if ({condition}) done();
+            else if (performance.now() < tooLate) requestAnimationFrame(look);
+            else fail(new Error("never came: " + {condition!r}));
+        }};
+        look();
+    }})""")
+
+
+def keep(page: Page, axis: str) -> dict[str, str]:
+    """Keeps what is on air by its button; the document of the new tile."""
+    of = "faces" if axis == "face" else "expressions"
+    before = page.evaluate(f"{DESK}.{of}.length")
+    page.locator(f"[data-keep='{axis}']").click()
+    expect(page.locator(".notice")).to_contain_text("Kept as On air")
+    wait_for(page, f"desk.{of}.length === {before + 1}")
+    label = page.locator(".notice").inner_text().split("Kept as ")[1].split(".")[0]
+    found = page.evaluate(f"{DESK}.{of}.find((one) => one.label === {label!r})")
+    return dict(found)
+
+
+def held(stage: Page, **pose: Any) -> tuple[NDArray[np.float64], NDArray[np.int16]]:
+    """What a stage shows of a pose: positions (rows, 3) metres, and a picture."""
+    stage.evaluate(f"window.omoteStage.hold({msgspec.json.encode(pose).decode()})")
+    until(stage, "window.omoteStage.settled()")
+    return np.array(stage.evaluate("window.omoteStage.readPositions()")).reshape(-1, 3), picture(stage)
+
+
+def test_a_face_kept_half_way_between_two_is_their_mix_and_plays_at_once(console: Console, stage: Page) -> None:
+    page = console()
+    choose(page, "face", "0")
+    tile(page, "cat").click()
+    wait_for(page, "state.faces.cat === 1")
+    choose(page, "face", "hand")
+    tile(page, "dog").click()
+    wait_for(page, "state.face_call?.target === 'dog'")
+    page.evaluate(f"() => {{ const bar = {DESK}.bar('face'); bar.nudge(0.5); }}")
+    wait_for(page, "Math.abs((state.faces.dog ?? 0) - 0.5) < 1e-6")
+    mixed, before = held(stage, faces={"cat": 0.5, "dog": 0.5})
+    kept = keep(page, "face")
+    own = tile(page, kept["name"])
+    expect(own).to_have_class("tile own")
+    choose(page, "face", "0")
+    own.click()
+    wait_for(page, f"state.faces[{kept['name']!r}] === 1")
+    alone, after = held(stage, faces={kept["name"]: 1.0})
+    assert np.abs(alone - mixed).max() < SAME
+    assert np.abs(after - before).mean() < 1.0
+    assert np.quantile(np.abs(after - before), 0.99) <= 8
+
+
+def test_an_expression_kept_from_a_mix_and_channels_is_worn_by_the_dog(console: Console, stage: Page) -> None:
+    page = console()
+    choose(page, "expression", "hand")
+    tile(page, "smile").click()
+    wait_for(page, "state.expression_call?.target === 'smile'")
+    page.evaluate(f"() => {DESK}.bar('expression').nudge(0.5)")
+    region(page, "brows")
+    page.evaluate(f"() => {DESK}.channel('browInnerUp').nudge(0.8)")
+    wait_for(page, "state.channels.browInnerUp === 0.8 && Math.abs((state.expressions.smile ?? 0) - 0.5) < 1e-6")
+    mixed, _ = held(
+        stage, faces={"dog": 1.0}, expressions={"smile": 0.5, "neutral": 0.5}, channels={"browInnerUp": 0.8}
+    )
+    rest, calm = held(stage, faces={"dog": 1.0})
+    kept = keep(page, "expression")
+    expect(tile(page, kept["name"])).to_be_visible()
+    page.locator("[data-kind='own']").click()
+    expect(tile(page, kept["name"])).to_be_visible()
+    choose(page, "expression", "0")
+    page.evaluate(f"() => {DESK}.clearChannels(['browInnerUp'])")
+    tile(page, kept["name"]).click()
+    wait_for(page, f"state.expressions[{kept['name']!r}] === 1")
+    worn, shown = held(stage, faces={"dog": 1.0}, expressions={kept["name"]: 1.0})
+    assert np.abs(worn - mixed).max() < 0.05 * np.abs(mixed - rest).max()
+    assert np.abs(shown - calm).max() > 40
+
+
+def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> None:
+    page = console()
+    page.locator("body").press("n")
+    expect(page.locator(".notice")).to_contain_text("Kept as On air")
+    link = page.locator(".notice a")
+    expect(link).to_have_attribute("href", "/editor")
+    page.locator("body").press("m")
+    expect(page.locator(".notice")).to_contain_text("Kept as On air")
+
+
+def test_own_things_are_found_by_word_and_named_apart(console: Console) -> None:
+    page = console()
+    kept = keep(page, "face")
+    page.get_by_label("Search faces").fill("own air")
+    expect(tile(page, kept["name"])).to_be_visible()
+    expect(tile(page, "dog")).to_have_count(0)
+    canvas = tile(page, kept["name"]).locator("canvas")
+    expect(canvas).to_have_attribute("data-drawn", f"{kept['source']} neutral")
+
+
+def test_another_tablet_opens_with_the_same_layout(console: Console) -> None:
+    page = console()
+    choose(page, "face", "4")
+    region(page, "mouth")
+    page.locator("[data-kind='arkit']").click()
+    page.get_by_role("button", name="Link R L").click()
+    arranged = page.evaluate(f"{DESK}.arrangement")
+    page.evaluate(f"""async () => {{
+        for (;;) {{
+            const answer = await fetch("/layouts/console");
+            const {{ version, ...found }} = answer.ok ? await answer.json() : {{}};
+            if (JSON.stringify(found) === JSON.stringify({DESK}.arrangement)) return;
+            await new Promise(requestAnimationFrame);
+        }}
+    }}""")
+    other = console()
+    assert other.evaluate(f"{DESK}.arrangement") == arranged
+    expect(other.locator("[data-kind='arkit']")).to_have_attribute("aria-selected", "true")
+    expect(fader(other, "mouthFunnel")).to_be_visible()
+
+
+def test_a_layout_that_cannot_be_read_is_told_and_ignored(open_page: OpenPage) -> None:
+    page = open_page("/console?layout=broken")
+    wait_for(page, "desk.online && desk.faces.length > 0")
+    first = page.evaluate(f"{DESK}.arrangement")
+    page.route("**/layouts/broken", lambda route: route.fulfill(status=200, body="{not json"))
+    page.reload()
+    wait_for(page, "desk.online && desk.faces.length > 0")
+    expect(page.locator(".notice")).to_contain_text("cannot be read")
+    assert page.evaluate(f"{DESK}.arrangement") == first
