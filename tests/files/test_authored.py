@@ -8,7 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from omote.files.authored import TABLES, row_of, seal
+from omote.files.authored import TABLES, is_content, row_of, seal
 from omote.files.changes import (
     Change,
     Draft,
@@ -21,7 +21,7 @@ from omote.files.changes import (
     Stored,
 )
 from omote.files.schema import CorruptShowFileError
-from omote.files.showfile import ShowFile, open_show
+from omote.files.showfile import JournalEntry, ShowFile, open_show
 from tests.files.ledger import DATA, FIRST, KEYS, Ledger, item, puts, revision
 
 
@@ -135,6 +135,7 @@ def test_whole_numbers_given_as_places_come_back(show: ShowFile) -> None:
         ("UPDATE edit SET recipe = x'00'", "its edit 1, ada, 0 is damaged"),
         ("UPDATE layout SET document = x'00'", "its layout console is damaged"),
         ("UPDATE item SET label = CAST(x'ff' AS TEXT)", "Could not decode to UTF-8"),
+        ("UPDATE journal SET snapshot = x'00'", "its last state is damaged"),
         ("DROP TABLE layout", "no such table: layout"),
         ("ALTER TABLE edit DROP COLUMN what", "no such column: edit.what"),
     ],
@@ -151,6 +152,7 @@ def test_rows_that_are_not_what_was_written_make_a_file_corrupt(
             PutLayout("console", b"{}"),
         ]
     )
+    show.write_journal(JournalEntry(1, 0.0, b"state"))
     show.close()
     with sqlite3.connect(tmp_path / "a.omote") as connection:
         connection.execute(statement)
@@ -172,3 +174,10 @@ def test_every_column_of_every_row_is_sealed() -> None:
             other[place] = value + type(value)(1) if isinstance(value, int | float) else value + value + value[:0] * 2
             if other != values:
                 assert row_of(table, [*other, seal(values)]) is None
+
+
+@pytest.mark.parametrize("data", [None, 1, 1.5, "text", b"other"])
+def test_only_bytes_are_the_content_of_their_key(data: object) -> None:
+    assert not is_content(KEYS[1], data)
+    assert not is_content(data, DATA[1])
+    assert is_content(KEYS[1], DATA[1])

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from omote.files.changes import PutLayout
 from omote.files.showfile import (
     APPLICATION_ID,
     ASIDE_LIMIT,
@@ -164,3 +165,56 @@ def test_an_epoch_that_no_server_wrote_is_not_believed(tmp_path: Path, epoch: in
     with pytest.raises(sqlite3.DatabaseError, match=f"epoch {epoch}"):
         show.journal()
     show.close()
+
+
+def test_a_flush_with_nothing_new_makes_no_checkpoint(tmp_path: Path) -> None:
+    """A checkpoint that has nothing to do can lose the commit that begins the log anew (SQLite before 3.51.3)."""
+    show = open_show(tmp_path / "a.omote")
+    flusher = show.again()
+    made: list[str] = []
+    flusher._connection.set_trace_callback(lambda sql: made.append(sql) if "checkpoint" in sql else None)
+    show.write_journal(JournalEntry(1, 0.0, b"state"))
+    for _ in range(3):
+        flusher.flush()
+    assert len(made) == 1
+    show.write_journal(JournalEntry(2, 0.0, b"state"))
+    flusher.flush()
+    assert len(made) == 2
+    flusher.close()
+    show.close()
+
+
+def test_authored_work_is_synced_at_once_and_the_journal_is_not(tmp_path: Path) -> None:
+    show = open_show(tmp_path / "a.omote")
+    said: list[str] = []
+    show._connection.set_trace_callback(said.append)
+    show.apply([PutLayout("console", b"{}")])
+    order = [said.index(f"PRAGMA synchronous = {level}") for level in ("FULL", "NORMAL")]
+    assert order[0] < said.index("COMMIT") < order[1]
+    assert show._connection.execute("PRAGMA synchronous").fetchone() == (1,)
+    show.close()
+
+
+def test_a_state_that_is_no_number_is_not_believed(tmp_path: Path) -> None:
+    show = open_show(tmp_path / "a.omote")
+    show._connection.execute("DROP TABLE journal")
+    show._connection.execute("CREATE TABLE journal (epoch, written, snapshot, sum)")
+    show._connection.execute("INSERT INTO journal VALUES (NULL, 0, NULL, NULL)")
+    with pytest.raises(sqlite3.DatabaseError, match="epoch None"):
+        show.journal()
+    show.close()
+
+
+def test_moving_aside_never_writes_over_what_was_kept(tmp_path: Path) -> None:
+    path = tmp_path / "a.omote"
+    assert move_aside(path) is None
+    (tmp_path / "a.omote-wal").write_bytes(b"first log")
+    assert move_aside(path) is None
+    path.write_bytes(b"file")
+    (tmp_path / "a.omote-wal").write_bytes(b"second log")
+    assert move_aside(path) == tmp_path / "a.omote.corrupt-2"
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == {
+        "a.omote.corrupt-1-wal": b"first log",
+        "a.omote.corrupt-2": b"file",
+        "a.omote.corrupt-2-wal": b"second log",
+    }

@@ -8,6 +8,7 @@ from queue import SimpleQueue
 
 import pytest
 
+from benchmarks.saving import Reference, check, kill_writer
 from omote.files.changes import Change, PutLayout
 from omote.files.goodcopy import good_path
 from omote.files.proof import prove
@@ -200,6 +201,14 @@ def test_the_journal_and_the_scribe_share_the_file(tmp_path: Path) -> None:
     assert len(again.stored().layouts) == 150
     again.close()
     assert author.said == []
+
+
+def test_a_killed_writer_loses_nothing_that_it_was_told(tmp_path: Path) -> None:
+    """A few of the kills of `benchmarks/saving.py`: all acknowledged is there, and no half of a list of changes."""
+    reference = Reference()
+    for acknowledgements in (1, 4, 17):
+        kill = kill_writer(tmp_path / "a.omote", acknowledgements, 0.0, reference.made)
+        assert check(tmp_path / "a.omote", kill, reference) == ""
 
 
 def stored_in(path: Path) -> set[str]:

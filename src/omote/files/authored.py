@@ -86,19 +86,26 @@ def read_all(connection: sqlite3.Connection) -> Stored:
 def read_contents(connection: sqlite3.Connection) -> Iterator[tuple[str, bytes]]:
     """Every content, proved by its key; sqlite3.DatabaseError names the first that is not what was written."""
     for key, data in connection.execute("SELECT key, data FROM content ORDER BY key"):
-        if content_key(data) != key:
+        if not is_content(key, data):
             raise sqlite3.DatabaseError(f"its content {key} is damaged")
         yield key, data
 
 
+def is_content(key: object, data: object, /) -> bool:
+    """Whether these are a content and its key; a damaged row can hold anything."""
+    return isinstance(data, bytes) and content_key(data) == key
+
+
 def refuse_damaged(connection: sqlite3.Connection) -> None:
-    """sqlite3.DatabaseError where anything authored is not what was written, or belongs to nothing."""
+    """sqlite3.DatabaseError where the last state or anything authored is not what was written, or belongs to
+    nothing."""
     for (verdict,) in connection.execute("PRAGMA integrity_check(1)"):
         if verdict != "ok":
             raise sqlite3.DatabaseError(verdict)
     stray = connection.execute("PRAGMA foreign_key_check").fetchone()
     if stray is not None:
         raise sqlite3.DatabaseError(f"row {stray[1]} of {stray[0]} belongs to no {stray[2]}")
+    _refuse_damaged_state(connection)
     try:
         read_all(connection)
         for _ in read_contents(connection):
@@ -107,6 +114,12 @@ def refuse_damaged(connection: sqlite3.Connection) -> None:
         if "decode" in str(error):  # text that is no text
             raise sqlite3.DatabaseError(str(error)) from error
         raise
+
+
+def _refuse_damaged_state(connection: sqlite3.Connection) -> None:
+    for epoch, snapshot, sealed in connection.execute("SELECT epoch, snapshot, sum FROM journal"):
+        if sealed is not None and seal([epoch, snapshot]) != sealed:  # None: as the first schema left it
+            raise sqlite3.DatabaseError("its last state is damaged")
 
 
 def as_stored(rows: dict[str, list[Any]]) -> Stored:

@@ -15,17 +15,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from omote.files.authored import TABLES, Table, as_stored, row_of, seal, selection
+from omote.files.authored import TABLES, Table, as_stored, is_content, row_of, seal, selection
 from omote.files.changes import Change, Stored
-from omote.files.contents import content_key
 from omote.files.goodcopy import good_path, put_in_place
 from omote.files.merging import changes_since
 from omote.files.schema import CorruptShowFileError
 from omote.files.showfile import HIGHEST_EPOCH, JournalEntry, ShowFile, move_aside, open_show
 
-PAGE = 4096
-SIZE_AT = 28
-"""Where the first page says how many pages there are; zero: as many as the file has (SQLite's file format, 1.3.8)."""
+PAGE_SIZE_AT, SIZE_AT = 16, 28
+"""Where the first page says how large pages are, and how many there are; zero: as many as the file has (SQLite's file
+format, 1.3)."""
 LOGS = ("-wal", "-shm", "-journal")
 
 
@@ -112,9 +111,11 @@ def _grafted(copy: Path, good: Path) -> bool:
     """Gives a file its good copy's first page, which says where all tables begin: they are of one descent."""
     if not good.exists():
         return False
-    first = good.read_bytes()[:PAGE]
+    with good.open("rb") as file:
+        head = file.read(PAGE_SIZE_AT + 2)
+        first = head + file.read(int.from_bytes(head[PAGE_SIZE_AT:], "big") - len(head))
     with copy.open("r+b") as file:
-        if file.read(PAGE) == first:
+        if file.read(len(first)) == first:
             return False
         file.seek(0)
         file.write(first[:SIZE_AT] + bytes(4) + first[SIZE_AT + 4 :])
@@ -138,7 +139,7 @@ def _salvaged(copy: Path) -> Salvage:
         journal = _readable(connection, "journal", "SELECT epoch, written, snapshot, sum FROM journal")
         return Salvage(
             as_stored(rows),
-            {key: data for key, data in contents if content_key(data) == key},
+            {key: data for key, data in contents if is_content(key, data)},
             next((JournalEntry(*row[:3]) for row in journal if _is_state(row)), None),
         )
     except sqlite3.Error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sqlite3
+from functools import cache
 from pathlib import Path
 
 APPLICATION_ID = 0x4F4D4F54  # "OMOT"
@@ -135,16 +136,21 @@ def migrate(connection: sqlite3.Connection, version: int) -> None:
 
 def refuse_without_tables(connection: sqlite3.Connection) -> None:
     """sqlite3.DatabaseError where a table or a column is missing."""
-    made = sqlite3.connect(":memory:")
-    made.executescript("".join(MIGRATIONS))
-    wanted = _columns(made)
-    made.close()
     there = _columns(connection)
-    for table, columns in wanted.items():
+    for table, columns in _wanted().items():
         missing = columns - there.get(table, set())
         if missing:
             what = f"column: {table}.{min(missing)}" if table in there else f"table: {table}"
             raise sqlite3.DatabaseError(f"no such {what}")
+
+
+@cache
+def _wanted() -> dict[str, set[str]]:
+    made = sqlite3.connect(":memory:")
+    made.executescript("".join(MIGRATIONS))
+    wanted = _columns(made)
+    made.close()
+    return wanted
 
 
 def _columns(connection: sqlite3.Connection) -> dict[str, set[str]]:

@@ -84,7 +84,7 @@ class ShowFile:
         """The last state; epoch 0 and no snapshot in a new file. sqlite3.Error where it cannot be read."""
         row = self._connection.execute("SELECT epoch, written, snapshot FROM journal").fetchone()
         entry = JournalEntry(*row) if row else JournalEntry(epoch=0, written=0.0, snapshot=None)
-        if not 0 <= entry.epoch <= HIGHEST_EPOCH:
+        if not isinstance(entry.epoch, int) or not 0 <= entry.epoch <= HIGHEST_EPOCH:
             raise sqlite3.DatabaseError(f"its epoch {entry.epoch} was written by no server")
         return entry
 
