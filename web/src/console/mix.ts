@@ -131,10 +131,11 @@ export class Mix extends PaintedElement {
         <h2>${this.axis === "face" ? "Face" : "Expression"}</h2>
         <button
           data-keep=${this.axis}
+          aria-label="Keep ${this.axis}"
           title="Keep what is on air as a new ${this.axis} (${this.axis === "face" ? "N" : "M"})"
           @click=${() => this.desk.keep(this.axis)}
         >
-          Keep ${this.axis}
+          Keep ${this.axis === "face" ? "face" : "expr."}
         </button>
       </header>
       <div class="rows" data-axis=${this.axis}>

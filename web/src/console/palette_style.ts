@@ -101,9 +101,13 @@ export const style = css`
     overflow-wrap: anywhere;
     background: var(--raised);
   }
-  .tile.own .name::before {
-    content: "✎ ";
-    color: var(--dim);
+  .tile.own::before {
+    content: "✎";
+    position: absolute;
+    right: 4px;
+    top: 2px;
+    font-size: 12px;
+    text-shadow: 0 0 3px #000;
   }
   .tile .key {
     position: absolute;

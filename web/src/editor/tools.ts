@@ -13,6 +13,12 @@ const SHOWN: readonly (readonly [keyof Options & ("needles" | "wireframe" | "mus
   ["muscles", "Muscles", "U"],
 ];
 
+/** The same where a face is under work. */
+const ON_FACES: typeof SHOWN = [
+  ["needles", "Handles", "N"],
+  ["wireframe", "Wires", "W"],
+];
+
 /** What the hand does on the face, and what is shown of it. Tells `view` with the name of a view. */
 @customElement("omote-tools")
 export class Tools extends BenchElement {
@@ -59,7 +65,8 @@ export class Tools extends BenchElement {
   override render() {
     const { bench } = this;
     return html`
-      ${bench.net === null ? nothing : html`${this.#hands()} ${this.#reach()} ${this.#shown()}`}
+      ${bench.net === null ? nothing : html`${this.#hands()} ${this.#reach()} ${this.#shown(SHOWN)}`}
+      ${bench.face === null ? nothing : html`${this.#mirror()} ${this.#shown(ON_FACES)}`}
       <div class="group" role="group" aria-label="Views">
         ${VIEWS.map(
           ([view, label, key]) =>
@@ -81,12 +88,9 @@ export class Tools extends BenchElement {
   }
 
   #reach() {
-    const { mirror, falloff, region } = this.bench.options;
+    const { falloff, region } = this.bench.options;
     return html`
-      <div class="group">
-        <button data-option="mirror" aria-pressed=${mirror} title="What you do on one side is done on the other (X)"
-          @click=${() => this.bench.setOptions({ mirror: !mirror })}>Mirror</button>
-      </div>
+      ${this.#mirror()}
       <div class="group falloff">
         <label title="How far around a dragged needle others come along">Falloff
           <input type="range" min="0" max="60" step="1" .value=${String(falloff)} aria-valuetext="${falloff} mm"
@@ -101,9 +105,17 @@ export class Tools extends BenchElement {
     `;
   }
 
-  #shown() {
+  #mirror() {
+    const { mirror } = this.bench.options;
+    return html`<div class="group">
+      <button data-option="mirror" aria-pressed=${mirror} title="What you do on one side is done on the other (X)"
+        @click=${() => this.bench.setOptions({ mirror: !mirror })}>Mirror</button>
+    </div>`;
+  }
+
+  #shown(options: typeof SHOWN) {
     return html`<div class="group" role="group" aria-label="Shown">
-      ${SHOWN.map(
+      ${options.map(
         ([
           option,
           label,

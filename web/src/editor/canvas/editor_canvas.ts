@@ -2,6 +2,7 @@
 
 import type { Mesh } from "../../link/assets";
 import { now } from "../../link/clock";
+import type { Manifest } from "../../link/messages";
 import { type Anatomy, study } from "../../stage/anatomy";
 import { drawsInSoftware } from "../../stage/machine";
 import { rowTriangles } from "../../stage/topology";
@@ -9,15 +10,17 @@ import { flat } from "../net";
 import type { Workbench } from "../workbench";
 import { Aspect } from "./aspect";
 import type { ViewName } from "./camera";
-import { Company } from "./company";
+import { Company, type Member } from "./company";
 import { Complexions } from "./complexion";
 import { ballFrames, ballsOf, gazeOf } from "./eyes";
+import { HandleHands } from "./handle_hands";
 import { Hands } from "./hands";
 import { NeedleMarks } from "./needle_marks";
 import { Overlay } from "./overlay";
 import { Pace } from "./pace";
 import { Painter } from "./painter";
 import { exposeProbe } from "./probe";
+import { Sitters } from "./sitters";
 import { filled } from "./surface";
 
 export class EditorCanvas {
@@ -25,6 +28,9 @@ export class EditorCanvas {
   readonly aspect: Aspect;
   readonly hands: Hands;
   company: Company | undefined;
+  /** A face under work: in place of the company, with handles in place of needles. */
+  sitters: Sitters | undefined;
+  handles: HandleHands | undefined;
   private painter: Painter | undefined;
   private overlay: Overlay | undefined;
   private marks: NeedleMarks | undefined;
@@ -76,10 +82,24 @@ export class EditorCanvas {
     this.stale = true;
   }
 
-  /** The source of the face under work: the draft's own where a face is edited. */
+  /** The source of the face that wears the expression under work. */
   get workSource(): string {
-    const { bench } = this;
-    return bench.face !== null && bench.draft !== null ? bench.draft.content : bench.sourceOf(bench.work);
+    return this.bench.sourceOf(this.bench.work);
+  }
+
+  /** Whether it is a face that is under work, not an expression. */
+  get sitting(): boolean {
+    return this.bench.face !== null;
+  }
+
+  /** What is shown large. */
+  get work(): Pick<Member, "figure" | "bounds"> | undefined {
+    return this.sitting ? this.sitters?.all[0] : this.company?.member(this.workSource);
+  }
+
+  /** Whether all that is shown is as the server has it. */
+  settled(): boolean {
+    return (this.sitting ? this.sitters : this.company)?.settled(now()) === true && !this.bench.waiting;
   }
 
   dispose(): void {
@@ -99,12 +119,23 @@ export class EditorCanvas {
     if (skin === undefined) throw new Error("The cast has no skin; bake it again.");
     this.anatomy = await study(library);
     const complexions = await Complexions.open(gl, library, this.anatomy, skin);
-    this.company = new Company(gl, library, this.anatomy, complexions, drawsInSoftware() ? 512 : 1024);
+    const side = drawsInSoftware() ? 512 : 1024;
+    this.company = new Company(gl, library, this.anatomy, complexions, side);
+    this.sitters = new Sitters(this.company.crowd, complexions, this.anatomy, library.manifest.skin, side);
     this.painter = new Painter(gl, this.company.crowd, library.meshes);
     this.marks = new NeedleMarks(gl, this.painter);
     this.overlay = new Overlay(this, this.painter, this.marks);
     this.frames = ballFrames(this.anatomy);
-    this.hands.know(this.anatomy, surfaceOf(library.meshes, this.anatomy));
+    const surface = surfaceOf(library.meshes, this.anatomy);
+    this.hands.know(this.anatomy, surface);
+    this.handles = new HandleHands({
+      bench,
+      sitters: this.sitters,
+      fans: this.anatomy.fans,
+      skin: surface.skin,
+      camera: () => this.hands.camera(),
+      redraw: () => this.redraw(),
+    });
     for (const topic of ["cast", "items", "draft", "live"] as const) this.hear(topic);
   }
 
@@ -125,10 +156,23 @@ export class EditorCanvas {
     const { bench } = this;
     if (bench.manifest === null) return;
     const sources = [this.workSource, ...bench.neighbours.map((name) => bench.sourceOf(name))];
-    company.show(bench.manifest, sources).then(
+    const shown = company.show(bench.manifest, this.sitting ? [] : sources);
+    Promise.all([shown, this.sit(bench.manifest)]).then(
       () => this.redraw(),
       (error: unknown) => bench.say(error instanceof Error ? error.message : String(error)),
     );
+  }
+
+  /** Lets a face under work sit, or an old revision of it that is looked at. */
+  private async sit(manifest: Manifest): Promise<void> {
+    const { draft, face, look } = this.bench;
+    if (face === null || draft === null) {
+      this.sitters?.leave();
+      return;
+    }
+    this.handles?.settle();
+    const recipe = look === null ? face : { ...face, points: [], moves: [] };
+    await this.sitters?.show(manifest, draft.item, look ?? draft.content, recipe);
   }
 
   private dress(company: Company, anew: boolean): void {
@@ -147,7 +191,8 @@ export class EditorCanvas {
     const { company, painter } = this;
     if (company === undefined || painter === undefined) return;
     const resized = this.aspect.fit();
-    const moved = company.advance(time);
+    const sitting = this.sitting && this.sitters !== undefined;
+    const moved = sitting ? this.sitters?.advance(time, this.handles?.ahead ?? false) === true : company.advance(time);
     if (moved || resized || this.stale) this.draw(company, painter, moved);
     else this.pace.idle();
   }
@@ -156,12 +201,11 @@ export class EditorCanvas {
     this.stale = false;
     const { bench, aspect, gl } = this;
     if (bench.manifest === null) return;
-    const sources = [this.workSource, ...bench.neighbours.map((name) => bench.sourceOf(name))];
-    const boxes = aspect.share(sources.length - 1);
+    const members = this.members(company);
+    const boxes = aspect.share(members.length - 1);
     painter.frame([0, 0, this.canvas.width, this.canvas.height], aspect.ground);
     const gaze = gazeOf(bench.look === null ? bench.recipe : null, bench.manifest);
-    sources.forEach((source, n) => {
-      const member = company.member(source);
+    members.forEach((member, n) => {
       if (member === undefined || member.block < 0) return;
       const camera = aspect.camera(n, member.bounds);
       const hovered = this.hands.over === n && n > 0;
@@ -171,10 +215,21 @@ export class EditorCanvas {
       painter.face({ block, complexion, look: document.look, balls, pupil: gaze.pupil }, camera);
       if (n === 0) this.overlay?.draw(block, camera);
     });
-    this.overlay?.place(sources, boxes);
+    this.overlay?.place(
+      members.map((member) => member?.document.label ?? "..."),
+      boxes,
+    );
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     this.pace.frame(performance.now(), moved, () => this.finished(fence));
+  }
+
+  /** Who is drawn, the work first; undefined: not here yet. */
+  private members(company: Company): readonly (Member | undefined)[] {
+    const { bench } = this;
+    if (this.sitting)
+      return this.sitters === undefined || this.sitters.all.length === 0 ? [undefined] : this.sitters.all;
+    return [bench.work, ...bench.neighbours].map((name) => company.member(bench.sourceOf(name)));
   }
 
   private finished(fence: WebGLSync | null): boolean {

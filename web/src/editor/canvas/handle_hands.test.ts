@@ -145,14 +145,18 @@ describe("hands on handles", () => {
     expect(asked).toEqual([]);
   });
 
-  it("adds up nudges that are not answered yet, and resets what is chosen", () => {
+  it("adds up nudges until the key is up, and resets what is chosen", () => {
     bench.select([2]);
-    expect(hands.nudge(1, 0, 0, false)).toBe(true);
-    hands.nudge(1, 0, 0, true);
+    expect(hands.nudge(0.001, 0, 0)).toBe(true);
+    hands.nudge(0.0002, 0, 0);
+    expect(asked).toEqual([]);
+    hands.endNudge();
+    hands.endNudge();
+    expect(asked).toHaveLength(1);
     expect(recipeAsked().moves[2]?.[0]).toBeCloseTo(0.0012, 9);
     hands.reset();
     expect(recipeAsked().moves[2]).toEqual([0, 0, 0]);
     bench.select([]);
-    expect(hands.nudge(1, 0, 0, false)).toBe(false);
+    expect(hands.nudge(0.001, 0, 0)).toBe(false);
   });
 });

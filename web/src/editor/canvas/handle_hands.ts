@@ -8,12 +8,10 @@ import { type Handles, movedBy, namesOf, strokeOf, withMoves } from "./handles";
 import type { NeedleState } from "./needle_marks";
 import { type Needle, needlesOn, picked, REACH } from "./needles";
 import type { Sitters } from "./sitters";
-import type { Pair, Triple } from "./triples";
+import { add, type Pair, type Triple, times } from "./triples";
 
 /** Metres that a handle's head stands out of the skin. */
 export const STUD = 0.0012;
-/** Metres by which an arrow key moves, and with Shift. */
-const [STEP, FINE] = [0.001, 0.0002];
 
 /** What hands must know of the canvas. */
 export interface Place {
@@ -40,6 +38,7 @@ interface Hold {
 export class HandleHands {
   hovered = -1;
   private hold: Hold | undefined;
+  private nudged: readonly number[] | undefined;
   /** The moves as the hand has them now; undefined: as the recipe has them. */
   private now: Float64Array | undefined;
 
@@ -110,28 +109,23 @@ export class HandleHands {
     this.show(hold.first);
   }
 
-  hover(at: Pair): number {
-    this.hovered = this.pick(at, false)?.place ?? -1;
-    return this.hovered;
-  }
-
-  /** Moves what is chosen by steps on the screen (right, up) or along the view (towards). */
-  nudge(right: number, up: number, towards: number, fine: boolean): boolean {
+  /** Moves what is chosen by metres on the screen (right, up) or along the view (towards), until `endNudge`. */
+  nudge(right: number, up: number, towards: number): boolean {
     const { bench } = this.place;
     const [camera, handles] = [this.place.camera(), this.handles];
     const places = [...bench.selection].filter((place) => place < (handles?.rows.length ?? 0));
     if (camera === undefined || handles === undefined || places.length === 0) return false;
-    const step = fine ? FINE : STEP;
-    const by = [0, 1, 2].map(
-      (axis) =>
-        step *
-        (right * (camera.right[axis] as number) +
-          up * (camera.up[axis] as number) +
-          towards * (camera.back[axis] as number)),
-    ) as Triple;
+    const by = add(add(times(camera.right, right), times(camera.up, up)), times(camera.back, towards));
     this.show(movedBy(this.moves, handles, places, by, bench.options.mirror));
-    this.send(handles, places);
+    this.nudged = places;
     return true;
+  }
+
+  /** The key is up: the server is asked. */
+  endNudge(): void {
+    const { nudged, handles } = this;
+    this.nudged = undefined;
+    if (nudged !== undefined && handles !== undefined) this.send(handles, nudged);
   }
 
   /** What is chosen goes back to where the mix of faces has it. */
@@ -148,7 +142,7 @@ export class HandleHands {
 
   /** Whether the hand is ahead of what the server has answered. */
   get ahead(): boolean {
-    return this.hold !== undefined || this.place.bench.waiting;
+    return this.hold !== undefined || this.nudged !== undefined || this.place.bench.waiting;
   }
 
   /** The server's answer is here: the hand begins from it, unless it is ahead. */

@@ -16,7 +16,7 @@ const TREMBLE = { mouse: 3, touch: 8 } as const;
 type Press =
   | { kind: "needle"; needle: Needle; fresh: boolean }
   | { kind: "ground" | "beside"; over: number }
-  | { kind: "orbit" | "pan" | "band" };
+  | { kind: "orbit" | "pan" | "band" | "handle" };
 
 /** A needle that is being set down somewhere else on the skin. */
 export interface Placing {
@@ -68,7 +68,8 @@ export class Hands {
 
   /** The needles of the face under work, where they can be taken; none while there is nothing to take. */
   needles(): Needle[] {
-    const { bench } = this.stage;
+    const { bench, handles } = this.stage;
+    if (this.stage.sitting) return handles?.studs() ?? [];
     const figure = this.figure;
     const shown = bench.recipe !== null && bench.look === null && bench.options.needles;
     if (figure === undefined || this.anatomy === undefined || bench.net === null || !shown) return [];
@@ -100,7 +101,9 @@ export class Hands {
   private pressed(event: PointerEvent, at: Pair, over: number): Press {
     if (event.button === 1) return { kind: "pan" };
     if (over > 0) return { kind: "beside", over };
-    const needle = event.button === 0 || event.pointerType === "pen" ? this.pick(event, at) : undefined;
+    if (this.stage.sitting && this.stage.handles?.press(at, event)) return { kind: "handle" };
+    const takes = (event.button === 0 || event.pointerType === "pen") && !this.stage.sitting;
+    const needle = takes ? this.pick(event, at) : undefined;
     if (needle !== undefined) return { kind: "needle", needle, fresh: this.choose(needle.place, event) };
     if (event.button === 2) return { kind: "orbit" };
     return event.shiftKey ? { kind: "band" } : { kind: "ground", over };
@@ -147,6 +150,7 @@ export class Hands {
     const { aspect } = this.stage;
     const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
     if (what.kind === "needle") this.dragNeedle(event, to);
+    else if (what.kind === "handle") this.dragHandle(event, to);
     else if (what.kind === "band") this.stretch(to);
     else if (what.kind === "pan") this.pan(dx, dy);
     else aspect.orbit(dx, dy);
@@ -166,6 +170,11 @@ export class Hands {
     } // the net changed under the hand
     this.stage.pace.moved(event.timeStamp);
     this.grip.move(to, this.pulls(event));
+  }
+
+  private dragHandle(event: PointerEvent, to: Pair): void {
+    this.stage.pace.moved(event.timeStamp);
+    this.stage.handles?.drag(to, event);
   }
 
   private pulls(event: PointerEvent): boolean {
@@ -190,6 +199,7 @@ export class Hands {
   private endDrag(what: Press): void {
     const { bench } = this.stage;
     if (what.kind === "band") this.endBand();
+    if (what.kind === "handle") this.stage.handles?.release();
     if (this.placing !== undefined) this.setDown(this.placing);
     this.placing = undefined;
     if (bench.dragging) this.grip?.end();
@@ -199,13 +209,15 @@ export class Hands {
   private click(what: Press, at: Pair, event: PointerEvent): void {
     const { bench } = this.stage;
     const { tool } = bench.options;
-    if (what.kind === "beside") bench.setWork(bench.neighbours[what.over - 1] as string);
+    if (what.kind === "handle") this.stage.handles?.release();
+    else if (what.kind === "beside" && this.stage.sitting) this.stage.sitters?.front(what.over);
+    else if (what.kind === "beside") bench.setWork(bench.neighbours[what.over - 1] as string);
     else if (what.kind === "needle" && tool === "remove") this.remove(what.needle.place);
     else if (what.kind === "needle" && (event.shiftKey || event.ctrlKey || event.metaKey) && !what.fresh)
       bench.select([...bench.selection].filter((place) => place !== what.needle.place));
     else if (what.kind === "needle" && !event.shiftKey && !event.ctrlKey && !event.metaKey)
       bench.select([what.needle.place]);
-    else if (what.kind === "ground" && tool === "add") this.add(at);
+    else if (what.kind === "ground" && tool === "add" && !this.stage.sitting) this.add(at);
     else if (what.kind === "ground") bench.select([]);
   }
 
@@ -218,6 +230,7 @@ export class Hands {
   /** What was under way is as if it had not been. */
   private abandon(): void {
     this.grip?.cancel();
+    this.stage.handles?.cancel();
     this.dropGrip();
     [this.placing, this.band, this.press, this.nudging] = [undefined, undefined, undefined, false];
     this.stage.redraw();
@@ -244,6 +257,7 @@ export class Hands {
   private hoverAt(event: PointerEvent, at: Pair): void {
     const over = this.stage.aspect.at(...at);
     const needle = over === 0 ? this.pick(event, at) : undefined;
+    if (this.stage.handles !== undefined) this.stage.handles.hovered = needle?.place ?? -1;
     this.hover(over, needle?.place ?? -1);
   }
 
@@ -301,11 +315,11 @@ export class Hands {
   // --- needles --------------------------------------------------------------------------------------------------------
 
   private get figure(): Figure | undefined {
-    return this.stage.company?.member(this.stage.workSource)?.figure;
+    return this.stage.work?.figure;
   }
 
   private bounds() {
-    return this.stage.company?.member(this.stage.workSource)?.bounds;
+    return this.stage.work?.bounds;
   }
 
   /** The camera of the work. */
@@ -363,8 +377,10 @@ export class Hands {
 
   // --- the net --------------------------------------------------------------------------------------------------------
 
-  private rowOf(place: number): number {
-    return this.stage.bench.net?.rows[place] ?? -1;
+  /** The row under a place of the net, or under a handle. */
+  rowOf(place: number): number {
+    const { bench, handles, sitting } = this.stage;
+    return (sitting ? handles?.handles?.rows[place] : bench.net?.rows[place]) ?? -1;
   }
 
   /** The vertex of the sheet under the pointer where no needle stands yet. */
@@ -400,7 +416,8 @@ export class Hands {
     if (event.key === "Escape") this.abandon();
     const step = nudgeOf(event);
     const focused = (canvas.getRootNode() as Document | ShadowRoot).activeElement === canvas;
-    if (step === undefined || !focused || event.ctrlKey || event.metaKey || !this.beginNudge()) return;
+    if (step === undefined || !focused || event.ctrlKey || event.metaKey) return;
+    if (this.stage.sitting ? !this.stage.handles?.nudge(...step) : !this.beginNudge()) return;
     event.preventDefault();
     pace.moved(event.timeStamp);
     this.grip?.nudge(...step);
@@ -416,6 +433,7 @@ export class Hands {
   }
 
   private endNudge(): void {
+    this.stage.handles?.endNudge();
     if (!this.nudging) return;
     this.nudging = false;
     if (this.stage.bench.dragging) this.grip?.end();

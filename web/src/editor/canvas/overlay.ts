@@ -3,6 +3,7 @@
 import { rowTriangles } from "../../stage/topology";
 import type { Box, Camera } from "./camera";
 import type { EditorCanvas } from "./editor_canvas";
+import { STUD } from "./handle_hands";
 import type { NeedleMarks, NeedleState } from "./needle_marks";
 import type { Lines, Painter } from "./painter";
 
@@ -63,29 +64,38 @@ export class Overlay {
       this.muscles ??= this.buildMuscles();
       this.painter.lines(this.muscles, block, camera, MUSCLE_LIFT);
     }
+    this.drawHandles(block, camera);
     if (bench.net === null || hands.needles().length === 0) return;
     const rows = bench.net.rows.map((row, place) => (hands.placing?.place === place ? hands.placing.row : row));
     this.marks.set(rows, this.states());
     this.marks.draw(block, camera, hands.needleLength, aspect.ratio);
   }
 
+  /** The handles of a face under work. */
+  private drawHandles(block: number, camera: Camera): void {
+    const { handles, sitting, aspect } = this.stage;
+    if (!sitting || handles?.handles === undefined) return;
+    this.marks.set(handles.handles.rows, handles.states());
+    this.marks.draw(block, camera, STUD, aspect.ratio);
+  }
+
   /** Puts names and rubber band where they belong. */
-  place(sources: readonly string[], boxes: readonly Box[]): void {
-    const { canvas, company, hands } = this.stage;
+  place(names: readonly string[], boxes: readonly Box[]): void {
+    const { canvas, hands } = this.stage;
     const { style } = this.layer;
     style.left = `${canvas.offsetLeft}px`;
     style.top = `${canvas.offsetTop}px`;
     style.width = `${canvas.clientWidth}px`;
     style.height = `${canvas.clientHeight}px`;
-    sources.forEach((source, n) => {
+    names.forEach((text, n) => {
       const name = this.name(n);
-      const [box, text] = [boxes[n] as Box, company?.member(source)?.document.label ?? "..."];
+      const box = boxes[n] as Box;
       if (name.textContent !== text) name.textContent = text;
       const [left, top] = [`${box.left + 8}px`, `${box.top + box.height - 24}px`];
       if (name.style.left !== left) name.style.left = left;
       if (name.style.top !== top) name.style.top = top;
     });
-    for (const name of this.names.splice(sources.length)) name.remove();
+    for (const name of this.names.splice(names.length)) name.remove();
     this.rubber.style.display = hands.band === undefined ? "none" : "block";
     if (hands.band === undefined) return;
     const [left, top, right, bottom] = hands.band;

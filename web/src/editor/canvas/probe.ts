@@ -1,6 +1,5 @@
 /** What tests, benchmarks and curious users may ask of the canvas: `window.omoteEditor`. */
 
-import { now } from "../../link/clock";
 import type { EditorCanvas } from "./editor_canvas";
 import type { Counters } from "./pace";
 
@@ -32,17 +31,21 @@ declare global {
 export function exposeProbe(stage: EditorCanvas): void {
   const { bench, pace } = stage;
   const memberOf = (face: string) => {
+    const sitter = stage.sitting ? stage.sitters?.all.find(({ label }) => label === face) : undefined;
+    if (sitter !== undefined) return sitter;
     const member = stage.company?.member(bench.sourceOf(face));
     if (member === undefined || member.block < 0) throw new Error(`The face "${face}" is not shown.`);
     return member;
   };
   window.omoteEditor = {
-    settled: () => stage.company?.settled(now()) === true && !bench.waiting,
+    settled: () => stage.settled(),
     counters: () => ({
       drawn: pace.drawn,
       intervals: [...pace.intervals],
       waits: [...pace.waits],
-      differences: Object.fromEntries(stage.company?.differences ?? []),
+      differences: Object.fromEntries(
+        stage.sitting ? (stage.sitters?.differences ?? []) : (stage.company?.differences ?? []),
+      ),
       arrived: stage.company?.arrived ?? 0,
       fps: pace.fps,
     }),
@@ -51,13 +54,17 @@ export function exposeProbe(stage: EditorCanvas): void {
       if (camera === undefined) return [];
       return stage.hands.needles().map(({ place, head, foot }) => {
         const [a, b] = [camera.project(head), camera.project(foot)];
-        return { place, row: bench.net?.rows[place] ?? -1, head: [a[0], a[1]], foot: [b[0], b[1]] };
+        return { place, row: stage.hands.rowOf(place), head: [a[0], a[1]], foot: [b[0], b[1]] };
       });
     },
     readPositions: (face) => Array.from(stage.company?.crowd.read(memberOf(face).block) ?? []),
-    positions: (face) => Array.from(stage.company?.positions(memberOf(face)) ?? []),
+    positions: (face) => {
+      const member = memberOf(face);
+      return Array.from(stage.sitting ? member.figure.base : (stage.company?.positions(member) ?? []));
+    },
     view: () => stage.aspect.view,
-    faces: () => [bench.work, ...bench.neighbours],
+    faces: () =>
+      stage.sitting ? (stage.sitters?.all ?? []).map(({ label }) => label) : [bench.work, ...bench.neighbours],
     vectors: () => [...bench.live],
   };
 }

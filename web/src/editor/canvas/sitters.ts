@@ -7,7 +7,7 @@ import { type Bounds, boundsOf } from "./camera";
 import type { Complexions } from "./complexion";
 import type { Crowd } from "./crowd";
 import { MOST_BLOCKS } from "./crowd_shaders";
-import { Figure } from "./figure";
+import { type Difference, Figure } from "./figure";
 import { type Handles, handlesOf, loadHandles } from "./handles";
 import { type Shape, shapeOf } from "./shape";
 import { loadFace, loadWorn } from "./supply";
@@ -49,8 +49,8 @@ export class Sitters {
   /** The pictures, in the order of WORN; empty until the first face is here. */
   all: Sitter[] = [];
   handles: Handles | undefined;
-  /** How far the picture was from what the server made, when that came last, metres: the greatest of the face at rest. */
-  difference = 0;
+  /** How far the pictures were from what the server made, when that came last, by label. */
+  readonly differences = new Map<string, Difference>();
   private item = -1;
   private look = "";
   private content = "";
@@ -155,15 +155,9 @@ export class Sitters {
       [sitter.source, sitter.document] = [content, { ...document, label: sitter.label }];
     }
     this.pose();
-    this.difference = 0;
-    this.all.forEach(({ figure, label }, n) => {
-      const before = shown[n] as Float32Array;
-      figure.offset.forEach((_, at) => {
-        figure.offset[at] = fresh ? 0 : (before[at] as number) - (figure.base[at] as number);
-      });
-      if (label === WORN[0]?.label)
-        this.difference = figure.offset.reduce((most, part) => Math.max(most, Math.abs(part)), 0);
-      figure.easedFrom = fresh ? -Infinity : time;
+    this.all.forEach((sitter, n) => {
+      ease(sitter, fresh ? sitter.figure.base : (shown[n] as Float32Array), fresh ? -Infinity : time);
+      this.differences.set(sitter.label, differenceOf(sitter.figure.offset, sitter.truth, sitter.figure.rest));
     });
   }
 
@@ -205,4 +199,26 @@ export class Sitters {
       figure.live.set(figure.base);
     }
   }
+}
+
+/** The picture goes from what was shown to what is there now, from a time on. */
+function ease({ figure }: Sitter, shown: Float32Array, time: number): void {
+  figure.offset.forEach((_, at) => {
+    figure.offset[at] = (shown[at] as number) - (figure.base[at] as number);
+  });
+  figure.easedFrom = time;
+}
+
+function differenceOf(offset: Float32Array, truth: Float32Array, first: Float32Array): Difference {
+  let [greatest, sum, move] = [0, 0, 0];
+  for (let at = 0; at < offset.length; at += 3) {
+    const far = (values: (place: number) => number): number => Math.hypot(values(at), values(at + 1), values(at + 2));
+    const missing = far((place) => offset[place] as number);
+    [greatest, sum] = [Math.max(greatest, missing), sum + missing];
+    move = Math.max(
+      move,
+      far((place) => (truth[place] as number) - (first[place] as number)),
+    );
+  }
+  return { greatest, mean: (3 * sum) / offset.length, move };
 }

@@ -1,8 +1,9 @@
 import { html, nothing } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, state } from "lit/decorators.js";
 import { base } from "../../console/theme";
-import type { FaceRecipe } from "../../link/editing";
+import type { FaceRecipe, HandlesAsset } from "../../link/editing";
 import { amountOf } from "../amount";
+import { loadHandles } from "../canvas/handles";
 import { controls, panel } from "../controls_style";
 import { normalised } from "../deeds";
 import { BenchElement } from "../element";
@@ -16,8 +17,20 @@ import type { Topic } from "../workbench";
 export class FaceRecipePanel extends BenchElement {
   static override styles = [base, controls, panel];
 
+  /** What the head's handles are called; null until the server has told. */
+  @state() private handles: HandlesAsset | null = null;
+
   protected override topics(): readonly Topic[] {
-    return ["draft", "items", "cast"];
+    return ["draft", "items", "cast", "selection"];
+  }
+
+  override firstUpdated(): void {
+    loadHandles().then(
+      (handles) => {
+        this.handles = handles;
+      },
+      () => undefined, // numbers do for names
+    );
   }
 
   #set(change: Partial<FaceRecipe>, what: string): void {
@@ -78,21 +91,25 @@ export class FaceRecipePanel extends BenchElement {
       )}`;
   }
 
+  /** The handles that were moved; those at rest stay in the recipe, for the others hold on to them. */
   #handles({ points, moves }: FaceRecipe) {
-    const far = (move: readonly number[]): string => shown(Math.hypot(...move), MILLIMETRES);
+    const far = (move: readonly number[]): number => Math.hypot(...move);
+    const moved = moves.flatMap((move, at) => (far(move) > 0 ? [at] : []));
+    const reset = (places: readonly number[]): void =>
+      this.#set({ moves: moves.map((move, at) => (places.includes(at) ? [0, 0, 0] : move)) }, "handles back at rest");
     return html`<h2>Handles</h2>
-      ${points.length === 0 ? html`<p class="note">None moved yet: drag one on the face.</p>` : nothing}
-      <ul>${moves.map(
-        (move, at) => html`<li class="row"><span class="grow">Handle ${at + 1}: ${far(move)} mm</span>
-          <button class="icon quiet" title="Back where it was" aria-label="Reset handle ${at + 1}"
-            @click=${() =>
-              this.#set(
-                {
-                  points: points.filter((_, place) => place !== at),
-                  moves: moves.filter((_, place) => place !== at),
-                },
-                "handle reset",
-              )}>✕</button></li>`,
-      )}</ul>`;
+      <p class="note">${moved.length === 0 ? "None moved yet: drag one on the face. " : nothing}Alt drags to and fro, along your view.</p>
+      <ul>${moved.map(
+        (at) => html`<li class="row">
+          <button class="grow quiet" aria-pressed=${this.bench.selection.has(at)} title="Choose it"
+            @click=${() => this.bench.select([at])}>${this.#label(points[at] ?? -1, at)}: ${shown(far(moves[at] ?? []), MILLIMETRES)} mm</button>
+          <button class="icon quiet" title="Back where it was" aria-label="Reset ${this.#label(points[at] ?? -1, at)}"
+            @click=${() => reset([at])}>✕</button></li>`,
+      )}</ul>
+      ${moved.length < 2 ? nothing : html`<button @click=${() => reset(moved)}>All handles back</button>`}`;
+  }
+
+  #label(row: number, at: number): string {
+    return this.handles?.labels[this.handles.points.indexOf(row)] ?? `handle ${at + 1}`;
   }
 }
