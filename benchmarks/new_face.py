@@ -117,7 +117,7 @@ class Stage:
 
     async def fetch_compounds(self, face: str, expressions: list[str]) -> None:
         """Compounds of a face, as many at once as there are connections."""
-        await asyncio.gather(*(self.fetch(f"/compounds/{self.manifest.digest}/{face}/{name}") for name in expressions))
+        await asyncio.gather(*(self.fetch(f"/compounds/{self.manifest.base}/{face}/{name}") for name in expressions))
 
 
 def listen(url: str, orders: Connection) -> None:

@@ -33,7 +33,11 @@ OpenPage = Callable[..., Page]
 @pytest.fixture(scope="session")
 def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """The address of a show with a file of its own."""
-    file = tmp_path_factory.mktemp("show") / "test.omote"
+    yield from playing(tmp_path_factory.mktemp("show") / "test.omote")
+
+
+def playing(file: Path) -> Iterator[str]:
+    """The address of a show that plays from a file, until it is closed."""
     command = [str(Path(sys.executable).with_name("omote")), "show", str(file), "--no-open", "--port", "0"]
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "PYTHONUNBUFFERED": "1"}
     with subprocess.Popen(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True) as process:

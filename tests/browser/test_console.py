@@ -544,7 +544,7 @@ def test_a_lost_link_is_seen_nothing_is_pretended_and_it_comes_back(open_page: O
     page.mouse.up()
 
 
-def test_a_server_with_another_cast_reloads_the_page(open_page: OpenPage, console: Console) -> None:
+def test_a_server_with_another_built_in_cast_reloads_the_page(open_page: OpenPage, console: Console) -> None:
     console()
     page = open_page("/console")
     other = [False]
@@ -564,10 +564,15 @@ def test_a_server_with_another_cast_reloads_the_page(open_page: OpenPage, consol
 
         server.on_message(pass_on)
 
+    def rename(route: Route) -> None:
+        manifest = msgspec.msgpack.decode(route.fetch().body())
+        route.fulfill(body=msgspec.msgpack.encode(manifest | {"base": "another"}))
+
     page.route_web_socket("**/link", carry)
     page.reload()
     wait_for(page, "desk.online && desk.faces.length > 0")
     other[0] = True
+    page.route("**/manifest", rename, times=1)
     with page.expect_event("load"):
         links[-1].close()
     wait_for(page, "desk.online && desk.faces.length > 0")
