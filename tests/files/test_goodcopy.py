@@ -64,6 +64,16 @@ def test_a_damaged_file_leaves_the_copy_of_before(tmp_path: Path, statement: str
     show.close()
 
 
+def test_what_a_killed_writer_left_of_a_copy_does_not_touch_the_next(tmp_path: Path) -> None:
+    show = filled(tmp_path / "a.omote")
+    for suffix in ("", "-journal", "-wal", "-shm"):
+        (tmp_path / f"a.omote.good-new{suffix}").write_bytes(b"left" * 1000)
+    keep_good_copy(show)
+    prove(good_path(show.path))
+    assert {file.name for file in tmp_path.iterdir() if "good" in file.name} == {"a.omote.good"}
+    show.close()
+
+
 def test_a_folder_that_takes_no_copy_says_so_and_keeps_the_one_of_before(tmp_path: Path) -> None:
     show = filled(tmp_path / "a.omote")
     keep_good_copy(show)

@@ -22,12 +22,18 @@ def keep_good_copy(show: ShowFile, /) -> None:
     """
     draft = show.path.with_name(show.path.name + ".good-new")
     try:
-        draft.unlink(missing_ok=True)
+        remove(draft)
         show.copy_into(draft)
         prove(draft)
         put_in_place(draft, good_path(show.path))
     finally:
-        draft.unlink(missing_ok=True)
+        remove(draft)
+
+
+def remove(path: Path, /) -> None:
+    """Removes an unfinished file with its logs: SQLite would take those of a killed writer for the next one's."""
+    for suffix in ("", "-wal", "-shm", "-journal"):
+        path.with_name(path.name + suffix).unlink(missing_ok=True)
 
 
 def put_in_place(draft: Path, path: Path, /) -> None:

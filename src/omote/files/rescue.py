@@ -17,7 +17,7 @@ from typing import Any
 
 from omote.files.authored import TABLES, Table, as_stored, is_content, row_of, seal, selection
 from omote.files.changes import Change, Stored
-from omote.files.goodcopy import good_path, put_in_place
+from omote.files.goodcopy import good_path, put_in_place, remove
 from omote.files.merging import changes_since
 from omote.files.schema import CorruptShowFileError
 from omote.files.showfile import HIGHEST_EPOCH, JournalEntry, ShowFile, move_aside, open_show
@@ -25,7 +25,6 @@ from omote.files.showfile import HIGHEST_EPOCH, JournalEntry, ShowFile, move_asi
 PAGE_SIZE_AT, SIZE_AT = 16, 28
 """Where the first page says how large pages are, and how many there are; zero: as many as the file has (SQLite's file
 format, 1.3)."""
-LOGS = ("-wal", "-shm", "-journal")
 
 
 @dataclass(frozen=True)
@@ -74,7 +73,7 @@ def rescue_show(path: Path, /) -> Rescue:
     """
     found = salvaged(path)
     draft, rescued = (path.with_name(path.name + suffix) for suffix in (".rescued-new", ".rescued"))
-    _remove(draft)
+    remove(draft)
     try:
         show, copied = _from_good_copy(path, draft)
         try:
@@ -83,7 +82,7 @@ def rescue_show(path: Path, /) -> Rescue:
             show.close()
         put_in_place(draft, rescued)
     finally:
-        _remove(draft)
+        remove(draft)
     kept = move_aside(path)
     put_in_place(rescued, path)
     return Rescue(kept, copied, newer)
@@ -188,7 +187,7 @@ def _from_good_copy(path: Path, draft: Path) -> tuple[ShowFile, float | None]:
     try:
         return open_show(draft), good.stat().st_mtime
     except CorruptShowFileError:
-        _remove(draft)
+        remove(draft)
         move_aside(good)  # a later good copy would take its place
         return open_show(draft), None
 
@@ -203,8 +202,3 @@ def _added(show: ShowFile, found: Salvage) -> int:
     if found.journal is not None and found.journal.epoch >= show.journal().epoch:
         show.write_journal(found.journal)
     return len(changes)
-
-
-def _remove(path: Path) -> None:
-    for suffix in ("", *LOGS):
-        path.with_name(path.name + suffix).unlink(missing_ok=True)
