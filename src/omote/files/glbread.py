@@ -16,14 +16,15 @@ from numpy.typing import NDArray
 
 from omote.files.glb import BIN_CHUNK, JSON_CHUNK, MAGIC, ROWS, VERSION
 from omote.files.gltf_document import Accessor, Document, Mesh, Node, Primitive, Sparse, parse_document
+from omote.geometry.mesh import FARTHEST, out_of_reach
 
 Values = NDArray[np.float64]
 T = TypeVar("T")
 
 LARGEST = 512 * 2**20
 """Bytes of a file at most."""
-MOST_VERTICES, MOST_TARGETS, MOST_NUMBERS = 1_000_000, 1024, 200_000_000
-"""Of one primitive; and numbers of all accessors together that are laid out."""
+MOST_VERTICES, MOST_TARGETS, MOST_NUMBERS = 1_000_000, 1024, 40_000_000
+"""Of one primitive; and numbers of all together: every expression of the cast on a head with hair makes 15 million."""
 _COMPONENTS = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 _KNOWN = frozenset({"KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_transform", "KHR_materials_specular"})
@@ -51,13 +52,11 @@ def read_glb(data: bytes, /) -> tuple[Piece, ...]:
     text, binary = _chunks(data)
     document = parse_document(text)
     _refuse_outside(document, binary)
+    shown = [(document.nodes[node], place) for node, place in _places(document).items()]
+    meshes = [(_at(document.meshes, node.mesh, "mesh"), node, place) for node, place in shown if node.mesh is not None]
+    _refuse_costly(document, [primitive for mesh, _, _ in meshes for primitive in mesh.primitives])
     reader = _Reader(document, binary)
-    pieces: list[Piece] = []
-    for node, place in _places(document).items():
-        mesh = document.nodes[node].mesh
-        if mesh is not None:
-            pieces += reader.pieces(_at(document.meshes, mesh, "mesh"), document.nodes[node], place)
-    return tuple(pieces)
+    return tuple(piece for mesh, node, place in meshes for piece in reader.pieces(mesh, node, place))
 
 
 def _chunks(data: bytes) -> tuple[bytes, bytes]:
@@ -95,32 +94,42 @@ def _refuse_outside(document: Document, binary: bytes) -> None:
             )
 
 
+def _refuse_costly(document: Document, primitives: list[Primitive]) -> None:
+    """Counts before anything is laid out: what an accessor says costs a file nothing."""
+    numbers = 0
+    for primitive in primitives:
+        points = _at(document.accessors, primitive.attributes.get("POSITION", -1), "positions in accessor")
+        numbers += points.count * 3 * (1 + len(primitive.targets))
+        if numbers > MOST_NUMBERS:
+            raise ValueError(f"the file lays out more than {MOST_NUMBERS} numbers; export fewer meshes or targets")
+
+
 class _Reader:
-    """A document with its bytes, and how many numbers may still be laid out."""
+    """A document with its bytes."""
 
     def __init__(self, document: Document, binary: bytes) -> None:
-        self.document, self.binary, self.left = document, binary, MOST_NUMBERS
+        self.document, self.binary = document, binary
 
     def pieces(self, mesh: Mesh, node: Node, place: Values) -> list[Piece]:
         name = node.name or mesh.name or "mesh"
         return [self.piece(mesh, primitive, name, place) for primitive in mesh.primitives]
 
     def piece(self, mesh: Mesh, primitive: Primitive, name: str, place: Values) -> Piece:
-        if "POSITION" not in primitive.attributes:
-            raise ValueError(f"mesh {name[:80]!r} has no positions; export it with its vertices")
         points = self.numbers(primitive.attributes["POSITION"], 3, "POSITION")
         moves = {
             label: self.moves(target, len(points)) @ place[:3, :3].T
             for label, target in zip(_labels(mesh, primitive, name), primitive.targets, strict=True)
         }
-        return Piece(name, points @ place[:3, :3].T + place[:3, 3], self.rows(primitive, len(points)), moves)
+        standing = points @ place[:3, :3].T + place[:3, 3]
+        if any(len(out_of_reach(values)) for values in (standing, *moves.values())):
+            raise ValueError(f"mesh {name[:80]!r} stands further off than {FARTHEST:g} metres; export it in metres")
+        return Piece(name, standing, self.rows(primitive, len(points)), moves)
 
     def moves(self, target: Mapping[str, int], count: int) -> Values:
         """What a target adds to positions; one without positions adds nothing."""
         if "POSITION" not in target:
-            self.spend(3 * count)
             return np.zeros((count, 3))
-        found = self.numbers(target["POSITION"], 3, "POSITION of a target")
+        found = self.numbers(target["POSITION"], 3, "POSITION of a target", count)
         if len(found) != count:
             raise ValueError(f"a target has {len(found)} vertices and its mesh {count}; export it anew")
         return found
@@ -128,25 +137,18 @@ class _Reader:
     def rows(self, primitive: Primitive, count: int) -> NDArray[np.int64] | None:
         if ROWS not in primitive.attributes:
             return None
-        rows = self.numbers(primitive.attributes[ROWS], 1, ROWS)[:, 0]
+        rows = self.numbers(primitive.attributes[ROWS], 1, ROWS, count)[:, 0]
         if len(rows) != count or (rows != np.rint(rows)).any() or (rows < 0).any():
             raise ValueError(f"{ROWS} holds no vertex for each of {count}; export the face from Omote anew")
         return rows.astype(np.int64)
 
-    def spend(self, numbers: int) -> None:
-        self.left -= numbers
-        if self.left < 0:
-            raise ValueError(f"the file lays out more than {MOST_NUMBERS} numbers; export fewer meshes or targets")
-
-    def numbers(self, index: int, columns: int, what: str) -> Values:
+    def numbers(self, index: int, columns: int, what: str, most: int = MOST_VERTICES) -> Values:
         """The values (count, columns) of an accessor, its sparse ones in place, all finite."""
         accessor = _at(self.document.accessors, index, "accessor")
-        if _COLUMNS.get(accessor.type) != columns or not 0 < accessor.count <= MOST_VERTICES:
+        if _COLUMNS.get(accessor.type) != columns or not 0 < accessor.count <= most:
             raise ValueError(
-                f"{what} is {accessor.count} of {accessor.type[:20]!r}; expected 1 to {MOST_VERTICES} "
-                f"of {columns} numbers each"
+                f"{what} is {accessor.count} of {accessor.type[:20]!r}; expected 1 to {most} of {columns} numbers each"
             )
-        self.spend(accessor.count * columns)
         if accessor.buffer_view is None:
             values = np.zeros((accessor.count, columns))
         else:
@@ -213,8 +215,8 @@ def _places(document: Document) -> dict[int, Values]:
         if at in places:
             raise ValueError(f"node {at} hangs under two others; export the scene anew")
         places[at] = above @ _transform(node)
-        if not np.isfinite(places[at]).all():
-            raise ValueError(f"node {at} stands nowhere: its place is not finite; export the scene anew")
+        if len(out_of_reach(places[at])):
+            raise ValueError(f"node {at} stands nowhere: its place is out of all reach; export the scene anew")
         waiting += [(child, places[at]) for child in node.children]
     return dict(sorted(places.items()))
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from omote.files import glbread, objfile
 from omote.files.glbread import Piece
 
-SECONDS, MEMORY, FILES = 60, 4 * 2**30, 16
+SECONDS, MEMORY, FILES = 60, 2 * 2**30, 16
 """What a reader may use: seconds of a processor, bytes beyond what it begins with, open files."""
 
 READERS: Mapping[str, Callable[[bytes], tuple[Piece, ...]]] = {
