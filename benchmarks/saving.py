@@ -108,10 +108,13 @@ def write_for_ever(path: Path, pipe: int) -> None:
     number = counted(show)
 
     def told(number: int, fate: Fate) -> None:
-        if fate.state == "committed":
-            os.write(pipe, struct.pack("<i", number))
-        else:
+        if fate.state != "committed":
             say(f"list {number}: {fate}")
+            return
+        try:
+            os.write(pipe, struct.pack("<i", number))
+        except OSError:
+            os._exit(1)  # who should have killed us is gone
         free.release()
 
     while True:

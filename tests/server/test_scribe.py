@@ -149,13 +149,18 @@ def test_whoever_no_longer_listens_stops_nothing() -> None:
     def ended(fate: Fate) -> None:
         raise RuntimeError("Event loop is closed")
 
+    def broken(fate: Fate) -> None:
+        raise BrokenPipeError("nobody")
+
     disk = Disk()
     author = Author(disk)
     author.scribe.commit(layout("a"), ended)
-    author.commit("b")
-    assert author.next() == ("b", COMMITTED)
+    author.scribe.commit(layout("b"), broken)
+    author.commit("c")
+    assert author.next() == ("c", COMMITTED)
     author.scribe.close()
-    assert disk.written == ["a", "b", "closed"]
+    assert disk.written == ["a", "b", "c", "closed"]
+    assert author.said[0] == "what became of a change (committed) could not be told: BrokenPipeError('nobody')."
 
 
 def test_a_good_copy_is_made_when_it_is_quiet_and_at_the_end(tmp_path: Path) -> None:

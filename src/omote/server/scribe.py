@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import sqlite3
 import threading
 from collections import deque
@@ -125,8 +124,12 @@ class Scribe:
         return Fate("committed")
 
     def _tell(self, job: _Job, fate: Fate) -> None:
-        with contextlib.suppress(RuntimeError):  # a loop that has ended hears nothing any more
+        try:
             job.told(fate)
+        except RuntimeError:
+            pass  # a loop that has ended hears nothing any more
+        except Exception as error:  # whatever it is, later changes are still to be kept
+            self._report(f"what became of a change ({fate.state}) could not be told: {error!r}.")
 
     def _keep_good_copy(self) -> None:
         self._stale = False
