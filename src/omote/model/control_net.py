@@ -25,6 +25,7 @@ Indices = NDArray[np.int32]
 
 # Points of each still ring that closes the net at neck and crown.
 _RING = 16
+_LEAN = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,7 +159,9 @@ def _periodic_delaunay(theta: Values, h: Values, metric: float) -> tuple[Indices
     count = len(theta)
     shifts = np.repeat([-2 * np.pi, 0.0, 2 * np.pi], count)
     unrolled = np.tile(theta, 3) + shifts
-    found = Delaunay(np.stack([unrolled * metric, np.tile(h, 3)], axis=1)).simplices
+    # Four points of a symmetric net often lie on one circle; leaning a little, every period cuts them the same way.
+    leaning = unrolled * metric + _LEAN * np.tile(h, 3)
+    found = Delaunay(np.stack([leaning, np.tile(h, 3)], axis=1)).simplices
     owner = found % count
     lowest = np.take_along_axis(found, owner.argmin(axis=1)[:, None], axis=1)[:, 0]
     kept = found[(lowest >= count) & (lowest < 2 * count)]

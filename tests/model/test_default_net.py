@@ -1,0 +1,47 @@
+"""The default control points: about a hundred, symmetric, where the face moves."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import omote
+from omote.model.default_net import COUNT, default_net
+from omote.model.lines import chains
+from omote.model.mirror import mirror_rows
+from omote.model.regions import region_weights
+from omote.model.weave import woven
+from tests import synthetic
+
+
+def test_about_a_hundred_points_each_with_its_mirror_image() -> None:
+    space = omote.load_cast().space
+    rows = default_net(space)
+    assert COUNT <= len(rows) <= COUNT + 1
+    assert len(set(rows)) == len(rows)
+    assert space.on_sheet[list(rows)].all()
+    assert set(mirror_rows(space)[list(rows)]) == set(rows)
+    assert all(place >= 0 for place in woven(space, rows).mirror)
+
+
+def test_every_lid_and_lip_has_its_corners_and_points_on_both_edges() -> None:
+    space = omote.load_cast().space
+    rows = set(default_net(space))
+    for line in space.lines:
+        upper, lower = chains(space.points, line.loop)
+        assert {upper[0], upper[-1]} <= rows
+        for chain in (upper, lower):
+            assert len(rows & set(chain[1:-1].tolist())) >= (3 if line.kind == "lids" else 5)
+
+
+def test_most_points_stand_where_expressions_move() -> None:
+    space = omote.load_cast().space
+    rows, weights = list(default_net(space)), region_weights(space)
+    face = sum(weights[region][rows].sum() for region in ("brows", "eyes", "nose", "cheeks", "mouth", "jaw"))
+    assert face > 0.7 * len(rows)
+
+
+def test_one_head_has_one_net_and_another_head_one_too() -> None:
+    assert default_net(omote.load_cast().space) == default_net(omote.load_cast().space)
+    egg = synthetic.space()
+    made = woven(egg, default_net(egg))
+    assert np.allclose(made.net.basis.sum(axis=1)[egg.on_sheet], 1.0)
