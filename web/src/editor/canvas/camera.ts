@@ -76,6 +76,8 @@ export class Camera {
   readonly back: Triple;
   /** From world to clip space, column by column. */
   readonly matrix: Float32Array;
+  /** What the camera looks at. */
+  readonly middle: Triple;
   private readonly far: number;
 
   constructor(
@@ -89,8 +91,8 @@ export class Camera {
     this.up = cross(this.back, this.right);
     const aspect = box.width / Math.max(box.height, 1);
     this.far = (1.06 * bounds.radius) / (LENS * Math.min(1, aspect * 1.12) * view.zoom) + 0.4 * bounds.radius;
-    const middle = add(bounds.centre, add(times(this.right, view.pan[0]), times(this.up, view.pan[1])));
-    this.eye = add(middle, times(this.back, this.far));
+    this.middle = add(bounds.centre, add(times(this.right, view.pan[0]), times(this.up, view.pan[1])));
+    this.eye = add(this.middle, times(this.back, this.far));
     this.matrix = product(this.projection(aspect, bounds.radius), this.placement());
   }
 

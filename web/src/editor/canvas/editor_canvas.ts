@@ -1,15 +1,14 @@
 /** The editor's canvas: the face under work large, the others beside it, all wearing the draft; and hands on it. */
 
-import type { Mesh } from "../../link/assets";
 import { now } from "../../link/clock";
 import type { Manifest } from "../../link/messages";
 import { type Anatomy, study } from "../../stage/anatomy";
 import { drawsInSoftware } from "../../stage/machine";
-import { rowTriangles } from "../../stage/topology";
 import { flat } from "../net";
 import type { Workbench } from "../workbench";
 import { Aspect } from "./aspect";
 import type { ViewName } from "./camera";
+import { coarseMeshes } from "./coarse";
 import { Company, type Member } from "./company";
 import { Complexions } from "./complexion";
 import { ballFrames, ballsOf, gazeOf } from "./eyes";
@@ -21,7 +20,7 @@ import { Pace } from "./pace";
 import { Painter } from "./painter";
 import { exposeProbe } from "./probe";
 import { Sitters } from "./sitters";
-import { filled } from "./surface";
+import { surfaceOf } from "./surface";
 
 export class EditorCanvas {
   readonly pace = new Pace();
@@ -122,7 +121,7 @@ export class EditorCanvas {
     const side = drawsInSoftware() ? 512 : 1024;
     this.company = new Company(gl, library, this.anatomy, complexions, side);
     this.sitters = new Sitters(this.company.crowd, complexions, this.anatomy, library.manifest.skin, side);
-    this.painter = new Painter(gl, this.company.crowd, library.meshes);
+    this.painter = new Painter(gl, this.company.crowd, library.meshes, coarseMeshes(library.meshes, this.anatomy));
     this.marks = new NeedleMarks(gl, this.painter);
     this.overlay = new Overlay(this, this.painter, this.marks);
     this.frames = ballFrames(this.anatomy);
@@ -204,7 +203,7 @@ export class EditorCanvas {
     const members = this.members(company);
     const boxes = aspect.share(members.length - 1);
     painter.frame([0, 0, this.canvas.width, this.canvas.height], aspect.ground);
-    const gaze = gazeOf(bench.look === null ? bench.recipe : null, bench.manifest);
+    const gaze = gazeOf(bench.look === null ? bench.recipe : null, bench.liveEyes, bench.manifest);
     members.forEach((member, n) => {
       if (member === undefined || member.block < 0) return;
       const camera = aspect.camera(n, member.bounds);
@@ -243,12 +242,3 @@ export class EditorCanvas {
 
 const pullsOf = (recipe: NonNullable<Workbench["recipe"]>): Map<string, number> =>
   new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction]));
-
-/** What a pointer lands on: skin, eyeballs, and the lips' opening closed. */
-function surfaceOf(meshes: readonly Mesh[], anatomy: Anatomy): { skin: Uint32Array; land: Uint32Array } {
-  const skin = meshes.filter(({ name }) => name === "skin").flatMap((mesh) => [...rowTriangles(mesh)]);
-  const balls = meshes.filter(({ name }) => name.startsWith("eye_")).flatMap((mesh) => [...rowTriangles(mesh)]);
-  const lips = anatomy.lines.get("lips");
-  const closed = lips === undefined ? [] : filled(lips, anatomy.positions, [0, 0, 1]);
-  return { skin: Uint32Array.from(skin), land: Uint32Array.from([...skin, ...balls, ...closed]) };
-}

@@ -8,6 +8,12 @@ import { writeTurn } from "../../stage/pose";
 import type { Ball } from "./painter";
 import { add, minus, rowOf, type Triple, times } from "./triples";
 
+/** What the hand sets of the eyes (`Workbench.liveEyes`). */
+interface Gaze {
+  turns: readonly number[];
+  pupil: number;
+}
+
 /** How to read each eyeball's axes from its rows. */
 export const ballFrames = (anatomy: Anatomy): BallFrame[] =>
   [0, 1].flatMap((side) => {
@@ -35,11 +41,11 @@ function times3(a: ArrayLike<number>, b: ArrayLike<number>): Float32Array {
   });
 }
 
-/** Angles and pupils that a recipe adds up to, as far as the cast's documents tell. */
-export function gazeOf(recipe: Recipe | null, manifest: Manifest): { angles: number[]; pupil: number } {
+/** Angles and pupils that a recipe adds up to, with what the hand sets now, as far as the cast's documents tell. */
+export function gazeOf(recipe: Recipe | null, hand: Gaze, manifest: Manifest): { angles: number[]; pupil: number } {
   if (recipe === null) return { angles: [0, 0, 0, 0], pupil: 0 };
-  const angles: number[] = [...recipe.eyes];
-  let pupil = recipe.pupil;
+  const angles: number[] = [...hand.turns];
+  let { pupil } = hand;
   for (const { source, weight, region, mirrored } of recipe.layers) {
     const known = manifest.expressions.find((one) => one.source === source);
     if (known === undefined || (region !== null && region !== "eyes")) continue;

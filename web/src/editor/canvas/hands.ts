@@ -76,6 +76,12 @@ export class Hands {
     return needlesOn(bench.net.rows, this.anatomy.fans, figure.live, this.needleLength);
   }
 
+  /** Whether needles are shown. */
+  get armed(): boolean {
+    const { recipe, look, options } = this.stage.bench;
+    return recipe !== null && look === null && options.needles;
+  }
+
   /** Metres; shorter when one looks from near, so that they do not hide what they move. */
   get needleLength(): number {
     return NEEDLE / Math.max(1, this.stage.aspect.view.zoom ** 0.75);

@@ -17,8 +17,8 @@ const COLOURS: Readonly<Record<NeedleState, readonly [number, number, number, nu
 };
 /** Triangles of a needle's eight corners: shaft and head. */
 const CORNERS = Uint16Array.from([0, 1, 2, 2, 1, 3, 4, 5, 6, 6, 5, 7]);
-/** Pixels of a head's radius. */
-const HEAD = 4.2;
+/** CSS pixels of a head's radius. */
+export const HEAD = 4.2;
 
 export class NeedleMarks {
   private readonly program: WebGLProgram;
@@ -52,13 +52,17 @@ export class NeedleMarks {
     gl.bindVertexArray(null);
   }
 
-  /** The rows under the needles and how each looks. */
-  set(rows: readonly number[], states: readonly NeedleState[]): void {
+  /** The rows under the needles, how each looks, and how large its head is (1: ordinary). */
+  set(rows: readonly number[], states: readonly NeedleState[], scales?: readonly number[]): void {
     const { gl } = this;
+    const looks = Float32Array.from(states.flatMap((state) => COLOURS[state]));
+    scales?.forEach((scale, n) => {
+      looks[5 * n + 4] = (looks[5 * n + 4] as number) * scale;
+    });
     gl.bindBuffer(gl.ARRAY_BUFFER, this.rows);
     gl.bufferData(gl.ARRAY_BUFFER, Uint16Array.from(rows), gl.DYNAMIC_DRAW);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.looks);
-    gl.bufferData(gl.ARRAY_BUFFER, Float32Array.from(states.flatMap((state) => COLOURS[state])), gl.DYNAMIC_DRAW);
+    gl.bufferData(gl.ARRAY_BUFFER, looks, gl.DYNAMIC_DRAW);
     this.count = rows.length;
   }
 

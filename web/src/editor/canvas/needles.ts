@@ -3,7 +3,7 @@
 import type { Fans } from "../../stage/topology";
 import type { Camera } from "./camera";
 import { hit } from "./surface";
-import { add, cross, dot, minus, rowOf, type Triple, times, unit } from "./triples";
+import { add, cross, dot, minus, rowOf, size, type Triple, times, unit } from "./triples";
 
 /** Metres that a needle stands out of the skin on a head of ordinary size. */
 export const NEEDLE = 0.0035;
@@ -97,4 +97,16 @@ export function within(
     return x >= left && x <= right && y >= top && y <= bottom;
   };
   return needles.filter((needle) => inside(needle) && seen(needle, camera, skin)).map(({ place }) => place);
+}
+
+/** For each row the distance to the nearest other one, metres: where needles stand close their heads are small. */
+export function spacing(rows: readonly number[], positions: Float32Array): number[] {
+  const points = rows.map((row) => rowOf(positions, row));
+  return points.map((point, place) => {
+    let least = Infinity;
+    points.forEach((other, at) => {
+      if (at !== place) least = Math.min(least, size(minus(point, other)));
+    });
+    return least;
+  });
 }

@@ -4,12 +4,15 @@ import { rowTriangles } from "../../stage/topology";
 import type { Box, Camera } from "./camera";
 import type { EditorCanvas } from "./editor_canvas";
 import { STUD } from "./handle_hands";
-import type { NeedleMarks, NeedleState } from "./needle_marks";
+import { HEAD, type NeedleMarks, type NeedleState } from "./needle_marks";
+import { spacing } from "./needles";
 import type { Lines, Painter } from "./painter";
 
 const EDGE = [1, 1, 1, 0.16];
 const MUSCLE = [0.93, 0.36, 0.3, 0.9];
 const SLACK = [0.93, 0.5, 0.42, 0.45];
+/** The smallest a needle's head becomes. */
+const LEAST = 0.42;
 /** Metres that lines lie off the skin. */
 const EDGE_LIFT = 0.0002;
 const MUSCLE_LIFT = 0.0012;
@@ -21,6 +24,8 @@ export class Overlay {
   private wires: Lines | undefined;
   private muscles: Lines | undefined;
   private pulled = "";
+  private placed = "";
+  private spaced: { rows: readonly number[]; far: number[] } | undefined;
 
   constructor(
     private readonly stage: EditorCanvas,
@@ -65,10 +70,19 @@ export class Overlay {
       this.painter.lines(this.muscles, block, camera, MUSCLE_LIFT);
     }
     this.drawHandles(block, camera);
-    if (bench.net === null || hands.needles().length === 0) return;
+    if (bench.net === null || !hands.armed) return;
     const rows = bench.net.rows.map((row, place) => (hands.placing?.place === place ? hands.placing.row : row));
-    this.marks.set(rows, this.states());
+    this.marks.set(rows, this.states(), this.scales(camera));
     this.marks.draw(block, camera, hands.needleLength, aspect.ratio);
+  }
+
+  /** How large the needles' heads are: as they stand close, so that what they are on is seen between them. */
+  private scales(camera: Camera): number[] {
+    const { bench, work } = this.stage;
+    const rows = bench.net?.rows ?? [];
+    if (this.spaced?.rows !== rows && work !== undefined) this.spaced = { rows, far: spacing(rows, work.figure.rest) };
+    const each = HEAD * camera.metresPerPixel(camera.middle);
+    return (this.spaced?.far ?? []).map((far) => Math.min(1, Math.max(LEAST, (0.36 * far) / each)));
   }
 
   /** The handles of a face under work. */
@@ -81,24 +95,27 @@ export class Overlay {
 
   /** Puts names and rubber band where they belong. */
   place(names: readonly string[], boxes: readonly Box[]): void {
-    const { canvas, hands } = this.stage;
-    const { style } = this.layer;
-    style.left = `${canvas.offsetLeft}px`;
-    style.top = `${canvas.offsetTop}px`;
-    style.width = `${canvas.clientWidth}px`;
-    style.height = `${canvas.clientHeight}px`;
+    this.stretch();
+    const { offsetLeft: left, offsetTop: top, clientWidth: width, clientHeight: height } = this.stage.canvas;
+    const asked = JSON.stringify([names, boxes, left, top, width, height]);
+    if (asked === this.placed) return; // writing styles costs a layout
+    this.placed = asked;
+    const sides = { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` };
+    Object.assign(this.layer.style, sides);
     names.forEach((text, n) => {
-      const name = this.name(n);
-      const box = boxes[n] as Box;
-      if (name.textContent !== text) name.textContent = text;
-      const [left, top] = [`${box.left + 8}px`, `${box.top + box.height - 24}px`];
-      if (name.style.left !== left) name.style.left = left;
-      if (name.style.top !== top) name.style.top = top;
+      const [name, box] = [this.name(n), boxes[n] as Box];
+      name.textContent = text;
+      Object.assign(name.style, { left: `${box.left + 8}px`, top: `${box.top + box.height - 24}px` });
     });
     for (const name of this.names.splice(names.length)) name.remove();
-    this.rubber.style.display = hands.band === undefined ? "none" : "block";
-    if (hands.band === undefined) return;
-    const [left, top, right, bottom] = hands.band;
+  }
+
+  private stretch(): void {
+    const { band } = this.stage.hands;
+    if (band === undefined && this.rubber.style.display === "none") return;
+    this.rubber.style.display = band === undefined ? "none" : "block";
+    if (band === undefined) return;
+    const [left, top, right, bottom] = band;
     const rect = { left: `${left}px`, top: `${top}px`, width: `${right - left}px`, height: `${bottom - top}px` };
     Object.assign(this.rubber.style, rect);
   }

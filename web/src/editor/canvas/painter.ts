@@ -24,11 +24,17 @@ export interface Portrait {
   pupil: number;
 }
 
-/** A list of lines over the work's skin: rows, two for each line, each with its colour. */
-export interface Lines {
+/** A vertex array and how many indices or vertices of it are drawn. */
+interface Shape {
   array: WebGLVertexArrayObject;
   count: number;
 }
+
+/** Metres that a pixel covers from which on the coarse skin is drawn. */
+const COARSE = 0.0008;
+
+/** A list of lines over the work's skin: rows, two for each line, each with its colour. */
+export type Lines = Shape;
 
 /** Colours of what is no skin, linear, by mesh. */
 const TINTS: Readonly<Record<string, readonly [number, number, number, number]>> = {
@@ -43,22 +49,22 @@ export class Painter {
   private readonly skin: WebGLProgram;
   private readonly eye: WebGLProgram;
   private readonly line: WebGLProgram;
-  private readonly head: WebGLVertexArrayObject;
-  private readonly headCount: number;
-  private readonly ball: WebGLVertexArrayObject;
-  private readonly ballCount: number;
+  /** Fine and coarse: what is shown large, and what is shown small. */
+  private readonly heads: readonly Shape[];
+  private readonly balls: readonly Shape[];
   private readonly uniforms = new Map<WebGLProgram, Map<string, WebGLUniformLocation | null>>();
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
     private readonly crowd: Crowd,
     meshes: readonly Mesh[],
+    coarse: readonly Mesh[],
   ) {
     this.skin = createProgram(gl, shaders.SKIN_VERTEX, shaders.SKIN_FRAGMENT);
     this.eye = createProgram(gl, shaders.EYE_VERTEX, shaders.EYE_FRAGMENT);
     this.line = createProgram(gl, shaders.LINE_VERTEX, shaders.LINE_FRAGMENT);
-    [this.head, this.headCount] = this.buildHead(meshes);
-    [this.ball, this.ballCount] = this.buildBall();
+    this.heads = [meshes, coarse].map((list) => this.buildHead(list));
+    this.balls = [this.buildBall(10, 18), this.buildBall(6, 12)];
   }
 
   /** Begins a picture: `box` of the canvas in pixels from its lower left corner. */
@@ -83,17 +89,21 @@ export class Painter {
     gl.activeTexture(gl.TEXTURE2);
     gl.bindTexture(gl.TEXTURE_2D, portrait.complexion);
     gl.uniform1i(this.at(this.skin, "complexion"), 2);
-    gl.bindVertexArray(this.head);
-    gl.drawElements(gl.TRIANGLES, this.headCount, gl.UNSIGNED_SHORT, 0);
+    const level = camera.metresPerPixel(camera.middle) > COARSE ? 1 : 0;
+    this.draw(this.heads[level] as Shape);
     this.use(this.eye, camera);
     this.dressEyes(portrait);
-    gl.bindVertexArray(this.ball);
     for (const ball of portrait.balls) {
       gl.uniform3fv(this.at(this.eye, "centre"), ball.centre);
       gl.uniformMatrix3fv(this.at(this.eye, "axes"), false, ball.axes);
-      gl.drawElements(gl.TRIANGLES, this.ballCount, gl.UNSIGNED_SHORT, 0);
+      this.draw(this.balls[level] as Shape);
     }
     gl.bindVertexArray(null);
+  }
+
+  private draw({ array, count }: Shape): void {
+    this.gl.bindVertexArray(array);
+    this.gl.drawElements(this.gl.TRIANGLES, count, this.gl.UNSIGNED_SHORT, 0);
   }
 
   /** Draws lines over a face, `lift` metres off its skin. */
@@ -187,7 +197,7 @@ export class Painter {
     gl.uniform1f(this.at(eye, "pupil"), pupil);
   }
 
-  private buildHead(meshes: readonly Mesh[]): [WebGLVertexArrayObject, number] {
+  private buildHead(meshes: readonly Mesh[]): Shape {
     const drawn = meshes.filter(({ name }) => name === "skin" || name in TINTS);
     const total = drawn.reduce((sum, mesh) => sum + mesh.source.length, 0);
     const [row, uv, tint] = [new Uint16Array(total), new Float32Array(2 * total), new Float32Array(4 * total)];
@@ -200,11 +210,12 @@ export class Painter {
       for (const corner of mesh.triangles) indices.push(first + corner);
       first += mesh.source.length;
     }
-    return [this.array(this.skin, { row, uv, tint }, Uint16Array.from(indices)), indices.length];
+    return { array: this.array(this.skin, { row, uv, tint }, Uint16Array.from(indices)), count: indices.length };
   }
 
-  private buildBall(): [WebGLVertexArrayObject, number] {
-    const { directions, triangles } = dome(10, 18);
-    return [this.array(this.eye, { direction: directions }, Uint16Array.from(triangles)), triangles.length];
+  private buildBall(rings: number, spokes: number): Shape {
+    const { directions, triangles } = dome(rings, spokes);
+    const array = this.array(this.eye, { direction: directions }, Uint16Array.from(triangles));
+    return { array, count: triangles.length };
   }
 }

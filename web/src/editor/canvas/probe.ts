@@ -7,8 +7,8 @@ export interface EditorProbe {
   /** Whether all faces wear the draft, and nothing eases. */
   settled(): boolean;
   counters(): Counters;
-  /** The needles on the canvas: place, row, where the head and the foot are (CSS pixels), whether it can be seen. */
-  needles(): { place: number; row: number; head: [number, number]; foot: [number, number] }[];
+  /** The needles, or a face's handles, on the canvas: place, row, a handle's name, where the head and the foot are (CSS pixels), whether it can be seen. */
+  needles(): { place: number; row: number; label: string; head: [number, number]; foot: [number, number] }[];
   /** The positions of a face as the GPU has them, (rows, 3) metres. */
   readPositions(face: string): number[];
   /** The positions of a face as the page computes them, (rows, 3) metres, when nothing eases. */
@@ -54,7 +54,8 @@ export function exposeProbe(stage: EditorCanvas): void {
       if (camera === undefined) return [];
       return stage.hands.needles().map(({ place, head, foot }) => {
         const [a, b] = [camera.project(head), camera.project(foot)];
-        return { place, row: stage.hands.rowOf(place), head: [a[0], a[1]], foot: [b[0], b[1]] };
+        const label = (stage.sitting ? stage.handles?.handles?.labels[place] : undefined) ?? "";
+        return { place, row: stage.hands.rowOf(place), label, head: [a[0], a[1]], foot: [b[0], b[1]] };
       });
     },
     readPositions: (face) => Array.from(stage.company?.crowd.read(memberOf(face).block) ?? []),

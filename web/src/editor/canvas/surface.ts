@@ -1,5 +1,8 @@
 /** What a pointer lands on: the skin, the eyeballs, and the openings closed, so that lips and lids glide over them. */
 
+import type { Mesh } from "../../link/assets";
+import type { Anatomy } from "../../stage/anatomy";
+import { rowTriangles } from "../../stage/topology";
 import { add, cross, dot, minus, rowOf, type Triple, times } from "./triples";
 
 /** Where a ray meets a surface: metres from its origin, the triangle's corners, and the point. */
@@ -91,4 +94,13 @@ export function nearestCorner(
     return dot(off, off);
   };
   return corners.filter(welcome).sort((a, b) => far(a) - far(b))[0];
+}
+
+/** The rows of what hides needles, and of what a pointer lands on: skin, eyeballs, and the lips' opening closed. */
+export function surfaceOf(meshes: readonly Mesh[], anatomy: Anatomy): { skin: Uint32Array; land: Uint32Array } {
+  const skin = meshes.filter(({ name }) => name === "skin").flatMap((mesh) => [...rowTriangles(mesh)]);
+  const balls = meshes.filter(({ name }) => name.startsWith("eye_")).flatMap((mesh) => [...rowTriangles(mesh)]);
+  const lips = anatomy.lines.get("lips");
+  const closed = lips === undefined ? [] : filled(lips, anatomy.positions, [0, 0, 1]);
+  return { skin: Uint32Array.from(skin), land: Uint32Array.from([...skin, ...balls, ...closed]) };
 }
