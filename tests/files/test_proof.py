@@ -73,6 +73,19 @@ def test_what_is_no_database_is_corrupt_and_stays(tmp_path: Path) -> None:
     assert path.read_bytes() == b"no database" * 100
 
 
+@pytest.mark.parametrize("version", [1, SCHEMA_VERSION])
+def test_a_broken_page_is_told_in_one_line(tmp_path: Path, version: int) -> None:
+    show = filled(tmp_path / "a.omote")
+    show._connection.execute(f"PRAGMA user_version = {version}")
+    show.close()
+    with show.path.open("r+b") as file:
+        file.seek(3 * 4096)
+        file.write(b"\xa5" * 4096)
+    with pytest.raises(CorruptShowFileError, match=r"Page 4: .*\)\.$") as refused:
+        examined(show.path)
+    assert "\n" not in str(refused.value)
+
+
 def test_what_cannot_be_opened_is_said(tmp_path: Path) -> None:
     (tmp_path / "folder").mkdir()
     with pytest.raises(ShowFileError, match="cannot be read"):

@@ -101,7 +101,7 @@ def refuse_damaged(connection: sqlite3.Connection) -> None:
     nothing."""
     for (verdict,) in connection.execute("PRAGMA integrity_check(1)"):
         if verdict != "ok":
-            raise sqlite3.DatabaseError(verdict)
+            raise sqlite3.DatabaseError(verdict.splitlines()[-1])  # SQLite's heading stands on a line above it
     stray = connection.execute("PRAGMA foreign_key_check").fetchone()
     if stray is not None:
         raise sqlite3.DatabaseError(f"row {stray[1]} of {stray[0]} belongs to no {stray[2]}")

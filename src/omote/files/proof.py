@@ -57,5 +57,5 @@ def _version(connection: sqlite3.Connection, path: Path) -> int:
     elif version:
         (verdict,) = connection.execute("PRAGMA quick_check(1)").fetchone()
         if verdict != "ok":
-            raise sqlite3.DatabaseError(verdict)
+            raise sqlite3.DatabaseError(verdict.splitlines()[-1])
     return version
