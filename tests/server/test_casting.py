@@ -129,6 +129,6 @@ def test_a_face_that_cannot_be_shown_is_kept_from_pages_and_said(show: Show, gri
 
 def test_the_troupe_of_a_start_says_what_it_left_out(cast: Cast) -> None:
     said: list[str] = []
-    lost = Own("expression", "lost", "Lost", (), 1.0, "0" * 24)
-    assert gathered(cast, (lost,), {}, said.append).own == ()
-    assert said[0].startswith("the own expression 'Lost' cannot play")
+    taken = Own("expression", "smile", "My smile", (), 1.0, "0" * 24)
+    assert gathered(cast, (taken,), {}, said.append).own == ()
+    assert said[0].startswith("the own expression 'My smile' cannot play")

@@ -88,6 +88,22 @@ def test_an_expression_of_another_head_is_refused(cast: Cast) -> None:
         troupe_of(cast, (face,), contents)
 
 
+def test_nothing_is_unpacked_before_somebody_wants_it_and_what_is_none_plays_as_nothing(cast: Cast) -> None:
+    contents: Contents = {}
+    own = (grin(cast, contents), Own("expression", "lost", "Lost", (), 2.0, "0" * 24))
+    troupe = troupe_of(cast, own, contents, check=False)
+    assert [*troupe.expressions] == [*cast.expressions, "grin", "lost"]
+    assert len(troupe.expressions) == len(cast.expressions) + 2
+    assert "grin" in troupe.expressions
+    assert "nothing" not in troupe.expressions
+    grins = troupe.expressions["grin"]
+    assert np.array_equal(grins.dh, cast.expressions["smile"].dh)
+    assert troupe.expressions["grin"] is grins
+    assert troupe.expressions["lost"] is cast.expressions["neutral"]
+    with pytest.raises(KeyError):
+        troupe.expressions["nothing"]
+
+
 def manifest(cast: Cast, troupe: Troupe, contents: Contents) -> Manifest:
     """The manifest of a troupe with all its faces."""
     built_in = documents(cast, meshes(cast), mask="/mask").manifest

@@ -53,10 +53,13 @@ class Casting:
 def gathered(
     base: Cast, own: tuple[Own, ...], contents: Mapping[str, bytes], report: Report, *, before: Troupe | None = None
 ) -> Troupe:
-    """The cast with all own things that can play; the operator is told of those that cannot."""
+    """The cast with all own things that can play; the operator is told of those that cannot.
+
+    At the start of a show (`before` None) what played before is believed to play again: a server must be back soon.
+    """
     troupe = troupe_of(base, (), contents)
     try:
-        return troupe_of(base, own, contents, before=before)
+        return troupe_of(base, own, contents, before=before, check=before is not None)
     except (ValueError, KeyError):
         for each in own:  # one by one, to leave out as few as possible
             try:

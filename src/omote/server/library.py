@@ -66,7 +66,8 @@ class Library:
                 self._report(f"the own face {own.label!r} cannot be shown ({error}); pages do not get it.")
             else:
                 found[own.content] = msgspec.msgpack.decode(data, type=ContentAsset).face
-        manifest = encode(manifest_of(troupe, self._built_in, found))
+        loop = asyncio.get_running_loop()
+        manifest = await loop.run_in_executor(self._thread, lambda: encode(manifest_of(troupe, self._built_in, found)))
         self._manifests = {self.troupe.digest: self._manifests.get(self.troupe.digest, b""), troupe.digest: manifest}
         return manifest
 

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from types import MappingProxyType
 
 import msgspec
 
 from omote.files.changes import Kind
 from omote.files.contents import unpack_expression
-from omote.model.cast import Cast, Title
+from omote.model.cast import NEUTRAL, Cast, Title
 from omote.model.expression import Expression
 from omote.model.recipe import KEY
 from omote.show.assets import expression_document
@@ -37,6 +38,49 @@ class Own(msgspec.Struct, frozen=True):
         return KEY + self.content
 
 
+class Repertoire(Mapping[str, Expression]):
+    """Expressions by name: the built-in ones, and own ones, which are unpacked when somebody first wants them.
+
+    own: keys of contents by name. A content that turns out to be none plays as nothing, for the show goes on.
+    """
+
+    def __init__(
+        self, built_in: Mapping[str, Expression], own: Mapping[str, str], contents: Mapping[str, bytes]
+    ) -> None:
+        self._built_in, self._own, self._contents = built_in, own, contents
+        self._unpacked: dict[str, Expression] = {}
+
+    def __getitem__(self, name: str) -> Expression:
+        key = self._own.get(name)
+        if key is None:
+            return self._built_in[name]
+        if key not in self._unpacked:
+            try:
+                self.unpack(key)
+            except (ValueError, KeyError):
+                self._unpacked[key] = self._built_in[NEUTRAL]
+        return self._unpacked[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return chain(self._built_in, self._own)
+
+    def __len__(self) -> int:
+        return len(self._built_in) + len(self._own)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._own or name in self._built_in
+
+    def learn(self, other: Repertoire) -> None:
+        """Takes over what another has unpacked."""
+        keys = set(self._own.values())
+        self._unpacked |= {key: each for key, each in other._unpacked.items() if key in keys}
+
+    def unpack(self, key: str) -> None:
+        """Unpacks a content now; ValueError where it is no expression of this head, KeyError where it is missing."""
+        if key not in self._unpacked:
+            self._unpacked[key] = _fitting(self._built_in[NEUTRAL], unpack_expression(self._contents[key]))
+
+
 @dataclass(frozen=True, eq=False)
 class Troupe:
     """The built-in cast and own things beside it; made by `troupe_of`, plays as a cast does.
@@ -47,7 +91,7 @@ class Troupe:
     base: Cast
     own: tuple[Own, ...]
     faces: Mapping[str, str]
-    expressions: Mapping[str, Expression]
+    expressions: Repertoire
     expression_sources: Mapping[str, str]
 
     @cached_property
@@ -68,25 +112,30 @@ def digest_of(base: str, own: tuple[Own, ...]) -> str:
 
 
 def troupe_of(
-    base: Cast, own: tuple[Own, ...], contents: Mapping[str, bytes], *, before: Troupe | None = None
+    base: Cast, own: tuple[Own, ...], contents: Mapping[str, bytes], *, before: Troupe | None = None, check: bool = True
 ) -> Troupe:
-    """The cast with own things; what `before` holds already is not unpacked again.
+    """The cast with own things; before: what played until now, of which nothing is unpacked or checked again.
 
-    Raises ValueError where a name is taken or a content does not fit the cast, KeyError where one is missing.
+    check: what is new is unpacked now; else when somebody first wants it. Raises ValueError where a name is taken
+    or a content does not fit the cast, KeyError where one is missing.
     """
-    faces = {name: name for name in base.faces}
-    expressions, sources = dict(base.expressions), {name: name for name in base.expressions}
-    known = {} if before is None else _unpacked(before)
+    faces, expressions = {name: name for name in base.faces}, {name: name for name in base.expressions}
+    keys: dict[str, str] = {}
     for each in own:
-        names: Mapping[str, object] = faces if each.kind == "face" else sources
+        names = faces if each.kind == "face" else expressions
         if each.name in names:
             raise ValueError(f"there are two {each.kind}s named {each.name!r}; expected another name for one of them")
-        if each.kind == "face":
-            faces[each.name] = each.source
-            continue
-        expressions[each.name] = known.get(each.content) or _fitting(base, unpack_expression(contents[each.content]))
-        sources[each.name] = each.source
-    return Troupe(base, own, MappingProxyType(faces), MappingProxyType(expressions), MappingProxyType(sources))
+        names[each.name] = each.source
+        if each.kind == "expression":
+            keys[each.name] = each.content
+    repertoire = Repertoire(base.expressions, keys, contents)
+    played = frozenset() if before is None else frozenset(each.content for each in before.own)
+    if before is not None:
+        repertoire.learn(before.expressions)
+    for key in keys.values():
+        if check and key not in played:
+            repertoire.unpack(key)
+    return Troupe(base, own, MappingProxyType(faces), repertoire, MappingProxyType(expressions))
 
 
 def manifest_of(troupe: Troupe, built_in: Manifest, faces: Mapping[str, FaceDocument]) -> Manifest:
@@ -101,16 +150,10 @@ def manifest_of(troupe: Troupe, built_in: Manifest, faces: Mapping[str, FaceDocu
     )
 
 
-def _unpacked(troupe: Troupe) -> dict[str, Expression]:
-    return {each.content: troupe.expressions[each.name] for each in troupe.own if each.kind == "expression"}
-
-
-def _fitting(base: Cast, expression: Expression) -> Expression:
-    space = base.space
-    if len(expression.dtheta) != space.vertex_count or len(expression.residual) != len(space.inner.vertices):
-        raise ValueError(
-            f"the expression has {len(expression.dtheta)} vertices; expected the {space.vertex_count} of this cast"
-        )
+def _fitting(neutral: Expression, expression: Expression) -> Expression:
+    count = len(neutral.dtheta)
+    if len(expression.dtheta) != count or len(expression.residual) != len(neutral.residual):
+        raise ValueError(f"the expression has {len(expression.dtheta)} vertices; expected the {count} of this cast")
     return expression
 
 
