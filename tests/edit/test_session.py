@@ -22,6 +22,7 @@ from omote.files.changes import Stored
 from omote.files.showfile import ShowFile, open_show
 from omote.model.cast import Cast
 from omote.model.recipe import KEY, FaceRecipe, Layer, Pull
+from omote.show.troupe import digest_of
 from tests import synthetic
 from tests.authoring import MUSCLES, POINTS, WALL, Studio, craft, net_of, welcome
 
@@ -567,6 +568,15 @@ def test_the_same_inputs_give_the_same_outcomes() -> None:
     one, other = played(1993, 80), played(1993, 80)
     assert one.studio.outcomes == other.studio.outcomes
     assert one.studio.tables == other.studio.tables
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_newcomer_is_told_what_everybody_was_told_last(seed: int) -> None:
+    studio = played(seed, 40).studio
+    lists = [each.message for out in studio.outcomes for each in out.replies if isinstance(each.message, wire.Items)]
+    greeted = studio.greet("carol")
+    assert (greeted.items, greeted.digest) == (lists[-1].items, lists[-1].digest)
+    assert greeted.digest == digest_of(studio.cast.digest, studio.session.own())
 
 
 class ShowTables:

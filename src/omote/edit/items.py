@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from msgspec.structs import replace
 
@@ -36,6 +36,12 @@ def document(ledger: Ledger, item: Item, editors: Iterable[str]) -> wire.ItemDoc
     return wire.ItemDocument(
         item.id, item.kind, item.name, item.label, tags, item.place, item.head, content, item.deleted, names
     )
+
+
+def listing(ledger: Ledger, digest: str, editors: Callable[[int], Iterable[str]]) -> wire.Items:
+    """All items in the order of palettes; editors: names of those who have an item open."""
+    order = sorted(ledger.items.values(), key=lambda item: (item.place, item.id))
+    return wire.Items(digest, [document(ledger, item, editors(item.id)) for item in order])
 
 
 def history(ledger: Ledger, item: Item, request: int) -> Result:

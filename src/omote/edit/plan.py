@@ -13,7 +13,7 @@ from omote.edit.messages import ToEditor
 from omote.edit.shelf import Shelf
 from omote.edit.sources import Sources
 from omote.edit.work import Bake, Baked, EditOrder
-from omote.files.changes import Change, Kind
+from omote.files.changes import Change, Kind, PutItem
 from omote.model.cast import Cast
 from omote.model.recipe import KEY, FaceRecipe, Recipe, sources
 
@@ -81,6 +81,12 @@ class Result:
     whole: bool = False
     miss: float = 0.0
     kept: Kept | None = None
+
+    @property
+    def lists(self) -> bool:
+        """Whether the list of items may be another after it."""
+        moved = self.opened is not None or self.closed is not None
+        return moved or any(isinstance(change, PutItem) for change in self.changes)
 
 
 @dataclass(frozen=True)

@@ -72,6 +72,7 @@ class _Answer:
     replies: list[Outgoing] = field(default_factory=list)
     kept: list[Kept] = field(default_factory=list)
     greeted: str | None = None
+    listed: bool = False
 
 
 class EditSession:
@@ -101,7 +102,7 @@ class EditSession:
         self.crew: dict[str, Member] = {}
         self._lanes = Lanes()
         self._digest = digest_of(base.digest, self.own())
-        self._told = self._listed()
+        self._told = items.listing(ledger, self._digest, self._editors)
 
     @property
     def contents(self) -> Mapping[str, bytes]:
@@ -150,7 +151,7 @@ class EditSession:
     def leave(self, who: str) -> Outcome:
         """An editor's page is gone; its drafts stay, and what it asked for is still carried out."""
         self.crew.pop(who, None)
-        return self._outcome(_Answer())
+        return self._outcome(_Answer(listed=True))
 
     def keep(
         self, kind: Kind, on_air: OnAir, *, label: str | None, wall: float, editor: str, ticket: str = ""
@@ -172,7 +173,7 @@ class EditSession:
             versions = f"version {greet.version}, the server {wire.EDITING_VERSION}"
             raise Refusal(f"the page speaks {versions}: reload the page.")
         self.crew[who] = Member(greet.editor, checked_label(greet.name, "your name"), {})
-        answer.greeted = who
+        answer.greeted, answer.listed = who, True
 
     def _task(self, who: str, message: Message, wall: float, on_air: OnAir) -> Task:
         member = self.crew.get(who)
@@ -221,6 +222,7 @@ class EditSession:
     def _carry_out(self, answer: _Answer, task: Task, result: Result) -> None:
         self.authored.ledger.apply(result.changes)
         answer.changes += result.changes
+        answer.listed |= result.lists
         member = self.crew.get(task.who)
         if member is not None and result.opened is not None:
             member.open[result.opened] = None
@@ -280,8 +282,10 @@ class EditSession:
 
     def _outcome(self, answer: _Answer) -> Outcome:
         """The outcome, and the list of all items to everybody where it has changed."""
-        before, self._digest = self._digest, digest_of(self.authored.base.digest, self.own())
-        listed = self._listed()
+        before = self._digest
+        if answer.listed:
+            self._digest = digest_of(self.authored.base.digest, self.own())
+        listed = items.listing(self.authored.ledger, self._digest, self._editors) if answer.listed else self._told
         if answer.greeted is not None:
             welcome = replace(self._welcome, version=wire.EDITING_VERSION, digest=self._digest, items=listed.items)
             answer.replies.append(Outgoing(answer.greeted, welcome))
@@ -292,8 +296,3 @@ class EditSession:
             each for each in answer.replies if each.who in self.crew or isinstance(each.message, wire.EditRefused)
         )
         return Outcome(tuple(answer.orders), tuple(answer.changes), replies, self._digest != before, tuple(answer.kept))
-
-    def _listed(self) -> wire.Items:
-        ledger = self.authored.ledger
-        order = sorted(ledger.items.values(), key=lambda item: (item.place, item.id))
-        return wire.Items(self._digest, [items.document(ledger, item, self._editors(item.id)) for item in order])
