@@ -28,7 +28,7 @@ Lip = Literal["both", "upper", "lower"]
 # Rings over which the head's radius is smoothed before the skin slides along it: a lip's edge is no slope of the face.
 _SLOPE_ROUNDS = 20
 # Lids meet so far up from the lower one; beyond them the skin follows within so many of the ring's half-heights.
-_MEETING, _LID_REACH = 0.1, 1.2
+_MEETING, _LID_REACH = 0.17, 1.2
 # How steep a way over the head's slope may be, and how far from the eyeball, in radii, skin keeps its distance from it.
 _STEEPEST, _NEAR, _FAR = 0.8, 1.1, 1.4
 # A ring draws together so much less upwards than across: the skin gathers.
@@ -208,7 +208,7 @@ def _along(distance: Values, length: float, reach: float) -> Values:
 
 def _bell(share: Values) -> Values:
     """1 at zero, 0 from one on either way, without a corner: the square of the cosine."""
-    result: Values = np.cos(np.clip(np.abs(share), 0.0, 1.0) * np.pi / 2) ** 2
+    result: Values = np.where(np.abs(share) < 1.0, np.cos(share * np.pi / 2) ** 2, 0.0)
     return result
 
 

@@ -149,7 +149,7 @@ class _Head:
 def _left(head: _Head) -> tuple[Muscle, ...]:
     cheek = head.at(0.72, -0.45)
     return (
-        head.linear("zygomaticus_left", "Smile, left", cheek, head.corner(), pull=0.2, spread=55.0, reach=0.65),
+        head.linear("zygomaticus_left", "Smile, left", cheek, head.corner(), pull=0.18, spread=55.0, reach=0.65),
         head.linear("depressor_left", "Mouth corner down, left", head.at(0.5, -1.72), head.corner(), pull=0.11,
                     spread=60.0, reach=0.55),
         head.linear("levator_left", "Upper lip up, left", head.at(0.3, -0.3), head.on_lip(0, 0.45), pull=0.12,
@@ -160,5 +160,5 @@ def _left(head: _Head) -> tuple[Muscle, ...]:
                    width=0.42, reach=0.3),
         head.linear("corrugator_left", "Frown, left", head.at(0.06, 0.12), head.at(0.42, 0.36), pull=0.12, spread=40.0,
                     reach=0.3),
-        head.ring(head.lid, "orbicularis_oculi_left", "Squeeze the eye, left", scale=1.5, pull=0.04, reach=2.4),
+        head.ring(head.lid, "orbicularis_oculi_left", "Squeeze the eye, left", scale=1.5, pull=0.03, reach=2.4),
     )  # fmt: skip
