@@ -67,19 +67,25 @@ def make(page: Page, label: str, start: str | None = None) -> None:
     wait_for(page, f"bench.item?.label === {label!r} && {SETTLED}")
 
 
-def needle(page: Page, region: tuple[float, float, float]) -> dict[str, Any]:
-    """The needle nearest to a place on the face under work, metres."""
-    needles = page.evaluate("window.omoteEditor.needles()")
-    rows = positions(page, str(bench(page, "work")))
-    return min(needles, key=lambda one: float(np.linalg.norm(rows[one["row"]] - np.array(region))))
-
-
 def mouth_corner(page: Page) -> dict[str, Any]:
-    """The needle nearest to the left end of the lips."""
+    """The needle nearest to the left end of the lips that a click finds; it is then selected."""
     lips = np.array(page.evaluate(f"[...{BENCH}.library.lines.get('lips')]"))
     rows = positions(page, str(bench(page, "work")))
     corner = rows[lips[rows[lips, 0].argmax()]]
-    return needle(page, (float(corner[0]), float(corner[1]), float(corner[2])))
+    needles = page.evaluate("window.omoteEditor.needles()")
+    for one in sorted(needles, key=lambda each: float(np.linalg.norm(rows[each["row"]] - corner))):
+        page.mouse.click(*head_of(page, one))
+        chosen = page.evaluate(f"[...{BENCH}.selection]")
+        if chosen:
+            return next(dict(each) for each in needles if each["place"] == chosen[0])
+    pytest.fail("no needle can be taken")
+
+
+def head_of(page: Page, one: dict[str, Any]) -> tuple[float, float]:
+    """Where a needle's head is on the page, pixels."""
+    box = page.locator("omote-editor main .work canvas").first.bounding_box()
+    assert box is not None
+    return box["x"] + one["head"][0], box["y"] + one["head"][1]
 
 
 def positions(page: Page, face: str) -> NDArray[np.float64]:
@@ -94,9 +100,7 @@ def vectors(page: Page) -> NDArray[np.float64]:
 
 def grip(page: Page, one: dict[str, Any]) -> tuple[float, float]:
     """Takes a needle in hand; where the pointer then is."""
-    box = page.locator("omote-editor main .work canvas").first.bounding_box()
-    assert box is not None
-    x, y = box["x"] + one["head"][0], box["y"] + one["head"][1]
+    x, y = head_of(page, one)
     page.mouse.move(x, y)
     page.mouse.down()
     return x, y
@@ -128,7 +132,7 @@ def test_a_newcomer_makes_a_crooked_smile_with_what_the_page_says(editor: Editor
     page = editor()
     expect(page.locator(".welcome li")).to_have_count(3)
     page.locator(".welcome").get_by_role("button", name="New expression").click()
-    page.get_by_label("Name").fill("Crooked smile")
+    page.get_by_label("Name", exact=True).fill("Crooked smile")
     page.get_by_role("button", name="Create").click()
     wait_for(page, SETTLED)
     expect(page.locator(".welcome")).to_have_count(0)
