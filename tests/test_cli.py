@@ -180,6 +180,7 @@ def test_show_says_where_to_look(tmp_path: Path, no_show: list[Supervisor]) -> N
     assert len(no_show) == 1
     assert "/stage" in done.output
     assert "/console" in done.output
+    assert "/editor" in done.output
     assert (tmp_path / "a.omote").exists()
 
 

@@ -192,11 +192,11 @@ def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: 
 
 
 def announce(host: str, port: int, *, browser: bool) -> None:
-    """Says where stage and console are, and opens them where there is a screen."""
+    """Says where the pages are, and opens stage and console where there is a screen."""
     from omote.server.address import here, reachable
 
     for url in reachable(host, port):
-        typer.echo(f"  stage    {url}/stage\n  console  {url}/console")
+        typer.echo(f"  stage    {url}/stage\n  console  {url}/console\n  editor   {url}/editor")
     if host not in ("127.0.0.1", "::1", "localhost"):
         say("everybody on this network can play; there is no password yet.")
     typer.echo("  Ctrl-C ends the show.")
