@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from scipy.spatial.distance import cdist
 
 from omote.builtin import load_cast
+from omote.geometry import mesh
 from omote.model.face import Face
 from omote.model.fitted import fit
 from omote.model.growth import turned_over
@@ -66,6 +67,28 @@ def test_the_head_of_the_cast_has_sixty_of_them_and_left_is_its_own_left() -> No
     assert SPACE.points[by_label["left jaw corner"].row, 0] > 0.05
     assert SPACE.points[by_label["nose tip"].row, 2] == pytest.approx(SPACE.points[:, 2].max(), abs=1e-3)
     assert isinstance(by_label["chin"], Handle)
+
+
+def test_every_handle_is_seen_from_somewhere_around_the_head() -> None:
+    normals = mesh.normals(SPACE.points, SPACE.skin_triangles)
+    around = np.radians(np.arange(0, 360, 30))
+    views = np.stack([np.sin(around), np.zeros(len(around)), np.cos(around)], axis=1)
+    corners = SPACE.points[SPACE.skin_triangles]
+    for row, handle in zip(ROWS, HANDLES, strict=True):
+        tip = SPACE.points[row] + 0.002 * normals[row]
+        assert any(not _hidden(tip, view, corners) for view in views), handle.label
+
+
+def _hidden(point: np.ndarray, direction: np.ndarray, corners: np.ndarray) -> bool:
+    """Whether a ray meets one of the triangles (t, 3, 3) (Moeller and Trumbore 1997)."""
+    a, edges = corners[:, 0], corners[:, 1:] - corners[:, :1]
+    across = np.cross(direction, edges[:, 1])
+    volume = (edges[:, 0] * across).sum(axis=1)
+    volume[np.abs(volume) < 1e-15] = np.inf
+    u = ((point - a) * across).sum(axis=1) / volume
+    turned = np.cross(point - a, edges[:, 0])
+    v, far = turned @ direction / volume, (turned * edges[:, 1]).sum(axis=1) / volume
+    return bool(((u >= 0) & (v >= 0) & (u + v <= 1) & (far > 0)).any())
 
 
 @faces

@@ -57,7 +57,7 @@ _BESIDE: tuple[tuple[str, tuple[float, float, float]], ...] = (
     ("{} side of the forehead", (41, 65, 124)),
     ("{} cheekbone", (59, -16, 114)),
     ("{} cheek", (44, -41, 130)),
-    ("{} mouth corner", (24, -67.5, 140)),
+    ("{} mouth corner", (25.3, -67.9, 141.4)),
     ("{} side of the jaw", (40, -90, 113)),
     ("{} jaw corner", (56, -60, 73)),
     ("{} side of the chin", (20, -97, 141)),

@@ -11,7 +11,7 @@ import type { Sitters } from "./sitters";
 import { add, type Pair, type Triple, times } from "./triples";
 
 /** Metres that a handle's head stands out of the skin. */
-export const STUD = 0.0012;
+export const STUD = 0.002;
 
 /** What hands must know of the canvas. */
 export interface Place {

@@ -101,7 +101,7 @@ export class FaceRecipePanel extends BenchElement {
       <p class="note">${moved.length === 0 ? "None moved yet: drag one on the face. " : nothing}Alt drags to and fro, along your view.</p>
       <ul>${moved.map(
         (at) => html`<li class="row">
-          <button class="grow quiet" aria-pressed=${this.bench.selection.has(at)} title="Choose it"
+          <button class="grow" aria-pressed=${this.bench.selection.has(at)} title="Choose it"
             @click=${() => this.bench.select([at])}>${this.#label(points[at] ?? -1, at)}: ${shown(far(moves[at] ?? []), MILLIMETRES)} mm</button>
           <button class="icon quiet" title="Back where it was" aria-label="Reset ${this.#label(points[at] ?? -1, at)}"
             @click=${() => reset([at])}>✕</button></li>`,

@@ -1,0 +1,136 @@
+"""The face editor, used as an artist uses it: handles dragged in three dimensions, a mix, a caricature, undo."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from playwright.sync_api import Page
+
+from tests.browser.test_editor import BENCH, SETTLED, bench, editor, positions, save, wait_for
+
+__all__ = ["editor"]
+
+Editor = Callable[..., Page]
+
+REACH = 5e-5
+"""Metres within which a dragged handle lies where it was put."""
+
+
+def make_face(page: Page, label: str) -> None:
+    page.evaluate(f"""async () => {{
+        await {BENCH}.ask({{ type: "create_face", label: {label!r}, base: {{ kaori: 1 }}, on_air: false }});
+    }}""")
+    wait_for(page, f"bench.item?.label === {label!r} && {SETTLED}")
+
+
+def handle(page: Page, label: str) -> dict[str, Any]:
+    """A handle by its name, as it stands on the canvas."""
+    return next(one for one in page.evaluate("window.omoteEditor.needles()") if one["label"] == label)
+
+
+def drag_handle(page: Page, label: str, dx: float, dy: float, *, along: bool = False) -> NDArray[np.float64]:
+    """Drags a handle, until the server's answer is worn; where it was when the hand let go, metres."""
+    one = handle(page, label)
+    undo = int(bench(page, "draft.undo"))
+    box = page.locator("omote-editor main .work canvas").first.bounding_box()
+    assert box is not None
+    x, y = box["x"] + one["head"][0], box["y"] + one["head"][1]
+    page.mouse.move(x, y)
+    if along:
+        page.keyboard.down("Alt")
+    page.mouse.down()
+    page.mouse.move(x + dx, y + dy, steps=5)
+    live = positions(page, "At rest")
+    page.mouse.up()
+    if along:
+        page.keyboard.up("Alt")
+    wait_for(page, f"bench.draft.undo === {undo + 1} && {SETTLED}")
+    return live
+
+
+def row_of(page: Page, label: str) -> int:
+    return int(handle(page, label)["row"])
+
+
+def test_a_dragged_handle_moves_the_face_at_once_and_stays_where_it_was_put(editor: Editor) -> None:
+    page = editor()
+    make_face(page, "Long nose")
+    before = positions(page, "At rest")
+    live = drag_handle(page, "nose tip", 0, 24)
+    after = positions(page, "At rest")
+    row = row_of(page, "nose tip")
+    assert (before - live)[row, 1] > 0.002
+    assert np.linalg.norm(after[row] - live[row]) < REACH
+    assert np.linalg.norm(after - live, axis=1).max() < 1e-4
+    jaw = row_of(page, "left jaw corner")
+    assert np.linalg.norm(after[jaw] - before[jaw]) < REACH
+
+
+def test_alt_drags_along_the_view_and_all_expressions_come_along(editor: Editor) -> None:
+    page = editor()
+    make_face(page, "Flat nose")
+    assert page.evaluate("window.omoteEditor.faces()") == ["At rest", "Smile", "Blink", "Jaw open"]
+    smiling, open_wide = positions(page, "Smile"), positions(page, "Jaw open")
+    rest = positions(page, "At rest")
+    drag_handle(page, "nose tip", 0, 30, along=True)
+    row = row_of(page, "nose tip")
+    move = (positions(page, "At rest") - rest)[row]
+    assert abs(move[0]) < REACH
+    assert abs(move[1]) < REACH
+    assert move[2] > 0.002
+    for label, before in (("Smile", smiling), ("Jaw open", open_wide)):
+        assert np.linalg.norm((positions(page, label) - before)[row] - move) < 0.3 * np.linalg.norm(move)
+
+
+def test_mirrored_drags_undo_and_a_second_drag_from_a_moved_face(editor: Editor) -> None:
+    page = editor()
+    make_face(page, "Wide mouth")
+    page.locator("[data-option='mirror']").click()
+    first = positions(page, "At rest")
+    drag_handle(page, "left mouth corner", 14, -6)
+    moved = positions(page, "At rest")
+    left, right = row_of(page, "left mouth corner"), row_of(page, "right mouth corner")
+    assert np.allclose((moved - first)[left] * [-1, 1, 1], (moved - first)[right], atol=2 * REACH)
+    live = drag_handle(page, "left upper lid", 0, -8)
+    assert np.linalg.norm(positions(page, "At rest") - live, axis=1).max() < 1e-4
+    page.keyboard.press("Control+z")
+    wait_for(page, f"bench.draft.undo === 1 && {SETTLED}")
+    assert np.allclose(positions(page, "At rest"), moved, atol=1e-6)
+    page.keyboard.press("Control+z")
+    wait_for(page, f"bench.draft.undo === 0 && {SETTLED}")
+    assert np.allclose(positions(page, "At rest"), first, atol=1e-6)
+
+
+def test_a_mix_a_part_of_another_and_caricature_keep_the_handles_and_save(editor: Editor) -> None:
+    page = editor()
+    make_face(page, "Kaori's aunt")
+    drag_handle(page, "chin", 0, 16)
+    plain = positions(page, "At rest")
+    for change in ({"base": {"kaori": 0.5, "old": 0.5}}, {"regions": {"mouth": "dog"}}, {"amount": 1.3}):
+        undo = int(bench(page, "draft.undo"))
+        page.evaluate(f"(change) => {BENCH}.setFace({{ ...{BENCH}.face, ...change }}, 'changed')", change)
+        wait_for(page, f"bench.draft.undo === {undo + 1} && {SETTLED}")
+    assert np.abs(positions(page, "At rest") - plain).max() > 0.002
+    live = drag_handle(page, "left cheek", 10, 0)
+    assert np.linalg.norm(positions(page, "At rest") - live, axis=1).max() < 2e-4
+    save(page)
+
+
+def test_arrows_move_what_is_chosen_and_the_panel_puts_it_back(editor: Editor) -> None:
+    page = editor()
+    make_face(page, "By keys")
+    first = positions(page, "At rest")
+    one = handle(page, "chin")
+    page.locator("omote-editor main .work canvas").first.click(position={"x": one["head"][0], "y": one["head"][1]})
+    for _ in range(4):
+        page.keyboard.press("ArrowDown")
+        wait_for(page, SETTLED)
+    row = row_of(page, "chin")
+    assert (positions(page, "At rest") - first)[row, 1] == pytest.approx(-0.002, abs=REACH)
+    page.get_by_role("button", name="Reset chin").click()
+    wait_for(page, f"bench.draft.undo === 5 && {SETTLED}")
+    assert np.allclose(positions(page, "At rest"), first, atol=1e-6)
