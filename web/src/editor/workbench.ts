@@ -73,7 +73,7 @@ export class Workbench {
   options: Options = {
     tool: "drag",
     mirror: false,
-    falloff: 0,
+    falloff: 12,
     region: null,
     wireframe: false,
     needles: true,
