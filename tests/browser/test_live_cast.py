@@ -13,7 +13,6 @@ import aiohttp
 import msgspec
 import numpy as np
 import pytest
-import yarl
 from numpy.typing import NDArray
 from playwright.sync_api import Page, expect
 
@@ -112,7 +111,7 @@ class Author:
 
         async def fetch() -> bytes:
             address = f"{self.url}/compounds/{cast.digest}/generic/{quote(content, safe='')}"
-            async with aiohttp.ClientSession() as http, http.get(yarl.URL(address, encoded=True)) as response:
+            async with aiohttp.ClientSession() as http, http.get(address) as response:
                 return await response.read()
 
         rest = rest_positions(cast, cast.faces["generic"]).astype(np.float64)

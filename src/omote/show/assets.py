@@ -65,7 +65,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
     urls = {name: f"/assets/{content_name(rest.tobytes())}" for name, rest in rests.items()}
     hair = {name: hair_asset(style) for name, style in cast.hair.items()}
     combed = {name: f"/assets/{content_name(asset.points + asset.rows + asset.light)}" for name, asset in hair.items()}
-    starts = first_rows(cast)
+    starts, names = first_rows(cast), list(cast.expressions)
     manifest = Manifest(
         version=PROTOCOL_VERSION,
         base=cast.digest,
@@ -75,14 +75,8 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         meshes=[_mesh_document(mesh, starts) for mesh in meshes],
         lines=[LineDocument(line.name, little(line.loop, "<u4")) for line in cast.space.lines],
         mask=mask,
-        faces=[
-            face_document(cast, face, cast.looks[name], label=plain_label(name), url=urls[name], source=name)
-            for name, face in cast.faces.items()
-        ],
-        expressions=[
-            expression_document(name, expression, cast.titles[name], source=name)
-            for name, expression in cast.expressions.items()
-        ],
+        faces=[_built_in_face(cast, name, url) for name, url in urls.items()],
+        expressions=[expression_document(name, cast.expressions[name], cast.titles[name], name) for name in names],
         lights=[LightDocument(name, label) for name, label in LIGHTS.items()],
         hair=[HairDocument(name, url) for name, url in combed.items()],
         settling=settling_document(cast, starts),
@@ -201,9 +195,9 @@ def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, s
     )
 
 
-def plain_label(name: str) -> str:
-    """What people read of a face that has nothing but its name."""
-    return name.replace("_", " ").capitalize()
+def _built_in_face(cast: Cast, name: str, url: str) -> FaceDocument:
+    label = name.replace("_", " ").capitalize()
+    return face_document(cast, cast.faces[name], cast.looks[name], label=label, url=url, source=name)
 
 
 def outline(cast: Cast, face: Face, hair_style: str) -> Points:
@@ -221,7 +215,7 @@ def extremes(positions: Points) -> Points:
     return positions[ends]
 
 
-def expression_document(name: str, expression: Expression, title: Title, *, source: str) -> ExpressionDocument:
+def expression_document(name: str, expression: Expression, title: Title, source: str) -> ExpressionDocument:
     """What pages must know of an expression."""
     eyes = expression.eyes.ravel().tolist()
     return ExpressionDocument(

@@ -163,5 +163,5 @@ def _face_document(own: Own, document: FaceDocument) -> FaceDocument:
 
 def _document(troupe: Troupe, own: Own) -> ExpressionDocument:
     title = Title(own.label, OWN)
-    document = expression_document(own.name, troupe.expressions[own.name], title, source=own.source)
+    document = expression_document(own.name, troupe.expressions[own.name], title, own.source)
     return msgspec.structs.replace(document, tags=list(own.tags), place=own.place)

@@ -3,7 +3,7 @@ import type { Library } from "../link/assets";
 import { type Anatomy, study } from "./anatomy";
 import { Backdrop } from "./backdrop";
 import { Blender, type Eyeballs } from "./blender";
-import { Changeover } from "./changeover";
+import { type Arrival, Changeover } from "./changeover";
 import { Crossfade } from "./crossfade";
 import { frame, portraitCamera, type Shot, tileView } from "./framing";
 import { Hair } from "./hair";
@@ -40,8 +40,6 @@ export interface FaceViewOptions {
 
 /** The head with its collar, as a director frames it. */
 export const PORTRAIT: Shot = { centre: [0, -0.011, 0.05], height: 0.305, width: 0.23 };
-/** Closer, for thumbnails: the face without its neck. */
-export const CLOSE: Shot = { centre: [0, -0.004, 0.05], height: 0.24, width: 0.19 };
 
 /** Nothing is coming. */
 const NOBODY: { faces: readonly string[]; expressions: readonly string[] } = { faces: [], expressions: [] };
@@ -63,9 +61,8 @@ export class FaceView {
   private blender!: Blender;
   private holdings!: Holdings;
   private shadow!: Shadow;
-  /** What is to be shown, by the names of the cast, and what is drawn, by source. */
-  private called: Pose;
-  private pose: Pose;
+  private called: Pose; // by the names of the cast
+  private pose: Pose; // by source, as it is drawn
   private blended = "";
   private drawnAt: number | undefined;
   private readonly crossfade: Crossfade;
@@ -143,8 +140,7 @@ export class FaceView {
     if (!this.alive) return false;
     const seconds = Math.min(0.1, Math.max(0, time - (this.drawnAt ?? time)));
     this.drawnAt = time;
-    const arrival = (faces: readonly string[], worn: readonly string[]) =>
-      this.holdings.arrival(faces, worn, this.blender);
+    const arrival: Arrival = (faces, worn) => this.holdings.arrival(faces, worn, this.blender);
     this.pose = this.changeover.pose(this.called, seconds, arrival, atOnce);
     this.blend(seconds, atOnce);
     this.hair.dress(this.holdings.faces(this.pose, this.blender), seconds, atOnce);
