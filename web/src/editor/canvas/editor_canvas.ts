@@ -57,6 +57,7 @@ export class EditorCanvas {
     this.hands = new Hands(this);
     for (const topic of ["cast", "items", "draft", "selection", "options", "live"] as const)
       this.leave.push(bench.listen(topic, () => this.hear(topic)));
+    this.leave.push(bench.listen("notices", () => this.handles?.settle())); // what was refused goes from sight
     const size = new ResizeObserver(() => this.redraw());
     size.observe(canvas);
     this.leave.push(() => size.disconnect());

@@ -72,20 +72,24 @@ describe("hands on handles", () => {
       return new Promise(() => undefined);
     });
     bench.receive(draftOf(recipeOf()));
+    hands = handsOf(bench);
+  });
+
+  const handsOf = (of: Workbench): HandleHands => {
     const sitters = {
       all: [{ figure: { base: POSITIONS } }],
       handles: handlesOf(ASSET, recipeOf()),
       move: (moves: Float64Array) => shown.push(moves),
     } as unknown as Sitters;
-    hands = new HandleHands({
-      bench,
+    return new HandleHands({
+      bench: of,
       sitters,
       fans: fans([TRIANGLES], 4),
       skin: TRIANGLES,
       camera: () => CAMERA,
       redraw: vi.fn(),
     });
-  });
+  };
 
   const recipeAsked = (): FaceRecipe => {
     const last = asked.at(-1);
@@ -143,6 +147,20 @@ describe("hands on handles", () => {
     hands.cancel();
     expect(shown.at(-1)).toEqual(new Float64Array(9));
     expect(asked).toEqual([]);
+  });
+
+  it("shows again what the server has when it refuses", async () => {
+    bench = new Workbench(() => Promise.reject(new Error("handle 2 is moved too far")));
+    bench.receive(draftOf(recipeOf()));
+    hands = handsOf(bench);
+    bench.listen("notices", () => hands.settle());
+    const [x, y] = at(2);
+    hands.press([x, y], event());
+    hands.drag([x + 300, y], event());
+    hands.release();
+    expect(hands.ahead).toBe(true);
+    await vi.waitFor(() => expect(bench.notices).toHaveLength(1));
+    expect(shown.at(-1)).toEqual(new Float64Array(9));
   });
 
   it("adds up nudges until the key is up, and resets what is chosen", () => {

@@ -145,9 +145,12 @@ export class HandleHands {
     return this.hold !== undefined || this.nudged !== undefined || this.place.bench.waiting;
   }
 
-  /** The server's answer is here: the hand begins from it, unless it is ahead. */
+  /** The server has answered, or refused: the hand begins from what it has now, unless it is ahead. */
   settle(): void {
-    if (!this.ahead) this.now = undefined;
+    if (this.ahead || this.now === undefined) return;
+    this.now = undefined;
+    this.place.sitters.move(this.moves);
+    this.place.redraw();
   }
 
   private get moves(): Float64Array {
