@@ -82,8 +82,8 @@ function nearRows(positions: Float32Array, { kept: rows, around }: Fineness): (r
 }
 
 /** Metres around lids and lips that stay fine, and of a cell elsewhere: four pixels of the smallest faces. */
-const AROUND = 0.007;
-const CELL = 0.0065;
+const AROUND = 0.005;
+const CELL = 0.009;
 
 /** The meshes as they are drawn where a face is shown small. */
 export const coarseMeshes = (meshes: readonly Mesh[], { positions, lines, traits }: Anatomy): Mesh[] =>

@@ -90,7 +90,7 @@ export class Grip {
     this.catchUp();
     if (pull !== this.pulling) {
       this.pulling = pull;
-      this.settle(pointer);
+      if (this.used) this.settle(pointer); // else it begins where it was taken
     }
     this.put(pull ? this.offSurface(pointer) : this.onSurface(pointer));
   }

@@ -8,16 +8,19 @@ export interface Tiles {
 }
 
 const GAP = 6; // CSS pixels between two faces
-const WORK_SHARE = 0.5; // of the canvas is the work's at least
+/** How much of the canvas is for the others at most: a few, and many. */
+const FEW = { count: 4, share: 0.34 };
+const MANY_SHARE = 0.5;
 
 /** The boxes of the work and `count` faces beside it, in reading order: on the right of a wide canvas, else below. */
 export function tiles(width: number, height: number, count: number): Tiles {
   if (count === 0) return { work: { left: 0, top: 0, width, height }, beside: [] };
   const wide = width >= height;
   const [long, short] = wide ? [width, height] : [height, width];
-  const lanes = lanesOf(long * (1 - WORK_SHARE), short, count);
+  const room = long * (count <= FEW.count ? FEW.share : MANY_SHARE);
+  const lanes = lanesOf(room, short, count);
   const each = Math.ceil(count / lanes);
-  const side = Math.min((short - GAP * (each - 1)) / each, (long * (1 - WORK_SHARE)) / lanes - GAP);
+  const side = Math.min((short - GAP * (each - 1)) / each, room / lanes - GAP);
   const thick = lanes * (side + GAP);
   const along = (short - GAP * (each - 1)) / each;
   const beside = Array.from({ length: count }, (_, n): Box => {
