@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 
 from omote import cli
 from omote.cli import announce, app, has_screen
+from omote.files.glbread import read_glb
 from omote.model.cast import Cast
 from omote.server.devtools import BrowserError
 from omote.server.lock import lock_show
@@ -274,3 +275,29 @@ def test_the_real_show_opens_and_ends(tmp_path: Path) -> None:
         assert "/stage" in said.readline()
         show.send_signal(signal.SIGINT)
         assert show.wait(60.0) == 0
+
+
+def test_a_face_is_written_with_its_expressions_as_targets(tmp_path: Path) -> None:
+    path = tmp_path / "dog.glb"
+    done = runner.invoke(app, ["export", "dog", "-o", str(path), "--expressions", "smile,jawOpen"])
+    assert done.exit_code == 0, done.output
+    assert {tuple(piece.moves) for piece in read_glb(path.read_bytes())} == {("smile", "jawOpen")}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["nobody", "-o", "a.glb"], "there is no face 'nobody'"),
+        (["dog", "-o", "a.gltf"], "is no name of a GLB file"),
+        (["dog", "-o", "a.glb", "--expressions", "grin"], "there is no expression 'grin'"),
+        (["dog", "-o", "a.glb", "--show", "none.omote"], "there is no show file"),
+    ],
+)
+def test_an_export_that_cannot_be_leaves_no_file(
+    arguments: list[str], sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    refused = runner.invoke(app, ["export", *arguments])
+    assert refused.exit_code == 1
+    assert sentence in refused.output
+    assert list(tmp_path.iterdir()) == []

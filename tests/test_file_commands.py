@@ -107,3 +107,22 @@ def test_a_name_that_is_not_there_is_one_sentence(show: ShowFile) -> None:
 @pytest.mark.parametrize("seconds", [1e300, float("nan"), -1e300])
 def test_a_time_that_no_clock_shows_is_a_question(seconds: float) -> None:
     assert moment(seconds) == "?"
+
+
+def test_an_expression_goes_out_of_one_show_file_and_into_another(show: ShowFile, tmp_path: Path) -> None:
+    letter, other = tmp_path / "smirk.json", tmp_path / "other.omote"
+    gone = CliRunner().invoke(app, ["file", "export", str(show.path), "smile", "-o", str(letter)])
+    assert gone.exit_code == 0, gone.output
+    come = CliRunner().invoke(app, ["file", "import", str(other), str(letter)])
+    assert come.exit_code == 0, come.output
+    assert f"{other} has 1 expression more." in come.output.replace("\n", "")
+    listed = json.loads(CliRunner().invoke(app, ["file", "list", str(other), "--json"]).stdout)
+    assert [(row["name"], row["label"], row["revision"]) for row in listed] == [("smile_2", "Smile", 1)]
+
+
+def test_what_cannot_come_in_leaves_no_file(tmp_path: Path) -> None:
+    other = tmp_path / "other.omote"
+    refused = CliRunner().invoke(app, ["file", "import", str(other), str(tmp_path / "none.json")])
+    assert refused.exit_code == 1
+    assert "there is no file" in refused.output
+    assert not other.exists()
