@@ -101,6 +101,7 @@ export const controls = css`
 export const panel = css`
   :host {
     display: grid;
+    grid-template-columns: minmax(0, 1fr);
     align-content: start;
     gap: 10px;
     padding: 10px;

@@ -16,7 +16,12 @@ export function create(bench: Workbench, kind: Kind, label: string, { mix, onAir
   const request: Request =
     kind === "expression"
       ? { type: "create_expression", label, start: mix, on_air: onAir }
-      : { type: "create_face", label, base: Object.keys(mix).length === 0 ? { generic: 1 } : mix, on_air: onAir };
+      : {
+          type: "create_face",
+          label,
+          base: Object.keys(mix).length === 0 ? { generic: 1 } : normalised(mix),
+          on_air: onAir,
+        };
   return bench.ask(request);
 }
 

@@ -25,6 +25,7 @@ export class NewItem extends BenchElement {
     css`
       form {
         display: grid;
+        grid-template-columns: minmax(0, 1fr);
         gap: 8px;
         padding: 10px;
         background: var(--raised);
@@ -33,7 +34,7 @@ export class NewItem extends BenchElement {
       }
       .source {
         display: grid;
-        grid-template-columns: 1fr auto;
+        grid-template-columns: minmax(0, 1fr) auto;
         align-items: center;
       }
     `,

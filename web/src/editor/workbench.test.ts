@@ -242,11 +242,11 @@ describe("save", () => {
 describe("items", () => {
   it("are made from neutral, from a mix, from what is on air", () => {
     void create(bench, "expression", "Grin", { mix: {}, onAir: false });
-    void create(bench, "face", "Ann", { mix: { old: 1 }, onAir: false });
+    void create(bench, "face", "Ann", { mix: { old: 1, dog: 3 }, onAir: false });
     void create(bench, "expression", "Now", { mix: {}, onAir: true });
     expect(script.asked.map(({ request }) => request)).toEqual([
       { type: "create_expression", label: "Grin", start: {}, on_air: false },
-      { type: "create_face", label: "Ann", base: { old: 1 }, on_air: false },
+      { type: "create_face", label: "Ann", base: { old: 0.25, dog: 0.75 }, on_air: false },
       { type: "create_expression", label: "Now", start: {}, on_air: true },
     ]);
   });

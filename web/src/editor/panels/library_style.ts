@@ -3,7 +3,7 @@ import { css } from "lit";
 export const style = css`
   :host {
     display: grid;
-    grid-template-rows: auto auto auto minmax(0, 1fr);
+    grid-template: auto auto auto minmax(0, 1fr) / minmax(0, 1fr);
     align-content: start;
     gap: 8px;
     padding: 8px;
@@ -22,6 +22,7 @@ export const style = css`
   .list {
     grid-row: 4;
     display: grid;
+    grid-template-columns: minmax(0, 1fr);
     align-content: start;
     gap: 8px;
     min-height: 0;
