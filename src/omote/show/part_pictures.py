@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.files.png import Picture
+from omote.geometry.ramp import smooth_ramp, unit
 from omote.model.cast import Look
 from omote.show.skin_picture import encoded, linear
 
@@ -46,8 +47,8 @@ def eye_picture(look: Look, size: int = 512) -> Picture:
     white = np.broadcast_to(np.array([0.80, 0.745, 0.69]), (*off.shape, 3))
     white = white * (1.0 + look.age * (np.array([0.94, 0.86, 0.72]) - 1.0))
     white = white * (1.0 + look.fur * (np.array([0.62, 0.50, 0.38]) * 0.65 - 1.0))
-    white = white * (1.0 - np.array([0.02, 0.10, 0.11]) * _smooth(0.45, 0.95, np.where(front, off, 1.0))[..., None])
-    disc = np.where(front, 1.0 - _smooth(0.91, 1.07, out), 0.0)[..., None]
+    white = white * (1.0 - np.array([0.02, 0.10, 0.11]) * smooth_ramp(0.45, 0.95, np.where(front, off, 1.0))[..., None])
+    disc = np.where(front, 1.0 - smooth_ramp(0.91, 1.07, out), 0.0)[..., None]
     return encoded(white + (iris - white) * disc)
 
 
@@ -69,16 +70,18 @@ def _pupil(place: Values, slit: float) -> Values:
 
 def _iris(look: Look, angle: Values, out: Values, hole: Values) -> Values:
     rim = out / np.maximum(hole, 0.05)
-    share = np.clip((out - rim) / np.maximum(1.0 - rim, 0.05), 0.0, 1.0)
+    share = unit((out - rim) / np.maximum(1.0 - rim, 0.05))
     fine, coarse = _fibres(angle, 90), _fibres(angle, 22)
     ridge = 0.30 + 0.05 * coarse
-    inner = 1.0 - _smooth(-0.05, 0.06, share - ridge)
-    tone = linear(look.iris) * (1.25 - 0.45 * _smooth(0.2, 0.95, share))[..., None] + np.array([0.012, 0.009, 0.006])
+    inner = 1.0 - smooth_ramp(-0.05, 0.06, share - ridge)
+    tone = linear(look.iris) * (1.25 - 0.45 * smooth_ramp(0.2, 0.95, share))[..., None] + np.array(
+        [0.012, 0.009, 0.006]
+    )
     warm = tone * np.array([1.30, 1.02, 0.66]) + np.array([0.02, 0.010, 0.0])
     tone = tone + (warm - tone) * (0.7 * inner)[..., None]
     tone = tone * np.maximum(1.0 + 0.35 * fine + 0.25 * coarse, 0.2)[..., None]
-    dark = (1.0 - 0.45 * _smooth(0.90, 1.0, 1.0 - share)) * (1.0 - 0.86 * _smooth(0.66, 1.0, out) ** 2)
-    result: Values = np.maximum(tone, 0.0) * (dark * _smooth(0.94, 1.06, hole))[..., None]
+    dark = (1.0 - 0.45 * smooth_ramp(0.90, 1.0, 1.0 - share)) * (1.0 - 0.86 * smooth_ramp(0.66, 1.0, out) ** 2)
+    result: Values = np.maximum(tone, 0.0) * (dark * smooth_ramp(0.94, 1.06, hole))[..., None]
     return result
 
 
@@ -111,13 +114,13 @@ def teeth_picture(look: Look, *, upper: bool, size: int = 512) -> Picture:
     sides = across**2
     end = 1.0 - 0.075 * sides**3 - np.where(number == 2, 0.07 * np.abs(across), 0.0) - (number == 1) * 0.05 * upper
     line = 0.36 + 0.13 * sides**2 - np.where(number == 1, 0.0, 0.03)
-    gum = (1.0 - _smooth(-0.03, 0.03, height - line))[..., None]
-    groove = (_smooth(0.80, 1.0, np.abs(across)) * np.ones_like(height))[..., None] * (1.0 - gum)
-    enamel = _between((0.80, 0.68, 0.50), (0.86, 0.79, 0.68), _smooth(0.0, 0.45, height - line))
-    clear = 0.55 * _smooth(0.84, 1.02, height + 0.05 * sides)[..., None]
+    gum = (1.0 - smooth_ramp(-0.03, 0.03, height - line))[..., None]
+    groove = (smooth_ramp(0.80, 1.0, np.abs(across)) * np.ones_like(height))[..., None] * (1.0 - gum)
+    enamel = _between((0.80, 0.68, 0.50), (0.86, 0.79, 0.68), smooth_ramp(0.0, 0.45, height - line))
+    clear = 0.55 * smooth_ramp(0.84, 1.02, height + 0.05 * sides)[..., None]
     enamel = enamel + (0.60 - enamel) * clear
     enamel = enamel * (1.0 + look.age * (np.array([0.93, 0.84, 0.66]) - 1.0)) * (1.0 - 0.62 * groove)
-    pink = _between((0.50, 0.17, 0.16), (0.60, 0.27, 0.25), _smooth(-0.16, 0.0, height - line))
+    pink = _between((0.50, 0.17, 0.16), (0.60, 0.27, 0.25), smooth_ramp(-0.16, 0.0, height - line))
     there = np.where(height > end + 0.02, 0, 255).astype(np.uint8)[..., None]
     return np.concatenate([encoded(enamel + (pink - enamel) * gum), there], axis=2)
 
@@ -134,14 +137,14 @@ def tongue_uv(points: Values) -> NDArray[np.float32]:
     """Places (k, 2) of a tongue's points (k, 3): across, and how far back."""
     x, z = points[:, 0], points[:, 2]
     reach = max(float(np.abs(x).max()), 1e-9)
-    return np.stack([0.5 + 0.5 * x / reach, np.clip((z.max() - z) / _DEEP, 0.0, 1.0)], axis=1).astype(np.float32)
+    return np.stack([0.5 + 0.5 * x / reach, unit((z.max() - z) / _DEEP)], axis=1).astype(np.float32)
 
 
 def tongue_picture(size: int = 128) -> Picture:
     """A tongue (size, size, 3) on `tongue_uv`: a furrow along the middle, darker at the root."""
     across, back = np.meshgrid((np.arange(size) + 0.5) / size * 2.0 - 1.0, (np.arange(size) + 0.5) / size)
     bumps = 0.12 * np.random.default_rng(SEED).standard_normal((size, size))
-    flesh = _between((0.42, 0.115, 0.105), (0.50, 0.21, 0.19), np.clip(0.35 + bumps, 0.0, 1.0))
+    flesh = _between((0.42, 0.115, 0.105), (0.50, 0.21, 0.19), unit(0.35 + bumps))
     furrow = np.exp(-((across / 0.12) ** 2))
     return encoded(flesh * ((1.0 - 0.38 * furrow) * (1.0 - 0.35 * back))[..., None])
 
@@ -173,7 +176,7 @@ def strand_picture(
     hidden, tone = np.zeros((rows, columns)), np.ones((rows, columns))
     for start, lean, end in zip(root, bend, length, strict=True):
         wide = 0.5 * cover / strands * np.maximum(1.0 - y / end, 0.0) ** 0.5
-        here = np.clip((wide - np.abs(x - start - lean * y**2 / strands)) * columns + 0.5, 0.0, 1.0) * (wide > 0.0)
+        here = unit((wide - np.abs(x - start - lean * y**2 / strands)) * columns + 0.5) * (wide > 0.0)
         tone = np.where(here > hidden, 0.75 + 0.5 * end * end, tone)
         hidden = np.maximum(hidden, here)
     drawn = encoded(colour * tone[..., None])
@@ -182,10 +185,4 @@ def strand_picture(
 
 def _between(one: tuple[float, float, float], other: tuple[float, float, float], share: Values) -> Values:
     result: Values = np.array(one) + (np.array(other) - np.array(one)) * share[..., None]
-    return result
-
-
-def _smooth(low: float, high: float, value: Values) -> Values:
-    share = np.clip((value - low) / (high - low), 0.0, 1.0)
-    result: Values = share * share * (3.0 - 2.0 * share)
     return result

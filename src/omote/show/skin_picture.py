@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
 from omote.files.png import Picture
+from omote.geometry.ramp import smooth_ramp, unit
 from omote.geometry.texture import painted
 from omote.model.cast import Look
 
@@ -46,8 +47,8 @@ def hairline(points: Points) -> Points:
     """How much hair grows at points (n, 3) of the generic face, 0..1."""
     x, y, z = points.T
     height = np.interp(np.abs(np.arctan2(x, z - 0.03)), _HAIRLINE[:, 0], _HAIRLINE[:, 1])
-    ear = np.where(y < 0.026, _smooth(0.0, 1.0, (np.abs(x) - 0.0745) / 0.006), 0.0)
-    return _smooth(0.0, 1.0, (y - height) / 0.024 + 0.5) * (1.0 - ear)
+    ear = np.where(y < 0.026, smooth_ramp(0.0, 1.0, (np.abs(x) - 0.0745) / 0.006), 0.0)
+    return smooth_ramp(0.0, 1.0, (y - height) / 0.024 + 0.5) * (1.0 - ear)
 
 
 def skin_picture(canvas: Canvas, look: Look) -> Picture:
@@ -63,7 +64,7 @@ def linear(colour: str) -> NDArray[np.float32]:
 
 def encoded(light: Values) -> Picture:
     """Linear light (..., 3) as sRGB, 8 bits."""
-    seen = np.clip(light, 0.0, 1.0)
+    seen = unit(light)
     code = np.where(seen <= 0.0031308, 12.92 * seen, 1.055 * seen ** (1.0 / 2.4) - 0.055)
     return np.rint(255.0 * code).astype(np.uint8)
 
@@ -74,13 +75,13 @@ def _albedo(at: Canvas, look: Look) -> Values:
     grown = at.hair + (marks[..., 3] - 0.5) * 2.8 * at.hair * (1.0 - at.hair)
     lips, lining = _lips(at, look)
     fur = look.fur * (1.0 - lips)
-    leather = _smooth(0.80, 0.92, patches[..., 0])
+    leather = smooth_ramp(0.80, 0.92, patches[..., 0])
     seen = _mix(_bare(at, look, skin, lip, brow), lip * _grey(0.86 + 0.28 * at.layers["finish"][..., 3]), lips * 0.9)
     seen = _mix(seen, _mix(_pelt(at, look, skin, brow), lip, leather), fur)
-    hairs = np.clip((mask[..., 1] - (1.0 - 1.12 * look.brows)) * 2.6, 0.0, 1.0)
+    hairs = unit((mask[..., 1] - (1.0 - 1.12 * look.brows)) * 2.6)
     seen = _mix(seen, brow, hairs * 0.92)
     seen = _mix(seen, brow * 0.5, patches[..., 3] * look.lacquer)
-    seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), _smooth(0.15, 0.9, grown) * look.scalp)
+    seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), smooth_ramp(0.15, 0.9, grown) * look.scalp)
     seen = _mix(seen, np.array(LINING, np.float32), lining)
     left = mask[..., 3]
     found: Values = seen * _grey(left * (0.7 + 0.3 * left))
@@ -91,9 +92,9 @@ def _lips(at: Canvas, look: Look) -> tuple[Values, Values]:
     """How much of a texel is lip, and how much the mouth's lining."""
     red, left = at.layers["mask"][..., 0], at.layers["mask"][..., 3]
     narrow = 0.3 * look.age
-    human = _smooth(0.06 + narrow, 0.5 + narrow, red)
-    lips = human + (_smooth(0.86, 0.97, red) - human) * look.fur
-    lining = _smooth(0.55, 0.7, red) * (1.0 - _smooth(0.38, 0.5, left))
+    human = smooth_ramp(0.06 + narrow, 0.5 + narrow, red)
+    lips = human + (smooth_ramp(0.86, 0.97, red) - human) * look.fur
+    lining = smooth_ramp(0.55, 0.7, red) * (1.0 - smooth_ramp(0.38, 0.5, left))
     return np.maximum(lips, lining), lining
 
 
@@ -111,9 +112,9 @@ def _bare(at: Canvas, look: Look, skin: Values, lip: Values, brow: Values) -> Va
 
 def _pelt(at: Canvas, look: Look, skin: Values, brow: Values) -> Values:
     patches, strand = at.layers["patches"], at.layers["marks"][..., 3] - 0.5
-    seen = _mix(skin, linear(look.coat), _smooth(0.04, 0.66, patches[..., 0]))
-    seen = _mix(seen, brow, _smooth(0.0, 0.5, patches[..., 1]) * look.stripes * 0.85)
-    seen = _mix(seen, brow, _smooth(0.5, 0.95, patches[..., 1]) * 0.85)
+    seen = _mix(skin, linear(look.coat), smooth_ramp(0.04, 0.66, patches[..., 0]))
+    seen = _mix(seen, brow, smooth_ramp(0.0, 0.5, patches[..., 1]) * look.stripes * 0.85)
+    seen = _mix(seen, brow, smooth_ramp(0.5, 0.95, patches[..., 1]) * 0.85)
     found: Values = seen * _grey(1.0 + 1.15 * strand) + _grey(np.maximum(strand, 0.0) * 0.10)
     return found
 
@@ -125,10 +126,4 @@ def _mix(one: Values, other: Values, share: Values) -> Values:
 
 def _grey(value: Values) -> Values:
     result: Values = value[..., None]
-    return result
-
-
-def _smooth(low: float, high: float, value: Values) -> Values:
-    share = np.clip((value - low) / (high - low), 0.0, 1.0)
-    result: Values = share * share * (3.0 - 2.0 * share)
     return result
