@@ -1,5 +1,6 @@
 """Editors at a real socket, a real show file and the real craft: what is acknowledged is kept and plays."""
 
+import sqlite3
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -263,3 +264,26 @@ async def test_an_edit_that_the_file_refuses_is_undone_for_everybody(
     assert [item.head for item in again.greeted.items] == [1]
     opened = await again.ask(editing.OpenItem, draft.item)
     assert (opened.dirty, opened.undo) == (True, 1)
+
+
+async def test_while_the_disk_fails_editors_are_told_and_nothing_is_acknowledged(
+    atelier: Atelier, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page = await atelier.editor()
+    draft = await saved(page)
+    apply, left = ShowFile.apply, [1]
+
+    def fail_once(self: ShowFile, changes: tuple[Change, ...]) -> None:
+        if left[0]:
+            left[0] -= 1
+            raise sqlite3.OperationalError("disk I/O error")
+        apply(self, changes)
+
+    monkeypatch.setattr(ShowFile, "apply", fail_once)
+    vectors = [(0.0, 0.001, 1.0)] * len(draft.recipe.net)
+    page.heard.clear()
+    state = await page.ask(editing.SetVectors, draft.item, vectors, "up")
+    assert isinstance(state, editing.DraftState)
+    told = [each for each in page.heard if isinstance(each, editing.EditRefused)]
+    assert [each.request for each in told] == [-1]
+    assert "disk I/O error" in told[0].reason
