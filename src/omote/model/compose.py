@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -119,7 +120,18 @@ class _Mask:
     eyes: Values
 
 
+_masks: WeakKeyDictionary[ParameterSpace, dict[str | None, _Mask]] = WeakKeyDictionary()
+
+
 def _mask(space: ParameterSpace, region: str | None) -> _Mask:
+    """The mask of a region, None for everything, made once."""
+    known = _masks.setdefault(space, {})
+    if region not in known:
+        known[region] = _made(space, region)
+    return known[region]
+
+
+def _made(space: ParameterSpace, region: str | None) -> _Mask:
     if region is None:
         whole = {name: np.ones(len(part.points)) for name, part in space.parts.items()}
         return _Mask(np.ones(space.vertex_count), whole, np.ones(2))
