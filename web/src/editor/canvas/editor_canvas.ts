@@ -188,6 +188,7 @@ export class EditorCanvas {
   private frame(): void {
     const time = now();
     this.pace.look(performance.now());
+    if (this.pace.busy) return;
     const { company, painter } = this;
     if (company === undefined || painter === undefined) return;
     const resized = this.aspect.fit();
@@ -221,7 +222,7 @@ export class EditorCanvas {
     );
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
-    this.pace.frame(performance.now(), moved, () => this.finished(fence));
+    this.pace.frame(moved, () => this.finished(fence));
   }
 
   /** Who is drawn, the work first; undefined: not here yet. */

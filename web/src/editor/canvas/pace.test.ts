@@ -6,22 +6,28 @@ it("counts a hand's wait until the frame in which the others followed is finishe
   let done = false;
   pace.moved(100);
   pace.moved(104); // the first of several counts
-  pace.frame(110, false, () => true);
+  pace.frame(false, () => true);
   pace.look(111);
   expect(pace.waits).toEqual([]);
-  pace.frame(120, true, () => done);
+  pace.frame(true, () => done);
   pace.look(125);
   expect(pace.waits).toEqual([]);
+  expect(pace.busy).toBe(true);
   done = true;
   pace.look(131);
   expect(pace.waits).toEqual([31]);
+  expect(pace.busy).toBe(false);
 });
 
-it("measures intervals between frames, none across a pause", () => {
+it("measures intervals between finished frames, none across a pause", () => {
   const pace = new Pace();
-  for (const time of [0, 20, 40]) pace.frame(time, false, () => true);
+  for (const time of [0, 20, 40]) {
+    pace.frame(false, () => true);
+    pace.look(time);
+  }
   pace.idle();
-  pace.frame(500, false, () => true);
+  pace.frame(false, () => true);
+  pace.look(500);
   expect(pace.intervals).toEqual([20, 20]);
   expect(pace.fps).toBe(50);
   expect(pace.drawn).toBe(4);

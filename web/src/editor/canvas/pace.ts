@@ -1,11 +1,11 @@
-/** What the canvas measures of itself: frames, and how long hands wait for the other faces. */
+/** What the canvas measures of itself: finished frames, and how long hands wait for the other faces. */
 
 import type { Difference } from "./figure";
 
 export interface Counters {
-  /** Frames drawn. */
+  /** Frames finished. */
   drawn: number;
-  /** Milliseconds between the last frames drawn, newest last. */
+  /** Milliseconds between the last frames finished, newest last. */
   intervals: number[];
   /** Milliseconds from pointer events to the end of the frame in which the other faces followed, newest last. */
   waits: number[];
@@ -16,7 +16,13 @@ export interface Counters {
   fps: number;
 }
 
-const KEPT = 600;
+interface Frame {
+  /** When the hand moved what this frame shows first, ms. */
+  since: number | undefined;
+  done: () => boolean;
+}
+
+const KEPT = 2000;
 
 export class Pace {
   drawn = 0;
@@ -24,34 +30,38 @@ export class Pace {
   readonly waits: number[] = [];
   private last: number | undefined;
   private touched: number | undefined;
-  private readonly awaited: { since: number; done: () => boolean }[] = [];
+  private drawing: Frame | undefined;
+
+  /** Whether the machine still draws: another frame now would only queue up, and hands would wait for both. */
+  get busy(): boolean {
+    return this.drawing !== undefined;
+  }
 
   /** A hand moved something at this time (ms). */
   moved(since: number): void {
     this.touched ??= since;
   }
 
-  /** A frame was drawn at this time (ms); `followed`: the other faces have moved in it; `done`: whether it is finished. */
-  frame(time: number, followed: boolean, done: () => boolean): void {
-    this.drawn += 1;
-    if (this.last !== undefined) push(this.intervals, time - this.last);
-    this.last = time;
-    if (this.touched === undefined || !followed) return;
-    this.awaited.push({ since: this.touched, done });
-    this.touched = undefined;
+  /** A frame was given to the machine; `followed`: the other faces have moved in it; `done`: whether it is finished. */
+  frame(followed: boolean, done: () => boolean): void {
+    this.drawing = { since: followed ? this.touched : undefined, done };
+    if (followed) this.touched = undefined;
   }
 
-  /** No frame was drawn: the next interval counts from the next frame. */
+  /** Nothing was to be drawn: the next interval counts from the next frame. */
   idle(): void {
     this.last = undefined;
   }
 
-  /** Looks which frames are finished at this time (ms). */
+  /** Looks at this time (ms) whether the frame is finished. */
   look(time: number): void {
-    while (this.awaited[0]?.done()) {
-      const { since } = this.awaited.shift() as { since: number };
-      push(this.waits, time - since);
-    }
+    if (this.drawing === undefined || !this.drawing.done()) return;
+    const { since } = this.drawing;
+    this.drawing = undefined;
+    this.drawn += 1;
+    if (this.last !== undefined) push(this.intervals, time - this.last);
+    this.last = time;
+    if (since !== undefined) push(this.waits, time - since);
   }
 
   /** Frames in a second, of the last dozen. */
