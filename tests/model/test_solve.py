@@ -87,7 +87,7 @@ def test_what_cannot_be_reached_is_missed_by_what_it_says() -> None:
 
 @pytest.mark.parametrize("name", ["kaori", "child", "noh"])
 def test_a_drag_on_one_face_extracted_from_another_is_the_same_on_s(name: str) -> None:
-    """Within a hundredth of a millimetre where nothing folds and no eyeball pushes: there the smooth map is inverted."""
+    """Within a hundredth of a millimetre where nothing folds and no eyeball pushes: there the map is inverted."""
     made, worn_by = net(), CAST.faces[name]
     point = made.rows.index(next(row for row in made.rows if space().points[row, 1] > 0.02))
     goal = CAST.faces["generic"].positions[made.rows[point]] + np.array([0.0, 0.004, 0.002])
