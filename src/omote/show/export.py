@@ -184,8 +184,8 @@ def _materials(bench: Workbench, look: Look) -> dict[str, Material]:
 
 def _lashes(look: Look) -> Picture:
     """Lashes all around the eyeball, as many and as dense as a look has."""
-    strands = 30 + round(120 * look.lashes)
-    cover = 0.12 + 0.2 * look.lashes
+    strands = 30 + round(70 * look.lashes)
+    cover = 0.1 + 0.08 * look.lashes
     return part_pictures.strand_picture(linear(look.brow) * 0.3, strands, columns=2048, rows=64, cover=cover)
 
 
