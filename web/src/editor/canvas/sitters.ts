@@ -55,7 +55,7 @@ export class Sitters {
   private look = "";
   private content = "";
   private shape: Shape | undefined;
-  /** The face at rest as the server made it. */
+  /** The face at rest as the shape has it where the server made it: where handles were pulled very far, it may miss. */
   private made: Float32Array = new Float32Array();
   private moves: Float64Array = new Float64Array();
   private asset: Promise<HandlesAsset> | undefined;
@@ -148,7 +148,8 @@ export class Sitters {
     if (fresh) this.begin(document, truths);
     const shown = this.all.map(({ figure }) => figure.base.slice());
     if (!ahead || fresh) this.moves = handles.moves;
-    [this.item, this.shape, this.handles, this.made] = [item, shape, handles, truths[0] as Float32Array];
+    [this.item, this.shape, this.handles] = [item, shape, handles];
+    this.made = shape.at(handles.moves).slice();
     this.dress(document.look);
     for (const sitter of this.all) {
       sitter.truth = truths[WORN.findIndex(({ label }) => label === sitter.label)] as Float32Array;
