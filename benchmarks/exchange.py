@@ -2,8 +2,8 @@
 
 validator: errors and warnings. three: how many targets three.js finds by name on every mesh. read: how far what is read
 lies from our compounds. taken: how far the same face, wearing what was taken in from the file, lies from them. strange:
-the same where the file does not tell the targets' names, so that all is measured by the paper's extraction; only of
-STRANGERS and some hard shapes, since a shape takes seconds. time: export against numpy's own writing of the same arrays, in one process.
+the same where the file does not tell the targets' names, so that all is measured by the paper's extraction; only for
+STRANGERS and HARD shapes, since a shape takes seconds. time: export against numpy's own writing of the same arrays.
 """
 
 from __future__ import annotations

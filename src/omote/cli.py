@@ -157,7 +157,7 @@ def export(
         write_whole(output, glb_bytes(exported(Workbench(cast, load_meshes(), load_mask()), face, poses, hair=hair)))
     except (OSError, ValueError, RuntimeError) as error:
         fail(str(error))
-    say(f"{output}: {face} with {len(names)} morph targets, {output.stat().st_size / 1e6:.1f} MB")
+    say(f"{output}: {face}, morph targets: {len(names)}, {output.stat().st_size / 1e6:.1f} MB")
 
 
 @app.command()
