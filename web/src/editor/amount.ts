@@ -22,7 +22,7 @@ export class Amount extends LitElement {
     css`
       :host {
         display: grid;
-        grid-template-columns: minmax(84px, 1fr) minmax(56px, 0.9fr) 54px 14px;
+        grid-template-columns: minmax(44px, 1fr) minmax(40px, 0.9fr) 50px 12px;
         align-items: center;
         gap: 6px;
       }

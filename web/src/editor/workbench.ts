@@ -3,82 +3,23 @@
  * what is selected and shown. Nothing here touches the page, a socket or a clock.
  */
 
-import type { Library } from "../link/assets";
-import type {
-  DraftState,
-  FaceRecipe,
-  Greeted,
-  ItemDocument,
-  Layer,
-  Recipe,
-  RevisionDocument,
-  ToEditor,
-} from "../link/editing";
-import type { Manifest } from "../link/messages";
-import {
-  type Anatomy,
-  type Followers,
-  flat,
-  type Muscle,
-  type Net,
-  readAnatomy,
-  readNet,
-  split,
-  type Vector,
-} from "./net";
-import { type Notice, Notices } from "./notices";
+import type { DraftState, FaceRecipe, ItemDocument, Layer, Recipe, RevisionDocument, ToEditor } from "../link/editing";
+import { flat, type Net, readNet, split, type Vector } from "./net";
 import type { Answer, Ask, Change, Request } from "./requests";
+import { Surroundings } from "./surroundings";
 
-/** What has changed. "live" is told at the rate of the pointer, all others rarely. */
-export type Topic = "cast" | "items" | "draft" | "selection" | "options" | "live" | "link" | "notices" | "history";
-
-/** drag: on the surface; pull: off it (R); add, remove, place: the net itself. */
-export type Tool = "drag" | "pull" | "add" | "remove" | "place";
-
-export interface Options {
-  readonly tool: Tool;
-  /** What a hand does on one side is done on the other. */
-  readonly mirror: boolean;
-  /** How far a drag takes points beside the dragged ones along, millimetres; 0: not at all. */
-  readonly falloff: number;
-  /** The only region that a drag moves, or null. */
-  readonly region: string | null;
-  readonly wireframe: boolean;
-  readonly needles: boolean;
-  readonly muscles: boolean;
-}
-
-/** The most faces beside the work. */
-export const MOST_NEIGHBOURS = 10;
-const NEIGHBOURS = ["dog", "child", "old"];
+export { MOST_NEIGHBOURS, type Options, type Tool, type Topic } from "./surroundings";
 
 const LOOKING_AHEAD = { turns: [0, 0, 0, 0] as Recipe["eyes"], pupil: 0 };
 
-export class Workbench {
-  library: Library | null = null;
-  anatomy: Anatomy | null = null;
-  items: readonly ItemDocument[] = [];
-  /** Of the cast that pages may load now; "" before the server has said. */
-  digest = "";
+export class Workbench extends Surroundings {
   /** The draft of the open item as the server last told it; null while nothing is open. */
   draft: DraftState | null = null;
   /** The net of the draft; null while none is open, and for a face. */
   net: Net | null = null;
   revisions: readonly RevisionDocument[] = [];
-  /** The name of the face shown large, and of those beside it. */
-  work = "generic";
-  neighbours: readonly string[] = NEIGHBOURS;
   /** Places in the net. */
   selection: ReadonlySet<number> = new Set();
-  options: Options = {
-    tool: "drag",
-    mirror: false,
-    falloff: 12,
-    region: null,
-    wireframe: false,
-    needles: true,
-    muscles: false,
-  };
   /** Vectors of the net as the hand has them now, (n, 3): the draft's, and the drag under way. Written by the canvas. */
   live: Float64Array = new Float64Array(0);
   /** Contractions as the hand has them now. */
@@ -87,7 +28,6 @@ export class Workbench {
   liveEyes: { readonly turns: Recipe["eyes"]; readonly pupil: number } = LOOKING_AHEAD;
   /** A source that is shown instead of the draft (an old revision), or null. */
   look: string | null = null;
-  online = false;
   /** What the steps undone were, the next to redo last. */
   undone: readonly string[] = [];
 
@@ -95,48 +35,12 @@ export class Workbench {
   #dragged: readonly number[] | null = null;
   #before: Float64Array = new Float64Array(0);
   #unanswered = 0;
-  readonly #notices = new Notices();
-  readonly #listeners = new Map<Topic, Set<() => void>>();
 
-  constructor(private readonly send: Ask) {}
-
-  listen(topic: Topic, heard: () => void): () => void {
-    const listeners = this.#listeners.get(topic) ?? new Set();
-    this.#listeners.set(topic, listeners.add(heard));
-    return () => listeners.delete(heard);
-  }
-
-  tell(topic: Topic): void {
-    for (const heard of this.#listeners.get(topic) ?? []) heard();
+  constructor(private readonly send: Ask) {
+    super();
   }
 
   // --- what is known --------------------------------------------------------------------------------------------------
-
-  /** The cast as it is now. */
-  get manifest(): Manifest | null {
-    return this.library?.manifest ?? null;
-  }
-
-  get notices(): readonly Notice[] {
-    return this.#notices.all;
-  }
-
-  get muscles(): readonly Muscle[] {
-    return this.anatomy?.muscles ?? [];
-  }
-
-  get regions(): readonly string[] {
-    return this.anatomy?.regions ?? [];
-  }
-
-  /** For each region how much it owns of each vertex, 255 all. */
-  get masks(): readonly Uint8Array[] {
-    return this.anatomy?.masks ?? [];
-  }
-
-  get followers(): Followers | null {
-    return this.anatomy?.followers ?? null;
-  }
 
   /** The open item. */
   get item(): ItemDocument | null {
@@ -169,55 +73,7 @@ export class Workbench {
     return this.#unanswered > 0;
   }
 
-  /** The library has come, or has been renewed. */
-  setCast(library: Library): void {
-    this.library = library;
-    const { manifest } = library;
-    const known = (name: string) => manifest.faces.some((face) => face.name === name);
-    if (!known(this.work)) this.work = manifest.faces[0]?.name ?? this.work;
-    this.neighbours = this.neighbours.filter(known);
-    this.tell("cast");
-  }
-
-  setAnatomy(greeted: Greeted): void {
-    this.anatomy = readAnatomy(greeted);
-    this.setItems(greeted.items, greeted.digest);
-  }
-
-  setItems(items: readonly ItemDocument[], digest = this.digest): void {
-    [this.items, this.digest] = [items, digest];
-    this.tell("items");
-  }
-
-  setOnline(online: boolean): void {
-    this.online = online;
-    this.tell("link");
-  }
-
-  /** The source of a face by its name. */
-  sourceOf(face: string): string {
-    return this.library?.sourceOf("faces", face) ?? face;
-  }
-
   // --- what is shown --------------------------------------------------------------------------------------------------
-
-  setOptions(change: Partial<Options>): void {
-    this.options = { ...this.options, ...change };
-    this.tell("options");
-  }
-
-  /** Shows a face large; the one that was takes its place beside it. */
-  setWork(name: string): void {
-    if (name === this.work) return;
-    this.neighbours = this.neighbours.map((one) => (one === name ? this.work : one));
-    this.work = name;
-    this.tell("cast");
-  }
-
-  setNeighbours(names: readonly string[]): void {
-    this.neighbours = [...new Set(names)].filter((name) => name !== this.work).slice(0, MOST_NEIGHBOURS);
-    this.tell("cast");
-  }
 
   select(places: Iterable<number>): void {
     this.selection = new Set(places);
@@ -320,19 +176,8 @@ export class Workbench {
   /** A change of the open item; an old revision that was looked at goes, for who edits wants to see it. */
   edit(change: Change): void {
     if (this.draft === null) return;
-    this.look = null;
+    if (this.look !== null) this.setLook(null);
     void this.ask({ ...change, item: this.draft.item } as Request);
-  }
-
-  /** Tells the user something that stays until it is read. */
-  say(text: string, kind: Notice["kind"] = "refusal", actions: Notice["actions"] = []): void {
-    this.#notices.say(text, kind, actions);
-    this.tell("notices");
-  }
-
-  dismiss(id: number): void {
-    this.#notices.dismiss(id);
-    this.tell("notices");
   }
 
   /** An answer, or what the server says by itself. */
