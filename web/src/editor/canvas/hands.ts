@@ -8,7 +8,7 @@ import { Grip, type Ground } from "./grip";
 import { nudgeOf } from "./keys";
 import { NEEDLE, type Needle, needlesOn, picked, REACH, within } from "./needles";
 import { hit, nearestCorner } from "./surface";
-import type { Pair } from "./triples";
+import type { Pair, Triple } from "./triples";
 
 /** Pixels that a pointer may tremble before a press becomes a drag. */
 const TREMBLE = { mouse: 3, touch: 8 } as const;
@@ -74,6 +74,11 @@ export class Hands {
     const shown = bench.recipe !== null && bench.look === null && bench.options.needles;
     if (figure === undefined || this.anatomy === undefined || bench.net === null || !shown) return [];
     return needlesOn(bench.net.rows, this.anatomy.fans, figure.live, this.needleLength);
+  }
+
+  /** Where the needles point. */
+  directions(): Triple[] {
+    return this.needles().map(({ outward }) => outward);
   }
 
   /** Whether needles are shown. */

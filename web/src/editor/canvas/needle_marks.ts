@@ -2,8 +2,10 @@
 
 import { createProgram } from "../../stage/gl";
 import type { Camera } from "./camera";
+import { SLACK } from "./needles";
 import type { Painter } from "./painter";
 import { NEEDLE_FRAGMENT, NEEDLE_VERTEX } from "./portrait_shaders";
+import type { Triple } from "./triples";
 
 /** How a needle looks: "still", under the pointer, chosen, taken along by a drag, out of reach of the region. */
 export type NeedleState = "still" | "hovered" | "selected" | "taken" | "barred";
@@ -25,6 +27,7 @@ export class NeedleMarks {
   private readonly array: WebGLVertexArrayObject;
   private readonly rows: WebGLBuffer;
   private readonly looks: WebGLBuffer;
+  private readonly ways: WebGLBuffer;
   private count = 0;
 
   constructor(
@@ -32,7 +35,8 @@ export class NeedleMarks {
     private readonly painter: Painter,
   ) {
     this.program = createProgram(gl, NEEDLE_VERTEX, NEEDLE_FRAGMENT);
-    [this.array, this.rows, this.looks] = [gl.createVertexArray(), gl.createBuffer(), gl.createBuffer()];
+    [this.array, this.rows] = [gl.createVertexArray(), gl.createBuffer()];
+    [this.looks, this.ways] = [gl.createBuffer(), gl.createBuffer()];
     const at = (name: string) => gl.getAttribLocation(this.program, name);
     gl.bindVertexArray(this.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.rows);
@@ -46,19 +50,35 @@ export class NeedleMarks {
       gl.enableVertexAttribArray(at(name));
       gl.vertexAttribPointer(at(name), width, gl.FLOAT, false, 20, offset);
     }
-    for (const name of ["row", "colour", "scale"]) gl.vertexAttribDivisor(at(name), 1);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.ways);
+    gl.enableVertexAttribArray(at("outward"));
+    gl.vertexAttribPointer(at("outward"), 3, gl.FLOAT, false, 0, 0);
+    for (const name of ["row", "colour", "scale", "outward"]) gl.vertexAttribDivisor(at(name), 1);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, CORNERS, gl.STATIC_DRAW);
     gl.bindVertexArray(null);
   }
 
-  /** The rows under the needles, how each looks, and how large its head is (1: ordinary). */
-  set(rows: readonly number[], states: readonly NeedleState[], scales?: readonly number[]): void {
+  /**
+   * The rows under the needles, how each looks, how large its head is (1: ordinary) and where it points
+   * (as the skin does, where nothing is said). */
+  set(
+    rows: readonly number[],
+    states: readonly NeedleState[],
+    scales?: readonly number[],
+    outward?: readonly Triple[],
+  ): void {
     const { gl } = this;
     const looks = Float32Array.from(states.flatMap((state) => COLOURS[state]));
     scales?.forEach((scale, n) => {
       looks[5 * n + 4] = (looks[5 * n + 4] as number) * scale;
     });
+    const ways = Float32Array.from(
+      { length: 3 * rows.length },
+      (_, at) => outward?.[Math.floor(at / 3)]?.[at % 3] ?? 0,
+    );
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.ways);
+    gl.bufferData(gl.ARRAY_BUFFER, ways, gl.DYNAMIC_DRAW);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.rows);
     gl.bufferData(gl.ARRAY_BUFFER, Uint16Array.from(rows), gl.DYNAMIC_DRAW);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.looks);
@@ -77,6 +97,7 @@ export class NeedleMarks {
     painter.atlas(program, block);
     gl.uniform2f(painter.at(program, "box"), camera.box.width * ratio, camera.box.height * ratio);
     gl.uniform1f(painter.at(program, "long_"), length);
+    gl.uniform1f(painter.at(program, "slack"), SLACK);
     gl.uniform1f(painter.at(program, "wide"), HEAD * ratio);
     gl.bindVertexArray(this.array);
     gl.drawElementsInstanced(gl.TRIANGLES, CORNERS.length, gl.UNSIGNED_SHORT, 0, this.count);

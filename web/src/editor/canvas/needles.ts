@@ -9,8 +9,8 @@ import { add, cross, dot, minus, rowOf, size, type Triple, times, unit } from ".
 export const NEEDLE = 0.0035;
 /** CSS pixels around a needle's head that belong to it, by mouse or pen, and by finger. */
 export const REACH = { mouse: 11, touch: 26 } as const;
-/** Metres by which skin may lie before a needle's head without hiding it. */
-const SLACK = 0.0012;
+/** Metres by which skin may lie before a needle's head without hiding it: lips before their own line. */
+export const SLACK = 0.004;
 /** A needle that points away from the camera by more than this is hidden (cosine). */
 const TURNED_AWAY = -0.12;
 
@@ -36,10 +36,26 @@ export function normalAt(fans: Fans, positions: Float32Array, row: number): Trip
   return unit(sum);
 }
 
+/** How much of the radius is in a needle's direction: on a line of lips or lids the skin itself points anywhere. */
+const RADIAL = 0.8;
+/** The cylinder's axis (conventions.md), metres. */
+const AXIS = 0.02;
+
+/** Where a needle points: as the skin around its row does, and away from the head's axis. */
+export function outwardAt(fans: Fans, positions: Float32Array, row: number): Triple {
+  const [x, , z] = rowOf(positions, row);
+  const radial = unit([x, 0, z - AXIS]);
+  let sum = normalAt(fans, positions, row);
+  for (let slot = fans.starts[row] as number; slot < (fans.starts[row + 1] as number); slot++)
+    sum = add(sum, normalAt(fans, positions, fans.pairs[2 * slot] as number));
+  const skin = unit(sum);
+  return dot(skin, radial) < -0.2 ? radial : unit(add(skin, times(radial, RADIAL)));
+}
+
 /** The needles of some rows of a face. */
 export function needlesOn(rows: readonly number[], fans: Fans, positions: Float32Array, length = NEEDLE): Needle[] {
   return rows.map((row, place) => {
-    const [foot, outward] = [rowOf(positions, row), normalAt(fans, positions, row)];
+    const [foot, outward] = [rowOf(positions, row), outwardAt(fans, positions, row)];
     return { place, foot, outward, head: add(foot, times(outward, length)) };
   });
 }

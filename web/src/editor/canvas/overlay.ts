@@ -72,7 +72,7 @@ export class Overlay {
     this.drawHandles(block, camera);
     if (bench.net === null || !hands.armed) return;
     const rows = bench.net.rows.map((row, place) => (hands.placing?.place === place ? hands.placing.row : row));
-    this.marks.set(rows, this.states(), this.scales(camera));
+    this.marks.set(rows, this.states(), this.scales(camera), hands.directions());
     this.marks.draw(block, camera, hands.needleLength, aspect.ratio);
   }
 

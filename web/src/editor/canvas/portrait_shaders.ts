@@ -152,7 +152,10 @@ export const NEEDLE_VERTEX = `${ROWS}
 uniform vec2 box; // of the picture, pixels
 uniform float long_; // metres
 uniform float wide; // pixels of a head's radius
+uniform float slack; // metres by which skin may lie before a needle
+uniform vec3 back;
 in uint row;
+in vec3 outward; // zero: as the skin points
 in vec4 colour;
 in float scale;
 out vec4 vColour;
@@ -160,7 +163,8 @@ out vec2 vDisc;
 void main() {
   ivec2 at = texel(int(row));
   vec3 foot = texelFetch(positions, at, 0).xyz;
-  vec3 tip = foot + long_ * texelFetch(normals, at, 0).xyz;
+  vec3 way = dot(outward, outward) > 0.0 ? outward : texelFetch(normals, at, 0).xyz;
+  vec3 tip = foot + long_ * way;
   vec4 a = matrix * vec4(foot, 1.0), b = matrix * vec4(tip, 1.0);
   int corner = gl_VertexID;
   vec2 side = vec2((corner & 1) * 2 - 1, ((corner >> 1) & 1) * 2 - 1);
@@ -177,6 +181,8 @@ void main() {
     gl_Position.xy += side * 2.0 * wide * scale * b.w / box;
     vDisc = side;
   }
+  vec4 nearer = matrix * vec4((corner < 4 && side.y < 0.0 ? foot : tip) + slack * back, 1.0);
+  gl_Position.z = nearer.z / nearer.w * gl_Position.w;
 }
 `;
 
