@@ -41,6 +41,7 @@ interface Arrival {
   item: number;
   document: FaceDocument;
   shape: Shape;
+  under: string;
   handles: Handles;
   truths: Float32Array[];
 }
@@ -55,6 +56,8 @@ export class Sitters {
   private look = "";
   private content = "";
   private shape: Shape | undefined;
+  /** What lies under the handles of this shape. */
+  private under = "";
   /** The face at rest as the shape has it where the server made it: where handles were pulled very far, it may miss. */
   private made: Float32Array = new Float32Array();
   private moves: Float64Array = new Float64Array();
@@ -95,8 +98,12 @@ export class Sitters {
     const truths = await Promise.all(WORN.map(({ expressions }) => wear(expressions)));
     if (content !== this.content) return; // something newer is on its way
     const handles = handlesOf(asset, recipe);
-    const shape = shapeOf(positions, this.rows, handles.rows, handles.moves);
-    this.arrival = { content, item, document, shape, handles, truths };
+    const under = JSON.stringify([item, recipe.base, recipe.regions, recipe.amount, handles.rows]);
+    // Where only handles were moved, the face at rest is known already, and exactly.
+    const known = under === this.under ? this.shape : undefined;
+    known?.hold(handles.moves);
+    const shape = known ?? shapeOf(positions, this.rows, handles.rows, handles.moves);
+    this.arrival = { content, item, document, shape, under, handles, truths };
   }
 
   /** Whether all pictures show what was asked for last, and nothing eases. */
@@ -113,7 +120,7 @@ export class Sitters {
 
   /** Forgets what is shown: the canvas is needed for something else. */
   leave(): void {
-    [this.all, this.content, this.item, this.handles] = [[], "", -1, undefined];
+    [this.all, this.content, this.item, this.handles, this.under] = [[], "", -1, undefined, ""];
     [this.shape, this.arrival] = [undefined, undefined];
   }
 
@@ -142,13 +149,13 @@ export class Sitters {
   }
 
   private take(arrival: Arrival, time: number, ahead: boolean): void {
-    const { content, item, document, shape, handles, truths } = arrival;
+    const { content, item, document, shape, under, handles, truths } = arrival;
     this.arrival = undefined;
     const fresh = item !== this.item || this.all.length === 0;
     if (fresh) this.begin(document, truths);
     const shown = this.all.map(({ figure }) => figure.base.slice());
     if (!ahead || fresh) this.moves = handles.moves;
-    [this.item, this.shape, this.handles] = [item, shape, handles];
+    [this.item, this.shape, this.under, this.handles] = [item, shape, under, handles];
     this.made = shape.at(handles.moves).slice();
     this.dress(document.look);
     for (const sitter of this.all) {
