@@ -89,7 +89,8 @@ export class Overlay {
   private drawHandles(block: number, camera: Camera): void {
     const { handles, sitting, aspect } = this.stage;
     if (!sitting || handles?.handles === undefined) return;
-    this.marks.set(handles.handles.rows, handles.states());
+    const outward = handles.studs().map((stud) => stud.outward);
+    this.marks.set(handles.handles.rows, handles.states(), undefined, outward);
     this.marks.draw(block, camera, STUD, aspect.ratio);
   }
 

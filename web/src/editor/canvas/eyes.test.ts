@@ -1,0 +1,24 @@
+import { expect, it } from "vitest";
+import type { Recipe } from "../../link/editing";
+import type { Manifest } from "../../link/messages";
+import { gazeOf } from "./eyes";
+
+const manifest = {
+  expressions: [{ name: "wink", source: "wink", eyes: [0.1, 0.2, 0.3, 0.4], pupil: 0.5 }],
+} as unknown as Manifest;
+const hand = { turns: [1, 0, 0, 0], pupil: 0.1 };
+const recipe = (region: string | null, mirrored: boolean): Recipe =>
+  ({ layers: [{ source: "wink", label: "Wink", weight: 0.5, region, mirrored }] }) as unknown as Recipe;
+
+it("adds up what layers and the hand do to the eyes", () => {
+  expect(gazeOf(recipe(null, false), hand, manifest)).toEqual({ angles: [1.05, 0.1, 0.15, 0.2], pupil: 0.35 });
+});
+
+it("exchanges left and right where a layer is mirrored", () => {
+  expect(gazeOf(recipe("eyes", true), hand, manifest).angles).toEqual([1 - 0.15, 0.2, -0.05, 0.1]);
+});
+
+it("leaves out layers of other regions, and looks ahead without a recipe", () => {
+  expect(gazeOf(recipe("mouth", false), hand, manifest)).toEqual({ angles: [1, 0, 0, 0], pupil: 0.1 });
+  expect(gazeOf(null, hand, manifest)).toEqual({ angles: [0, 0, 0, 0], pupil: 0 });
+});
