@@ -7,6 +7,7 @@ import signal
 import socket
 import sys
 from collections.abc import Callable, Coroutine, Mapping
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -106,7 +107,8 @@ def open_desks(
     keeper = Scribe(file.again(), report)
 
     def reopened() -> Desk | None:
-        return open_desk(file, keeper, library.bench, report)
+        with closing(file.again()) as own:  # the journal's thread writes with the other connection
+            return open_desk(own, keeper, library.bench, report)
 
     desk = reopened()
     if desk is None:
