@@ -11,7 +11,7 @@ import type { Pair } from "./triples";
 
 const ASSET = { points: [0, 1, 2], labels: ["left ear", "right ear", "chin"], mirror: [1, 0, 2] };
 // A plate that faces the camera, with a handle in three of its corners.
-const POSITIONS = Float32Array.from([0.05, 0.05, 0, -0.05, 0.05, 0, 0, -0.05, 0, 0, 0.02, 0.001]);
+const POSITIONS = Float32Array.from([0.05, 0.05, 0.1, -0.05, 0.05, 0.1, 0, -0.05, 0.1, 0, 0.02, 0.101]);
 const TRIANGLES = Uint32Array.from([0, 3, 2, 3, 1, 2, 0, 1, 3]);
 const BOX = { left: 0, top: 0, width: 600, height: 600 };
 const CAMERA = new Camera(FIRST_VIEW, BOX, boundsOf(POSITIONS));
@@ -104,7 +104,7 @@ describe("hands on handles", () => {
     expect(asked).toEqual([]);
     expect(shown.at(-1)?.slice(0, 6)).toEqual(new Float64Array(6));
     hands.release();
-    const each = CAMERA.metresPerPixel([0, -0.05, 0]);
+    const each = CAMERA.metresPerPixel([0, -0.05, 0.1]);
     const { points, moves } = recipeAsked();
     expect(points).toEqual(ASSET.points);
     expect(moves[2]).toEqual([expect.closeTo(30 * each, 9), expect.closeTo(-10 * each, 9), expect.closeTo(0, 9)]);
@@ -118,8 +118,8 @@ describe("hands on handles", () => {
     hands.drag([x, y - 5], event({ altKey: true }));
     hands.release();
     const [, up, towards] = recipeAsked().moves[0] as [number, number, number];
-    expect(up).toBeCloseTo(20 * CAMERA.metresPerPixel([0.05, 0.05, 0]), 7);
-    expect(towards).toBeCloseTo(15 * CAMERA.metresPerPixel([0.05, 0.05, 0]), 7);
+    expect(up).toBeCloseTo(20 * CAMERA.metresPerPixel([0.05, 0.05, 0.1]), 7);
+    expect(towards).toBeCloseTo(15 * CAMERA.metresPerPixel([0.05, 0.05, 0.1]), 7);
   });
 
   it("does on the other side what it does on one", () => {
