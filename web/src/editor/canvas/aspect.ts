@@ -83,12 +83,9 @@ export class Aspect {
     this.change({ pan: [this.view.pan[0] - right, this.view.pan[1] - up] });
   }
 
-  /** Comes nearer by a factor, keeping what lies `aside` metres (right, up of the middle) where it is. */
-  zoom(factor: number, aside: readonly [number, number] = [0, 0]): void {
-    const before = this.view.zoom;
-    this.change({ zoom: before * factor });
-    const part = 1 - before / this.view.zoom;
-    this.change({ pan: [this.view.pan[0] + aside[0] * part, this.view.pan[1] + aside[1] * part] });
+  /** Comes nearer by a factor. */
+  zoom(factor: number): void {
+    this.change({ zoom: this.view.zoom * factor });
   }
 
   private change(part: Partial<View>): void {

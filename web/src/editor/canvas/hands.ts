@@ -1,13 +1,16 @@
 /** Mouse, touch, pen and keys on the canvas. */
 
 import type { Anatomy } from "../../stage/anatomy";
+import type { Net } from "../net";
 import type { Camera } from "./camera";
 import type { EditorCanvas } from "./editor_canvas";
 import type { Figure } from "./figure";
 import { Grip, type Ground } from "./grip";
 import { nudgeOf } from "./keys";
 import { NEEDLE, type Needle, needlesOn, picked, REACH, within } from "./needles";
-import { hit, nearestCorner } from "./surface";
+import { freeRow, withoutPlace, withPlaceAt, withRow } from "./net_tools";
+import { Sight } from "./sight";
+import { hit } from "./surface";
 import type { Pair, Triple } from "./triples";
 
 /** Pixels that a pointer may tremble before a press becomes a drag. */
@@ -36,12 +39,13 @@ export class Hands {
   private surface: { skin: Uint32Array; land: Uint32Array } | undefined;
   private readonly pointers = new Map<number, Pair>();
   private press: { what: Press; from: Pair; last: Pair; moved: boolean } | undefined;
-  private pinch: { far: number; middle: Pair } | undefined;
+  private readonly sight: Sight;
   private nudging = false;
   private readonly ending = new AbortController();
 
   constructor(private readonly stage: EditorCanvas) {
     const { canvas } = stage;
+    this.sight = new Sight(stage);
     const options = { signal: this.ending.signal };
     canvas.style.touchAction = "none";
     canvas.tabIndex = 0;
@@ -52,7 +56,7 @@ export class Hands {
     canvas.addEventListener("pointerleave", () => this.hover(-1, -1), options);
     canvas.addEventListener("contextmenu", (event) => event.preventDefault(), options);
     canvas.addEventListener("dblclick", (event) => this.doubled(event), options);
-    canvas.addEventListener("wheel", (event) => this.wheel(event), { ...options, passive: false });
+    canvas.addEventListener("wheel", (event) => this.sight.wheel(event), { ...options, passive: false });
     addEventListener("keydown", (event) => this.key(event), options);
     addEventListener("keyup", () => this.endNudge(), options);
     addEventListener("blur", () => this.endNudge(), options);
@@ -102,7 +106,8 @@ export class Hands {
     this.pointers.set(event.pointerId, at);
     this.endNudge();
     if (this.pointers.size > 1) {
-      this.beginPinch();
+      this.abandon();
+      this.sight.pinch([...this.pointers.values()]);
       return;
     }
     const over = aspect.at(...at);
@@ -136,8 +141,8 @@ export class Hands {
       return;
     }
     this.pointers.set(event.pointerId, at);
-    if (this.pinch !== undefined) {
-      this.movePinch();
+    if (this.sight.pinching) {
+      this.sight.pinch([...this.pointers.values()]);
       return;
     }
     const { press } = this;
@@ -158,13 +163,12 @@ export class Hands {
   }
 
   private drag(what: Press, event: PointerEvent, from: Pair, to: Pair): void {
-    const { aspect } = this.stage;
     const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
     if (what.kind === "needle") this.dragNeedle(event, to);
     else if (what.kind === "handle") this.dragHandle(event, to);
     else if (what.kind === "band") this.stretch(to);
-    else if (what.kind === "pan") this.pan(dx, dy);
-    else aspect.orbit(dx, dy);
+    else if (what.kind === "pan") this.sight.pan(dx, dy);
+    else this.sight.orbit(dx, dy);
     this.stage.redraw();
   }
 
@@ -196,8 +200,8 @@ export class Hands {
   private up(event: PointerEvent): void {
     const { press } = this;
     this.pointers.delete(event.pointerId);
-    if (this.pinch !== undefined) {
-      if (this.pointers.size < 2) this.pinch = undefined;
+    if (this.sight.pinching) {
+      if (this.pointers.size < 2) this.sight.release();
       return;
     }
     this.press = undefined;
@@ -223,7 +227,7 @@ export class Hands {
     if (what.kind === "handle") this.stage.handles?.release();
     else if (what.kind === "beside" && this.stage.sitting) this.stage.sitters?.front(what.over);
     else if (what.kind === "beside") bench.setWork(bench.neighbours[what.over - 1] as string);
-    else if (what.kind === "needle" && tool === "remove") this.remove(what.needle.place);
+    else if (what.kind === "needle" && tool === "remove") this.reweave((net) => withoutPlace(net, what.needle.place));
     else if (what.kind === "needle" && (event.shiftKey || event.ctrlKey || event.metaKey) && !what.fresh)
       bench.select([...bench.selection].filter((place) => place !== what.needle.place));
     else if (what.kind === "needle" && !event.shiftKey && !event.ctrlKey && !event.metaKey)
@@ -235,6 +239,7 @@ export class Hands {
   /** The system took the pointer: nothing was meant. */
   private lose(event: PointerEvent): void {
     this.pointers.delete(event.pointerId);
+    this.sight.release();
     this.abandon();
   }
 
@@ -255,14 +260,7 @@ export class Hands {
   private doubled(event: MouseEvent): void {
     const at = placeOf(event);
     if (this.stage.aspect.at(...at) !== 0 || this.pick(event, at) !== undefined) return;
-    this.stage.aspect.reset();
-    this.stage.redraw();
-  }
-
-  private wheel(event: WheelEvent): void {
-    event.preventDefault();
-    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 24 : 1;
-    this.zoomAt(placeOf(event), Math.exp(-event.deltaY * unit * (event.ctrlKey ? 0.01 : 0.0016)));
+    this.sight.reset();
   }
 
   private hoverAt(event: PointerEvent, at: Pair): void {
@@ -279,64 +277,15 @@ export class Hands {
     this.stage.redraw();
   }
 
-  // --- two fingers ----------------------------------------------------------------------------------------------------
-
-  private beginPinch(): void {
-    this.abandon();
-    this.pinch = this.spread();
-  }
-
-  private movePinch(): void {
-    const { pinch } = this;
-    if (pinch === undefined || this.pointers.size < 2) return;
-    const now = this.spread();
-    this.pan(now.middle[0] - pinch.middle[0], now.middle[1] - pinch.middle[1]);
-    this.zoomAt(now.middle, now.far / Math.max(pinch.far, 1));
-    this.pinch = now;
-  }
-
-  private spread(): { far: number; middle: Pair } {
-    const [a, b] = [...this.pointers.values()] as [Pair, Pair];
-    return { far: Math.hypot(a[0] - b[0], a[1] - b[1]), middle: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2] };
-  }
-
-  // --- the view -------------------------------------------------------------------------------------------------------
-
-  private pan(dx: number, dy: number): void {
-    const { camera, each } = this.scale();
-    if (camera === undefined) return;
-    this.stage.aspect.pan(dx * each, -dy * each);
-    this.stage.redraw();
-  }
-
-  private zoomAt([x, y]: Pair, factor: number): void {
-    const { camera, each } = this.scale();
-    if (camera === undefined) return;
-    const { left, top, width, height } = camera.box;
-    this.stage.aspect.zoom(factor, [(x - left - width / 2) * each, -(y - top - height / 2) * each]);
-    this.stage.redraw();
-  }
-
-  private scale(): { camera: Camera | undefined; each: number } {
-    const camera = this.camera();
-    const bounds = this.bounds();
-    return { camera, each: camera === undefined || bounds === undefined ? 0 : camera.metresPerPixel(bounds.centre) };
-  }
-
   // --- needles --------------------------------------------------------------------------------------------------------
 
   private get figure(): Figure | undefined {
     return this.stage.work?.figure;
   }
 
-  private bounds() {
-    return this.stage.work?.bounds;
-  }
-
   /** The camera of the work. */
   camera(): Camera | undefined {
-    const bounds = this.bounds();
-    return bounds === undefined ? undefined : this.stage.aspect.camera(0, bounds);
+    return this.sight.camera;
   }
 
   private pick(event: MouseEvent, at: Pair): Needle | undefined {
@@ -394,30 +343,26 @@ export class Hands {
     return (sitting ? handles?.handles?.rows[place] : bench.net?.rows[place]) ?? -1;
   }
 
+  private reweave(rows: (net: Net) => readonly number[]): void {
+    const { bench } = this.stage;
+    if (bench.net !== null) bench.setNet(rows(bench.net));
+  }
+
+  private add(at: Pair): void {
+    const row = this.rowUnder(at);
+    if (row !== undefined) this.reweave((net) => withRow(net, row));
+  }
+
+  private setDown({ place, row }: Placing): void {
+    if (this.rowOf(place) !== row) this.reweave((net) => withPlaceAt(net, place, row));
+  }
+
   /** The vertex of the sheet under the pointer where no needle stands yet. */
   private rowUnder([x, y]: Pair): number | undefined {
     const [camera, figure, { net }] = [this.camera(), this.figure, this.stage.bench];
     if (camera === undefined || figure === undefined || this.surface === undefined || net === null) return undefined;
     const met = hit(figure.live, this.surface.skin, camera.eye, camera.ray(x, y));
-    const free = (row: number) => onSheet(net.weights, row) && !net.rows.includes(row);
-    return met === undefined ? undefined : nearestCorner(met, figure.live, free);
-  }
-
-  private add(at: Pair): void {
-    const row = this.rowUnder(at);
-    const { bench } = this.stage;
-    if (row !== undefined && bench.net !== null) bench.setNet([...bench.net.rows, row]);
-  }
-
-  private remove(place: number): void {
-    const { bench } = this.stage;
-    if (bench.net !== null) bench.setNet(bench.net.rows.filter((_, other) => other !== place));
-  }
-
-  private setDown({ place, row }: Placing): void {
-    const { bench } = this.stage;
-    if (bench.net === null || bench.net.rows[place] === row) return;
-    bench.setNet(bench.net.rows.map((other, at) => (at === place ? row : other)));
+    return met === undefined ? undefined : freeRow(net, met, figure.live);
   }
 
   // --- keys -----------------------------------------------------------------------------------------------------------
@@ -453,7 +398,3 @@ export class Hands {
 }
 
 const placeOf = (event: MouseEvent): Pair => [event.offsetX, event.offsetY];
-
-/** Whether a net carries anything at a row of the skin. */
-const onSheet = (weights: Float32Array, row: number): boolean =>
-  (weights[3 * row] ?? 0) !== 0 || (weights[3 * row + 1] ?? 0) !== 0 || (weights[3 * row + 2] ?? 0) !== 0;

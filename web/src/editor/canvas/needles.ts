@@ -36,8 +36,8 @@ export function normalAt(fans: Fans, positions: Float32Array, row: number): Trip
   return unit(sum);
 }
 
-/** How much of the radius is in a needle's direction: on a line of lips or lids the skin itself points anywhere. */
-const RADIAL = 0.8;
+/** How much a needle points away from the axis where the skin around it points anywhere: on lines of lips and lids. */
+const RADIAL = 2;
 /** The cylinder's axis (conventions.md), metres. */
 const AXIS = 0.02;
 
@@ -45,11 +45,11 @@ const AXIS = 0.02;
 export function outwardAt(fans: Fans, positions: Float32Array, row: number): Triple {
   const [x, , z] = rowOf(positions, row);
   const radial = unit([x, 0, z - AXIS]);
-  let sum = normalAt(fans, positions, row);
-  for (let slot = fans.starts[row] as number; slot < (fans.starts[row + 1] as number); slot++)
+  let [sum, count] = [normalAt(fans, positions, row), 1];
+  for (let slot = fans.starts[row] as number; slot < (fans.starts[row + 1] as number); slot++, count++)
     sum = add(sum, normalAt(fans, positions, fans.pairs[2 * slot] as number));
-  const skin = unit(sum);
-  return dot(skin, radial) < -0.2 ? radial : unit(add(skin, times(radial, RADIAL)));
+  const agreed = size(sum) / count; // 1 where the skin is smooth
+  return unit(add(times(sum, 1 / count), times(radial, RADIAL * (1 - agreed))));
 }
 
 /** The needles of some rows of a face. */
