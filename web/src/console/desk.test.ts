@@ -1,7 +1,8 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { FromClient, Manifest, State } from "../link/messages";
-import { Desk, onAir } from "./desk";
+import { Desk } from "./desk";
 import { ECHO } from "./hold";
+import { onAir } from "./on_air";
 
 const REST: State = {
   type: "state",

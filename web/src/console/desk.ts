@@ -18,23 +18,13 @@ import { type Arrangement, FIRST } from "./arrangement";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
 import { Holds } from "./hold";
 import type { Axis } from "./keys";
+import type { Knob } from "./knob";
+import { callOf } from "./on_air";
 import { Outbox } from "./outbox";
 import type { Seconds, Timing } from "./timing";
 
 /** What has changed, for elements that render (rarely); what moves is read every frame instead. */
 export type Topic = "cast" | "crew" | "link" | "timing" | "layout" | "call" | "notice" | "panic";
-
-/** One number under a hand. */
-export interface Knob {
-  readonly key: string;
-  /** The value to show at `now`: the hand's own while it counts, else the server's. */
-  value(now: number): number;
-  /** The hand holds the knob at `value`. */
-  grip(value: number): void;
-  /** One step by key or wheel. */
-  nudge(value: number): void;
-  leave(): void;
-}
 
 export type HeadPart = "yaw" | "pitch" | "roll";
 export type GazePart = "yaw" | "pitch";
@@ -305,15 +295,4 @@ export class Desk {
       },
     };
   }
-}
-
-export function callOf(state: State, axis: Axis): CallState | null {
-  return axis === "face" ? state.face_call : state.expression_call;
-}
-
-/** The names on air, heaviest first; weights below a thousandth are not shown. */
-export function onAir(weights: Readonly<Record<string, number>>): [string, number][] {
-  return Object.entries(weights)
-    .filter(([, weight]) => Math.abs(weight) >= 0.001)
-    .sort(([a, x], [b, y]) => y - x || a.localeCompare(b));
 }

@@ -1,10 +1,10 @@
 import { html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import type { Side } from "./channels";
-import type { Knob } from "./desk";
 import { PaintedElement, Written } from "./element";
 import { style } from "./fader_style";
 import { type Drag, onArrows, onDrag, onWheel } from "./gesture";
+import type { Knob } from "./knob";
 import { CHANNEL, fractionOf, stepped, travelOf, weightAt, within } from "./scale";
 import { base } from "./theme";
 

@@ -1,8 +1,8 @@
 import { css, html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
-import { onAir } from "./desk";
 import { PaintedElement, Written } from "./element";
 import type { Axis } from "./keys";
+import { onAir } from "./on_air";
 import { base } from "./theme";
 import { remainingLabel } from "./timing";
 

@@ -1,8 +1,8 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { Knob } from "./desk";
 import { PaintedElement, Written } from "./element";
 import { onArrows, onDrag, onWheel } from "./gesture";
+import type { Knob } from "./knob";
 import { style } from "./pad_style";
 import { fractionOf, GAZE_PITCH, GAZE_YAW, HEAD_PITCH, HEAD_ROLL, HEAD_YAW, sprung, valueAt, within } from "./scale";
 import { base } from "./theme";

@@ -1,10 +1,10 @@
 import { html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { type BarView, barView } from "./bar";
-import { onAir } from "./desk";
 import { PaintedElement, Written } from "./element";
 import { type Drag, onArrows, onDrag, onWheel } from "./gesture";
 import type { Axis } from "./keys";
+import { onAir } from "./on_air";
 import { UNIT, within } from "./scale";
 import { style } from "./t_bar_style";
 import { base } from "./theme";
