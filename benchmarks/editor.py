@@ -199,23 +199,11 @@ def slow(intervals: list[float]) -> float:
     return float(np.percentile(intervals, 95))
 
 
-def verdict(figures: list[Figures], faces: int) -> bool:
-    """Prints the figures beside their bars; whether the best run holds them."""
-    best = min(figures, key=lambda each: float(np.median(each.dragging)))
-    waits = [float(np.median(each.waits)) for each in figures]
-    differences = [one for each in figures for one in each.differences if one["move"] > 0]
-    greatest, mean, move = (
-        1000 * np.array([one[name] for one in differences]) for name in ("greatest", "mean", "move")
-    )
-    frames = " ".join(f"{fps(each.dragging):.1f}" for each in figures)
-    rows = (
-        ("frames per second of the idle page", f"{fps(best.idle):.1f}", "", True),
-        ("frames per second while dragging (median)", frames, f">= {FPS:g}", fps(best.dragging) >= FPS),
-        ("as a share of the idle page's", f"{fps(best.dragging) / fps(best.idle):.2f}", "", True),
-        ("frame interval while dragging (95th percentile), ms", f"{slow(best.dragging):.1f}", "", True),
-        ("pointer to the other faces (median), ms", f"{min(waits):.1f}", f"<= {WAIT_MS:g}", min(waits) <= WAIT_MS),
-        ("pointer to the other faces (greatest), ms", f"{max(best.waits):.1f}", "", True),
-        ("sent for a drag, bytes", f"{max(best.sent)}", "", True),
+def differences(figures: list[Figures]) -> list[tuple[str, str, str, bool]]:
+    """Rows about linearised and true shapes, over all runs."""
+    moved = [one for each in figures for one in each.differences if one["move"] > 0]
+    greatest, mean, move = (1000 * np.array([one[name] for one in moved]) for name in ("greatest", "mean", "move"))
+    return [
         ("the drag's move, mm", f"{move.max():.2f}", "", True),
         (
             "linearised to true shape, greatest, mm",
@@ -225,7 +213,28 @@ def verdict(figures: list[Figures], faces: int) -> bool:
         ),
         ("linearised to true shape, mean, mm", f"{mean.max():.2f} (median {np.median(mean):.2f})", "", True),
         ("greatest as a share of the move (median)", f"{np.median(greatest / move):.2f}", "", True),
-    )
+    ]
+
+
+def paces(figures: list[Figures]) -> list[tuple[str, str, str, bool]]:
+    """Rows about frames, waits and bytes: what, measured, bar, whether it holds."""
+    best = min(figures, key=lambda each: float(np.median(each.dragging)))
+    wait = min(float(np.median(each.waits)) for each in figures)
+    frames = " ".join(f"{fps(each.dragging):.1f}" for each in figures)
+    return [
+        ("frames per second of the idle page", f"{fps(best.idle):.1f}", "", True),
+        ("frames per second while dragging (median)", frames, f">= {FPS:g}", fps(best.dragging) >= FPS),
+        ("as a share of the idle page's", f"{fps(best.dragging) / fps(best.idle):.2f}", "", True),
+        ("frame interval while dragging (95th percentile), ms", f"{slow(best.dragging):.1f}", "", True),
+        ("pointer to the other faces (median), ms", f"{wait:.1f}", f"<= {WAIT_MS:g}", wait <= WAIT_MS),
+        ("pointer to the other faces (greatest), ms", f"{max(best.waits):.1f}", "", True),
+        ("sent for a drag, bytes", f"{max(best.sent)}", "", True),
+    ]
+
+
+def verdict(figures: list[Figures], faces: int) -> bool:
+    """Prints the figures beside their bars; whether the best run holds them."""
+    rows = [*paces(figures), *differences(figures)]
     title = f"an editor on llvmpipe, {WIDTH}x{HEIGHT}, {faces} faces beside the work, best of {len(figures)} runs"
     table = Table(title=title, title_justify="left")
     for column in ("what", "measured", "bar", "holds"):
