@@ -50,7 +50,9 @@ def check(file: ShowFileArgument) -> None:
         good = good and right
         typer.echo(f"{'good' if right else 'BAD '}  {sentence}")
     if not good:
-        typer.echo(f"omote: {file} is not all right; omote show {file} opens its newest good state.", err=True)
+        typer.echo(
+            f"omote: {file} is not all right; of a damaged file omote show opens the newest good state.", err=True
+        )
         raise typer.Exit(1)
 
 

@@ -113,3 +113,14 @@ def test_points_and_targets_that_are_none_are_refused() -> None:
     ):
         with pytest.raises(ValueError, match=sentence):
             solved(space(), face, under, made, at_rest(), points, targets)
+
+
+def test_what_is_far_out_of_reach_is_given_up_before_anybody_waits_for_it() -> None:
+    """Nobody gives way for a point a metre off, and where all are dragged there is nobody who could."""
+    made, face, under = net(), CAST.faces["dog"], CAST.expressions["neutral"]
+    far = solved(space(), face, under, made, at_rest(), [5], [[0.0, 1.0, 0.0]])
+    assert far.compounds <= MOST
+    every = range(len(made.rows))
+    here = face.positions[list(made.rows)].astype(np.float64)
+    all_dragged = solved(space(), face, under, made, at_rest(), every, here + np.array([0.01, 0, 0]))
+    assert all_dragged.compounds <= MOST

@@ -32,6 +32,8 @@ _GIVING = (0.05, 0.1, 0.2, 0.35)
 # less than this share of it says nothing.
 _QUASI, _SHORTER, _STRIDE, _TELLING = 10, 0.6, 0.03, 1e-3
 _LEAST_RATIO = 0.05
+# No fold holds a point back by so many metres: what still misses by more after so many compounds is out of reach.
+_LOST, _PATIENCE = 0.01, 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +142,7 @@ def _found(drag: _Drag, goal: Values) -> Solved:
     best = _approached(drag, goal)
     count = best.compounds
     for give in _GIVING:
-        if best.miss <= CLOSE:
+        if not CLOSE < best.miss <= _LOST or not drag._around.any():
             break
         found = _approached(replace(drag, give=give), goal)
         count += found.compounds
@@ -150,11 +152,11 @@ def _found(drag: _Drag, goal: Values) -> Solved:
 
 def _approached(drag: _Drag, goal: Values) -> Solved:
     """Broyden's method (1965) on the places, from the answer of a translation; when that does not end, shorter steps
-    of the translation itself, which a jump of the map does not lead astray."""
+    of the translation itself, which a jump of the map does not lead astray. A goal out of reach is soon given up."""
     places, answer = drag.places(), np.eye(goal.size)
     lack = (goal - drag.worn(places)).ravel()
-    best, least, count = places, _worst(lack), 1
-    while least > CLOSE and count < MOST:
+    best, least, count, vain = places, _worst(lack), 1, 0
+    while least > CLOSE and count < MOST and (least <= _LOST or vain < _PATIENCE):
         quasi = count < _QUASI
         step = answer @ lack if quasi else _SHORTER * lack
         step *= min(1.0, _STRIDE / max(_worst(step), 1e-12))
@@ -163,9 +165,9 @@ def _approached(drag: _Drag, goal: Values) -> Solved:
         count += 1
         if quasi:
             answer = _updated(answer, step, lack - after)
-        lack = after
+        lack, vain = after, vain + 1
         if _worst(lack) < least:
-            best, least = places, _worst(lack)
+            best, least, vain = places, _worst(lack), 0
     return Solved(drag.vectors(best), least, count)
 
 
