@@ -86,7 +86,7 @@ def test_check_says_what_is_good_and_what_is_not(show: ShowFile) -> None:
     show.apply([PutRevision(revision(1, 4, content=show.stored().revisions[0].content, recipe=b"?"))])
     text = said("check", show.path, status=1)
     assert "BAD   the recipe of revision 4 of smirk cannot be read" in text
-    assert "a.omote is not all right; omote show" in text
+    assert "a.omote is not all right; of a damaged file omote show opens the newest good state" in text
 
 
 @pytest.mark.parametrize(
