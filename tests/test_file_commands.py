@@ -7,10 +7,13 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+from omote.builtin import load_cast
 from omote.cli import app
+from omote.edit.adopt import mailed
 from omote.file_commands import moment
 from omote.files.changes import PutContent, PutItem, PutRevision
 from omote.files.contents import content_key, pack_expression
+from omote.files.exchange import encode
 from omote.files.showfile import ShowFile, open_show
 from omote.model.cast import Cast
 from tests.files.ledger import item, revision
@@ -126,3 +129,24 @@ def test_what_cannot_come_in_leaves_no_file(tmp_path: Path) -> None:
     assert refused.exit_code == 1
     assert "there is no file" in refused.output
     assert not other.exists()
+
+
+def test_a_label_in_a_strangers_file_commands_no_terminal(show: ShowFile) -> None:
+    show.apply([PutItem(item(1, name="smirk", label="\x1b[31mred\x07\u202eder\n", head=2))])
+    for text in (said("list", show.path), said("check", show.path), said("history", show.path, "smirk")):
+        assert not {"\x1b", "\x07", "\u202e"} & set(text)
+    assert r"\x1b[31mred\x07\u202eder\n" in said("list", show.path)
+
+
+def test_what_comes_in_is_told_of_without_what_commands_a_terminal(tmp_path: Path) -> None:
+    cast = load_cast()
+    mail = mailed(cast.space, "\x1b]0;owned\x07", (), cast.expressions["smile"])
+    (tmp_path / "mail.json").write_bytes(encode(mail))
+    text = said("import", tmp_path / "other.omote", tmp_path / "mail.json", status=1)
+    assert "\x1b" not in text
+    assert "printable" in text
+
+
+@pytest.mark.parametrize("command", [("list",), ("check",), ("history", "smirk")])
+def test_a_path_that_no_disk_takes_is_refused(command: tuple[str, ...], tmp_path: Path) -> None:
+    assert "too long" in said(command[0], tmp_path / ("x" * 300), *command[1:], status=1)

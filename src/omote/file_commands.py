@@ -46,9 +46,10 @@ def check(file: ShowFileArgument) -> None:
     from omote.files.inspection import verdicts
 
     good = True
-    for right, sentence in verdicts(file):
-        good = good and right
-        typer.echo(f"{'good' if right else 'BAD '}  {sentence}")
+    with refusals():
+        for right, sentence in verdicts(file):
+            good = good and right
+            typer.echo(f"{'good' if right else 'BAD '}  {legible(sentence)}")
     if not good:
         typer.echo(
             f"omote: {file} is not all right; of a damaged file omote show opens the newest good state.", err=True
@@ -112,7 +113,7 @@ def take_in(
                 cast = ensemble(cast, show.stored(), show.contents())
         found = faces_from(cast, things, look=face) if kind == "face" else expressions_from(cast, things, face=face)
         for arrival, sentence in found:
-            typer.echo(f"omote: {sentence}", err=True)
+            typer.echo(f"omote: {legible(sentence)}", err=True)
             arrivals.append(arrival)
         with closed_show(file, new=True) as show:
             show.apply(adopted(cast, show.stored(), arrivals, wall=wall_clock()))
@@ -139,6 +140,11 @@ def give_out(
     typer.echo(f"omote: {output} holds {name}.", err=True)
 
 
+def legible(text: str) -> str:
+    """The text with what no terminal prints as escapes: names in files of strangers would command it."""
+    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+
+
 def moment(seconds: float) -> str:
     """A time of the calendar (seconds since 1970) as people write it here; "?" for one that no clock shows."""
     try:
@@ -158,7 +164,7 @@ def refusals() -> Iterator[None]:
     try:
         yield
     except (ShowFileError, ShowLockedError, OSError, ValueError, sqlite3.Error) as error:
-        typer.echo(f"omote: {error}", err=True)
+        typer.echo(f"omote: {legible(str(error))}", err=True)
         raise typer.Exit(1) from error
 
 
@@ -178,5 +184,5 @@ def show_rows(rows: list[dict[str, Any]], *, json: bool, none: str) -> None:
 
     table = Table(*rows[0], box=None, pad_edge=False)
     for row in rows:
-        table.add_row(*(Text("yes" if value is True else str(value or "")) for value in row.values()))
+        table.add_row(*(Text("yes" if value is True else legible(str(value or ""))) for value in row.values()))
     Console(soft_wrap=False).print(table)
