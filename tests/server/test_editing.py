@@ -229,6 +229,10 @@ async def test_a_page_finds_its_layout_again(atelier: Atelier) -> None:
     said = await answer(console)
     assert isinstance(said, wire.Refused)
     assert "desk 2" in said.reason
+    await console.send_bytes(encode(wire.SetLayout("desk 3", "[" * 3000)))
+    said = await answer(console)
+    assert isinstance(said, wire.Refused)
+    assert "desk 3" in said.reason
     response = await atelier.client.get("/layouts/desk")
     assert (response.content_type, await response.text()) == ("application/json", '{"order": ["smile"]}')
     assert (await atelier.client.get("/layouts/desk%202")).status == 404

@@ -174,7 +174,7 @@ class Editing:
         document = asked.document.encode()
         try:
             msgspec.json.decode(document)
-        except msgspec.DecodeError as error:
+        except (msgspec.DecodeError, RecursionError) as error:
             self._tell(who, wire.Refused(f"the layout {asked.name!r} is no JSON ({error}): send it again."))
             return
         if asked.name not in desk.layouts and len(desk.layouts) >= MOST_LAYOUTS:
