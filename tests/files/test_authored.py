@@ -181,3 +181,20 @@ def test_only_bytes_are_the_content_of_their_key(data: object) -> None:
     assert not is_content(KEYS[1], data)
     assert not is_content(data, DATA[1])
     assert is_content(KEYS[1], DATA[1])
+
+
+@pytest.mark.parametrize("tags", ["none", "[1, 2]", "[" * 100_000])
+def test_rows_that_another_program_sealed_over_nonsense_make_a_file_corrupt(tmp_path: Path, tags: str) -> None:
+    path = tmp_path / "a.omote"
+    opened = open_show(path)
+    opened.apply(FIRST)
+    opened.close()
+    connection = sqlite3.connect(path)
+    table = TABLES[0]
+    row = connection.execute(f"SELECT {', '.join(table.columns)} FROM {table.name}").fetchone()
+    values = [tags if column == "tags" else value for column, value in zip(table.columns, row, strict=True)]
+    connection.execute(f"UPDATE {table.name} SET tags = ?, sum = ?", (tags, seal(values)))
+    connection.commit()
+    connection.close()
+    with pytest.raises(CorruptShowFileError, match="item 1 is damaged"):
+        open_show(path)

@@ -83,3 +83,12 @@ def test_a_head_at_rest_is_a_face_and_wears_the_look_that_it_is_known_by() -> No
     assert face.name == "Aunt"
     np.testing.assert_array_equal(face.positions, CAST.faces["broad"].positions)
     assert look == CAST.looks["broad"]
+
+
+@pytest.mark.parametrize("scale", [0.0, 1e-6, 100.0])
+def test_a_head_that_is_not_in_metres_is_refused(scale: float) -> None:
+    away = [Piece("skin", scale * rest_of(CAST, "long")["skin"])]
+    with pytest.raises(ValueError, match=r"Grin: the head is .* m long; expected .* export it in metres"):
+        list(taken(CAST, meshes(), {"Grin": away}, face="long"))
+    with pytest.raises(ValueError, match="export it in metres"):
+        face_in(CAST, meshes(), "Grin", away)

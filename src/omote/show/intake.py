@@ -30,6 +30,9 @@ RESTS = frozenset({NEUTRAL, "rest", "basis", "base"})
 SAME = 5e-6
 """Metres: a shape that the cast's expression of its name makes so nearly is that expression, on every face."""
 
+WIDELY = 10.0
+"""How many times as large or as small as the generic head a head may be: other units are farther off."""
+
 
 @dataclass(frozen=True, eq=False)
 class Taken:
@@ -71,9 +74,16 @@ def taken(
 
 def _head(cast: Cast, meshes: Sequence[BakedMesh], label: str, pieces: Sequence[Piece]) -> Likeness:
     try:
-        return likeness(cast, meshes, pieces)
+        head = likeness(cast, meshes, pieces)
     except ValueError as error:
         raise ValueError(f"{label}: {error}") from error
+    size, usual = (float(np.ptp(points, axis=0).max()) for points in (head.rest[SKIN], cast.space.points))
+    if not usual / WIDELY <= size <= usual * WIDELY:
+        raise ValueError(
+            f"{label}: the head is {size:.3g} m long; expected {usual / WIDELY:.2g} to {usual * WIDELY:.2g} m: "
+            "export it in metres"
+        )
+    return head
 
 
 def _start(cast: Cast, heads: Mapping[str, Likeness], face: str) -> Face:
