@@ -150,3 +150,11 @@ def test_what_comes_in_is_told_of_without_what_commands_a_terminal(tmp_path: Pat
 @pytest.mark.parametrize("command", [("list",), ("check",), ("history", "smirk")])
 def test_a_path_that_no_disk_takes_is_refused(command: tuple[str, ...], tmp_path: Path) -> None:
     assert "too long" in said(command[0], tmp_path / ("x" * 300), *command[1:], status=1)
+
+
+def test_a_file_whose_numbers_are_used_up_takes_nothing_more_and_says_so(show: ShowFile, tmp_path: Path) -> None:
+    show.apply([PutItem(item(2**63 - 1, name="last"))])
+    show.close()
+    cast = load_cast()
+    (tmp_path / "mail.json").write_bytes(encode(mailed(cast.space, "Wry", (), cast.expressions["smile"])))
+    assert "too large" in said("import", show.path, tmp_path / "mail.json", status=1)

@@ -163,7 +163,7 @@ def refusals() -> Iterator[None]:
 
     try:
         yield
-    except (ShowFileError, ShowLockedError, OSError, ValueError, sqlite3.Error) as error:
+    except (ShowFileError, ShowLockedError, OSError, ValueError, OverflowError, sqlite3.Error) as error:
         typer.echo(f"omote: {legible(str(error))}", err=True)
         raise typer.Exit(1) from error
 

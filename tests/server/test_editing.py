@@ -115,7 +115,7 @@ async def obeyed_after(console: Any, *messages: wire.FromClient) -> None:
     for message in (*messages, wire.Ping(1.0)):
         await console.send_bytes(encode(message))
     while not isinstance(said := await answer(console), wire.Pong):
-        assert isinstance(said, wire.CastChanged)
+        assert isinstance(said, wire.CastChanged | wire.State)
 
 
 async def test_an_own_face_is_served_by_its_content_and_is_in_the_cast_once_saved(atelier: Atelier, cast: Cast) -> None:
@@ -291,3 +291,14 @@ async def test_while_the_disk_fails_editors_are_told_and_nothing_is_acknowledged
     told = [each for each in page.heard if isinstance(each, editing.EditRefused)]
     assert [each.request for each in told] == [-1]
     assert "disk I/O error" in told[0].reason
+
+
+async def test_what_was_called_since_the_last_tick_cannot_be_deleted(atelier: Atelier) -> None:
+    page = await atelier.editor()
+    draft = await saved(page)
+    console = await atelier.link()
+    atelier.tick()
+    await obeyed_after(console, wire.CallExpression("1", "grin", 1.0, "smooth"))
+    refused = await page.ask(editing.Delete, draft.item)
+    assert isinstance(refused, editing.EditRefused)
+    assert "is on air or coming" in refused.reason

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Awaitable, Callable, Mapping
+from dataclasses import replace
 
 from aiohttp import WSMsgType, web
 
@@ -47,12 +48,17 @@ class ShowServer:
             self.library,
             Casting(self.session, self.library, report),
             reopen=reopen,
-            on_air=lambda: seen(self._state) if self._state else OnAir(),
+            on_air=self.on_air,
             tell=lambda who, message: self.links.answer(who, encode(message)),
             announce=self.announce,
             report=report,
             clock=self.clock,
         )
+
+    def on_air(self) -> OnAir:
+        """What is seen now; coming is also what was called since the last tick."""
+        found, (faces, expressions) = seen(self._state) if self._state else OnAir(), self.session.names_held()
+        return replace(found, coming=found.coming | faces | expressions)
 
     def application(self, names: frozenset[str]) -> web.Application:
         """The aiohttp application; `names` are the hosts it answers to, beside addresses in figures."""
