@@ -109,6 +109,21 @@ export class Camera {
     return [left + ((row(0) / depth + 1) / 2) * width, top + ((1 - row(1) / depth) / 2) * height, depth];
   }
 
+  /** Where points (n, 3) are on the canvas, (n, 2) CSS pixels. */
+  projectAll(points: Float32Array): Float32Array {
+    const [m, { left, top, width, height }] = [this.matrix, this.box];
+    const out = new Float32Array((points.length / 3) * 2);
+    for (let at = 0, to = 0; at < points.length; at += 3, to += 2) {
+      const [x, y, z] = [points[at] as number, points[at + 1] as number, points[at + 2] as number];
+      const row = (n: number): number =>
+        (m[n] as number) * x + (m[4 + n] as number) * y + (m[8 + n] as number) * z + (m[12 + n] as number);
+      const depth = row(3);
+      out[to] = left + ((row(0) / depth + 1) / 2) * width;
+      out[to + 1] = top + ((1 - row(1) / depth) / 2) * height;
+    }
+    return out;
+  }
+
   /** The direction in which a pixel of the canvas looks. */
   ray(x: number, y: number): Triple {
     const { left, top, width, height } = this.box;

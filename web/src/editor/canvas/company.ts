@@ -10,6 +10,7 @@ import { Crowd } from "./crowd";
 import { MOST_BLOCKS } from "./crowd_shaders";
 import { addField, type Moves, type Reach, reachOf } from "./field";
 import { type Difference, Figure } from "./figure";
+import { farthestOf } from "./repaint";
 import { loadFace, loadTangents, loadWorn } from "./supply";
 import { Touched } from "./touched";
 
@@ -66,6 +67,7 @@ export class Company {
   private followers: Followers | null = null;
   private hand: Hand = { net: null, moves: undefined, muscles: [] };
   private changed = true;
+  private turned: Uint32Array = new Uint32Array();
 
   constructor(
     gl: WebGL2RenderingContext,
@@ -127,10 +129,11 @@ export class Company {
     );
   }
 
-  /** Brings the picture up to a time (seconds); whether anything moved. */
-  advance(time: number): boolean {
+  /** Brings the picture up to a time (seconds): what of it changed, `part`: only rows that the hand leads (`spread`). */
+  advance(time: number): "nothing" | "part" | "whole" {
     const easing = this.onStage().some(({ figure }) => Number.isFinite(figure.easedFrom));
-    if (!this.changed && !easing && this.arrivals.length === 0) return false;
+    if (!this.changed && !easing && this.arrivals.length === 0) return "nothing";
+    const whole = easing || this.arrivals.length > 0 || this.fresh.size > 0;
     this.changed = false;
     this.takeArrivals(time);
     const used = this.assignFields();
@@ -138,7 +141,14 @@ export class Company {
     const work = this.members.get(this.shown[0] ?? "");
     if (work !== undefined) this.moveFigure(work, used);
     this.passes(used, time);
-    return true;
+    return whole ? "whole" : "part";
+  }
+
+  /** The rows that changed in the last step, and how far a face's have gone at most, metres. */
+  spread({ figure, block }: Member): { rows: Uint32Array; reach: number } {
+    const slot = this.slots[block] as number;
+    const rows = this.turned;
+    return { rows, reach: farthestOf(figure, rows, slot < 0 ? undefined : this.fields[slot]) };
   }
 
   dispose(): void {
@@ -254,6 +264,7 @@ export class Company {
       [...used.values()].map(({ values }) => values),
       offsets,
     );
+    this.turned = lists.turned;
     const step = { ...lists, slots: this.slots, lags: this.lags };
     const count = staged.reduce((most, { block }) => Math.max(most, block + 1), 0);
     this.crowd.run(step, 0, count);

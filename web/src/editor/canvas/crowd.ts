@@ -4,7 +4,8 @@ import { createProgram, dataTexture, floatTexture, targetTexture } from "../../s
 import { ROW_WIDTH } from "../../stage/pass_shaders";
 import type { Fans } from "../../stage/topology";
 import type { Followers } from "../net";
-import { MOST_BLOCKS, MOVE_FRAGMENT, PLACE_FRAGMENT, SCATTER_VERTEX, TURN_FRAGMENT } from "./crowd_shaders";
+import { bandsOf } from "./bands";
+import { BAND_VERTEX, MOST_BLOCKS, MOVE_FRAGMENT, PLACE_FRAGMENT, TURN_FRAGMENT } from "./crowd_shaders";
 import type { Figure } from "./figure";
 
 const CORNER_WIDTH = 512;
@@ -69,9 +70,9 @@ export class Crowd {
     this.spans = dataTexture(gl, new Uint32Array(2 * rows), ROW_WIDTH);
     this.anchors = floatTexture(gl, new Float32Array(2), 2, CORNER_WIDTH);
     this.programs = {
-      move: createProgram(gl, SCATTER_VERTEX, MOVE_FRAGMENT),
-      place: createProgram(gl, SCATTER_VERTEX, PLACE_FRAGMENT),
-      turn: createProgram(gl, SCATTER_VERTEX, TURN_FRAGMENT),
+      move: createProgram(gl, BAND_VERTEX, MOVE_FRAGMENT),
+      place: createProgram(gl, BAND_VERTEX, PLACE_FRAGMENT),
+      turn: createProgram(gl, BAND_VERTEX, TURN_FRAGMENT),
     };
     [this.list, this.listed] = [gl.createVertexArray(), gl.createBuffer()];
     this.scratch = new Float32Array(4 * ROW_WIDTH * this.lines);
@@ -123,44 +124,27 @@ export class Crowd {
     gl.colorMask(true, true, true, true);
     gl.viewport(0, 0, ROW_WIDTH, this.lines * MOST_BLOCKS);
     gl.bindVertexArray(this.list);
-    this.write(step.moved);
-    this.pass(
-      "move",
-      "moves",
-      first,
-      [
-        ["tangents", "layers", this.tangents],
-        ["fields", "flat", this.fields],
-      ],
-      step,
-    );
-    gl.drawArraysInstanced(gl.POINTS, 0, step.moved.length, count);
+    const moved = this.write(step.moved);
+    const moves: Sampled[] = [
+      ["tangents", "layers", this.tangents],
+      ["fields", "flat", this.fields],
+    ];
+    this.pass("move", "moves", [first, count, moved], moves, step);
     const inputs: Sampled[] = [
       ["bases", "flat", this.bases],
       ["offsets", "flat", this.offsets],
       ["moves", "flat", this.moves],
+      ["spans", "flat", this.spans],
+      ["anchors", "flat", this.anchors],
     ];
-    this.pass(
-      "place",
-      "positions",
-      first,
-      [...inputs, ["spans", "flat", this.spans], ["anchors", "flat", this.anchors]],
-      step,
-    );
-    gl.drawArraysInstanced(gl.POINTS, 0, step.moved.length, count);
-    this.write(step.turned);
-    this.pass(
-      "turn",
-      "normals",
-      first,
-      [
-        ["positions", "flat", this.positions],
-        ["ranges", "flat", this.ranges],
-        ["corners", "flat", this.corners],
-      ],
-      step,
-    );
-    gl.drawArraysInstanced(gl.POINTS, 0, step.turned.length, count);
+    this.pass("place", "positions", [first, count, moved], inputs, step);
+    const turned = this.write(step.turned);
+    const around: Sampled[] = [
+      ["positions", "flat", this.positions],
+      ["ranges", "flat", this.ranges],
+      ["corners", "flat", this.corners],
+    ];
+    this.pass("turn", "normals", [first, count, turned], around, step);
     gl.bindVertexArray(null);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
@@ -206,16 +190,19 @@ export class Crowd {
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, block * this.lines, ROW_WIDTH, this.lines, gl.RGBA, gl.FLOAT, this.scratch);
   }
 
-  private write(rows: Uint32Array): void {
+  /** Lists the bands that hold these rows; how many there are. */
+  private write(rows: Uint32Array): number {
     const { gl } = this;
+    const bands = bandsOf(rows);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.listed);
-    gl.bufferData(gl.ARRAY_BUFFER, rows, gl.STREAM_DRAW);
+    gl.bufferData(gl.ARRAY_BUFFER, bands, gl.STREAM_DRAW);
+    return bands.length;
   }
 
   private pass(
     name: "move" | "place" | "turn",
     target: "moves" | "positions" | "normals",
-    first: number,
+    [first, faces, bands]: readonly [number, number, number],
     inputs: readonly Sampled[],
     { slots, lags }: Step,
   ): void {
@@ -232,12 +219,15 @@ export class Crowd {
     gl.activeTexture(gl.TEXTURE0);
     gl.uniform1i(at("lines"), this.lines);
     gl.uniform1i(at("firstBlock"), first);
-    gl.uniform2f(at("atlas"), ROW_WIDTH, this.lines * MOST_BLOCKS);
+    gl.uniform1i(at("faces"), faces);
+    gl.uniform1f(at("height"), this.lines * MOST_BLOCKS);
     gl.uniform1iv(at("slots"), slots);
     gl.uniform1fv(at("lags"), lags);
-    const row = gl.getAttribLocation(program, "row");
-    gl.enableVertexAttribArray(row);
-    gl.vertexAttribIPointer(row, 1, gl.UNSIGNED_INT, 0, 0);
+    const band = gl.getAttribLocation(program, "band");
+    gl.enableVertexAttribArray(band);
+    gl.vertexAttribIPointer(band, 1, gl.UNSIGNED_INT, 0, 0);
+    gl.vertexAttribDivisor(band, faces);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, bands * faces);
   }
 }
 

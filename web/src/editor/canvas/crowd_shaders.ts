@@ -1,4 +1,4 @@
-/** The passes that put all faces where the hand leads, a point for each row that changes and each face. */
+/** The passes that put all faces where the hand leads: of each face the bands of its atlas that hold rows that change. */
 
 import { ROW_SHIFT, ROW_WIDTH } from "../../stage/pass_shaders";
 
@@ -20,27 +20,34 @@ const PLACES = `
 ivec2 texel(int row, int block) { return ivec2(row & ${ROW_WIDTH - 1}, block * lines + (row >> ${ROW_SHIFT})); }
 `;
 
-/** One point for each row in the list and each face from \`firstBlock\` on. */
-export const SCATTER_VERTEX = `${HEAD}
+/** Lines of a band: drivers without a graphics processor shade four by four texels at once, however few are asked for. */
+export const BAND = 4;
+
+/** A rectangle for each band in the list and each of \`faces\` blocks from \`firstBlock\` on. */
+export const BAND_VERTEX = `${HEAD}
 uniform int firstBlock;
-uniform vec2 atlas;
-in uint row;
-flat out int vRow;
+uniform int faces;
+uniform float height; // of the atlas, lines
+in uint band;
 flat out int vBlock;
-${PLACES}
 void main() {
-  vRow = int(row);
-  vBlock = firstBlock + gl_InstanceID;
-  gl_Position = vec4((vec2(texel(vRow, vBlock)) + 0.5) / atlas * 2.0 - 1.0, 0.0, 1.0);
-  gl_PointSize = 1.0;
+  vBlock = firstBlock + gl_InstanceID % faces;
+  ivec2 corner = ivec2(gl_VertexID & 1, gl_VertexID >> 1);
+  int line = vBlock * lines + min(${BAND} * (int(band) + corner.y), lines);
+  gl_Position = vec4(float(corner.x) * 2.0 - 1.0, float(line) / height * 2.0 - 1.0, 0.0, 1.0);
 }
 `;
 
 const FRAGMENT = `${HEAD}
-flat in int vRow;
 flat in int vBlock;
 out vec4 result;
 ${PLACES}
+`;
+
+/** The texel that is drawn, and the row that it holds. */
+const HERE = `
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  int row = ((at.y - vBlock * lines) << ${ROW_SHIFT}) | at.x;
 `;
 
 /** The linearised displacement of a vertex of the sheet: its tangents times the field (method.md, section 3). */
@@ -52,8 +59,8 @@ void main() {
   result = vec4(0.0);
   int slot = slots[vBlock];
   if (slot < 0) return;
-  vec3 field = texelFetch(fields, texel(vRow, slot), 0).xyz;
-  ivec2 at = texel(vRow, vBlock);
+  ${HERE}
+  vec3 field = texelFetch(fields, texel(row, slot), 0).xyz;
   result.xyz = texelFetch(tangents, ivec3(at, 0), 0).xyz * field.x
     + texelFetch(tangents, ivec3(at, 1), 0).xyz * field.y
     + texelFetch(tangents, ivec3(at, 2), 0).xyz * field.z;
@@ -69,9 +76,9 @@ uniform usampler2D spans; // first and end of a row's anchors
 uniform sampler2D anchors; // row, share
 uniform float lags[${MOST_BLOCKS}];
 void main() {
-  ivec2 at = texel(vRow, vBlock);
+  ${HERE}
   vec3 place = texelFetch(bases, at, 0).xyz + texelFetch(moves, at, 0).xyz;
-  uvec2 span = texelFetch(spans, texel(vRow, 0), 0).xy;
+  uvec2 span = texelFetch(spans, texel(row, 0), 0).xy;
   for (uint slot = span.x; slot < span.y; slot++) {
     vec2 anchor = texelFetch(anchors, ivec2(int(slot & 511u), int(slot >> 9)), 0).xy;
     place += anchor.y * texelFetch(moves, texel(int(anchor.x), vBlock), 0).xyz;
@@ -89,8 +96,9 @@ uniform usampler2D ranges;
 uniform usampler2D corners;
 vec3 place(uint row) { return texelFetch(positions, texel(int(row), vBlock), 0).xyz; }
 void main() {
-  vec3 here = place(uint(vRow));
-  uvec2 range = texelFetch(ranges, texel(vRow, 0), 0).xy;
+  ${HERE}
+  vec3 here = place(uint(row));
+  uvec2 range = texelFetch(ranges, texel(row, 0), 0).xy;
   vec3 sum = vec3(0.0);
   for (uint slot = range.x; slot < range.y; slot++) {
     uvec2 pair = texelFetch(corners, ivec2(int(slot & 511u), int(slot >> 9)), 0).xy;

@@ -7,18 +7,19 @@ import { drawsInSoftware } from "../../stage/machine";
 import { flat } from "../net";
 import type { Workbench } from "../workbench";
 import { Aspect } from "./aspect";
-import type { ViewName } from "./camera";
+import type { Box, Camera, ViewName } from "./camera";
 import { coarseMeshes } from "./coarse";
 import { Company, type Member } from "./company";
 import { Complexions } from "./complexion";
-import { ballFrames, ballsOf, gazeOf } from "./eyes";
+import { ballFrames, ballsOf, gazeOf, shows } from "./eyes";
 import { HandleHands } from "./handle_hands";
 import { Hands } from "./hands";
-import { NeedleMarks } from "./needle_marks";
+import { HEAD, NeedleMarks } from "./needle_marks";
 import { Overlay } from "./overlay";
 import { Pace } from "./pace";
-import { Painter } from "./painter";
+import { type Indices, Painter } from "./painter";
 import { exposeProbe } from "./probe";
+import { boxOf, Repaint } from "./repaint";
 import { Sitters } from "./sitters";
 import { surfaceOf } from "./surface";
 
@@ -36,6 +37,8 @@ export class EditorCanvas {
   private frames: ReturnType<typeof ballFrames> = [];
   private anatomy: Anatomy | undefined;
   private stale = true;
+  private repaint: Repaint | undefined;
+  private seen = "";
   private ended = false;
   private readonly gl: WebGL2RenderingContext;
   private readonly leave: (() => void)[] = [];
@@ -47,6 +50,7 @@ export class EditorCanvas {
   ) {
     const gl = canvas.getContext("webgl2", {
       alpha: false,
+      preserveDrawingBuffer: true, // a hand changes a part of the picture
       antialias: !drawsInSoftware(),
       powerPreference: "high-performance",
     });
@@ -123,6 +127,7 @@ export class EditorCanvas {
     this.company = new Company(gl, library, this.anatomy, complexions, side);
     this.sitters = new Sitters(this.company.crowd, complexions, this.anatomy, library.manifest.skin, side);
     this.painter = new Painter(gl, this.company.crowd, library.meshes, coarseMeshes(library.meshes, this.anatomy));
+    this.repaint = new Repaint(this.painter);
     this.marks = new NeedleMarks(gl, this.painter);
     this.overlay = new Overlay(this, this.painter, this.marks);
     this.frames = ballFrames(this.anatomy);
@@ -140,7 +145,7 @@ export class EditorCanvas {
   }
 
   private hear(topic: "cast" | "items" | "draft" | "selection" | "options" | "live"): void {
-    this.redraw();
+    if (topic !== "live" || this.sitting) this.redraw();
     const { bench, company } = this;
     if (company === undefined) {
       if (topic === "cast") void this.open();
@@ -193,27 +198,47 @@ export class EditorCanvas {
     if (company === undefined || painter === undefined) return;
     const resized = this.aspect.fit();
     const sitting = this.sitting && this.sitters !== undefined;
-    const moved = sitting ? this.sitters?.advance(time, this.handles?.ahead ?? false) === true : company.advance(time);
-    if (moved || resized || this.stale) this.draw(company, painter, moved);
+    const changed = sitting ? this.sat(time) : company.advance(time);
+    if (resized || this.unlike() || changed === "whole") this.redraw();
+    if (this.stale || changed === "part") this.draw(company, painter, changed !== "nothing");
     else this.pace.idle();
   }
 
+  private sat(time: number): "nothing" | "whole" {
+    return this.sitters?.advance(time, this.handles?.ahead ?? false) === true ? "whole" : "nothing";
+  }
+
+  /** Whether eyes or muscles' lines look otherwise than in the last picture. */
+  private unlike(): boolean {
+    const { bench } = this;
+    const pulls = bench.options.muscles ? [...bench.livePulls] : [];
+    const now = JSON.stringify([bench.liveEyes, pulls]);
+    const unlike = now !== this.seen;
+    this.seen = now;
+    return unlike;
+  }
+
   private draw(company: Company, painter: Painter, moved: boolean): void {
+    const whole = this.stale;
     this.stale = false;
     const { bench, aspect, gl } = this;
     if (bench.manifest === null) return;
     const members = this.members(company);
     const boxes = aspect.share(members.length - 1);
-    painter.frame([0, 0, this.canvas.width, this.canvas.height], aspect.ground);
+    if (whole) painter.frame([0, 0, this.canvas.width, this.canvas.height], aspect.ground);
+    if (whole) this.repaint?.forget();
     const gaze = gazeOf(bench.look === null ? bench.recipe : null, bench.liveEyes, bench.manifest);
     members.forEach((member, n) => {
       if (member === undefined || member.block < 0) return;
       const camera = aspect.camera(n, member.bounds);
       const hovered = this.hands.over === n && n > 0;
-      painter.frame(aspect.pixels(camera.box), hovered ? aspect.hovered : aspect.tile(n));
-      const balls = ballsOf(this.frames, member.figure.base, gaze.angles);
+      const changed = this.sitting ? undefined : this.changed(company, member, n, camera);
+      const { part, only }: Changed = whole || changed === undefined ? { part: camera.box } : changed;
+      if (part.width === 0 || part.height === 0) return;
+      painter.frame(aspect.pixels(camera.box), hovered ? aspect.hovered : aspect.tile(n), aspect.pixels(part));
+      const balls = ballsOf(this.frames, member.figure.base, gaze.angles).filter((ball) => shows(ball, camera, part));
       const { block, complexion, document } = member;
-      painter.face({ block, complexion, look: document.look, balls, pupil: gaze.pupil }, camera);
+      painter.face({ block, complexion, look: document.look, balls, pupil: gaze.pupil }, camera, only?.());
       if (n === 0) this.overlay?.draw(block, camera);
     });
     this.overlay?.place(
@@ -223,6 +248,28 @@ export class EditorCanvas {
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     this.pace.frame(moved, () => this.finished(fence));
+    this.watch();
+  }
+
+  /** Draws on as soon as the machine is done, not only when the display asks next: what it is late by is not doubled. */
+  private watch(): void {
+    setTimeout(() => {
+      if (this.ended) return;
+      this.pace.look(performance.now());
+      if (this.pace.busy) this.watch();
+      else this.frame();
+    });
+  }
+
+  /** What of a face's tile the hand has changed; around the work's needles stand too. */
+  private changed(company: Company, member: Member, n: number, camera: Camera): Changed | undefined {
+    const { repaint } = this;
+    if (repaint === undefined) return undefined;
+    const { rows, reach } = company.spread(member);
+    const { base } = member.figure;
+    const needle = n > 0 ? 0 : this.hands.needleLength + 2 * HEAD * camera.metresPerPixel(camera.middle);
+    const part = repaint.next(n, boxOf(camera, base, rows, reach + needle), camera.box);
+    return { part, only: () => repaint.triangles(n, part, camera, base, reach) };
   }
 
   /** Who is drawn, the work first; undefined: not here yet. */
@@ -240,6 +287,12 @@ export class EditorCanvas {
     gl.deleteSync(fence);
     return true;
   }
+}
+
+/** A part of a tile, and the triangles that show in it. */
+interface Changed {
+  part: Box;
+  only?: () => Indices;
 }
 
 const pullsOf = (recipe: NonNullable<Workbench["recipe"]>): Map<string, number> =>

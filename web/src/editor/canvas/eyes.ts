@@ -5,7 +5,9 @@ import type { Manifest } from "../../link/messages";
 import type { Anatomy } from "../../stage/anatomy";
 import { type BallFrame, ballFrame } from "../../stage/eye_mesh";
 import { writeTurn } from "../../stage/pose";
+import type { Box, Camera } from "./camera";
 import type { Ball } from "./painter";
+import { within } from "./repaint";
 import { add, minus, rowOf, type Triple, times } from "./triples";
 
 /** What the hand sets of the eyes (`Workbench.liveEyes`). */
@@ -31,6 +33,16 @@ export function ballsOf(frames: readonly BallFrame[], positions: Float32Array, a
     writeTurn(angles[2 * side] ?? 0, angles[2 * side + 1] ?? 0, turn, 0);
     return { centre: Float32Array.from(centre), axes: times3(turn, times3(halves, fromPairs)) };
   });
+}
+
+/** Whether an eyeball may show in a part of the canvas. */
+export function shows({ centre, axes }: Ball, camera: Camera, part: Box): boolean {
+  const middle = rowOf(centre, 0);
+  const [x, y] = camera.project(middle);
+  const reach =
+    (1.1 * Math.hypot(axes[0] as number, axes[1] as number, axes[2] as number)) / camera.metresPerPixel(middle);
+  const { width, height } = within({ left: x - reach, top: y - reach, width: 2 * reach, height: 2 * reach }, part);
+  return width > 0 && height > 0;
 }
 
 /** a @ b, both (3, 3) column by column. */

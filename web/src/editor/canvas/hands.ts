@@ -157,6 +157,7 @@ export class Hands {
 
   private beginDrag(what: Press, from: Pair): void {
     if (what.kind !== "needle") return;
+    this.stage.redraw(); // needles that are taken look otherwise
     const { tool } = this.stage.bench.options;
     if (tool === "place") this.placing = { place: what.needle.place, row: this.rowOf(what.needle.place) };
     else if (tool === "drag" || tool === "pull") this.take(what.needle.place, from);
@@ -169,7 +170,7 @@ export class Hands {
     else if (what.kind === "band") this.stretch(to);
     else if (what.kind === "pan") this.sight.pan(dx, dy);
     else this.sight.orbit(dx, dy);
-    this.stage.redraw();
+    if (what.kind !== "needle" || this.placing !== undefined) this.stage.redraw(); // else only what the hand leads
   }
 
   private dragNeedle(event: PointerEvent, to: Pair): void {

@@ -7,6 +7,7 @@ import { createProgram } from "../../stage/gl";
 import { decoded } from "../../stage/tone";
 import type { Camera } from "./camera";
 import type { Crowd } from "./crowd";
+import type { Surface } from "./cut";
 import * as shaders from "./portrait_shaders";
 
 /** An eyeball as it stands: its centre, and its axes times its radius, turned, column by column. */
@@ -24,10 +25,25 @@ export interface Portrait {
   pupil: number;
 }
 
+/** Left, bottom, width and height in pixels. */
+export type PixelBox = readonly [number, number, number, number];
+
 /** A vertex array and how many indices or vertices of it are drawn. */
 interface Shape {
   array: WebGLVertexArrayObject;
   count: number;
+}
+
+/** A list of triangles on the GPU. */
+export interface Indices {
+  buffer: WebGLBuffer;
+  count: number;
+}
+
+/** A head that can be drawn in part. */
+interface Head extends Surface {
+  array: WebGLVertexArrayObject;
+  all: Indices;
 }
 
 /** Metres that a pixel covers from which on the coarse skin is drawn. */
@@ -50,7 +66,7 @@ export class Painter {
   private readonly eye: WebGLProgram;
   private readonly line: WebGLProgram;
   /** Fine and coarse: what is shown large, and what is shown small. */
-  private readonly heads: readonly Shape[];
+  private readonly heads: readonly Head[];
   private readonly balls: readonly Shape[];
   private readonly uniforms = new Map<WebGLProgram, Map<string, WebGLUniformLocation | null>>();
 
@@ -67,19 +83,34 @@ export class Painter {
     this.balls = [this.buildBall(10, 18), this.buildBall(6, 12)];
   }
 
-  /** Begins a picture: `box` of the canvas in pixels from its lower left corner. */
-  frame(box: readonly [number, number, number, number], ground: readonly [number, number, number]): void {
+  /** Begins a picture in `box` of the canvas, pixels from its lower left corner; only what lies in `part` changes. */
+  frame(box: PixelBox, ground: readonly [number, number, number], part = box): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(...box);
-    gl.scissor(...box);
+    gl.scissor(...part);
     gl.enable(gl.SCISSOR_TEST);
     gl.clearColor(...ground, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
-  /** Draws a face. */
-  face(portrait: Portrait, camera: Camera): void {
+  /** What a face is drawn as with this camera: fine where it is large, coarse where it is small. */
+  surface(camera: Camera): Head {
+    return this.heads[this.level(camera)] as Head;
+  }
+
+  /** Puts triangles of a surface into a list, in place of what `into` held. */
+  list(triangles: Uint16Array, into?: Indices): Indices {
+    const { gl } = this;
+    const buffer = into?.buffer ?? gl.createBuffer();
+    gl.bindVertexArray(null);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.DYNAMIC_DRAW);
+    return { buffer, count: triangles.length };
+  }
+
+  /** Draws a face, or these triangles of it. */
+  face(portrait: Portrait, camera: Camera, only?: Indices): void {
     const { gl } = this;
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
@@ -89,16 +120,23 @@ export class Painter {
     gl.activeTexture(gl.TEXTURE2);
     gl.bindTexture(gl.TEXTURE_2D, portrait.complexion);
     gl.uniform1i(this.at(this.skin, "complexion"), 2);
-    const level = camera.metresPerPixel(camera.middle) > COARSE ? 1 : 0;
-    this.draw(this.heads[level] as Shape);
+    const head = this.surface(camera);
+    gl.bindVertexArray(head.array);
+    const { buffer, count } = only ?? head.all;
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+    gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_SHORT, 0);
     this.use(this.eye, camera);
     this.dressEyes(portrait);
     for (const ball of portrait.balls) {
       gl.uniform3fv(this.at(this.eye, "centre"), ball.centre);
       gl.uniformMatrix3fv(this.at(this.eye, "axes"), false, ball.axes);
-      this.draw(this.balls[level] as Shape);
+      this.draw(this.balls[this.level(camera)] as Shape);
     }
     gl.bindVertexArray(null);
+  }
+
+  private level(camera: Camera): number {
+    return camera.metresPerPixel(camera.middle) > COARSE ? 1 : 0;
   }
 
   private draw({ array, count }: Shape): void {
@@ -197,7 +235,7 @@ export class Painter {
     gl.uniform1f(this.at(eye, "pupil"), pupil);
   }
 
-  private buildHead(meshes: readonly Mesh[]): Shape {
+  private buildHead(meshes: readonly Mesh[]): Head {
     const drawn = meshes.filter(({ name }) => name === "skin" || name in TINTS);
     const total = drawn.reduce((sum, mesh) => sum + mesh.source.length, 0);
     const [row, uv, tint] = [new Uint16Array(total), new Float32Array(2 * total), new Float32Array(4 * total)];
@@ -210,7 +248,9 @@ export class Painter {
       for (const corner of mesh.triangles) indices.push(first + corner);
       first += mesh.source.length;
     }
-    return { array: this.array(this.skin, { row, uv, tint }, Uint16Array.from(indices)), count: indices.length };
+    const triangles = Uint16Array.from(indices);
+    const all = this.list(triangles);
+    return { array: this.array(this.skin, { row, uv, tint }), rows: row, triangles, all };
   }
 
   private buildBall(rings: number, spokes: number): Shape {
