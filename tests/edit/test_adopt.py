@@ -97,3 +97,18 @@ def test_what_is_kept_can_be_mailed(cast: Cast) -> None:
     assert mail_of(cast, stored, contents, "jawOpen").label == cast.titles["jawOpen"].label
     with pytest.raises(ValueError, match="there is no expression 'frown' in this cast"):
         mail_of(cast, stored, contents, "frown")
+
+
+@pytest.mark.parametrize(
+    "recipe",
+    [
+        Recipe((-1, *ROWS[1:]), VECTORS),
+        Recipe((10**9, *ROWS[1:]), VECTORS),
+        Recipe(ROWS, VECTORS[1:]),
+        Recipe((int(SPACE.inner.vertices[0]), *ROWS[1:]), VECTORS),
+    ],
+)
+def test_control_points_that_stand_nowhere_are_not_mailed_and_the_field_is(recipe: Recipe) -> None:
+    letter = mailed(SPACE, "drawn", [], composed(SPACE, NET, {}), recipe)
+    assert letter.control is None
+    assert same(made(opened(SPACE, decode(encode(letter)))), composed(SPACE, NET, {}))

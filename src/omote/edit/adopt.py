@@ -78,7 +78,7 @@ def mailed(
     space: ParameterSpace, label: str, tags: Iterable[str], expression: Expression, recipe: Recipe | None = None
 ) -> ExpressionFile:  # fmt: skip
     """The document of an expression; with its control points where it is made of nothing else."""
-    alone = recipe is not None and recipe == Recipe(recipe.net, recipe.vectors)
+    alone = recipe is not None and recipe == Recipe(recipe.net, recipe.vectors) and _stands(space, recipe)
     made_of = [] if recipe is None else [f"{each.label} x {each.weight:g}" for each in recipe.layers]
     made_of += [] if recipe is None else [f"{pull.muscle} x {pull.contraction:g}" for pull in recipe.pulls]
     return ExpressionFile(
@@ -120,6 +120,12 @@ def _grounded(space: ParameterSpace, key: str) -> Recipe:
     """The recipe of a field as it is, under control points that rest."""
     net = default_net(space)
     return Recipe(net, ((0.0, 0.0, 1.0),) * len(net), ground=KEY + key)
+
+
+def _stands(space: ParameterSpace, recipe: Recipe) -> bool:
+    """Whether each control point stands on this head and has a vector: files of other programs say anything."""
+    there = all(0 <= row < space.vertex_count and space.on_sheet[row] for row in recipe.net)
+    return there and len(recipe.net) == len(recipe.vectors)
 
 
 def _control(space: ParameterSpace, recipe: Recipe) -> Control:
