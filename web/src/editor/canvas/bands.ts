@@ -4,5 +4,8 @@ import { ROW_SHIFT } from "../../stage/pass_shaders";
 import { BAND } from "./crowd_shaders";
 
 /** The bands that hold these rows, in rising order. */
-export const bandsOf = (rows: Uint32Array): Uint32Array =>
-  Uint32Array.from(new Set(Array.from(rows, (row) => Math.floor((row >> ROW_SHIFT) / BAND)))).sort();
+export function bandsOf(rows: Uint32Array): Uint32Array {
+  const bands = new Set<number>();
+  for (const row of rows) bands.add(Math.floor((row >> ROW_SHIFT) / BAND));
+  return Uint32Array.from(bands).sort();
+}

@@ -4,48 +4,64 @@ import type { Mesh } from "../../link/assets";
 import type { Anatomy } from "../../stage/anatomy";
 import { rowOf, type Triple } from "./triples";
 
-/** What stays as fine as it is, and how coarse the rest becomes; metres. */
+/** How coarse it becomes; metres. */
 export interface Fineness {
-  /** Rows of lines (lids, lips) around which nothing is merged: they open and close. */
-  kept: readonly number[];
+  /** Rows of lines (lids, lips), around which cells are as small as `near`: they open and close. */
+  lines: readonly number[];
   around: number;
+  near: number;
   cell: number;
-  /** How much of the sky each row sees, 0..1; what sees none lies inside and is left out. */
+  /** How much of the sky each row sees, 0..1; what sees none lies inside and is left out, but for what is around lines. */
   sky: (row: number) => number;
 }
 
 const DARK = 0.03;
 const ISLAND = 12; // parts of the picture's side: what lies that far apart in it is not merged
 
-/** The skin with rows of a cell drawn as one of them: the same rows of positions, fewer of them. */
+/** The skin with what lies together in a cell drawn as one of its rows: the same rows of positions, fewer of them. */
 export function coarsened(mesh: Mesh, positions: Float32Array, fineness: Fineness): Mesh {
-  const fine = nearRows(positions, fineness);
-  const cells = new Map<string, number>();
-  const rowFor = (row: number): number => {
-    if (fine(row)) return row;
-    const key = rowOf(positions, row)
-      .map((part) => Math.floor(part / fineness.cell))
-      .join();
-    const first = cells.get(key) ?? row;
-    cells.set(key, first);
-    return first;
-  };
+  const near = nearRows(positions, fineness);
+  const shown = clusters(mesh, positions, (row) => (near(row) ? fineness.near : fineness.cell));
   const made = new Map<string, number>();
   const [source, uv]: [number[], number[]] = [[], []];
   const places = Array.from(mesh.source, (row, corner) => {
     const [u, v] = [mesh.uv[2 * corner] as number, mesh.uv[2 * corner + 1] as number];
-    const shown = rowFor(row);
-    const key =
-      shown === row && fine(row) ? `#${corner}` : [shown, Math.floor(u * ISLAND), Math.floor(v * ISLAND)].join();
+    const key = [shown(row), Math.floor(u * ISLAND), Math.floor(v * ISLAND)].join();
     const known = made.get(key);
     if (known !== undefined) return known;
-    source.push(shown);
+    source.push(shown(row));
     uv.push(u, v);
     made.set(key, source.length - 1);
     return source.length - 1;
   });
-  const triangles = kept(mesh, places, source, (row) => fine(row) || fineness.sky(row) > DARK);
+  const triangles = kept(mesh, places, source, (row) => near(row) || fineness.sky(row) > DARK);
   return { name: mesh.name, source: Uint32Array.from(source), uv: Float32Array.from(uv), triangles };
+}
+
+/** For each row the one that is drawn for it: rows of a cell are one where edges within the cell join them. So an upper
+ * lip that lies on a lower one stays apart from it. */
+function clusters(mesh: Mesh, positions: Float32Array, cellAt: (row: number) => number): (row: number) => number {
+  const cells = new Map<number, string>();
+  for (const row of mesh.source) {
+    const cell = cellAt(row);
+    cells.set(row, [cell, ...rowOf(positions, row).map((part) => Math.floor(part / cell))].join());
+  }
+  const parents = new Map<number, number>();
+  const root = (row: number): number => {
+    const parent = parents.get(row);
+    return parent === undefined ? row : root(parent);
+  };
+  for (let at = 0; at < mesh.triangles.length; at++) {
+    const other = at - (at % 3) + ((at + 1) % 3);
+    const [a, b] = [at, other].map((corner) => mesh.source[mesh.triangles[corner] as number] as number) as [
+      number,
+      number,
+    ];
+    if (cells.get(a) !== cells.get(b)) continue;
+    const [low, high] = [Math.min(root(a), root(b)), Math.max(root(a), root(b))];
+    if (low !== high) parents.set(high, low);
+  }
+  return root;
 }
 
 function kept(
@@ -65,8 +81,8 @@ function kept(
   return Uint32Array.from(triangles);
 }
 
-/** Whether a row lies near one of the kept ones. */
-function nearRows(positions: Float32Array, { kept: rows, around }: Fineness): (row: number) => boolean {
+/** Whether a row lies near one of the lines. */
+function nearRows(positions: Float32Array, { lines: rows, around }: Fineness): (row: number) => boolean {
   const known = new Map<number, boolean>();
   return (row) => {
     const before = known.get(row);
@@ -81,15 +97,16 @@ function nearRows(positions: Float32Array, { kept: rows, around }: Fineness): (r
   };
 }
 
-/** Metres around lids and lips that stay fine, and of a cell elsewhere: four pixels of the smallest faces. */
-const AROUND = 0.005;
-const CELL = 0.009;
+/** Metres around lids and lips, and of a cell there and elsewhere: two and seven pixels of the smallest faces. */
+const AROUND = 0.004;
+const NEAR = 0.0045;
+const CELL = 0.014;
 
 /** The meshes as they are drawn where a face is shown small. */
 export const coarseMeshes = (meshes: readonly Mesh[], { positions, lines, traits }: Anatomy): Mesh[] =>
   meshes.flatMap((mesh) => {
     if (mesh.name !== "skin") return mesh.name === "tongue" ? [] : [mesh];
-    const kept = [...lines.values()].flatMap((line) => [...line]);
+    const rows = [...lines.values()].flatMap((line) => [...line]);
     const sky = (row: number) => traits[4 * row + 1] as number;
-    return [coarsened(mesh, positions, { kept, around: AROUND, cell: CELL, sky })];
+    return [coarsened(mesh, positions, { lines: rows, around: AROUND, near: NEAR, cell: CELL, sky })];
   });

@@ -10,7 +10,7 @@ import { Crowd } from "./crowd";
 import { MOST_BLOCKS } from "./crowd_shaders";
 import { addField, type Moves, type Reach, reachOf } from "./field";
 import { type Difference, Figure } from "./figure";
-import { farthestOf } from "./repaint";
+import { type Spread, spreadOf } from "./repaint";
 import { loadFace, loadTangents, loadWorn } from "./supply";
 import { Touched } from "./touched";
 
@@ -144,11 +144,10 @@ export class Company {
     return whole ? "whole" : "part";
   }
 
-  /** The rows that changed in the last step, and how far a face's have gone at most, metres. */
-  spread({ figure, block }: Member): { rows: Uint32Array; reach: number } {
+  /** Where the rows are that changed in the last step, on a face. */
+  spread({ figure, block }: Member): Spread {
     const slot = this.slots[block] as number;
-    const rows = this.turned;
-    return { rows, reach: farthestOf(figure, rows, slot < 0 ? undefined : this.fields[slot]) };
+    return spreadOf(figure, this.turned, slot < 0 ? undefined : this.fields[slot]);
   }
 
   dispose(): void {

@@ -9,7 +9,7 @@ export interface Surface {
 }
 
 /** How much further than asked for a cut reaches, as a share of the asked box: so that the next ones need no new cut. */
-const AHEAD = 0.3;
+const AHEAD = 0.1;
 
 /** Whether a box lies in another. */
 export const holds = (outer: Box, inner: Box): boolean =>

@@ -265,11 +265,10 @@ export class EditorCanvas {
   private changed(company: Company, member: Member, n: number, camera: Camera): Changed | undefined {
     const { repaint } = this;
     if (repaint === undefined) return undefined;
-    const { rows, reach } = company.spread(member);
-    const { base } = member.figure;
+    const spread = company.spread(member);
     const needle = n > 0 ? 0 : this.hands.needleLength + 2 * HEAD * camera.metresPerPixel(camera.middle);
-    const part = repaint.next(n, boxOf(camera, base, rows, reach + needle), camera.box);
-    return { part, only: () => repaint.triangles(n, part, camera, base, reach) };
+    const part = repaint.next(n, boxOf(camera, spread, needle), camera.box);
+    return { part, only: () => repaint.triangles(n, part, camera, member.figure.base, spread.reach) };
   }
 
   /** Who is drawn, the work first; undefined: not here yet. */

@@ -1,48 +1,50 @@
 import { describe, expect, it, vi } from "vitest";
 import { Camera, FIRST_VIEW } from "./camera";
-import { Figure } from "./figure";
-import { boxOf, farthestOf, Repaint, within } from "./repaint";
+import { boxOf, Repaint, spreadOf, within } from "./repaint";
 import type { Triple } from "./triples";
 
 const TILE = { left: 100, top: 50, width: 300, height: 400 };
 const CAMERA = new Camera(FIRST_VIEW, TILE, { centre: [0, 0, 0], radius: 0.13 });
 const POINTS = Float32Array.from([0.01, 0.02, 0.1, -0.03, 0.05, 0.08, 0.02, -0.06, 0.09]);
 
-describe("boxOf", () => {
-  it("holds every row, wherever it goes within its reach", () => {
-    const box = boxOf(CAMERA, POINTS, Uint32Array.of(0, 1, 2), 0.01);
+describe("spreadOf", () => {
+  const tangents = new Float32Array(3 * 9);
+  tangents[3] = 2; // row 1: two metres along x per radian
+  tangents[9 + 6 + 1] = 5; // row 2: five metres along y per metre
+  const figure = { base: POINTS, tangents };
+  const field = new Float32Array(12);
+  [field[4], field[9]] = [0.5, 0.1];
+
+  it("holds each row where it was and where it is led", () => {
+    const { low, high, reach } = spreadOf(figure, Uint32Array.of(1, 2), field);
+    for (const [row, axis, way] of [
+      [1, 0, 1],
+      [2, 1, 0.5],
+    ] as const) {
+      const value = POINTS[3 * row + axis] as number;
+      expect(low[axis]).toBeLessThanOrEqual(value);
+      expect(high[axis]).toBeGreaterThanOrEqual(value + way);
+    }
+    expect(reach).toBeCloseTo(1);
+    expect(spreadOf(figure, Uint32Array.of(2), field).reach).toBeCloseTo(0.5);
+    expect(spreadOf(figure, Uint32Array.of(2), undefined).reach).toBe(0);
+  });
+
+  it("is a box on the screen that holds them all, with its border", () => {
+    const box = boxOf(CAMERA, spreadOf(figure, Uint32Array.of(0, 1, 2), undefined), 0.01);
     for (let row = 0; row < 3; row++)
       for (const way of [0.01, -0.01])
         for (let axis = 0; axis < 3; axis++) {
           const point = [0, 1, 2].map((n) => (POINTS[3 * row + n] as number) + (n === axis ? way : 0)) as Triple;
           const [x, y] = CAMERA.project(point);
-          expect(within({ left: x, top: y, width: 0, height: 0 }, box)).toEqual({
-            left: x,
-            top: y,
-            width: 0,
-            height: 0,
-          });
+          const spot = { left: x, top: y, width: 0, height: 0 };
+          expect(within(spot, box)).toEqual(spot);
         }
   });
 
   it("is nothing within a tile when no row moves", () => {
-    const { width, height } = within(boxOf(CAMERA, POINTS, new Uint32Array(), 0), TILE);
+    const { width, height } = within(boxOf(CAMERA, spreadOf(figure, new Uint32Array(), field), 0), TILE);
     expect(width > 0 && height > 0).toBe(false);
-  });
-});
-
-describe("farthestOf", () => {
-  it("is the longest way of the rows that are asked for", () => {
-    const tangents = new Float32Array(3 * 9).fill(0);
-    tangents[3] = 2; // row 1: two metres along x per radian
-    tangents[9 + 6 + 1] = 5; // row 2: five metres along y per metre
-    const figure = new Figure("one", POINTS, tangents);
-    const field = new Float32Array(12);
-    [field[4], field[9]] = [0.5, 0.1];
-    expect(farthestOf(figure, Uint32Array.of(0, 1), field)).toBeCloseTo(1);
-    expect(farthestOf(figure, Uint32Array.of(1, 2), field)).toBeCloseTo(1);
-    expect(farthestOf(figure, Uint32Array.of(2), field)).toBeCloseTo(0.5);
-    expect(farthestOf(figure, Uint32Array.of(2), undefined)).toBe(0);
   });
 });
 

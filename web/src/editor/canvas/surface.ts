@@ -20,35 +20,42 @@ export function hit(
   direction: Readonly<Triple>,
 ): Hit | undefined {
   const [dx, dy, dz] = direction;
-  let [best, found] = [Infinity, -1];
+  const [ox, oy, oz] = origin;
+  let best = Infinity;
+  let found = -1;
+  // Plain numbers, no pairs of them: this runs over ten thousand triangles each time a pointer moves.
   for (let at = 0; at < triangles.length; at += 3) {
-    const [a, b, c] = [
-      3 * (triangles[at] as number),
-      3 * (triangles[at + 1] as number),
-      3 * (triangles[at + 2] as number),
-    ];
-    const [ax, ay, az] = [positions[a] as number, positions[a + 1] as number, positions[a + 2] as number];
-    const [ex, ey, ez] = [
-      (positions[b] as number) - ax,
-      (positions[b + 1] as number) - ay,
-      (positions[b + 2] as number) - az,
-    ];
-    const [fx, fy, fz] = [
-      (positions[c] as number) - ax,
-      (positions[c + 1] as number) - ay,
-      (positions[c + 2] as number) - az,
-    ];
-    const [px, py, pz] = [dy * fz - dz * fy, dz * fx - dx * fz, dx * fy - dy * fx];
+    const a = 3 * (triangles[at] as number);
+    const b = 3 * (triangles[at + 1] as number);
+    const c = 3 * (triangles[at + 2] as number);
+    const ax = positions[a] as number;
+    const ay = positions[a + 1] as number;
+    const az = positions[a + 2] as number;
+    const ex = (positions[b] as number) - ax;
+    const ey = (positions[b + 1] as number) - ay;
+    const ez = (positions[b + 2] as number) - az;
+    const fx = (positions[c] as number) - ax;
+    const fy = (positions[c + 1] as number) - ay;
+    const fz = (positions[c + 2] as number) - az;
+    const px = dy * fz - dz * fy;
+    const py = dz * fx - dx * fz;
+    const pz = dx * fy - dy * fx;
     const volume = ex * px + ey * py + ez * pz;
     if (volume <= 1e-14) continue; // seen from behind
-    const [sx, sy, sz] = [origin[0] - ax, origin[1] - ay, origin[2] - az];
+    const sx = ox - ax;
+    const sy = oy - ay;
+    const sz = oz - az;
     const u = (sx * px + sy * py + sz * pz) / volume;
     if (u < 0 || u > 1) continue;
-    const [qx, qy, qz] = [sy * ez - sz * ey, sz * ex - sx * ez, sx * ey - sy * ex];
+    const qx = sy * ez - sz * ey;
+    const qy = sz * ex - sx * ez;
+    const qz = sx * ey - sy * ex;
     const v = (dx * qx + dy * qy + dz * qz) / volume;
     if (v < 0 || u + v > 1) continue;
     const distance = (fx * qx + fy * qy + fz * qz) / volume;
-    if (distance > 0 && distance < best) [best, found] = [distance, at];
+    if (distance <= 0 || distance >= best) continue;
+    best = distance;
+    found = at;
   }
   if (found < 0) return undefined;
   const corners: Triple = [triangles[found], triangles[found + 1], triangles[found + 2]] as Triple;

@@ -42,7 +42,7 @@ export class Touched {
       if (marks[row] === 1 || before[row] === 1) moved.push(row);
       before[row] = marks[row] as number;
     }
-    return { moved: Uint32Array.from(moved), turned: this.around(moved) };
+    return { moved: new Uint32Array(moved), turned: this.around(moved) };
   }
 
   private markFollowers(): void {
@@ -66,6 +66,6 @@ export class Touched {
     }
     const turned: number[] = [];
     for (let row = 0; row < near.length; row++) if (near[row] === 1) turned.push(row);
-    return Uint32Array.from(turned);
+    return new Uint32Array(turned);
   }
 }
