@@ -1,6 +1,10 @@
 """The good copy is whole and proved, and a bad file never takes its place."""
 
 import sqlite3
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -33,7 +37,38 @@ def test_the_copy_holds_all_that_is_committed_in_one_file(tmp_path: Path) -> Non
     assert (copy.stored(), copy.contents(), copy.journal()) == (show.stored(), show.contents(), show.journal())
     copy.close()
     show.close()
-    assert {file.name for file in tmp_path.iterdir()} == {"a.omote", "a.omote.good", "elsewhere.omote"}
+    assert {file.name for file in tmp_path.iterdir()} == {"a.omote", "a.omote.good", "a.omote.lock", "elsewhere.omote"}
+
+
+def test_the_copy_that_another_process_is_making_is_left_alone(tmp_path: Path) -> None:
+    show = filled(tmp_path / "a.omote")
+    unfinished = tmp_path / "a.omote.good-new"
+    with hands_on(show.path, unfinished) as other:
+        assert not keep_good_copy(show)
+        assert unfinished.read_bytes() == b"theirs"
+        other.kill()
+    assert keep_good_copy(show)  # what a killed one left is in nobody's way
+    assert not unfinished.exists()
+    prove(good_path(show.path))
+    show.close()
+
+
+@contextmanager
+def hands_on(path: Path, unfinished: Path) -> Iterator[subprocess.Popen[bytes]]:
+    """Another process that is making the good copy."""
+    program = f"""
+from pathlib import Path
+from omote.files.goodcopy import _alone
+with _alone(Path({str(path)!r})) as alone:
+    assert alone
+    Path({str(unfinished)!r}).write_bytes(b"theirs")
+    print(flush=True)
+    input()
+"""
+    with subprocess.Popen([sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as other:
+        assert other.stdout is not None
+        assert other.stdout.readline() == b"\n"
+        yield other
 
 
 def test_a_newer_copy_takes_the_place_of_the_older(tmp_path: Path) -> None:

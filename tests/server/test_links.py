@@ -6,7 +6,15 @@ from collections.abc import Coroutine, Generator
 
 import pytest
 
-from omote.server.links import ANSWER_LIMIT, HEARD_BURST, STALL_LIMIT, UNSENT_LIMIT, Links, finish_now
+from omote.server.links import (
+    ANSWER_LIMIT,
+    HEARD_BURST,
+    STALL_LIMIT,
+    UNSENT_LIMIT,
+    Links,
+    LinkSocket,
+    finish_now,
+)
 from omote.show import messages as wire
 from omote.show.wire import encode
 from tests.server.conftest import House, obeyed, state
@@ -55,6 +63,13 @@ def opened(links: Links) -> tuple[Socket, Transport]:
     ws, transport = Socket(), Transport()
     links.open(ws, transport)  # type: ignore[arg-type]
     return ws, transport
+
+
+def test_a_socket_whose_browser_went_before_it_was_let_in_closes_without_a_word() -> None:
+    async def close() -> bool:
+        return await LinkSocket(heartbeat=1.0).close()
+
+    assert asyncio.run(close()) is False
 
 
 def test_who_is_behind_gets_the_newest_state_and_nothing_in_between() -> None:

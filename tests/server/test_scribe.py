@@ -21,8 +21,8 @@ COMMITTED = Fate("committed")
 class Disk:
     """A show file on a disk that waits or fails when told."""
 
-    def __init__(self) -> None:
-        self.path = Path("show.omote")
+    def __init__(self, path: Path = Path("/dev/null/show.omote")) -> None:  # where nothing can be
+        self.path = path
         self.written: list[str] = []
         self.broken: Exception | None = None
         self.free, self.reached = threading.Event(), threading.Event()
@@ -181,12 +181,34 @@ def test_a_good_copy_is_made_when_it_is_quiet_and_at_the_end(tmp_path: Path) -> 
     assert quiet.said == busy.said == []
 
 
-def test_a_good_copy_that_cannot_be_made_is_said() -> None:
-    author = Author(Disk())
+def test_a_good_copy_that_cannot_be_made_is_said(tmp_path: Path) -> None:
+    disk = Disk(tmp_path / "show.omote")
+    author = Author(disk)
     author.scribe.close()
     assert author.said == [
-        "no good copy of show.omote could be made (this disk holds no copies); the one of before stays."
+        f"no good copy of {disk.path} could be made (this disk holds no copies); the one of before stays."
     ]
+
+
+def test_a_good_copy_that_another_process_makes_is_made_again_without_a_word(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    show = open_show(tmp_path / "a.omote")
+    tries: SimpleQueue[ShowFile] = SimpleQueue()
+
+    def kept(file: ShowFile) -> bool:
+        tries.put(file)
+        return tries.qsize() > 2
+
+    monkeypatch.setattr("omote.server.scribe.keep_good_copy", kept)
+    author = Author(show.again(), quiet_seconds=1e-3)
+    for _ in range(100_000):
+        if tries.qsize() > 2:
+            break
+        threading.Event().wait(1e-3)
+    author.scribe.close()
+    show.close()
+    assert (tries.qsize(), author.said) == (3, [])
 
 
 def test_the_journal_and_the_scribe_share_the_file(tmp_path: Path) -> None:

@@ -53,7 +53,10 @@ class LinkSocket(web.WebSocketResponse):
             message = f"a message was longer than {self._limit} bytes, the most that is read.".encode()
             with contextlib.suppress(ConnectionError):
                 finish_now(self.send_bytes(self._refusal(message.decode())))
-        return await super().close(code=code, message=message, drain=drain)
+        try:
+            return await super().close(code=code, message=message, drain=drain)
+        except RuntimeError:  # gone before it was let in: aiohttp ends the answer that never began
+            return False
 
 
 @dataclass(eq=False)

@@ -134,6 +134,6 @@ class Scribe:
     def _keep_good_copy(self) -> None:
         self._stale = False
         try:
-            keep_good_copy(self._show)
+            self._stale = not keep_good_copy(self._show)
         except (sqlite3.Error, OSError, ShowFileError) as error:
             self._report(f"no good copy of {self._show.path} could be made ({error}); the one of before stays.")
