@@ -115,9 +115,24 @@ def test_a_mix_of_looks_is_a_look_between_them(looks: list[Look]) -> None:
     assert min(reds) - 1 <= int(found.skin[1:3], 16) <= max(reds) + 1
 
 
+def test_hair_is_one_style_whole_on_its_own_scalp() -> None:
+    bald = Look(hair_style="", scalp=0.0, hair="#ff0000")
+    bun, thin = Look(hair_style="bun", scalp=1.0, hair="#202020"), Look(hair_style="thin", scalp=0.25, hair="#202020")
+    for looks, style, scalp in [
+        ([(bald, 0.6), (bun, 0.4)], "", 0.0),
+        ([(bald, 0.4), (bun, 0.6)], "bun", 1.0),
+        ([(thin, 0.6), (bun, 0.4)], "thin", 0.25),
+        ([(bald, 0.4), (bun, 0.35), (thin, 0.25)], "bun", 1.0),
+        ([(bald, 0.5), (thin, 0.5), (bun, 0.0)], "thin", 0.25),
+    ]:
+        found = mixed_look(looks)
+        assert (found.hair_style, found.scalp, found.hair) == (style, scalp, "#202020")
+
+
 def test_hair_is_that_of_the_largest_share_all_wearers_together() -> None:
     bald, bun, bob = Look(hair_style=""), Look(hair_style="bun"), Look(hair_style="bob")
-    assert mixed_look([(bald, 0.4), (bun, 0.3), (bob, 0.3)]).hair_style == ""
+    assert mixed_look([(bald, 0.4), (bun, 0.35), (bob, 0.25)]).hair_style == "bun"
+    assert mixed_look([(bald, 0.6), (bun, 0.2), (bob, 0.2)]).hair_style == ""
     assert mixed_look([(bald, 0.4), (bun, 0.3), (replace(bun, age=1.0), 0.3)]).hair_style == "bun"
 
 

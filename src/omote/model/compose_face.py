@@ -81,24 +81,41 @@ def mixed(space: ParameterSpace, name: str, faces: Sequence[tuple[Face, float]],
 
 
 def mixed_look(looks: Sequence[tuple[Look, float]], /) -> Look:
-    """The mix of looks by shares that sum to one: colours in linear light, as the stage mixes them; the hair style is
-    that of the largest share (of styles worn by several, all their shares)."""
-    found: dict[str, str | float] = {}
-    for trait in (field.name for field in fields(Look)):
-        worn = [(getattr(look, trait), share) for look, share in looks]
+    """The mix of looks by shares that sum to one: colours in linear light, as the stage mixes them.
+
+    Hair is one style, whole, on the scalp that goes with it: a mixed hairline would fit none. It is that of the largest
+    share (of styles worn by several, all their shares) where half of the mix or more wear any; its colour is mixed from
+    all who wear hair.
+    """
+    style = _style(looks)
+    wearers = _scaled([(look, share) for look, share in looks if look.hair_style == style])
+    haired = _scaled([(look, share) for look, share in looks if look.hair_style]) or looks
+    found: dict[str, str | float] = {"hair_style": style}
+    for trait in (field.name for field in fields(Look) if field.name != "hair_style"):
+        those = wearers if trait == "scalp" else haired if trait == "hair" else looks
+        worn = [(getattr(look, trait), share) for look, share in those]
         if trait in TRAITS:
             low, high = TRAITS[trait]
             found[trait] = min(max(sum(float(value) * share for value, share in worn), low), high)
         else:
-            found[trait] = _heaviest(worn) if trait == "hair_style" else _colour(worn)
+            found[trait] = _colour(worn)
     return Look(**found)  # type: ignore[arg-type]
 
 
-def _heaviest(worn: list[tuple[str, float]]) -> str:
+def _style(looks: Sequence[tuple[Look, float]]) -> str:
+    """The hair style of a mix, "" for none."""
     shares: dict[str, float] = {}
-    for style, share in worn:
-        shares[style] = shares.get(style, 0.0) + share
+    for look, share in looks:
+        shares[look.hair_style] = shares.get(look.hair_style, 0.0) + share
+    if shares.pop("", 0.0) > sum(shares.values()):
+        return ""
     return max(shares, key=lambda style: shares[style])
+
+
+def _scaled(looks: Sequence[tuple[Look, float]]) -> list[tuple[Look, float]]:
+    """The same looks, their shares scaled to sum to one."""
+    total = sum(share for _, share in looks)
+    return [(look, share / total) for look, share in looks if share > 0.0]
 
 
 def _colour(worn: list[tuple[str, float]]) -> str:
