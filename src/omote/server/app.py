@@ -68,7 +68,7 @@ class ShowServer:
         application.router.add_get(LINK_PATH, self.link)
         if self.editing is not None:
             application.router.add_get(EDITING_PATH, self.editing.link)
-            application.router.add_get("/layouts/{name}", self.layout)
+        application.router.add_get("/layouts/{name}", self.layout)
         application.router.add_get("/manifest", self.manifest)
         application.router.add_get("/assets/{name}", self.asset)
         application.router.add_get("/compounds/{base}/{face}/{expression}", self.compound)
@@ -170,10 +170,10 @@ class ShowServer:
         return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": keep})
 
     async def layout(self, request: web.Request) -> web.Response:
-        """A page's document, as `set_layout` kept it."""
+        """A page's document, as `set_layout` kept it; 204 where none is: a browser calls a 404 an error."""
         found = None if self.editing is None else self.editing.layout(request.match_info["name"])
         if found is None:
-            raise web.HTTPNotFound(text="there is no such layout in this show file.")
+            return web.Response(status=204, headers={"Cache-Control": ALWAYS_ASK})
         return web.Response(body=found, content_type="application/json", headers={"Cache-Control": ALWAYS_ASK})
 
     async def page(self, request: web.Request) -> web.Response:
