@@ -137,7 +137,7 @@ def test_a_newcomer_makes_a_crooked_smile_with_what_the_page_says(editor: Editor
     page.get_by_role("button", name="Create").click()
     wait_for(page, SETTLED)
     expect(page.locator(".welcome")).to_have_count(0)
-    expect(page.locator(".hint")).to_contain_text("Drag a needle")
+    expect(page.locator(".hint")).to_contain_text("Drag a white pin (a needle)")
     drag(page, mouth_corner(page))
     page.get_by_role("button", name="Save").click()
     expect(notice(page)).to_contain_text("is now under Own")

@@ -42,6 +42,7 @@ def editor(open_page: OpenPage) -> Page:
     """An editor with a new expression that all faces wear."""
     page = open_page("/editor", width=1280, height=720)
     wait_for(page, "bench.online && bench.library !== null")
+    page.evaluate(f"{BENCH}.setWork('generic')")
     page.evaluate(f"""() => {BENCH}.ask(
         {{type: "create_expression", label: "Tried on the canvas", start: {{}}, on_air: false}}).then(() => null)""")
     wait_for(page, "probe.needles().length > 50 && probe.settled()")

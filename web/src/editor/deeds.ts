@@ -46,6 +46,7 @@ export async function save(bench: Workbench, note: string): Promise<void> {
   if (bench.draft?.item === item && bench.draft.base === base && !answer.aside) {
     bench.receive({ ...bench.draft, request: -1, net: null, base: answer.revision, dirty: false });
   }
+  bench.clear("conflict"); // what was to be decided is
   if (answer.aside) tellAside(bench, answer);
   else if (answer.revision === base)
     bench.say(answer.sentence, "done"); // nothing was new
@@ -65,11 +66,18 @@ function tellSaved(bench: Workbench, { item }: Saved): void {
 function tellAside(bench: Workbench, { item, head, sentence }: Saved): void {
   bench.say(sentence, "conflict", [
     { label: "Look at theirs", act: () => void lookAt(bench, item, head) },
-    { label: "Save mine over it", act: () => void save(bench, "over another's") },
+    { label: "Save mine over it", act: () => void saveOver(bench, item) },
   ]);
 }
 
+/** Whichever item is open by now. */
+async function saveOver(bench: Workbench, item: number): Promise<void> {
+  if (bench.draft?.item !== item) await openItem(bench, item);
+  if (bench.draft?.item === item) await save(bench, "over another's");
+}
+
 async function lookAt(bench: Workbench, item: number, number: number): Promise<void> {
+  if (bench.draft?.item !== item) await openItem(bench, item);
   await bench.ask({ type: "ask_history", item });
   const theirs = bench.revisions.find((revision) => revision.number === number);
   if (theirs !== undefined && bench.draft?.item === item) bench.setLook(theirs.content);
@@ -98,8 +106,16 @@ export function askHistory(bench: Workbench): void {
   if (bench.draft !== null) void bench.ask({ type: "ask_history", item: bench.draft.item });
 }
 
-export const bringBack = (bench: Workbench, { number }: RevisionDocument): void =>
-  bench.edit({ type: "bring_back", revision: number });
+/** The draft becomes what a revision was; says that it does not play yet. */
+export async function bringBack(bench: Workbench, { number }: RevisionDocument): Promise<void> {
+  const { draft } = bench;
+  if (draft === null) return;
+  bench.setLook(null);
+  const answer = await bench.ask({ type: "bring_back", item: draft.item, revision: number });
+  if (answer === null) return;
+  const sentence = `Revision ${number} is your draft now. What plays is unchanged: press Save to make this one play.`;
+  bench.say(sentence, "done", [{ label: "Save", act: () => void save(bench, `revision ${number} again`) }]);
+}
 
 export const bake = (bench: Workbench): void => bench.edit({ type: "flatten" });
 
@@ -116,6 +132,7 @@ type Description = Partial<Pick<ItemDocument, "label" | "tags" | "place">>;
 
 export function describe(bench: Workbench, item: ItemDocument, change: Description): void {
   const { label, tags, place } = { ...item, ...change };
+  if (label !== item.label) bench.clear("done"); // good news that calls it by its old name
   void bench.ask({ type: "describe", item: item.id, label, tags, place });
 }
 

@@ -3,11 +3,12 @@ import { customElement, query, state } from "lit/decorators.js";
 import { base, palette } from "../console/theme";
 import { EditorCanvas } from "./canvas/editor_canvas";
 import { controls } from "./controls_style";
-import { redo, undo } from "./deeds";
+import { type Kind, redo, undo } from "./deeds";
 import { style } from "./editor_page_style";
 import { BenchElement } from "./element";
 import type { Heading } from "./heading";
-import { type Command, commandOf, TOOLS, type View } from "./keys";
+import { hintOf } from "./hints";
+import { type Command, commandOf, type View } from "./keys";
 import type { LibraryPanel } from "./panels/library";
 import type { Topic } from "./workbench";
 import "./heading";
@@ -50,7 +51,6 @@ export class EditorPage extends BenchElement {
 
   override render() {
     const { bench, rig } = this;
-    const open = bench.draft !== null;
     return html`
       <omote-heading class="panel" .rig=${rig} @help=${this.#toggleHelp}></omote-heading>
       <omote-library class="panel" .rig=${rig}></omote-library>
@@ -59,12 +59,14 @@ export class EditorPage extends BenchElement {
         <div class="work">
           <canvas tabindex="0" aria-label="The face under work and the faces beside it" aria-describedby="hint"></canvas>
           ${bench.look === null ? nothing : this.#looking()}
-          ${open ? nothing : this.#welcome()}
-          <omote-notices .rig=${rig}></omote-notices>
         </div>
-        <p id="hint" class="hint">${this.#hint()}</p>
+        <p id="hint" class="hint">${hintOf(bench, matchMedia("(pointer: coarse)").matches)}</p>
       </main>
-      <omote-panels class="panel" .rig=${rig}></omote-panels>
+      <div class="side">
+        <omote-panels class="panel" .rig=${rig}
+          @make=${(event: CustomEvent<Kind>) => this.library.make({}, event.detail)}></omote-panels>
+        <omote-notices .rig=${rig}></omote-notices>
+      </div>
       ${this.helping ? html`<omote-editor-help .rig=${rig} @close=${this.#toggleHelp}></omote-editor-help>` : nothing}
     `;
   }
@@ -72,27 +74,6 @@ export class EditorPage extends BenchElement {
   #looking() {
     return html`<div class="looking" role="status">You look at an old revision, not at your draft.
       <button @click=${() => this.bench.setLook(null)}>Back to my draft</button></div>`;
-  }
-
-  #welcome() {
-    return html`<section class="welcome panel" aria-label="How to begin">
-      <ol>
-        <li><b>Pick or make an expression.</b> On the left, or here:
-          <div class="row">
-            <button class="main" @click=${() => this.library.make({}, "expression")}>New expression</button>
-            <button @click=${() => this.library.make({}, "face")}>New face</button>
-          </div></li>
-        <li><b>Drag a needle</b> on the large face. The other faces follow while you drag.</li>
-        <li><b>Save.</b> From then on the console can play it, on every face.</li>
-      </ol>
-    </section>`;
-  }
-
-  #hint(): string {
-    const { bench } = this;
-    if (bench.draft === null) return "Drag beside the face to turn it, wheel to come closer.";
-    if (bench.net === null) return "Drag a handle on the face; mixes, parts of others and caricature are on the right.";
-    return TOOLS.find(([tool]) => tool === bench.options.tool)?.[3] ?? "";
   }
 
   readonly #toggleHelp = (): void => {

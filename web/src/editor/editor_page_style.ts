@@ -26,8 +26,15 @@ export const style = css`
     min-width: 0;
     min-height: 0;
   }
-  omote-panels {
+  .side {
     grid-area: panels;
+    display: flex;
+    flex-direction: column;
+    gap: 6px;
+    min-height: 0;
+  }
+  omote-panels {
+    flex: 1;
   }
   .work {
     position: relative;
@@ -53,28 +60,6 @@ export const style = css`
     min-height: 30px;
     color: var(--dim);
   }
-  .welcome {
-    position: absolute;
-    left: 16px;
-    bottom: 16px;
-    max-width: 340px;
-    padding: 14px 18px;
-    background: #0f1113e6;
-  }
-  .welcome ol {
-    margin: 0;
-    padding: 0 0 0 18px;
-    display: grid;
-    gap: 10px;
-    color: var(--dim);
-    font-size: 14px;
-  }
-  .welcome b {
-    color: var(--text);
-  }
-  .welcome .row {
-    margin-top: 6px;
-  }
   .looking {
     position: absolute;
     left: 50%;
@@ -90,17 +75,36 @@ export const style = css`
     border: 1px solid var(--attention);
     white-space: nowrap;
   }
+  /* Under the panels, which make room: nothing is hidden, and the faces keep their size. */
   omote-notices {
-    position: absolute;
-    left: 10px;
-    right: 10px;
-    bottom: 10px;
-    z-index: 4;
+    flex: none;
+    max-height: 45dvh;
+    overflow: hidden auto;
+    scrollbar-width: thin;
+    scrollbar-color: var(--edge) transparent;
   }
   :host(.lost) {
     box-shadow: inset 0 0 0 4px #d21f10;
   }
+  @media (max-width: 1180px) {
+    :host {
+      grid-template-columns: 196px minmax(420px, 1fr) 262px;
+    }
+  }
   @media (max-width: 940px) {
+    .side {
+      display: contents;
+    }
+    omote-panels {
+      grid-area: panels;
+    }
+    omote-notices {
+      position: fixed;
+      left: 6px;
+      right: 6px;
+      bottom: 6px;
+      z-index: 4;
+    }
     :host {
       height: auto;
       min-height: 100dvh;

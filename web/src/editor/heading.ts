@@ -41,12 +41,12 @@ export class Heading extends BenchElement {
         aria-label=${dirty ? "Not saved yet" : "Saved"}></span>
       <input class="label" aria-label="Name" title="Rename" maxlength="64" .value=${item.label}
         @change=${(event: Event) => this.#relabel(item, textOf(event))} />
-      <input class="tags" aria-label="Tags" placeholder="tags, with commas" title="Tags to find it by" .value=${item.tags.join(", ")}
+      <input class="tags" aria-label="Tags" placeholder="tags" title="Tags to find it by, with commas between them" .value=${item.tags.join(", ")}
         @change=${(event: Event) => describe(bench, item, { tags: tagsOf(textOf(event)) })} />
       ${others.length === 0 ? nothing : html`<span class="others" role="status">${others.join(", ")} ${others.length === 1 ? "is" : "are"} at it too</span>`}
       <span class="grow"></span>
       ${this.#steps(draft.undo, draft.redo, draft.what)}
-      <input class="remark" aria-label="Note" placeholder="note (if you like)" maxlength="200" .value=${this.note}
+      <input class="remark" aria-label="Note" title="What you say of this save, if you like" placeholder="note" maxlength="200" .value=${this.note}
         @input=${(event: Event) => {
           this.note = textOf(event);
         }}
@@ -59,9 +59,9 @@ export class Heading extends BenchElement {
   #steps(back: number, forward: number, what: string) {
     const next = this.bench.undone.at(-1) ?? "";
     return html`<div class="steps">
-      <button data-step="undo" ?disabled=${back === 0} title=${back === 0 ? "Nothing to undo" : `Undo: ${what} (Ctrl Z)`}
+      <button data-step="undo" ?disabled=${back === 0} title=${back === 0 ? "Nothing to undo" : `Undo: ${what} (Ctrl Z)`} aria-label=${back === 0 ? "Undo" : `Undo: ${what}`}
         @click=${() => undo(this.bench)}>↶ <span>${back === 0 ? "Undo" : what}</span></button>
-      <button data-step="redo" ?disabled=${forward === 0} title=${forward === 0 ? "Nothing to redo" : `Redo: ${next} (Ctrl Shift Z)`}
+      <button data-step="redo" ?disabled=${forward === 0} title=${forward === 0 ? "Nothing to redo" : `Redo: ${next} (Ctrl Shift Z)`} aria-label=${forward === 0 ? "Redo" : `Redo: ${next}`}
         @click=${() => redo(this.bench)}>↷ <span>${forward === 0 ? "Redo" : next || "Redo"}</span></button>
     </div>`;
   }

@@ -40,6 +40,9 @@ export const style = css`
     background: var(--attention);
     border-color: var(--attention);
   }
+  input {
+    text-overflow: ellipsis;
+  }
   .label {
     font-size: 15px;
     font-weight: 600;
@@ -51,7 +54,7 @@ export const style = css`
   .steps {
     display: flex;
     gap: 2px;
-    min-width: 0;
+    flex: none;
   }
   .steps button {
     display: flex;
@@ -60,7 +63,7 @@ export const style = css`
     min-width: 0;
   }
   .steps span {
-    max-width: 92px;
+    max-width: 150px;
     overflow: hidden;
     text-overflow: ellipsis;
     white-space: nowrap;
@@ -102,8 +105,12 @@ export const style = css`
       font-size: 0;
     }
   }
+  @media (max-width: 1240px) {
+    .steps span {
+      display: none;
+    }
+  }
   @media (max-width: 1000px) {
-    .steps span,
     .you,
     .tags,
     .mark small {

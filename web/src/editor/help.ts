@@ -57,9 +57,9 @@ export class EditorHelp extends BenchElement {
       <h2>Keys</h2>
       <dl>${HELP.map(([keys, does]) => html`<dt>${keys}</dt><dd>${does}</dd>`)}</dl>
       <h2>Words</h2>
-      <p>An expression belongs to no face. Each needle says how a point of the skin turns around the head (Δθ), rises (Δh) and leaves the surface (R); every face makes of it what suits its own shape.</p>
+      <p>An expression belongs to no face. Each needle says how a point of the skin turns around the head, rises, and goes out or in; every face makes of it what suits its own shape.</p>
       <p>Your draft is kept with every step; Save makes a revision of it, and that is what the console plays. Nothing saved is ever replaced: History brings back any of it.</p>
-      <p>Left and right are the character's own.</p>
+      <p>Left and right are the character's own: its left is on the right of the picture.</p>
       <button @click=${() => this.dispatchEvent(new CustomEvent("close"))}>Close</button>
     </section>`;
   }

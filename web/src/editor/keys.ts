@@ -10,28 +10,13 @@ export type Command =
   | { do: "tool"; tool: Tool }
   | { do: "view"; view: View };
 
-/** Tools in the order of the tool bar: name, key, what the page says of it. */
+/** Tools in the order of the tool bar: name, key, what it does. */
 export const TOOLS: readonly (readonly [Tool, string, string, string])[] = [
-  [
-    "drag",
-    "Drag",
-    "D",
-    "Drag a needle: the face under it follows, and so do all the others. Shift and click for several, Alt to pull off the surface, arrows nudge.",
-  ],
-  [
-    "pull",
-    "Pull",
-    "P",
-    "Drag a needle off the surface (R): along itself, or, where it points at you, up for out and down for in.",
-  ],
-  ["add", "Add", "A", "Click on the face to set another needle there. The expression stays as it is."],
-  ["remove", "Remove", "R", "Click a needle to take it away. The expression stays as it is."],
-  [
-    "place",
-    "Move",
-    "M",
-    "Drag a needle along the face at rest to where you want to hold it. The expression stays as it is.",
-  ],
+  ["drag", "Drag", "D", "Drag needles along the skin"],
+  ["pull", "Pull", "P", "Pull the skin out or push it in"],
+  ["add", "Add", "A", "Set another needle"],
+  ["remove", "Remove", "R", "Take a needle away"],
+  ["place", "Move", "M", "Put a needle elsewhere"],
 ];
 
 export const VIEWS: readonly (readonly [View, string, string])[] = [
@@ -54,10 +39,10 @@ const LETTERS: Readonly<Record<string, Command>> = {
 export const HELP: readonly (readonly [string, string])[] = [
   ["Ctrl S", "Save: what is on the page plays from now on"],
   ["Ctrl Z, Ctrl Shift Z", "Undo, redo"],
-  ["D  P", "Tools: drag on the surface, pull off it"],
+  ["D  P", "Tools: drag along the skin, pull off it"],
   ["A  R  M", "The needles themselves: add, remove, move"],
   ["X", "Mirror: what you do on one side is done on the other"],
-  ["Arrows", "On the face: nudge the selected needles, with Shift finer, with Alt off the surface"],
+  ["Arrows", "On the face: nudge the selected needles, with Shift finer, with Alt off the skin"],
   ["1 – 4", "Front, left side, right side, three-quarter view"],
   ["N  W  U", "Show needles, wireframe, muscles"],
   ["Esc", "Lets go of a drag as if it had not been, else of the selection, else back to your draft"],

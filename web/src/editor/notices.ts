@@ -19,6 +19,11 @@ export class Notices {
     this.all = [...others, { id: this.#said, text, kind, actions }];
   }
 
+  /** What of a kind was said is over. */
+  clear(kind: Notice["kind"]): void {
+    this.all = this.all.filter((notice) => notice.kind !== kind);
+  }
+
   dismiss(id: number): void {
     this.all = this.all.filter((notice) => notice.id !== id);
   }

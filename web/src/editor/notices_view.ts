@@ -1,4 +1,4 @@
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { base } from "../console/theme";
@@ -8,7 +8,7 @@ import type { Notice } from "./notices";
 import type { Topic } from "./workbench";
 
 /** Milliseconds for which good news stands. */
-const SEEN = 20_000;
+const SEEN = 12_000;
 
 /** What must be read. */
 @customElement("omote-notices")
@@ -19,18 +19,15 @@ export class NoticesView extends BenchElement {
     css`
       :host {
         display: grid;
+        grid-template-columns: minmax(0, 1fr);
         gap: 6px;
-        justify-items: center;
-        pointer-events: none;
       }
-      div {
-        pointer-events: auto;
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 6px 10px;
-        max-width: 640px;
-        padding: 8px 8px 8px 14px;
+      [role] {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto;
+        align-items: start;
+        gap: 6px;
+        padding: 6px 6px 8px 12px;
         border-radius: 6px;
         color: var(--text);
         background: #1d2126;
@@ -49,7 +46,11 @@ export class NoticesView extends BenchElement {
         background: #0d2417;
       }
       span {
-        flex: 1 1 240px;
+        padding-top: 5px;
+        overflow-wrap: anywhere;
+      }
+      .row {
+        grid-column: 1 / -1;
       }
     `,
   ];
@@ -84,17 +85,18 @@ export class NoticesView extends BenchElement {
     );
   }
 
+  #button(id: number, { label, act }: Notice["actions"][number]) {
+    return html`<button @click=${() => {
+      this.bench.dismiss(id);
+      act();
+    }}>${label}</button>`;
+  }
+
   #notice({ id, text, kind, actions }: Notice) {
     return html`<div class=${kind} role=${kind === "done" ? "status" : "alert"}>
       <span>${text}</span>
-      ${actions.map(
-        ({ label, act }) =>
-          html`<button @click=${() => {
-            this.bench.dismiss(id);
-            act();
-          }}>${label}</button>`,
-      )}
       <button class="icon quiet" title="I have read it" aria-label="Dismiss" @click=${() => this.bench.dismiss(id)}>✕</button>
+      ${actions.length === 0 ? nothing : html`<div class="row">${actions.map((action) => this.#button(id, action))}</div>`}
     </div>`;
   }
 }

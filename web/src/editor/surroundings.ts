@@ -27,6 +27,8 @@ export interface Options {
 
 /** The most faces beside the work. */
 export const MOST_NEIGHBOURS = 10;
+/** The face under work before anybody has chosen: one that looks good as clay. */
+const FIRST = "kaori";
 const NEIGHBOURS = ["dog", "child", "old"];
 
 /** Everything that belongs to no item; whoever listens to a topic hears of its changes. */
@@ -37,7 +39,7 @@ export class Surroundings {
   /** Of the cast that pages may load now; "" before the server has said. */
   digest = "";
   /** The name of the face shown large, and of those beside it. */
-  work = "generic";
+  work = FIRST;
   neighbours: readonly string[] = NEIGHBOURS;
   options: Options = {
     tool: "drag",
@@ -93,8 +95,8 @@ export class Surroundings {
     this.library = library;
     const { manifest } = library;
     const known = (name: string) => manifest.faces.some((face) => face.name === name);
-    if (!known(this.work)) this.work = manifest.faces[0]?.name ?? this.work;
-    this.neighbours = this.neighbours.filter(known);
+    if (!known(this.work)) this.work = known(FIRST) ? FIRST : (manifest.faces[0]?.name ?? this.work);
+    this.neighbours = this.neighbours.filter((name) => known(name) && name !== this.work);
     this.tell("cast");
   }
 
@@ -139,6 +141,12 @@ export class Surroundings {
   /** Tells the user something that stays until it is read. */
   say(text: string, kind: Notice["kind"] = "refusal", actions: Notice["actions"] = []): void {
     this.#notices.say(text, kind, actions);
+    this.tell("notices");
+  }
+
+  /** What was said of this kind holds no more. */
+  clear(kind: Notice["kind"]): void {
+    this.#notices.clear(kind);
     this.tell("notices");
   }
 

@@ -55,6 +55,23 @@ export class Tools extends BenchElement {
       select {
         max-width: 112px;
       }
+      @media (max-width: 1180px) {
+        :host {
+          gap: 4px 6px;
+          padding: 5px 8px;
+        }
+        button,
+        select {
+          padding: 0 6px;
+          font-size: 12px;
+        }
+        .falloff input {
+          width: 54px;
+        }
+        select {
+          max-width: 90px;
+        }
+      }
     `,
   ];
 

@@ -103,7 +103,7 @@ describe("a drag", () => {
     expect(script.asked[0]?.request).toEqual({
       type: "drag_points",
       item: 1,
-      face: "generic",
+      face: bench.work,
       points: [0],
       targets: [[1, 2, 3]],
       vectors: [[0.2, 0, 1], [...REST], [...REST]],

@@ -2,6 +2,7 @@ import { css, html } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { base } from "../../console/theme";
 import { controls } from "../controls_style";
+import type { Kind } from "../deeds";
 import { BenchElement } from "../element";
 import type { Topic } from "../workbench";
 import "../amount";
@@ -32,6 +33,8 @@ const FOR_FACES: readonly (readonly [Tab, string])[] = [
 @customElement("omote-panels")
 export class Panels extends BenchElement {
   @state() private tab: Tab = "layers";
+  /** What was open last. */
+  #open: { item: number; face: boolean } | null = null;
 
   static override styles = [
     base,
@@ -64,20 +67,43 @@ export class Panels extends BenchElement {
         scrollbar-color: var(--edge) transparent;
         min-height: 0;
       }
-      .empty {
-        padding: 14px;
+      .welcome {
+        display: block;
+        padding: 16px 18px;
+      }
+      .welcome ol {
+        margin: 10px 0 0;
+        padding: 0 0 0 18px;
+        display: grid;
+        gap: 14px;
+        color: var(--dim);
+        font-size: 14px;
+      }
+      .welcome b {
+        color: var(--text);
+      }
+      .welcome .row {
+        margin-top: 6px;
       }
     `,
   ];
 
   protected override topics(): readonly Topic[] {
-    return ["draft"];
+    return ["draft", "items"];
+  }
+
+  /** Something new, or something of another kind, is seen from the beginning: what it is made of. */
+  override willUpdate(): void {
+    const { draft, face, item } = this.bench;
+    const now = draft === null ? null : { item: draft.item, face: face !== null };
+    const other = now !== null && now.item !== this.#open?.item;
+    if (other && (now.face !== this.#open?.face || item?.head === 0)) this.tab = now.face ? "recipe" : "layers";
+    this.#open = now ?? this.#open;
   }
 
   override render() {
     const { bench, rig } = this;
-    if (bench.draft === null)
-      return html`<p class="empty">What an expression is made of stands here once one is open: layers, muscles, numbers, eyes, history.</p>`;
+    if (bench.draft === null) return this.#welcome();
     const tabs = bench.face === null ? FOR_EXPRESSIONS : FOR_FACES;
     const tab = tabs.some(([one]) => one === this.tab) ? this.tab : (tabs[0] as (typeof tabs)[0])[0];
     return html`
@@ -92,6 +118,23 @@ export class Panels extends BenchElement {
       </div>
       <div class="inside" id="inside" role="tabpanel" aria-labelledby=${tab}>${PANELS[tab](rig)}</div>
     `;
+  }
+
+  /** How to begin, where later stands what the open item is made of. Tells `make` with the kind of something new. */
+  #welcome() {
+    const make = (kind: Kind) => () => this.dispatchEvent(new CustomEvent("make", { detail: kind }));
+    return html`<section class="welcome" aria-label="How to begin">
+      <h2>How to begin</h2>
+      <ol>
+        <li><b>Pick or make an expression</b> in the library, or here:
+          <div class="row">
+            <button class="main" @click=${make("expression")}>New expression</button>
+            <button @click=${make("face")}>New face</button>
+          </div></li>
+        <li><b>Drag a white pin</b> (a needle): they stand on the large face as soon as something is open. The other faces follow while you drag.</li>
+        <li><b>Save.</b> From then on the console can play it, on every face.</li>
+      </ol>
+    </section>`;
   }
 
   show(tab: Tab): void {

@@ -86,7 +86,7 @@ export class History extends BenchElement {
           @click=${() => this.bench.setLook(looked ? null : content)}>Look</button>
         <button title="A picture of how it differs from your draft" @click=${() => this.#compare(revision)}>Compare</button>
         <button title="Makes it the newest step of your draft; Save makes it play"
-          @click=${() => bringBack(this.bench, revision)}>Bring back</button>
+          @click=${() => void bringBack(this.bench, revision)}>Bring back</button>
       </div>
     </li>`;
   }

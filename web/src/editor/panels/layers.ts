@@ -46,7 +46,10 @@ export class Layers extends BenchElement {
   }
 
   override render() {
-    const sources = sourcesOf(this.bench, "expression");
+    const own = this.bench.item?.content;
+    const sources = sourcesOf(this.bench, "expression").map((one) =>
+      one.source === own ? { ...one, label: `${one.label}, as it was saved (a copy)` } : one,
+    );
     const add = (source: string): void => {
       if (source === "") return;
       const layer = { source, label: labelOf(sources, source), weight: 1, region: null, mirrored: false };

@@ -17,6 +17,9 @@ const TABS: readonly (readonly [Kind, string])[] = [
   ["face", "Faces"],
 ];
 
+/** The face that wears what is pictured of expressions. */
+const PLAIN = "generic";
+
 /** Two sheets, one behind the other; few fonts have it. */
 const COPY = html`<svg width="13" height="13" viewBox="0 0 13 13" fill="none" stroke="currentColor" aria-hidden="true">
   <path d="M4.5 4.5h7v7h-7zM8.5 4.5v-3h-7v7h3" />
@@ -31,6 +34,9 @@ export class LibraryPanel extends BenchElement {
   @state() private making: Readonly<Record<string, number>> | null = null;
   @state() private naming = -1;
   @queryAll("canvas") private canvases!: NodeListOf<HTMLCanvasElement>;
+  /** Pictures that lie in sight; others are drawn when they are scrolled to. */
+  readonly #sight = new Set<Element>();
+  #watch: IntersectionObserver | null = null;
   #carried: ItemDocument | null = null;
 
   static override styles = [base, controls, style];
@@ -43,6 +49,15 @@ export class LibraryPanel extends BenchElement {
   make(mix: Readonly<Record<string, number>> = {}, kind: Kind = this.kind): void {
     this.kind = kind;
     this.making = mix;
+    void this.updateComplete.then(() =>
+      this.renderRoot.querySelector("omote-new")?.scrollIntoView({ block: "nearest" }),
+    );
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#watch?.disconnect();
+    this.#watch = null;
   }
 
   override focus(): void {
@@ -217,11 +232,26 @@ export class LibraryPanel extends BenchElement {
   }
 
   override updated(): void {
+    this.#watch ??= new IntersectionObserver((entries) => this.#see(entries));
+    for (const canvas of this.#sight) if (!canvas.isConnected) this.#sight.delete(canvas);
     for (const canvas of this.canvases) {
-      const source = canvas.dataset.source ?? "";
-      if (source === "") continue;
-      const face = this.kind === "face" ? source : "generic";
-      this.rig.portraits.ask(canvas, { face, expression: this.kind === "face" ? "neutral" : source });
+      if (this.#sight.has(canvas)) this.#portray(canvas);
+      else this.#watch.observe(canvas);
     }
+  }
+
+  #see(entries: readonly IntersectionObserverEntry[]): void {
+    for (const { target, isIntersecting } of entries) {
+      if (isIntersecting) this.#sight.add(target);
+      else this.#sight.delete(target);
+      if (isIntersecting) this.#portray(target as HTMLCanvasElement);
+    }
+  }
+
+  /** What is not saved yet has no content: it is shown as what all begins from. */
+  #portray(canvas: HTMLCanvasElement): void {
+    const source = canvas.dataset.source ?? "";
+    const [face, expression] = this.kind === "face" ? [source || PLAIN, "neutral"] : [PLAIN, source || "neutral"];
+    this.rig.portraits.ask(canvas, { face, expression });
   }
 }

@@ -11,7 +11,7 @@ import { commonOf, mirrored } from "./point_sums";
 const ENTRIES: readonly (readonly [string, Unit, string])[] = [
   ["Turn", DEGREES, "Δθ: around the head, + towards the character's left"],
   ["Height", MILLIMETRES, "Δh: along the head's axis, + up"],
-  ["Off the surface", RATIO, "R: 1 on the surface, more outside, less inside"],
+  ["Off the skin", RATIO, "1 on the skin, more outside, less inside (R in the method)"],
 ];
 
 /** The selected needles as numbers, to be read and typed. */
