@@ -34,11 +34,18 @@ def test_what_is_saved_plays_and_its_bytes_are_kept(studio: Studio) -> None:
     state = studio.ask("ann", wire.SetPulls, 1, pulled(0.5))
     saved = studio.ask("ann", wire.Save, 1, "better")
     assert (saved.revision, saved.head, saved.aside) == (2, 2, False)
-    assert saved.sentence == "Revision 2 of 'Grin' plays from now on."
+    assert saved.sentence == "Revision 2 of 'Grin' plays from now on: consoles have it under Own."
     (own,) = studio.session.own()
     assert own.source == state.content
     assert studio.tables.contents[own.content] == studio.session.contents[own.content]
     assert any(outcome.cast for outcome in studio.outcomes[-1:])
+
+
+def test_saving_what_is_on_air_says_that_it_is(studio: Studio) -> None:
+    studio.ask("ann", wire.SetPulls, 1, pulled(0.5))
+    studio.on_air = OnAir({"generic": 1.0}, {"grin": 0.25, "neutral": 0.75})
+    saved = studio.ask("ann", wire.Save, 1, "")
+    assert saved.sentence == "Revision 2 of 'Grin' plays from now on: it is on air, so every stage has changed."
 
 
 def test_the_page_learns_that_its_draft_is_saved(studio: Studio) -> None:

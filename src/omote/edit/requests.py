@@ -77,7 +77,8 @@ def _create_face(asked: Asked) -> Plan:
 def _save(asked: Asked) -> Plan | Result:
     assert asked.draft
     note = checked_text(asked.message.note)
-    return saving.save(asked.authored, asked.item, asked.hand, asked.message.request, note)
+    on_air = asked.item.name in asked.on_air.names
+    return saving.save(asked.authored, asked.item, asked.hand, asked.message.request, note, on_air=on_air)
 
 
 def _duplicate(asked: Asked) -> Result:

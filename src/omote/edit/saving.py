@@ -26,13 +26,13 @@ class Hand:
     wall: float
 
 
-def save(authored: Authored, item: Item, hand: Hand, request: int, note: str) -> Plan | Result:
-    """The draft as the next revision; nothing where it holds nothing new."""
+def save(authored: Authored, item: Item, hand: Hand, request: int, note: str, *, on_air: bool) -> Plan | Result:
+    """The draft as the next revision; nothing where it holds nothing new. on_air: whether the item is seen now."""
     key = item.id, hand.editor
     if not is_dirty(authored.ledger, key):
         return Result(reply=_nothing_new(authored, item, key, request))
     order = authored.bake(read_recipe(authored.ledger.shown(key).recipe))
-    return Plan(order, lambda baked: _saved(authored, key, hand, request, note, baked))
+    return Plan(order, lambda baked: _saved(authored, key, hand, request, note, baked, on_air))
 
 
 def create(authored: Authored, kind: Kind, label: str, recipe: Recipe | FaceRecipe, editor: str) -> Plan:
@@ -87,7 +87,9 @@ def duplicate(authored: Authored, item: Item, label: str, hand: Hand, request: i
     return Result((PutItem(copy), PutRevision(revision)), reply)
 
 
-def _saved(authored: Authored, key: DraftKey, hand: Hand, request: int, note: str, baked: Baked) -> Result:
+def _saved(
+    authored: Authored, key: DraftKey, hand: Hand, request: int, note: str, baked: Baked, on_air: bool
+) -> Result:
     ledger = authored.ledger
     item, draft = ledger.items[key[0]], ledger.drafts[key]
     number, aside = ledger.numbers(item.id) + 1, draft.base != item.head
@@ -98,8 +100,13 @@ def _saved(authored: Authored, key: DraftKey, hand: Hand, request: int, note: st
     if not aside:
         changes.append(PutItem(replace(item, head=number)))
     changes.append(PutDraft(replace(draft, base=head)))
-    sentence = _aside(authored, item, number) if aside else f"Revision {number} of {item.label!r} plays from now on."
+    sentence = _aside(authored, item, number) if aside else _plays(item, number, on_air)
     return Result(tuple(changes), wire.Saved(request, item.id, number, head, aside, sentence), draft=key)
+
+
+def _plays(item: Item, number: int, on_air: bool) -> str:
+    place = "it is on air, so every stage has changed" if on_air else "consoles have it under Own"
+    return f"Revision {number} of {item.label!r} plays from now on: {place}."
 
 
 def _aside(authored: Authored, item: Item, number: int) -> str:
