@@ -15,7 +15,7 @@ import { Looks } from "./looks";
 import { drawsInSoftware } from "./machine";
 import type { Tile } from "./parameters";
 import { type Pose, resting, writeTurn } from "./pose";
-import { FEATURES, type Features, firstLevel, type Level, pixelRatio } from "./quality";
+import { FEATURES, firstLevel, type Level, pixelRatio } from "./quality";
 import { createRenderer } from "./renderer";
 import { Shadow } from "./shadow";
 import { wearLayers } from "./skin_layers";
@@ -160,7 +160,8 @@ export class FaceView {
 
   /** Whether all of the present pose shows in full. */
   get settled(): boolean {
-    return this.alive && this.changeover.settled(this.called) && this.holdings.settled(this.pose, this.blender);
+    const { alive, changeover, holdings, hair } = this;
+    return alive && changeover.settled(this.called) && holdings.settled(this.pose, this.blender) && hair.settled;
   }
 
   /** The graphics context that the view draws with. */
@@ -203,10 +204,9 @@ export class FaceView {
   }
 
   private buildHead(level: Level): THREE.Group {
-    const { library, anatomy, shared } = this;
-    const features: Features = FEATURES[level];
-    const head = buildHead({ meshes: library.meshes, anatomy, shared, eyes: this.eyeUniforms, features });
-    this.hair.on(head, shared, features);
+    const { library, anatomy, shared, eyeUniforms: eyes } = this;
+    const head = buildHead({ meshes: library.meshes, anatomy, shared, eyes, features: FEATURES[level] });
+    this.hair.on(head, shared, FEATURES[level]);
     return head;
   }
 

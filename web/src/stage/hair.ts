@@ -10,6 +10,9 @@ import { Wardrobe, type Worn } from "./wardrobe";
 /** Pieces of a ribbon where its course is drawn round, where all ribbons are drawn, and where few are. */
 const PIECES = { round: 20, fine: 11, coarse: 5 };
 
+/** Ribbons that a sparse style keeps where few are drawn: fewer and wider ones would lie on a bald head like chips. */
+const LEAST = 420;
+
 /** Edges by samples: alpha says how many of a pixel's samples a fibre covers; the picture's own alpha only grows. */
 const SOFT = {
   alphaToCoverage: true,
@@ -49,6 +52,11 @@ export class Hair {
   /** Waits until all hair that was ever wanted has come, or was refused. */
   complete(): Promise<void> {
     return this.wardrobe.complete();
+  }
+
+  /** Whether all hair that was wanted shows in full. */
+  get settled(): boolean {
+    return this.wardrobe.settled;
   }
 
   /** Puts hair on a head that is drawn at a level; styles that come later join it. */
@@ -148,11 +156,13 @@ function texture(
 function ribbons(style: Worn, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
   const kin = features.detail ? KIN.count : 1;
   const geometry = ribbon(style.hair, piecesOf(features), kin);
-  geometry.instanceCount = kin * Math.max(1, Math.round(features.hair * style.hair.anchors.length));
+  const count = style.hair.anchors.length;
+  const share = Math.min(1, Math.max(features.hair, LEAST / count));
+  geometry.instanceCount = kin * Math.max(1, Math.round(share * count));
   const look = material(HAIR_VERTEX, HAIR_FRAGMENT, {
     ...shared,
     ...own,
-    width: { value: (style.hair.width / 2) * features.hair ** -0.6 * (features.detail ? KIN.width : 1) },
+    width: { value: (style.hair.width / 2) * share ** -0.6 * (features.detail ? KIN.width : 1) },
   });
   look.defines = { ...definesOf(features), KIN: kin, ...(features.multisample ? { SOFT: "" } : {}) };
   look.side = THREE.DoubleSide;

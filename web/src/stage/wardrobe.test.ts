@@ -44,14 +44,17 @@ describe("a wardrobe", () => {
     wardrobe.want(["kaori", "nobody"]);
     wardrobe.dress(on, 1, false);
     expect(wardrobe.worn.size).toBe(0);
+    expect(wardrobe.settled).toBe(false); // else whoever draws only what changes would leave her bald
     come();
     await wardrobe.complete();
+    expect(wardrobe.settled).toBe(false);
     const grown: number[] = [];
     for (let frame = 0; frame < 20; frame++) {
       wardrobe.dress(on, 1 / 60, false);
       grown.push(wardrobe.worn.get("bob")?.grown as number);
     }
     expect(grown.at(-1)).toBe(1);
+    expect(wardrobe.settled).toBe(true);
     grown.forEach((value, frame) => {
       const before = grown[frame - 1] ?? 0;
       expect(value).toBeGreaterThanOrEqual(before);

@@ -22,6 +22,7 @@ export class Wardrobe {
   private readonly asked = new Map<string, Promise<unknown>>();
   private readonly offsets = new Map<string, Offsets>();
   private readonly shares = new Map<string, number>();
+  private coming = 0;
   private readonly mixes = new Map<string, string>();
   /** The weights of the faces on air that wear any hair. */
   wearers: ReadonlyMap<string, number> = new Map();
@@ -46,6 +47,11 @@ export class Wardrobe {
   /** Waits until everything that was ever wanted has come, or was refused. */
   async complete(): Promise<void> {
     await Promise.all(this.asked.values());
+  }
+
+  /** Whether all that was wanted has come, or was refused, and has grown in. */
+  get settled(): boolean {
+    return this.coming === 0 && [...this.worn.keys()].every((style) => (this.shares.get(style) ?? 0) >= 1);
   }
 
   /** Dresses the faces on air, by weight, `seconds` after the last frame; `atOnce`: in full. */
@@ -93,9 +99,14 @@ export class Wardrobe {
 
   private ask(key: string, read: () => Promise<unknown>): void {
     if (this.asked.has(key)) return;
+    this.coming += 1;
     this.asked.set(
       key,
-      read().catch((error: unknown) => console.warn(String(error))),
+      read()
+        .catch((error: unknown) => console.warn(String(error)))
+        .then(() => {
+          this.coming -= 1;
+        }),
     );
   }
 }
