@@ -2,22 +2,19 @@
 
 import { PICTURE, Portraits } from "../console/portraits";
 import { Library } from "../link/assets";
+import { askedItem, editorAddress } from "../link/editor_address";
 import { openItem } from "./deeds";
 import { EditingLink } from "./editing_link";
 import { EditorPage } from "./editor_page";
 import type { EditorRig } from "./element";
+import { idle } from "./idle";
+import { keepView } from "./kept_view";
 import { Studio } from "./studio";
 import { keepName, whoIsHere } from "./who";
 import { Workbench } from "./workbench";
 
-/** Milliseconds between two thumbnails; none is begun while a hand drags. */
-const PAUSE = 60;
-
-/** Waits until drawing something small would disturb nobody. */
-async function idle(bench: Workbench): Promise<void> {
-  do await new Promise((done) => setTimeout(done, PAUSE));
-  while (bench.dragging || bench.waiting);
-}
+/** Pixels of a thumbnail as it is drawn, somewhat less than it is shown at: what is shown first is usable first. */
+const SMALL = { width: Math.round(0.75 * PICTURE.width), height: Math.round(0.75 * PICTURE.height) };
 
 /** Keeps the cast as new as the items: what has been saved is there to begin from, to wear, to lay under. */
 function followCast(bench: Workbench): void {
@@ -35,14 +32,18 @@ function followCast(bench: Workbench): void {
 
 /** The address names the open item, so that a reload opens it again. */
 function followAddress(bench: Workbench): void {
-  let opening = location.hash.slice(1);
+  let asked = askedItem(location);
   bench.listen("draft", () => {
-    const name = bench.item?.name;
-    if (name !== undefined) history.replaceState(null, "", `#${name}`);
+    const { item } = bench;
+    if (item !== null) history.replaceState(null, "", editorAddress(item.kind, item.name));
   });
   bench.listen("items", () => {
-    const item = bench.items.find(({ name, deleted }) => name === opening && !deleted);
-    opening = ""; // once, at the first greeting
+    const wanted = asked;
+    if (wanted === null) return;
+    const item = bench.items.find(
+      ({ kind, name, deleted }) => name === wanted.name && kind === (wanted.kind ?? kind) && !deleted,
+    );
+    asked = null; // once, at the first greeting
     if (item !== undefined && bench.draft === null) void openItem(bench, item.id);
   });
 }
@@ -67,6 +68,7 @@ function connect(): { bench: Workbench; link: EditingLink; name: () => string } 
 
 async function start(): Promise<void> {
   const { bench, link, name } = connect();
+  keepView(bench);
   followCast(bench);
   followAddress(bench);
   let studio: Studio | null = null;
@@ -77,7 +79,7 @@ async function start(): Promise<void> {
   document.body.append(page);
   bench.setCast(await Library.open());
   studio = await Studio.open(bench.library as Library);
-  portraits.open((sitting) => (studio as Studio).picture(sitting, PICTURE.width, PICTURE.height));
+  portraits.open((sitting) => (studio as Studio).picture(sitting, SMALL.width, SMALL.height));
 }
 
 void start();
