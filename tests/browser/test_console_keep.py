@@ -52,7 +52,7 @@ def keep(page: Page, axis: str) -> dict[str, str]:
     page.locator(f"[data-keep='{axis}']").click()
     expect(page.locator(".notice")).to_contain_text("Kept as On air")
     wait_for(page, f"desk.{of}.length === {before + 1}")
-    label = page.locator(".notice").inner_text().split("Kept as ")[1].split(".")[0]
+    label = page.locator(".notice").inner_text().split("Kept as ")[1].split(" under Own.")[0]
     found = page.evaluate(f"{DESK}.{of}.find((one) => one.label === {label!r})")
     return dict(found)
 
@@ -143,7 +143,7 @@ def test_another_tablet_opens_with_the_same_layout(console: Console) -> None:
     page.evaluate(f"""async () => {{
         for (;;) {{
             const answer = await fetch("/layouts/console");
-            const {{ version, ...found }} = answer.ok ? await answer.json() : {{}};
+            const {{ version, ...found }} = answer.status === 200 ? await answer.json() : {{}};
             if (JSON.stringify(found) === JSON.stringify({DESK}.arrangement)) return;
             await new Promise(requestAnimationFrame);
         }}

@@ -5,6 +5,7 @@ import { LONGEST } from "./timing";
 const OTHER: Arrangement = {
   timing: { face: { seconds: null, easing: "late" }, expression: { seconds: 0, easing: "sharp" } },
   kind: "arkit",
+  ownFaces: true,
   tab: "touched",
   linked: false,
 };
@@ -17,6 +18,11 @@ describe("a console's layout", () => {
 
   it("is small enough for a message", () => {
     expect(written(OTHER).length).toBeLessThan(400);
+  });
+
+  it("of before own faces had a palette of their own shows all", () => {
+    const { ownFaces: _, ...before } = FIRST;
+    expect(parsed(written(before as Arrangement))).toEqual(FIRST);
   });
 
   it("brings nothing with it that it does not know", () => {

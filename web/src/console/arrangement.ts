@@ -13,6 +13,8 @@ export type BankTab = Region | "touched";
 export interface Arrangement {
   readonly timing: Readonly<Record<Axis, Timing>>;
   readonly kind: PaletteKind;
+  /** The palette of faces shows the crew's own alone. */
+  readonly ownFaces: boolean;
   readonly tab: BankTab;
   /** Left and right of a pair move together. */
   readonly linked: boolean;
@@ -21,6 +23,7 @@ export interface Arrangement {
 export const FIRST: Arrangement = {
   timing: { face: { seconds: 2, easing: "smooth" }, expression: { seconds: 0.5, easing: "smooth" } },
   kind: "performed",
+  ownFaces: false,
   tab: "brows",
   linked: true,
 };
@@ -39,14 +42,21 @@ export function parsed(document: string): Arrangement | string {
   }
   if (!isRecord(found) || found["version"] !== VERSION)
     return "The layout kept in the show file is of another version; the console begins with its own.";
-  const { timing, kind, tab, linked } = found;
+  const { timing, kind, tab, linked, ownFaces = false } = found; // layouts of before know no palette of own faces
   if (!isRecord(timing) || !isTiming(timing["face"]) || !isTiming(timing["expression"]))
     return "The layout kept in the show file has no times that a call can take; the console begins with its own.";
-  if (!isOneOf(KINDS, kind) || !isOneOf([...REGIONS, "touched"] as const, tab) || typeof linked !== "boolean")
+  if (
+    !isOneOf(KINDS, kind) ||
+    !isOneOf([...REGIONS, "touched"] as const, tab) ||
+    !isSwitch(linked) ||
+    !isSwitch(ownFaces)
+  )
     return "The layout kept in the show file names what this console has not; it begins with its own.";
   const of = ({ seconds, easing }: Timing): Timing => ({ seconds, easing });
-  return { timing: { face: of(timing["face"]), expression: of(timing["expression"]) }, kind, tab, linked };
+  return { timing: { face: of(timing["face"]), expression: of(timing["expression"]) }, kind, tab, linked, ownFaces };
 }
+
+const isSwitch = (value: unknown): value is boolean => typeof value === "boolean";
 
 const isRecord = (value: unknown): value is Record<string, unknown> =>
   typeof value === "object" && value !== null && !Array.isArray(value);

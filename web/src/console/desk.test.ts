@@ -76,8 +76,17 @@ describe("keeping what is on air", () => {
   });
 
   it("says under which name it was kept, and where to edit it; the next notice has no such offer", () => {
-    desk.receiveKept({ type: "kept", id: "me-1", name: "on-air-3", label: "On air 3" });
-    expect([desk.notice, desk.offer?.address]).toEqual(["Kept as On air 3.", "/editor"]);
+    desk.keep("face");
+    desk.keep("expression");
+    desk.flush();
+    const [face, other] = sent.map((message) => ("id" in message ? message.id : ""));
+    desk.receiveKept({ type: "kept", id: other as string, name: "on_air_3", label: "On air 3" });
+    expect([desk.notice, desk.offer?.address]).toEqual([
+      "Kept as On air 3 under Own.",
+      "/editor?kind=expression&name=on_air_3",
+    ]);
+    desk.receiveKept({ type: "kept", id: face as string, name: "on_air_4", label: "On air 4" });
+    expect(desk.offer?.address).toBe("/editor?kind=face&name=on_air_4");
     desk.say("No.");
     expect(desk.offer).toBeNull();
   });

@@ -3,6 +3,7 @@
  * messages of the next frame. Nothing here touches the page or a clock.
  */
 
+import { editorAddress } from "../link/editor_address";
 import type {
   CallState,
   Crew,
@@ -134,8 +135,9 @@ export class Desk {
   }
 
   /** What was on air is in the cast. */
-  receiveKept({ label }: Kept): void {
-    this.say(`Kept as ${label}.`, { label: "Edit it", address: "/editor" });
+  receiveKept({ id, name, label }: Kept): void {
+    const axis = id.endsWith("-face") ? "face" : "expression";
+    this.say(`Kept as ${label} under Own.`, { label: "Edit it", address: editorAddress(axis, name) });
   }
 
   /** True when the link is there; else tells the operator that nothing was sent. */
@@ -190,8 +192,8 @@ export class Desk {
 
   /** Keeps what is on air on an axis as a new face or expression of the cast. */
   keep(axis: Axis): void {
-    if (this.#mayAct())
-      this.#outbox.push({ type: axis === "face" ? "keep_face" : "keep_expression", id: this.#nextId() });
+    const id = `${this.#nextId()}-${axis}`; // the answer names nothing else of what was asked
+    if (this.#mayAct()) this.#outbox.push({ type: axis === "face" ? "keep_face" : "keep_expression", id });
   }
 
   release(axis: Axis): void {

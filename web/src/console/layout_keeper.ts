@@ -16,7 +16,7 @@ export type Read = (name: string) => Promise<string | null>;
 
 export async function readLayout(name: string): Promise<string | null> {
   const response = await fetch(`/layouts/${encodeURIComponent(name)}`);
-  return response.ok ? response.text() : null;
+  return response.status === 200 ? response.text() : null; // 204: nothing has been kept under this name yet
 }
 
 export class LayoutKeeper {

@@ -25,11 +25,19 @@ export class LightRow extends PaintedElement {
       }
       button {
         position: relative;
-        flex: 1 1 0;
+        flex: 1 1 auto;
         min-width: 0;
         overflow: hidden;
         text-overflow: ellipsis;
         white-space: nowrap;
+      }
+      @media (max-width: 1100px) {
+        .row > span {
+          display: none;
+        }
+        button {
+          padding: 0 4px;
+        }
       }
       button i {
         position: absolute;

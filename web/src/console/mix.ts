@@ -135,7 +135,7 @@ export class Mix extends PaintedElement {
           title="Keep what is on air as a new ${this.axis} (${this.axis === "face" ? "N" : "M"})"
           @click=${() => this.desk.keep(this.axis)}
         >
-          Keep ${this.axis === "face" ? "face" : "expr."}
+          Keep
         </button>
       </header>
       <div class="rows" data-axis=${this.axis}>

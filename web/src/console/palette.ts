@@ -1,6 +1,7 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, queryAll, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
+import { EDITOR, EDITOR_TAB, editorAddress } from "../link/editor_address";
 import type { ExpressionDocument, FaceDocument } from "../link/messages";
 import { KINDS, type PaletteKind } from "./arrangement";
 import { REGIONS, regionOf } from "./channels";
@@ -31,6 +32,7 @@ export class Palette extends PaintedElement {
   @state() private search = "";
   /** The face that the expressions are shown on. */
   @state() private model = "generic";
+  @query(".tiles") private list!: HTMLElement;
   @query("input") private input!: HTMLInputElement | null;
   @queryAll(".tile") private tiles!: NodeListOf<HTMLElement>;
   readonly #written = new Written();
@@ -46,18 +48,24 @@ export class Palette extends PaintedElement {
     return this.desk.arrangement.kind;
   }
 
-  /** What the palette shows now, in order; its first nine have hot keys. */
+  /** What the palette shows now, in order. */
   get shown(): readonly Tile[] {
-    return this.#sections().flatMap(([, inside]) => inside);
+    return this.#sections(this.desk.arrangement.ownFaces).flatMap(([, inside]) => inside);
+  }
+
+  /** The first nine of these have hot keys: what is shown, but a face keeps its key while own faces are shown alone. */
+  get #keyed(): readonly Tile[] {
+    return this.#sections(false).flatMap(([, inside]) => inside);
   }
 
   /** Tiles under their headings: units by region; what is searched needs none. The crew's own come last, so that the
    * hot keys of all others stay where they are when something is kept during the show. */
-  #sections(): [string, Tile[]][] {
+  #sections(ownFaces: boolean): [string, Tile[]][] {
     const all: readonly Tile[] = this.axis === "face" ? this.desk.faces : this.desk.expressions;
     const words = this.search.toLowerCase().split(/\s+/).filter(Boolean);
     if (words.length > 0) return [["", all.filter((one) => words.every((word) => textOf(one).includes(word)))]];
     const own = all.filter(isOwn).sort((a, b) => a.place - b.place);
+    if (this.axis === "face" && ownFaces) return [["", own]];
     if (this.axis === "face")
       return withOwn(
         this.desk.faces.filter((one) => !isOwn(one)),
@@ -79,7 +87,7 @@ export class Palette extends PaintedElement {
 
   /** Calls the tile at an index, as its hot key does. */
   callIndex(index: number): void {
-    const name = this.shown[index]?.name;
+    const name = this.#keyed[index]?.name;
     if (name !== undefined) this.desk.call(this.axis, name);
   }
 
@@ -89,8 +97,8 @@ export class Palette extends PaintedElement {
 
   override render() {
     return html`
-      <header>${this.axis === "face" ? html`<h2>Faces</h2>` : this.#tabs()} ${this.#searchField()}</header>
-      <div class="tiles">${this.#tiles()}</div>
+      <header>${this.axis === "face" ? this.#ownSwitch() : this.#tabs()} ${this.#searchField()}</header>
+      <div class="tiles" @scroll=${this.#hint}>${this.#tiles()}</div>
       <omote-timing .rig=${this.rig} .axis=${this.axis}></omote-timing>
     `;
   }
@@ -113,6 +121,24 @@ export class Palette extends PaintedElement {
     </div>`;
   }
 
+  #ownSwitch() {
+    const { ownFaces } = this.desk.arrangement;
+    return html`<h2>Faces</h2>
+      <div class="tabs">
+        <button
+          data-own-faces
+          title="Your own faces alone; hot keys stay with their faces"
+          aria-pressed=${ownFaces && this.search === ""}
+          @click=${() => {
+            this.desk.arrange({ ownFaces: !ownFaces || this.search !== "" });
+            this.search = "";
+          }}
+        >
+          Own
+        </button>
+      </div>`;
+  }
+
   #searchField() {
     const what = this.axis === "face" ? "faces by name or tag" : "expressions by name, region or tag";
     return html`<input
@@ -127,19 +153,35 @@ export class Palette extends PaintedElement {
   }
 
   #tiles() {
-    const shown = this.shown;
+    const { shown } = this;
+    const keyed = this.#keyed;
     if (shown.length === 0 && this.search !== "")
       return html`<div class="none">Nothing is called "${this.search}".</div>`;
-    if (shown.length === 0 && this.kind === "own" && this.axis === "expression")
-      return html`<div class="none">Nothing of your own yet: keep what is on air (M), or make one in the <a href="/editor" target="_blank">editor</a>.</div>`;
-    return this.#sections().map(
+    if (shown.length === 0)
+      return html`<div class="none">Nothing of your own yet: keep what is on air (${this.axis === "face" ? "N" : "M"}), or make one in the <a href=${EDITOR} target=${EDITOR_TAB}>editor</a>.</div>`;
+    return this.#sections(this.desk.arrangement.ownFaces).map(
       ([heading, inside]) => html`${heading === "" ? nothing : html`<div class="region">${heading}</div>`}
         ${repeat(
           inside,
           (one) => one.name,
-          (one) => this.#tile(one, shown.indexOf(one)),
+          (one) => this.#place(one, keyed.indexOf(one)),
         )}`,
     );
+  }
+
+  /** A tile, and over a corner of an own one the way to the editor, which never calls. */
+  #place(one: Tile, index: number) {
+    const edit = isOwn(one)
+      ? html`<a
+          class="edit"
+          href=${editorAddress(this.axis, one.name)}
+          target=${EDITOR_TAB}
+          aria-label="Edit ${one.label}"
+          title="Edit ${one.label} in the editor"
+          ><span aria-hidden="true">✎</span></a
+        >`
+      : nothing;
+    return html`<div class="place">${this.#tile(one, index)}${edit}</div>`;
   }
 
   #tile(one: Tile, index: number) {
@@ -160,10 +202,18 @@ export class Palette extends PaintedElement {
   }
 
   override firstUpdated(): void {
-    onRoam(this.renderRoot.querySelector(".tiles") as HTMLElement, ".tile");
+    onRoam(this.list, ".tile");
+    new ResizeObserver(this.#hint).observe(this.list);
   }
 
+  /** Fades what goes on below: scroll bars are hidden on tablets until they are used. */
+  readonly #hint = (): void => {
+    const { scrollTop, clientHeight, scrollHeight } = this.list;
+    this.#written.flag(this.list, "more", scrollHeight - clientHeight - scrollTop > 4);
+  };
+
   override updated(): void {
+    this.#hint();
     for (const tile of this.tiles) {
       const source = tile.dataset.source ?? "";
       const sitting: Sitting =

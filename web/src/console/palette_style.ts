@@ -65,6 +65,13 @@ export const style = css`
     scrollbar-color: var(--edge) transparent;
     overscroll-behavior: contain;
   }
+  .tiles.more {
+    mask-image: linear-gradient(#000 calc(100% - 34px), #0004);
+  }
+  .place {
+    position: relative;
+    min-width: 0;
+  }
   .region {
     grid-column: 1 / -1;
     font-size: 10px;
@@ -101,13 +108,34 @@ export const style = css`
     overflow-wrap: anywhere;
     background: var(--raised);
   }
-  .tile.own::before {
-    content: "✎";
+  .edit {
     position: absolute;
-    right: 4px;
-    top: 2px;
-    font-size: 12px;
+    right: 0;
+    top: 0;
+    display: grid;
+    place-content: center;
+    width: 28px;
+    height: 28px;
+    font-size: 14px;
+    color: var(--text);
+    text-decoration: none;
     text-shadow: 0 0 3px #000;
+    border-radius: 5px;
+    background: #0008;
+    touch-action: manipulation;
+  }
+  @media (hover: hover) {
+    .edit:hover {
+      color: #000;
+      text-shadow: none;
+      background: var(--hand);
+    }
+  }
+  @media (pointer: coarse) {
+    .edit {
+      width: 34px;
+      height: 34px;
+    }
   }
   .tile .key {
     position: absolute;

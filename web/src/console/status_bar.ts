@@ -1,5 +1,6 @@
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { EDITOR_TAB } from "../link/editor_address";
 import { levelsOf } from "./crew";
 import type { Topic } from "./desk";
 import { RigElement } from "./element";
@@ -28,8 +29,8 @@ export class StatusBar extends RigElement {
     super.connectedCallback();
     this.#leave = [
       this.desk.listen("notice", () => {
-        if (this.desk.notice === null) return;
         clearTimeout(this.#timers.notice);
+        if (this.desk.notice === null || this.desk.offer !== null) return; // an offer waits to be taken
         this.#timers.notice = setTimeout(() => this.desk.say(null), NOTICE);
       }),
       this.desk.listen("panic", () => {
@@ -54,7 +55,7 @@ export class StatusBar extends RigElement {
     return html`
       <div class="mark">OMOTE</div>
       ${this.desk.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
-      <div class="notice" role="status">
+      <div class="notice ${this.desk.offer === null ? "" : "done"}" role="status">
         ${this.desk.notice ?? ""}
         ${this.#offer()}
       </div>
@@ -67,7 +68,7 @@ export class StatusBar extends RigElement {
 
   #offer() {
     const { offer } = this.desk;
-    return offer === null ? nothing : html`<a href=${offer.address} target="_blank">${offer.label}</a>`;
+    return offer === null ? nothing : html`<a href=${offer.address} target=${EDITOR_TAB}>${offer.label}</a>`;
   }
 
   /** On the way down, not on release: panic does not wait for the finger to lift. */

@@ -55,9 +55,14 @@ export const style = css`
     text-overflow: ellipsis;
     white-space: nowrap;
   }
-  .notice a {
+  .notice.done {
     color: var(--text);
+  }
+  .notice a {
+    display: inline-block;
+    color: var(--focus);
     margin-left: 6px;
+    padding: 6px 4px;
   }
   .panic {
     width: 230px;

@@ -35,7 +35,7 @@ export class TimingRow extends RigElement {
       }
       button.hand,
       button.cut {
-        flex-grow: 1.4;
+        flex: 1.4 0 auto;
       }
       input {
         width: 0;
