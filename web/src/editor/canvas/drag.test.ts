@@ -5,7 +5,8 @@ import type { Triple } from "./triples";
 
 const { net, fans, positions } = patch();
 const REINS: Reins = { falloff: 0, mirror: false, mask: null };
-const go = (led: number[], reins: Partial<Reins> = {}) => party(net, led, { ...REINS, ...reins }, fans, positions);
+const go = (led: number[], reins: Partial<Reins> = {}) =>
+  party(net, led, { ...REINS, ...reins }, { fans, lips: null, positions });
 const vector = (vectors: Float64Array, place: number) => [...vectors.slice(3 * place, 3 * place + 3)];
 
 it("falls like a bell", () => {

@@ -2,6 +2,7 @@
 
 import { distances, type Fans } from "../../stage/topology";
 import type { Net, Vector } from "../net";
+import { type Lips, together } from "./lips";
 import { minus, solved, type Triple } from "./triples";
 
 /** The points of a drag: how much of the hand's move each takes, and the mirror images of those. */
@@ -25,10 +26,17 @@ export interface Reins {
 /** A smooth bell: 1 in the middle, 0 from 1 on, level at both ends. */
 export const bell = (x: number): number => (x >= 1 ? 0 : (1 - x * x) ** 2 * (1 - 0.25 * x * x));
 
-/** Who moves when a hand takes `led`; positions: of the face under work, (rows, 3) metres. */
-export function party(net: Net, led: readonly number[], reins: Reins, fans: Fans, positions: Float32Array): Party {
+/** A face that is dragged: what joins its rows, its lips (null: none), and where it is, (rows, 3) metres. */
+export interface Skin {
+  fans: Fans;
+  lips: Lips | null;
+  positions: Float32Array;
+}
+
+/** Who moves when a hand takes `led`. */
+export function party(net: Net, led: readonly number[], reins: Reins, skin: Skin): Party {
   const shares = new Map(led.map((place) => [place, 1]));
-  if (reins.falloff > 0) addNeighbours(shares, net, led, reins.falloff / 1000, fans, positions);
+  if (reins.falloff > 0) addNeighbours(shares, net, led, reins.falloff / 1000, skin);
   if (reins.mask !== null)
     for (const [place, share] of shares) {
       const owned = (reins.mask[net.rows[place] as number] as number) / 255;
@@ -47,14 +55,14 @@ function addNeighbours(
   net: Net,
   led: readonly number[],
   radius: number,
-  fans: Fans,
-  positions: Float32Array,
+  { fans, lips, positions }: Skin,
 ): void {
   const far = distances(
     fans,
     positions,
     led.map((place) => net.rows[place] as number),
   );
+  if (lips !== null) together(lips, far, positions);
   net.rows.forEach((row, place) => {
     const share = bell((far[row] as number) / radius);
     if (share > 0 && !shares.has(place)) shares.set(place, share);

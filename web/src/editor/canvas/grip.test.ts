@@ -52,7 +52,7 @@ describe("Grip", () => {
     camera = view();
     const figure = new Figure("round", positions, tangents);
     figure.worn = { source: "#1", moves: { vectors: still(), pulls: NO_PULLS }, net };
-    ground = { figure, net, fans, land: triangles, camera: () => camera, muscles: [] };
+    ground = { figure, net, fans, lips: null, land: triangles, camera: () => camera, muscles: [] };
   });
 
   it("keeps the needle as far from the pointer as it was taken, and on the surface", () => {

@@ -5,6 +5,7 @@ import type { Muscle, Net, Vector } from "../net";
 import type { Camera } from "./camera";
 import { answered, answeredPlaces, moved, type Party, party, type Reins } from "./drag";
 import type { Figure } from "./figure";
+import type { Lips } from "./lips";
 import { hit } from "./surface";
 import { add, dot, minus, type Pair, rowOf, size, type Triple, times, unit } from "./triples";
 
@@ -13,6 +14,7 @@ export interface Ground {
   figure: Figure;
   net: Net;
   fans: Fans;
+  lips: Lips | null;
   land: Uint32Array;
   camera: () => Camera;
   muscles: readonly Muscle[];
@@ -75,8 +77,8 @@ export class Grip {
     pointer: Pair,
     reins: Reins,
   ) {
-    const { net, figure, fans } = ground;
-    this.party = party(net, led, reins, fans, figure.live);
+    const { net, figure, fans, lips } = ground;
+    this.party = party(net, led, reins, { fans, lips, positions: figure.live });
     bench.begin(answeredPlaces(this.party));
     [this.before, this.written] = [bench.live.slice(), bench.live.slice()];
     this.surface = figure.live.slice();

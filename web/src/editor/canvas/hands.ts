@@ -7,6 +7,7 @@ import type { EditorCanvas } from "./editor_canvas";
 import type { Figure } from "./figure";
 import { Grip, type Ground } from "./grip";
 import { nudgeOf } from "./keys";
+import { lipsOf } from "./lips";
 import { NEEDLE, type Needle, needlesOn, picked, REACH, within } from "./needles";
 import { freeRow, withoutPlace, withPlaceAt, withRow } from "./net_tools";
 import { Sight } from "./sight";
@@ -315,7 +316,8 @@ export class Hands {
     if (figure?.tangents === undefined || anatomy === undefined || surface === undefined || net === null)
       return undefined;
     const camera = () => this.camera() as Camera;
-    return { figure, net, fans: anatomy.fans, land: surface.land, camera, muscles };
+    const { fans } = anatomy;
+    return { figure, net, fans, lips: lipsOf(anatomy), land: surface.land, camera, muscles };
   }
 
   private stretch(to: Pair): void {
