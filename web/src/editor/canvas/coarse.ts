@@ -97,16 +97,18 @@ function nearRows(positions: Float32Array, { lines: rows, around }: Fineness): (
   };
 }
 
-/** Metres around lids and lips, and of a cell there and elsewhere: two and seven pixels of the smallest faces. */
-const AROUND = 0.004;
-const NEAR = 0.0045;
-const CELL = 0.014;
+/** How coarse a skin is drawn, by the metres that a pixel covers from there on: cells of a few pixels. */
+export const FINENESS = [
+  { from: 0.0008, around: 0.006, near: 0.0025, cell: 0.006 },
+  { from: 0.0015, around: 0.004, near: 0.0045, cell: 0.014 },
+] as const;
 
-/** The meshes as they are drawn where a face is shown small. */
-export const coarseMeshes = (meshes: readonly Mesh[], { positions, lines, traits }: Anatomy): Mesh[] =>
-  meshes.flatMap((mesh) => {
-    if (mesh.name !== "skin") return mesh.name === "tongue" ? [] : [mesh];
-    const rows = [...lines.values()].flatMap((line) => [...line]);
-    const sky = (row: number) => traits[4 * row + 1] as number;
-    return [coarsened(mesh, positions, { lines: rows, around: AROUND, near: NEAR, cell: CELL, sky })];
-  });
+/** The meshes as they are drawn where a face is shown smaller and smaller (`FINENESS`). */
+export const coarseMeshes = (meshes: readonly Mesh[], { positions, lines, traits }: Anatomy): Mesh[][] =>
+  FINENESS.map((fineness) =>
+    meshes.flatMap((mesh) => {
+      if (mesh.name !== "skin") return mesh.name === "tongue" ? [] : [mesh];
+      const rows = [...lines.values()].flatMap((line) => [...line]);
+      return [coarsened(mesh, positions, { ...fineness, lines: rows, sky: (row) => traits[4 * row + 1] as number })];
+    }),
+  );

@@ -6,6 +6,7 @@ import { dome } from "../../stage/eye_mesh";
 import { createProgram } from "../../stage/gl";
 import { decoded } from "../../stage/tone";
 import type { Camera } from "./camera";
+import { FINENESS } from "./coarse";
 import type { Crowd } from "./crowd";
 import type { Surface } from "./cut";
 import * as shaders from "./portrait_shaders";
@@ -46,9 +47,6 @@ interface Head extends Surface {
   all: Indices;
 }
 
-/** Metres that a pixel covers from which on the coarse skin is drawn. */
-const COARSE = 0.0008;
-
 /** A list of lines over the work's skin: rows, two for each line, each with its colour. */
 export type Lines = Shape;
 
@@ -65,7 +63,7 @@ export class Painter {
   private readonly skin: WebGLProgram;
   private readonly eye: WebGLProgram;
   private readonly line: WebGLProgram;
-  /** Fine and coarse: what is shown large, and what is shown small. */
+  /** Finer and coarser: what is shown large, and what is shown small. */
   private readonly heads: readonly Head[];
   private readonly balls: readonly Shape[];
   private readonly uniforms = new Map<WebGLProgram, Map<string, WebGLUniformLocation | null>>();
@@ -74,13 +72,13 @@ export class Painter {
     private readonly gl: WebGL2RenderingContext,
     private readonly crowd: Crowd,
     meshes: readonly Mesh[],
-    coarse: readonly Mesh[],
+    coarse: readonly (readonly Mesh[])[],
   ) {
     this.skin = createProgram(gl, shaders.SKIN_VERTEX, shaders.SKIN_FRAGMENT);
     this.eye = createProgram(gl, shaders.EYE_VERTEX, shaders.EYE_FRAGMENT);
     this.line = createProgram(gl, shaders.LINE_VERTEX, shaders.LINE_FRAGMENT);
-    this.heads = [meshes, coarse].map((list) => this.buildHead(list));
-    this.balls = [this.buildBall(10, 18), this.buildBall(6, 12)];
+    this.heads = [meshes, ...coarse].map((list) => this.buildHead(list));
+    this.balls = [this.buildBall(10, 18), this.buildBall(8, 14), this.buildBall(6, 12)];
   }
 
   /** Begins a picture in `box` of the canvas, pixels from its lower left corner; only what lies in `part` changes. */
@@ -136,7 +134,8 @@ export class Painter {
   }
 
   private level(camera: Camera): number {
-    return camera.metresPerPixel(camera.middle) > COARSE ? 1 : 0;
+    const each = camera.metresPerPixel(camera.middle);
+    return FINENESS.filter(({ from }) => each > from).length;
   }
 
   private draw({ array, count }: Shape): void {
