@@ -395,3 +395,59 @@ def test_keys_take_up_tools_and_a_question_mark_opens_the_help(editor: Editor) -
     expect(page.get_by_role("dialog", name="Keys")).to_be_visible()
     page.keyboard.press("Escape")
     expect(page.get_by_role("dialog", name="Keys")).to_have_count(0)
+
+
+def test_the_list_of_faces_closes_by_escape_and_by_going_on_elsewhere(editor: Editor) -> None:
+    page = editor()
+    shown = page.get_by_role("group", name="Faces shown")
+    button = page.locator("omote-faces-choice button")
+    button.click()
+    box = shown.bounding_box()
+    page.get_by_label("Cat beside").check()
+    assert shown.bounding_box() == box  # whatever the button says by now
+    page.keyboard.press("Escape")
+    expect(shown).to_have_count(0)
+    button.click()
+    page.get_by_label("Search by name or tag").click()
+    expect(shown).to_have_count(0)
+
+
+def test_a_reload_shows_the_faces_and_the_mirror_that_were_chosen(editor: Editor) -> None:
+    page = editor()
+    make(page, "As I left it")
+    page.evaluate(f"{BENCH}.setWork('dog')")
+    page.evaluate(f"{BENCH}.setNeighbours(['cat', 'old'])")
+    page.locator("[data-option=mirror]").click()
+    page.reload()
+    wait_for(page, SETTLED)
+    assert page.evaluate("window.omoteEditor.faces()") == ["dog", "cat", "old"]
+    assert bench(page, "options.mirror") is True
+
+
+def test_mirror_moves_the_muscles_of_both_sides(editor: Editor) -> None:
+    page = editor()
+    make(page, "Both cheeks")
+    page.locator("[data-tab=muscles]").click()
+    page.locator("[data-option=mirror]").click()
+    muscle = page.locator("[data-muscle=zygomaticus_left] input[type=text]")
+    muscle.fill("70")
+    muscle.press("Enter")
+    wait_for(page, f"bench.draft.undo === 1 && {SETTLED}")
+    pulls = {one["muscle"]: one["contraction"] for one in bench(page, "recipe.pulls")}
+    assert pulls == {"zygomaticus_left": 0.7, "zygomaticus_right": 0.7}
+
+
+def test_an_own_face_has_a_picture_as_soon_as_it_is_saved(editor: Editor) -> None:
+    page = editor()
+    page.locator("[data-kind=face]").click()
+    page.evaluate(f"""() => {BENCH}.ask(
+        {{type: "create_face", label: "Pictured", base: {{goblin: 1}}, on_air: false}}).then(() => null)""")
+    wait_for(page, SETTLED.replace("&& canvas.settled()", "&& bench.face !== null"))
+    save(page)
+    source = bench(page, "item.content")
+    canvas = page.locator(f"omote-library canvas[data-source='{source}']").first
+    expect(canvas).to_have_attribute("data-drawn", f"{source} neutral")
+    level = canvas.evaluate(
+        "one => one.getContext('2d').getImageData(one.width / 2, one.height / 2, 1, 1).data.slice(0, 3).join()"
+    )
+    assert max(int(part) for part in level.split(",")) > 80  # its skin, not black

@@ -113,6 +113,10 @@ export async function bringBack(bench: Workbench, { number }: RevisionDocument):
   bench.setLook(null);
   const answer = await bench.ask({ type: "bring_back", item: draft.item, revision: number });
   if (answer === null) return;
+  if (bench.draft?.item === draft.item && !bench.draft.dirty) {
+    bench.say(`Revision ${number} is what plays and what your draft is: there is nothing to save.`, "done");
+    return;
+  }
   const sentence = `Revision ${number} is your draft now. What plays is unchanged: press Save to make this one play.`;
   bench.say(sentence, "done", [{ label: "Save", act: () => void save(bench, `revision ${number} again`) }]);
 }

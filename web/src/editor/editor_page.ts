@@ -26,6 +26,8 @@ export class EditorPage extends BenchElement {
   @query("omote-library") private library!: LibraryPanel;
   @query("omote-heading") private heading!: Heading;
   #view: EditorCanvas | null = null;
+  /** The item that was open when the page was last drawn. */
+  #open = -1;
 
   static override styles = [palette, base, controls, style];
 
@@ -45,6 +47,9 @@ export class EditorPage extends BenchElement {
   }
 
   override updated(): void {
+    const open = this.bench.draft?.item ?? -1;
+    if (open >= 0 && open !== this.#open) this.scrollIntoView({ block: "start" }); // on a phone the faces may be far above
+    this.#open = open;
     this.classList.toggle("lost", !this.bench.online);
     if (this.#view === null && this.bench.library !== null) this.#view = new EditorCanvas(this.canvas, this.bench);
   }

@@ -22,6 +22,9 @@ export class NoticesView extends BenchElement {
         grid-template-columns: minmax(0, 1fr);
         gap: 6px;
       }
+      :host([hidden]) {
+        display: none;
+      }
       [role] {
         display: grid;
         grid-template-columns: minmax(0, 1fr) auto;
@@ -71,6 +74,11 @@ export class NoticesView extends BenchElement {
         setTimeout(() => this.bench.dismiss(id), SEEN),
       );
     }
+  }
+
+  /** Nothing to say takes no room. */
+  override updated(): void {
+    this.hidden = this.bench.notices.length === 0;
   }
 
   protected override topics(): readonly Topic[] {

@@ -4,9 +4,11 @@ import { rowTriangles } from "../../stage/topology";
 import type { Box, Camera } from "./camera";
 import type { EditorCanvas } from "./editor_canvas";
 import { STUD } from "./handle_hands";
+import { namesOf } from "./handles";
 import { HEAD, type NeedleMarks, type NeedleState } from "./needle_marks";
 import { spacing } from "./needles";
 import type { Lines, Painter } from "./painter";
+import type { Triple } from "./triples";
 
 const EDGE = [1, 1, 1, 0.16];
 const MUSCLE = [0.93, 0.36, 0.3, 0.9];
@@ -21,6 +23,8 @@ export class Overlay {
   private readonly layer: HTMLElement;
   private readonly names: HTMLElement[] = [];
   private readonly rubber: HTMLElement;
+  /** The name of the handle under the pointer. */
+  private readonly tip: HTMLElement;
   private wires: Lines | undefined;
   private muscles: Lines | undefined;
   private pulled = "";
@@ -40,6 +44,17 @@ export class Overlay {
       position: "absolute",
       border: "1px solid #ffc66d",
       background: "#ffc66d22",
+      display: "none",
+    });
+    this.tip = this.layer.appendChild(document.createElement("div"));
+    Object.assign(this.tip.style, {
+      position: "absolute",
+      padding: "1px 7px",
+      borderRadius: "4px",
+      font: "400 12px/18px system-ui, sans-serif",
+      color: "#f4f6f8",
+      background: "#000c",
+      whiteSpace: "nowrap",
       display: "none",
     });
     canvas.after(this.layer);
@@ -88,10 +103,28 @@ export class Overlay {
   /** The handles of a face under work. */
   private drawHandles(block: number, camera: Camera): void {
     const { handles, sitting, aspect } = this.stage;
-    if (!sitting || handles?.handles === undefined) return;
-    const outward = handles.studs().map((stud) => stud.outward);
-    this.marks.set(handles.handles.rows, handles.states(), undefined, outward);
+    const shown = sitting ? handles?.handles : undefined;
+    if (handles === undefined || shown === undefined) {
+      this.tell(undefined, "");
+      return;
+    }
+    const studs = handles.studs();
+    const outward = studs.map((stud) => stud.outward);
+    this.marks.set(shown.rows, handles.states(), undefined, outward);
     this.marks.draw(block, camera, STUD, aspect.ratio);
+    const under = studs[handles.hovered];
+    this.tell(under && camera.project(under.head), under === undefined ? "" : namesOf(shown, [handles.hovered]));
+  }
+
+  /** Puts a name beside a place of the canvas, pixels; nothing: no name. */
+  private tell(at: Readonly<Triple> | undefined, name: string): void {
+    const { style } = this.tip;
+    if (name === "" || at === undefined) {
+      if (style.display !== "none") style.display = "none";
+      return;
+    }
+    this.tip.textContent = name;
+    Object.assign(style, { display: "block", left: `${at[0] + 12}px`, top: `${at[1] - 26}px` });
   }
 
   /** Puts names and rubber band where they belong. */

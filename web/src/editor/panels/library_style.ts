@@ -110,6 +110,11 @@ export const style = css`
   .item.open .acts {
     opacity: 1;
   }
+  @media (max-width: 1180px) {
+    .acts .icon {
+      min-width: 22px;
+    }
+  }
   @media (pointer: coarse) {
     .acts {
       position: static;
@@ -149,5 +154,10 @@ export const style = css`
     overflow-wrap: anywhere;
     background: var(--raised);
     color: var(--text);
+  }
+  @media (max-width: 1180px) and (min-width: 941px) {
+    .tiles {
+      grid-template-columns: repeat(3, minmax(0, 1fr));
+    }
   }
 `;
