@@ -115,12 +115,65 @@ def test_an_expression_kept_from_a_mix_and_channels_is_worn_by_the_dog(console: 
 
 def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> None:
     page = console()
-    page.locator("body").press("n")
-    expect(page.locator(".notice")).to_contain_text("Kept as On air")
-    link = page.locator(".notice a")
-    expect(link).to_have_attribute("href", "/editor")
-    page.locator("body").press("m")
-    expect(page.locator(".notice")).to_contain_text("Kept as On air")
+    for key, kind, of in (("n", "face", "faces"), ("m", "expression", "expressions")):
+        known = page.evaluate(f"{DESK}.{of}.map(({{ name }}) => name)")
+        page.locator("body").press(key)
+        wait_for(page, f"desk.{of}.length === {len(known) + 1}")
+        (name,) = set(page.evaluate(f"{DESK}.{of}.map(({{ name }}) => name)")) - set(known)
+        expect(page.locator(".notice a")).to_have_attribute("href", f"/editor?kind={kind}&name={name}")
+    with page.context.expect_page() as opened:
+        page.locator(".notice a").click()
+    until(opened.value, f"document.querySelector('omote-editor').rig.bench.item?.name === {name!r}")
+    expect(page.locator(".notice")).to_contain_text("under Own")
+
+
+def test_the_pencil_of_an_own_thing_opens_it_and_calls_nothing(console: Console) -> None:
+    page = console()
+    kept = keep(page, "face")
+    pencil = page.get_by_label(f"Edit {kept['label']}", exact=True)
+    box = pencil.bounding_box()
+    assert box is not None
+    assert min(box["width"], box["height"]) >= 24  # WCAG 2.2, 2.5.8
+    with page.context.expect_page() as opened:
+        pencil.focus()
+        pencil.press("Enter")
+    until(opened.value, f"document.querySelector('omote-editor').rig.bench.item?.name === {kept['name']!r}")
+    pencil.click()  # in the same tab
+    assert len(page.context.pages) == 2
+    assert page.evaluate(f"{DESK}.state.face_call") is None
+    assert page.evaluate(f"{DESK}.state.faces") == {"generic": 1}
+
+
+def test_own_faces_are_at_hand_and_hot_keys_stay_where_they_are(console: Console) -> None:
+    page = console()
+    kept = keep(page, "face")
+    page.get_by_role("button", name="Own", exact=True).click()
+    expect(tile(page, kept["name"])).to_be_in_viewport()
+    expect(tile(page, "dog")).to_have_count(0)
+    choose(page, "face", "0")
+    page.locator("body").press("2")
+    wait_for(page, "state.faces.kaori === 1")
+    page.get_by_role("button", name="Own", exact=True).click()
+    expect(tile(page, "kaori").locator(".key")).to_have_text("2")
+
+
+def test_a_fresh_console_asks_for_nothing_that_is_not_there(open_page: OpenPage) -> None:
+    page = open_page("/console?layout=new")
+    answers: list[int] = []
+    page.on("response", lambda answer: answers.append(answer.status))
+    page.reload()
+    wait_for(page, "desk.online && desk.faces.length > 0")
+    assert 204 in answers
+    assert [status for status in answers if status >= 400] == []
+
+
+@pytest.mark.parametrize(("width", "height"), [(1024, 768), (1440, 900)])
+def test_no_word_of_the_console_is_cut_off(open_page: OpenPage, width: int, height: int) -> None:
+    page = open_page("/console", width=width, height=height)
+    wait_for(page, "desk.online && desk.faces.length > 0")
+    for part in ("omote-timing", "omote-mix header", "omote-lights", "omote-palette header"):
+        for button in page.locator(f"{part} button").all():
+            assert button.evaluate("button => button.scrollWidth <= button.clientWidth"), button.inner_text()
 
 
 def test_own_things_are_found_by_word_and_named_apart(console: Console) -> None:

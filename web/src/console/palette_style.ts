@@ -116,18 +116,21 @@ export const style = css`
     place-content: center;
     width: 28px;
     height: 28px;
-    font-size: 14px;
+    font-size: 12px;
     color: var(--text);
     text-decoration: none;
-    text-shadow: 0 0 3px #000;
-    border-radius: 5px;
-    background: #0008;
     touch-action: manipulation;
   }
+  .edit span {
+    width: 20px;
+    line-height: 20px;
+    text-align: center;
+    border-radius: 50%;
+    background: #000a;
+  }
   @media (hover: hover) {
-    .edit:hover {
+    .edit:hover span {
       color: #000;
-      text-shadow: none;
       background: var(--hand);
     }
   }

@@ -28,18 +28,14 @@ export class TimingRow extends RigElement {
       }
       button,
       input {
-        flex: 1 1 0;
+        flex: 1 0 auto;
         min-width: 0;
-        padding: 0 1px;
+        padding: 0 2px;
         font-size: 12px;
-      }
-      button.hand,
-      button.cut {
-        flex: 1.4 0 auto;
       }
       input {
         width: 0;
-        flex: 1.2 1 0;
+        flex: 1.2 1 14px;
         font: inherit;
         font-size: 12px;
         color: var(--text);
@@ -100,7 +96,6 @@ export class TimingRow extends RigElement {
         ${CHOICES.map(
           (choice) => html`<button
             role="radio"
-            class=${choice === 0 ? "cut" : ""}
             data-seconds=${choice}
             aria-checked=${seconds === choice}
             @click=${() => this.#choose(choice)}
@@ -116,7 +111,7 @@ export class TimingRow extends RigElement {
           .value=${free ? secondsLabel(seconds) : ""}
           @change=${this.#type}
         />
-        <button class="hand" role="radio" aria-checked=${seconds === null} data-seconds="hand" title="By hand: the T-bar moves it" @click=${() => this.#choose(null)}>
+        <button role="radio" aria-checked=${seconds === null} data-seconds="hand" title="By hand: the T-bar moves it" @click=${() => this.#choose(null)}>
           hand
         </button>
       </div>
