@@ -439,10 +439,10 @@ def test_mirror_moves_the_muscles_of_both_sides(editor: Editor) -> None:
 
 def test_an_own_face_has_a_picture_as_soon_as_it_is_saved(editor: Editor) -> None:
     page = editor()
-    page.locator("[data-kind=face]").click()
     page.evaluate(f"""() => {BENCH}.ask(
         {{type: "create_face", label: "Pictured", base: {{goblin: 1}}, on_air: false}}).then(() => null)""")
-    wait_for(page, SETTLED.replace("&& canvas.settled()", "&& bench.face !== null"))
+    wait_for(page, "bench.item?.label === 'Pictured' && bench.face !== null")
+    expect(page.locator("[data-kind=face]")).to_have_attribute("aria-selected", "true")
     save(page)
     source = bench(page, "item.content")
     canvas = page.locator(f"omote-library canvas[data-source='{source}']").first

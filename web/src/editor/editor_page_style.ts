@@ -90,6 +90,9 @@ export const style = css`
     :host {
       grid-template-columns: 196px minmax(420px, 1fr) 262px;
     }
+    .hint {
+      min-height: 46px; /* two lines, so that no tool makes the faces jump */
+    }
   }
   @media (max-width: 940px) {
     .side {

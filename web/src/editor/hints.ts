@@ -5,7 +5,7 @@ import type { Options, Tool, Workbench } from "./workbench";
 /** For each tool what a mouse does, and what a finger does. */
 const TOOLS: Readonly<Record<Tool, readonly [string, string]>> = {
   drag: [
-    "Drag a white pin (a needle): the skin under it follows, and so do all other faces. Shift and click for several, Alt to pull off the skin, arrow keys nudge.",
+    "Drag a white pin (a needle): the skin and all other faces follow. Shift and click: several. Alt: off the skin. Arrow keys: nudge.",
     "Drag a white pin (a needle): the skin under it follows, and so do all other faces. Pull takes it off the skin.",
   ],
   pull: [

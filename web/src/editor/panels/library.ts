@@ -38,6 +38,7 @@ export class LibraryPanel extends BenchElement {
   readonly #sight = new Set<Element>();
   #watch: IntersectionObserver | null = null;
   #carried: ItemDocument | null = null;
+  #open = -1;
 
   static override styles = [base, controls, style];
 
@@ -66,6 +67,13 @@ export class LibraryPanel extends BenchElement {
 
   get #own(): ItemDocument[] {
     return ordered(this.bench.items, this.kind).filter((item) => item.deleted === this.deleted);
+  }
+
+  /** The list shows where the item is that has just been opened. */
+  override willUpdate(): void {
+    const { item } = this.bench;
+    if (item === null || item.id === this.#open) return;
+    [this.#open, this.kind] = [item.id, item.kind];
   }
 
   override render() {
