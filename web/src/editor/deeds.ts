@@ -134,10 +134,17 @@ export function normalised(mix: FaceRecipe["base"]): FaceRecipe["base"] {
 
 type Description = Partial<Pick<ItemDocument, "label" | "tags" | "place">>;
 
-export function describe(bench: Workbench, item: ItemDocument, change: Description): void {
-  const { label, tags, place } = { ...item, ...change };
-  if (label !== item.label) bench.clear("done"); // good news that calls it by its old name
-  void bench.ask({ type: "describe", item: item.id, label, tags, place });
+/** Shown at once, so that what is typed next is not built on what was before; a refusal takes it back. */
+export async function describe(bench: Workbench, { id }: ItemDocument, change: Description): Promise<void> {
+  const before = bench.items.find((item) => item.id === id);
+  if (before === undefined) return;
+  const put = (now: Description): void =>
+    bench.setItems(bench.items.map((item) => (item.id === id ? { ...item, ...now } : item)));
+  const { label, tags, place } = { ...before, ...change };
+  if (label !== before.label) bench.clear("done"); // good news that calls it by its old name
+  put(change);
+  const answer = await bench.ask({ type: "describe", item: id, label, tags, place });
+  if (answer === null) put({ label: before.label, tags: before.tags, place: before.place });
 }
 
 export const duplicate = (bench: Workbench, { id, label }: ItemDocument): void =>

@@ -42,7 +42,7 @@ export class Heading extends BenchElement {
       <input class="label" aria-label="Name" title="Rename" maxlength="64" .value=${item.label}
         @change=${(event: Event) => this.#relabel(item, textOf(event))} />
       <input class="tags" aria-label="Tags" placeholder="tags" title="Tags to find it by, with commas between them" .value=${item.tags.join(", ")}
-        @change=${(event: Event) => describe(bench, item, { tags: tagsOf(textOf(event)) })} />
+        @change=${(event: Event) => void describe(bench, item, { tags: tagsOf(textOf(event)) })} />
       ${others.length === 0 ? nothing : html`<span class="others" role="status">${others.join(", ")} ${others.length === 1 ? "is" : "are"} at it too</span>`}
       <span class="grow"></span>
       ${this.#steps(draft.undo, draft.redo, draft.what)}
@@ -73,7 +73,7 @@ export class Heading extends BenchElement {
 
   #relabel(item: ItemDocument, label: string): void {
     if (label.trim() === "") this.requestUpdate();
-    else describe(this.bench, item, { label: label.trim() });
+    else void describe(this.bench, item, { label: label.trim() });
   }
 
   readonly #rename = (event: Event): void => {

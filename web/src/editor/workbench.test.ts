@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { DraftState, ItemDocument, NetDocument, Recipe } from "../link/editing";
-import { create, matches, normalised, placeAt, redo, remove, save, undo } from "./deeds";
+import { create, matches, normalised, placeAt, redo, remove, describe as rename, save, undo } from "./deeds";
 import { flat, REST, split, type Vector } from "./net";
 import type { Answer, Request } from "./requests";
 import { Workbench } from "./workbench";
@@ -258,6 +258,19 @@ describe("items", () => {
     expect(bench.draft).toBeNull();
     bench.notices[0]?.actions[0]?.act();
     expect(script.asked[1]?.request).toEqual({ type: "restore", item: 1 });
+  });
+
+  it("keep a new name under what is typed next, and take it back where it is refused", async () => {
+    bench.setItems([item(1)]);
+    void rename(bench, item(1), { label: "Grumpy" });
+    void rename(bench, item(1), { tags: ["act two"] }); // as a panel knows it that has not been drawn again
+    expect(script.asked[1]?.request).toMatchObject({ label: "Grumpy", tags: ["act two"] });
+    bench.setItems([item(1)]);
+    const refused = rename(bench, item(1), { label: "Taken" });
+    expect(bench.items[0]?.label).toBe("Taken");
+    await script.refuse(2, "Taken is taken.");
+    await refused;
+    expect(bench.items[0]?.label).toBe("Item 1");
   });
 
   it("are put between their new neighbours", () => {

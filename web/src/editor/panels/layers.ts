@@ -52,8 +52,16 @@ export class Layers extends BenchElement {
     );
     const add = (source: string): void => {
       if (source === "") return;
-      const layer = { source, label: labelOf(sources, source), weight: 1, region: null, mirrored: false };
-      this.bench.setLayers([...this.#layers, layer]);
+      const label = labelOf(sources, source);
+      if (this.#layers.some((one) => one.source === source && one.region === null && !one.mirrored)) {
+        this.bench.say(
+          `"${label}" is a layer already, on the whole face: give that one more weight, or a region of its own.`,
+        );
+        return;
+      }
+      this.bench.setLayers([...this.#layers, { source, label, weight: 1, region: null, mirrored: false }]);
+      if (source === own)
+        this.bench.say(`"${label}" now counts twice: as a layer and as the needles here. Give the layer less weight.`);
     };
     return html`
       <p>Expressions that lie under your needles and add up: the brow of one, the mouth of another.</p>

@@ -163,7 +163,7 @@ export class LibraryPanel extends BenchElement {
     const name = (event: Event): void => {
       const label = textOf(event).trim();
       this.naming = -1;
-      if (label !== "" && label !== item.label) describe(this.bench, item, { label });
+      if (label !== "" && label !== item.label) void describe(this.bench, item, { label });
     };
     return html`<input class="naming" aria-label="New name of ${item.label}" maxlength="64" .value=${item.label}
       @change=${name} @blur=${name} @keydown=${(event: KeyboardEvent) => {
@@ -214,7 +214,7 @@ export class LibraryPanel extends BenchElement {
 
   #put(item: ItemDocument, at: number): void {
     const others = this.#own.filter(({ id }) => id !== item.id);
-    describe(this.bench, item, { place: placeAt(others, at) });
+    void describe(this.bench, item, { place: placeAt(others, at) });
   }
 
   #beginnings() {

@@ -98,7 +98,7 @@ export class FaceRecipePanel extends BenchElement {
     const reset = (places: readonly number[]): void =>
       this.#set({ moves: moves.map((move, at) => (places.includes(at) ? [0, 0, 0] : move)) }, "handles back at rest");
     return html`<h2>Handles</h2>
-      <p class="note">${moved.length === 0 ? "None moved yet: drag one on the face. " : nothing}Alt drags to and fro, along your view.</p>
+      <p class="note">${moved.length === 0 ? "None moved yet: drag one on the face. " : nothing}With Alt held it goes to and fro, along your view.</p>
       <ul>${moved.map(
         (at) => html`<li class="row">
           <button class="grow" aria-pressed=${this.bench.selection.has(at)} title="Choose it"
