@@ -11,6 +11,8 @@ import pytest
 from numpy.typing import NDArray
 from playwright.sync_api import Page
 
+import omote
+
 OpenPage = Callable[..., Page]
 Floats = NDArray[np.float64]
 
@@ -21,6 +23,12 @@ TOLERANCE = 1e-6
 """Metres between what the GPU and the page compute in single precision."""
 REACH = 5e-5
 """Metres within which a dragged point lies where it was put."""
+LIPS = next(line for line in omote.load_cast().space.lines if line.kind == "lips")
+CORNER = int(LIPS.loop[omote.load_cast().space.points[LIPS.loop, 0].argmax()])
+BESIDE = 2590
+"""A vertex of the upper lip, 6 mm from that left corner, on which a control point stands."""
+CLOSED = 5e-4
+"""Metres by which closed lips may go apart."""
 
 
 def wait_for(page: Page, condition: str, seconds: float = 60) -> None:
@@ -124,6 +132,26 @@ def test_all_faces_follow_while_a_needle_stays_under_the_pointer(editor: Page) -
     wait_for(editor, "!bench.dragging && probe.settled()")
     assert np.linalg.norm(on_gpu(editor, "generic")[needle["row"]] - goal) < REACH
     assert set(editor.evaluate("Object.keys(window.omoteEditor.counters().differences)")) == set(FACES)
+
+
+def opening(page: Page, face: str, before: Floats) -> float:
+    """How much farther a face's lips are apart than before (rows, 3), metres, where most."""
+    return float((LIPS.rungs(computed(page, face)) - LIPS.rungs(before))[:, 1].max())
+
+
+@pytest.mark.parametrize(("face", "row"), [("generic", CORNER), ("noh", CORNER), ("baby", CORNER), ("generic", BESIDE)])
+def test_one_drag_at_a_corner_of_the_mouth_is_a_crooked_smile_with_closed_lips(
+    editor: Page, face: str, row: int
+) -> None:
+    editor.evaluate(f"{BENCH}.setWork({face!r})")
+    wait_for(editor, f"bench.work === {face!r} && probe.settled()")
+    rest = computed(editor, face)
+    with held(editor, next(one for one in needles(editor) if one["row"] == row)) as (x, y):
+        lead(editor, x + 8, y - 14)
+        assert opening(editor, face, rest) < CLOSED
+    wait_for(editor, "!bench.dragging && probe.settled()")
+    assert np.linalg.norm(computed(editor, face)[row] - rest[row]) > 3e-3
+    assert opening(editor, face, rest) < CLOSED
 
 
 def test_escape_puts_everything_back(editor: Page) -> None:

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 import omote
+from omote.model.compose import composed
+from omote.model.compound import compound
 from omote.model.default_net import COUNT, default_net
 from omote.model.lines import chains
 from omote.model.mirror import mirror_rows
+from omote.model.recipe import Recipe
 from omote.model.regions import region_weights
 from omote.model.weave import woven
 from tests import synthetic
@@ -31,6 +35,27 @@ def test_every_lid_and_lip_has_its_corners_and_points_on_both_edges() -> None:
         assert {upper[0], upper[-1]} <= rows
         for chain in (upper, lower):
             assert len(rows & set(chain[1:-1].tolist())) >= (3 if line.kind == "lids" else 5)
+
+
+@pytest.mark.parametrize("name", ["generic", "kaori", "old", "child", "baby", "noh"])
+@pytest.mark.parametrize("way", [(0.0, 0.01, 0.0), (0.1, 0.007, 0.05), (0.1, 0.0, 0.0), (0.0, -0.01, 0.0)])
+def test_lips_whose_points_go_as_their_place_on_the_edge_says_stay_closed(
+    name: str, way: tuple[float, float, float]
+) -> None:
+    cast = omote.load_cast()
+    space, net = cast.space, default_net(cast.space)
+    line = next(line for line in space.lines if line.kind == "lips")
+    vectors, place = np.tile([0.0, 0.0, 1.0], (len(net), 1)), {row: at for at, row in enumerate(net)}
+    for chain in chains(space.points, line.loop):
+        steps = np.linalg.norm(np.diff(space.points[chain], axis=0), axis=1)
+        shares = np.append(0.0, np.cumsum(steps)) / steps.sum()
+        for row, share in zip(chain, shares, strict=True):
+            if int(row) in place:
+                vectors[place[int(row)]] += np.multiply(way, max(0.0, 2.0 * share - 1.0) ** 2)
+    worn = composed(space, Recipe(net, tuple((a, b, c) for a, b, c in vectors.tolist())), {})
+    face = cast.faces[name]
+    opening = line.rungs(compound(space, face, worn).astype(np.float64)) - line.rungs(face.positions.astype(np.float64))
+    assert opening[:, 1].max() < 5e-4
 
 
 def test_most_points_stand_where_expressions_move() -> None:
