@@ -51,7 +51,7 @@ def test_lips_whose_points_go_as_their_place_on_the_edge_says_stay_closed(
         shares = np.append(0.0, np.cumsum(steps)) / steps.sum()
         for row, share in zip(chain, shares, strict=True):
             if int(row) in place:
-                vectors[place[int(row)]] += np.multiply(way, max(0.0, 2.0 * share - 1.0) ** 2)
+                vectors[place[int(row)]] = np.add([0.0, 0.0, 1.0], np.multiply(way, max(0.0, 2.0 * share - 1.0) ** 2))
     worn = composed(space, Recipe(net, tuple((a, b, c) for a, b, c in vectors.tolist())), {})
     face = cast.faces[name]
     opening = line.rungs(compound(space, face, worn).astype(np.float64)) - line.rungs(face.positions.astype(np.float64))
