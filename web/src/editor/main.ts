@@ -33,10 +33,12 @@ function followCast(bench: Workbench): void {
 /** The address names the open item, so that a reload opens it again. */
 function followAddress(bench: Workbench): void {
   let asked = askedItem(location);
-  bench.listen("draft", () => {
+  const follow = (): void => {
     const { item } = bench;
     if (item !== null) history.replaceState(null, "", editorAddress(item.kind, item.name));
-  });
+  };
+  bench.listen("draft", follow);
+  bench.listen("items", follow); // the list tells of a new item only after its draft has come
   bench.listen("items", () => {
     const wanted = asked;
     if (wanted === null) return;
