@@ -52,6 +52,7 @@ COMMAND = (sys.executable, "-c", "from omote.cli import main; main()", "show")
 BENCH = "document.querySelector('omote-editor').rig.bench"
 READY = f"() => Boolean(window.omoteEditor && {BENCH}.online && {BENCH}.library)"
 BEGIN = f"""faces => {{
+    {BENCH}.setWork("generic"); // beside it all of them
     {BENCH}.setNeighbours(faces);
     return {BENCH}.ask({{type: "create_expression", label: "Benchmark", start: {{}}, on_air: false}}).then(() => null);
 }}"""

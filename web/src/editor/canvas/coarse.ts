@@ -100,7 +100,7 @@ function nearRows(positions: Float32Array, { lines: rows, around }: Fineness): (
 /** How coarse a skin is drawn, by the metres that a pixel covers from there on: cells of a few pixels. */
 export const FINENESS = [
   { from: 0.0008, around: 0.006, near: 0.0025, cell: 0.006 },
-  { from: 0.0015, around: 0.004, near: 0.0045, cell: 0.014 },
+  { from: 0.0015, around: 0.005, near: 0.004, cell: 0.012 },
 ] as const;
 
 /** The meshes as they are drawn where a face is shown smaller and smaller (`FINENESS`). */

@@ -7,19 +7,21 @@ import { drawsInSoftware } from "../../stage/machine";
 import { flat } from "../net";
 import type { Workbench } from "../workbench";
 import { Aspect } from "./aspect";
-import type { Box, Camera, ViewName } from "./camera";
+import type { Camera, ViewName } from "./camera";
 import { coarseMeshes } from "./coarse";
 import { Company, type Member } from "./company";
 import { Complexions } from "./complexion";
 import { ballFrames, ballsOf, gazeOf, shows } from "./eyes";
+import { fenced } from "./fence";
+import { Grounds } from "./grounds";
 import { HandleHands } from "./handle_hands";
 import { Hands } from "./hands";
 import { HEAD, NeedleMarks } from "./needle_marks";
 import { Overlay } from "./overlay";
 import { Pace } from "./pace";
-import { type Indices, Painter } from "./painter";
+import { Painter } from "./painter";
 import { exposeProbe } from "./probe";
-import { boxOf, Repaint } from "./repaint";
+import { boxOf, type Changed, Repaint, type Tile } from "./repaint";
 import { Sitters } from "./sitters";
 import { surfaceOf } from "./surface";
 
@@ -38,6 +40,7 @@ export class EditorCanvas {
   private anatomy: Anatomy | undefined;
   private stale = true;
   private repaint: Repaint | undefined;
+  private grounds: Grounds | undefined;
   private seen = "";
   private ended = false;
   private readonly gl: WebGL2RenderingContext;
@@ -128,6 +131,7 @@ export class EditorCanvas {
     this.sitters = new Sitters(this.company.crowd, complexions, this.anatomy, library.manifest.skin, side);
     this.painter = new Painter(gl, this.company.crowd, library.meshes, coarseMeshes(library.meshes, this.anatomy));
     this.repaint = new Repaint(this.painter);
+    this.grounds = new Grounds(gl);
     this.marks = new NeedleMarks(gl, this.painter);
     this.overlay = new Overlay(this, this.painter, this.marks);
     this.frames = ballFrames(this.anatomy);
@@ -225,30 +229,36 @@ export class EditorCanvas {
     if (bench.manifest === null) return;
     const members = this.members(company);
     const boxes = aspect.share(members.length - 1);
-    if (whole) painter.frame([0, 0, this.canvas.width, this.canvas.height], aspect.ground);
+    if (whole) painter.clear(aspect.ground);
     if (whole) this.repaint?.forget();
+    const tiles = members.flatMap((member, n) => this.tile(company, member, n, whole));
+    this.grounds?.lay(tiles.map(({ part, ground }) => ({ part: aspect.pixels(part), colour: ground })));
     const gaze = gazeOf(bench.look === null ? bench.recipe : null, bench.liveEyes, bench.manifest);
-    members.forEach((member, n) => {
-      if (member === undefined || member.block < 0) return;
-      const camera = aspect.camera(n, member.bounds);
-      const hovered = this.hands.over === n && n > 0;
-      const changed = this.sitting ? undefined : this.changed(company, member, n, camera);
-      const { part, only }: Changed = whole || changed === undefined ? { part: camera.box } : changed;
-      if (part.width === 0 || part.height === 0) return;
-      painter.frame(aspect.pixels(camera.box), hovered ? aspect.hovered : aspect.tile(n), aspect.pixels(part));
+    for (const { n, member, camera, part, only } of tiles) {
+      painter.frame(aspect.pixels(camera.box), aspect.pixels(part));
       const balls = ballsOf(this.frames, member.figure.base, gaze.angles).filter((ball) => shows(ball, camera, part));
       const { block, complexion, document } = member;
       painter.face({ block, complexion, look: document.look, balls, pupil: gaze.pupil }, camera, only?.());
       if (n === 0) this.overlay?.draw(block, camera);
-    });
+    }
     this.overlay?.place(
       members.map((member) => member?.document.label ?? "..."),
       boxes,
     );
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-    this.pace.frame(moved, () => this.finished(fence));
+    this.pace.frame(moved, fenced(gl));
     this.watch();
+  }
+
+  /** What of face `n` is drawn now; nothing when nothing of it is. */
+  private tile(company: Company, member: Member | undefined, n: number, whole: boolean): Tile[] {
+    if (member === undefined || member.block < 0) return [];
+    const { aspect } = this;
+    const camera = aspect.camera(n, member.bounds);
+    const changed = this.sitting ? undefined : this.changed(company, member, n, camera);
+    const { part, only }: Changed = whole || changed === undefined ? { part: camera.box } : changed;
+    if (part.width === 0 || part.height === 0) return [];
+    const ground = this.hands.over === n && n > 0 ? aspect.hovered : aspect.tile(n);
+    return [{ n, member, camera, part, only, ground }];
   }
 
   /** Draws on as soon as the machine is done, not only when the display asks next: what it is late by is not doubled. */
@@ -278,20 +288,6 @@ export class EditorCanvas {
       return this.sitters === undefined || this.sitters.all.length === 0 ? [undefined] : this.sitters.all;
     return [bench.work, ...bench.neighbours].map((name) => company.member(bench.sourceOf(name)));
   }
-
-  private finished(fence: WebGLSync | null): boolean {
-    const { gl } = this;
-    if (fence === null) return true;
-    if (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
-    gl.deleteSync(fence);
-    return true;
-  }
-}
-
-/** A part of a tile, and the triangles that show in it. */
-interface Changed {
-  part: Box;
-  only?: () => Indices;
 }
 
 const pullsOf = (recipe: NonNullable<Workbench["recipe"]>): Map<string, number> =>

@@ -81,15 +81,22 @@ export class Painter {
     this.balls = [this.buildBall(10, 18), this.buildBall(8, 14), this.buildBall(6, 12)];
   }
 
-  /** Begins a picture in `box` of the canvas, pixels from its lower left corner; only what lies in `part` changes. */
-  frame(box: PixelBox, ground: readonly [number, number, number], part = box): void {
+  /** Empties the whole canvas. */
+  clear(ground: readonly [number, number, number]): void {
+    const { gl } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.disable(gl.SCISSOR_TEST);
+    gl.clearColor(...ground, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  /** Draws from now on into `box` of the canvas, pixels from its lower left corner; only what lies in `part` changes. */
+  frame(box: PixelBox, part = box): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(...box);
     gl.scissor(...part);
     gl.enable(gl.SCISSOR_TEST);
-    gl.clearColor(...ground, 1);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
   /** What a face is drawn as with this camera: fine where it is large, coarse where it is small. */

@@ -1,6 +1,7 @@
 /** Which part of a face's picture must be drawn anew when a hand moves some of its rows: pixels are what drawing costs. */
 
 import type { Box, Camera } from "./camera";
+import type { Member } from "./company";
 import { ahead, cut, holds } from "./cut";
 import type { Figure } from "./figure";
 import type { Indices, Painter } from "./painter";
@@ -11,6 +12,20 @@ interface Cut {
   cover: Box;
   reach: number;
   indices: Indices;
+}
+
+/** A part of a tile, and the triangles that show in it. */
+export interface Changed {
+  part: Box;
+  only?: (() => Indices) | undefined;
+}
+
+/** A face in its tile, and what of it is drawn. */
+export interface Tile extends Changed {
+  n: number;
+  member: Member;
+  camera: Camera;
+  ground: readonly [number, number, number];
 }
 
 const NOWHERE: Box = { left: 0, top: 0, width: -1, height: -1 };
