@@ -123,7 +123,7 @@ def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> N
         expect(page.locator(".notice a")).to_have_attribute("href", f"/editor?kind={kind}&name={name}")
     with page.context.expect_page() as opened:
         page.locator(".notice a").click()
-    until(opened.value, f"document.querySelector('omote-editor').rig.bench.item?.name === {name!r}")
+    until(opened.value, f"document.querySelector('omote-editor')?.rig?.bench.item?.name === {name!r}")
     expect(page.locator(".notice")).to_contain_text("under Own")
 
 
@@ -137,7 +137,7 @@ def test_the_pencil_of_an_own_thing_opens_it_and_calls_nothing(console: Console)
     with page.context.expect_page() as opened:
         pencil.focus()
         pencil.press("Enter")
-    until(opened.value, f"document.querySelector('omote-editor').rig.bench.item?.name === {kept['name']!r}")
+    until(opened.value, f"document.querySelector('omote-editor')?.rig?.bench.item?.name === {kept['name']!r}")
     pencil.click()  # in the same tab
     assert len(page.context.pages) == 2
     assert page.evaluate(f"{DESK}.state.face_call") is None

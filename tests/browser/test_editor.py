@@ -142,6 +142,7 @@ def test_a_newcomer_makes_a_crooked_smile_with_what_the_page_says(editor: Editor
     page.get_by_role("button", name="Save").click()
     expect(notice(page)).to_contain_text("is now under Own")
     console = open_page("/console")
+    console.locator("[data-kind='own']").click()  # where the page said that it is
     tile = console.locator(".expressions .tile", has_text="Crooked smile")
     tile.click()
     name = tile.get_attribute("data-name")
