@@ -23,8 +23,6 @@ interface Frame {
 }
 
 const KEPT = 2000;
-/** Frames under way at most: while the machine draws one, the page works out the next. */
-const AHEAD = 1;
 
 export class Pace {
   drawn = 0;
@@ -32,11 +30,11 @@ export class Pace {
   readonly waits: number[] = [];
   private last: number | undefined;
   private touched: number | undefined;
-  private readonly drawing: Frame[] = [];
+  private drawing: Frame | undefined;
 
-  /** Whether the machine has enough to draw: another frame now would only queue up, and hands would wait for all. */
+  /** Whether the machine still draws: another frame now would only queue up, and hands would wait for both. */
   get busy(): boolean {
-    return this.drawing.length >= AHEAD;
+    return this.drawing !== undefined;
   }
 
   /** A hand moved something at this time (ms). */
@@ -46,7 +44,7 @@ export class Pace {
 
   /** A frame was given to the machine; `followed`: the other faces have moved in it; `done`: whether it is finished. */
   frame(followed: boolean, done: () => boolean): void {
-    this.drawing.push({ since: followed ? this.touched : undefined, done });
+    this.drawing = { since: followed ? this.touched : undefined, done };
     if (followed) this.touched = undefined;
   }
 
@@ -57,13 +55,13 @@ export class Pace {
 
   /** Looks at this time (ms) whether the frame is finished. */
   look(time: number): void {
-    while (this.drawing[0]?.done()) {
-      const { since } = this.drawing.shift() as Frame;
-      this.drawn += 1;
-      if (this.last !== undefined) push(this.intervals, time - this.last);
-      this.last = time;
-      if (since !== undefined) push(this.waits, time - since);
-    }
+    if (this.drawing === undefined || !this.drawing.done()) return;
+    const { since } = this.drawing;
+    this.drawing = undefined;
+    this.drawn += 1;
+    if (this.last !== undefined) push(this.intervals, time - this.last);
+    this.last = time;
+    if (since !== undefined) push(this.waits, time - since);
   }
 
   /** Frames in a second, of the last dozen. */
