@@ -8,6 +8,7 @@ from omote.edit.messages import EDITING_LIMIT, FromEditor, HandlesAsset, Tangent
 from omote.edit.work import Baked
 from omote.model.recipe import FaceRecipe, Recipe
 from omote.show.door import Refusal
+from omote.show.wire import message_in
 
 _encoder = msgspec.msgpack.Encoder()
 _from_editor: msgspec.msgpack.Decoder[FromEditor] = msgspec.msgpack.Decoder(FromEditor)
@@ -24,12 +25,7 @@ def encode(message: FromEditor | ToEditor | TangentsAsset | HandlesAsset | Baked
 
 def decode(data: bytes) -> FromEditor:
     """The editor's message in `data`; Refusal for bytes that are none."""
-    if len(data) > EDITING_LIMIT:
-        raise Refusal(f"the message has {len(data)} bytes, but at most {EDITING_LIMIT} are read.")
-    try:
-        return _from_editor.decode(data)
-    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError, OverflowError) as error:
-        raise Refusal(f"the message cannot be read: {str(error)[:200]}.") from error
+    return message_in(data, _from_editor, EDITING_LIMIT)
 
 
 def decode_answer(data: bytes) -> ToEditor:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from omote.show.door import Refusal
 from omote.show.messages import MESSAGE_LIMIT, FromClient, FromServer
+
+Said = TypeVar("Said")
 
 _encoder = msgspec.msgpack.Encoder()
 _from_client: msgspec.msgpack.Decoder[FromClient] = msgspec.msgpack.Decoder(FromClient)
@@ -21,10 +25,15 @@ def encode(message: msgspec.Struct) -> bytes:
 
 def decode(data: bytes) -> FromClient:
     """The client's message in `data`; Refusal for bytes that are none."""
-    if len(data) > MESSAGE_LIMIT:
-        raise Refusal(f"the message has {len(data)} bytes, but at most {MESSAGE_LIMIT} are read.")
+    return message_in(data, _from_client, MESSAGE_LIMIT)
+
+
+def message_in(data: bytes, decoder: msgspec.msgpack.Decoder[Said], limit: int) -> Said:
+    """What `decoder` reads in `data`; Refusal for more bytes than `limit`, and for bytes that are no message."""
+    if len(data) > limit:
+        raise Refusal(f"the message has {len(data)} bytes, but at most {limit} are read.")
     try:
-        return _from_client.decode(data)
+        return decoder.decode(data)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError, OverflowError) as error:
         raise Refusal(f"the message cannot be read: {str(error)[:200]}.") from error
 
