@@ -1,5 +1,6 @@
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
+import { curtain, keysPage } from "./dialog_style";
 import { RigElement } from "./element";
 import { HELP } from "./keys";
 import { base } from "./theme";
@@ -9,36 +10,11 @@ import { base } from "./theme";
 export class Help extends RigElement {
   static override styles = [
     base,
+    curtain,
+    keysPage,
     css`
       :host {
-        position: fixed;
         inset: 62px 0 0; /* panic stays in sight */
-        z-index: 9;
-        display: grid;
-        place-items: center;
-        background: #000c;
-        padding: 12px;
-      }
-      section {
-        max-width: 720px;
-        max-height: 100%;
-        overflow: auto;
-        padding: 18px 22px;
-      }
-      dl {
-        display: grid;
-        grid-template-columns: auto 1fr;
-        gap: 5px 16px;
-        margin: 12px 0;
-      }
-      dt {
-        white-space: nowrap;
-        font-weight: 700;
-        color: var(--hand);
-      }
-      dd {
-        margin: 0;
-        color: var(--dim);
       }
       p {
         margin: 8px 0;

@@ -1,5 +1,6 @@
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
+import { curtain, keysPage } from "../console/dialog_style";
 import { base } from "../console/theme";
 import { controls } from "./controls_style";
 import { BenchElement } from "./element";
@@ -11,37 +12,9 @@ export class EditorHelp extends BenchElement {
   static override styles = [
     base,
     controls,
+    curtain,
+    keysPage,
     css`
-      :host {
-        position: fixed;
-        inset: 0;
-        z-index: 9;
-        display: grid;
-        place-items: center;
-        background: #000c;
-        padding: 12px;
-      }
-      section {
-        max-width: 720px;
-        max-height: 100%;
-        overflow: auto;
-        padding: 18px 22px;
-      }
-      dl {
-        display: grid;
-        grid-template-columns: auto 1fr;
-        gap: 5px 16px;
-        margin: 12px 0;
-      }
-      dt {
-        white-space: nowrap;
-        font-weight: 700;
-        color: var(--hand);
-      }
-      dd {
-        margin: 0;
-        color: var(--dim);
-      }
       p {
         margin: 8px 0;
       }

@@ -1,5 +1,6 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, queryAll, state } from "lit/decorators.js";
+import { curtain } from "../../console/dialog_style";
 import { base } from "../../console/theme";
 import { controls } from "../controls_style";
 import { distances, drawShape, heat, largest, SKIN } from "../difference";
@@ -26,16 +27,8 @@ export class Comparison extends BenchElement {
   static override styles = [
     base,
     controls,
+    curtain,
     css`
-      :host {
-        position: fixed;
-        inset: 0;
-        z-index: 9;
-        display: grid;
-        place-items: center;
-        background: #000c;
-        padding: 12px;
-      }
       section {
         padding: 14px 16px;
         display: grid;

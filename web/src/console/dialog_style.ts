@@ -1,0 +1,39 @@
+import { css } from "lit";
+
+/** What lies over everything else: dark, with something in its middle. */
+export const curtain = css`
+  :host {
+    position: fixed;
+    inset: 0;
+    z-index: 9;
+    display: grid;
+    place-items: center;
+    background: #000c;
+    padding: 12px;
+  }
+`;
+
+/** A page of keys and what they do. */
+export const keysPage = css`
+  section {
+    max-width: 720px;
+    max-height: 100%;
+    overflow: auto;
+    padding: 18px 22px;
+  }
+  dl {
+    display: grid;
+    grid-template-columns: auto 1fr;
+    gap: 5px 16px;
+    margin: 12px 0;
+  }
+  dt {
+    white-space: nowrap;
+    font-weight: 700;
+    color: var(--hand);
+  }
+  dd {
+    margin: 0;
+    color: var(--dim);
+  }
+`;
