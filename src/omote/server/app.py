@@ -104,13 +104,10 @@ class ShowServer:
     async def link(self, request: web.Request) -> web.WebSocketResponse:
         """A browser's link, from its first byte to its last."""
         ws = LinkSocket(heartbeat=HEARTBEAT)
-        try:
-            await ws.prepare(request)
-        except ConnectionResetError:  # gone before it was let in
+        transport = await ws.let_in(request)
+        if transport is None:
             return ws
-        if request.transport is None:
-            return ws
-        link = self.links.open(ws, request.transport)
+        link = self.links.open(ws, transport)
         try:
             await self._listen(link)
         finally:

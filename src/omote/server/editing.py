@@ -96,13 +96,10 @@ class Editing:
         ws = LinkSocket(
             heartbeat=HEARTBEAT, limit=EDITING_LIMIT, refusal=lambda reason: encode(EditRefused(-1, reason))
         )
-        try:
-            await ws.prepare(request)
-        except ConnectionResetError:  # gone before it was let in
+        transport = await ws.let_in(request)
+        if transport is None:
             return ws
-        if request.transport is None:
-            return ws
-        page = Page(self.links.open(ws, request.transport))
+        page = Page(self.links.open(ws, transport))
         page.link.bucket = TokenBucket(HEARD_RATE, HEARD_BURST)
         self._pages[page.link.who] = page
         sending = self._begin(page.send_all())

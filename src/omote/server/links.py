@@ -47,6 +47,14 @@ class LinkSocket(web.WebSocketResponse):
         super().__init__(compress=False, max_msg_size=limit, heartbeat=heartbeat)
         self._limit, self._refusal = limit, refusal
 
+    async def let_in(self, request: web.Request) -> asyncio.Transport | None:
+        """Opens the link that a request asks for; None when the browser has gone before."""
+        try:
+            await self.prepare(request)
+        except ConnectionResetError:
+            return None
+        return request.transport
+
     async def close(self, *, code: int = WSCloseCode.OK, message: bytes = b"", drain: bool = True) -> bool:
         """Closes; aiohttp calls it when a message is over the limit."""
         if code == WSCloseCode.MESSAGE_TOO_BIG and not self.closed:
