@@ -63,7 +63,7 @@ def compound(space: ParameterSpace, face: Face, expression: Expression, /, weigh
 
     References
     ----------
-    K. Arai (1993), sections 2.2 and 2.4; docs/method.md, section 3.
+    K. Arai (1993), sections 2.2 and 2.4; docs/method.md, "The smooth map".
     """
     return worn(space, face, compile_expression(space, expression, weight))
 

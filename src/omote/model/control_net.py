@@ -58,7 +58,7 @@ class ControlNet:
 
     References
     ----------
-    K. Arai (1993), section 2.3; docs/method.md, section 4.
+    K. Arai (1993), section 2.3; docs/method.md, "Writing expressions".
     """
 
     space: ParameterSpace

@@ -48,7 +48,7 @@ class Expression:
 
     References
     ----------
-    K. Arai (1993), section 2.2: local deformation data; docs/method.md, section 2.
+    K. Arai (1993), section 2.2: local deformation data; docs/method.md, "Expressions".
     """
 
     dtheta: Values

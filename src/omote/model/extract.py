@@ -65,7 +65,7 @@ def extract(
 
     References
     ----------
-    K. Arai (1993), section 2.2, steps 1a to 1d; docs/method.md, section 3.
+    K. Arai (1993), section 2.2, steps 1a to 1d; docs/method.md, "The smooth map".
     """
     refuse_no_space(space)
     fit(space, face)

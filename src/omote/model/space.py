@@ -82,7 +82,7 @@ class ParameterSpace:
 
     References
     ----------
-    K. Arai (1993), section 2.1; docs/method.md, section 2.
+    K. Arai (1993), section 2.1; docs/method.md, "The parameter space".
     """
 
     points: NDArray[np.float64]
@@ -145,7 +145,7 @@ class ParameterSpace:
 
         References
         ----------
-        docs/method.md, section 2.
+        docs/method.md, "The parameter space".
         """
         _refuse_unknown(radius, RADIUS_RULES, "radius")
         _refuse_unknown(transfer, TRANSFERS, "transfer")

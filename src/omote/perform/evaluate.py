@@ -69,7 +69,7 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
 
     References
     ----------
-    K. Arai (1993), equation 3; docs/method.md, section 5.
+    K. Arai (1993), equation 3; docs/method.md, "The mix".
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
@@ -107,7 +107,7 @@ def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[st
 
     References
     ----------
-    docs/method.md, section 5.
+    docs/method.md, "The mix".
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)

@@ -42,7 +42,7 @@ class Performer:
 
     References
     ----------
-    docs/method.md, section 5; inertialised calls after D. Bollo (2018).
+    docs/method.md, "The mix"; inertialised calls after D. Bollo (2018).
     """
 
     def __init__(self, cast: Playable) -> None:
