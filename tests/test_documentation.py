@@ -21,7 +21,7 @@ from omote.cli import app
 from tools.website.pages import GENERATED, ROOT
 
 DOCS = ROOT / "docs"
-WRITTEN = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "examples" / "README.md", *sorted(DOCS.rglob("*.md"))]
+WRITTEN = [*sorted(ROOT.glob("*.md")), ROOT / "examples" / "README.md", *sorted(DOCS.rglob("*.md"))]
 FRAGMENT, RUNS = "<!-- fragment", "<!-- runs -->"
 TEACHING = [page for folder in ("tutorials", "howto") for page in sorted((DOCS / folder).glob("*.md"))]
 LARGEST_PICTURE = 200_000

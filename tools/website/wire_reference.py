@@ -51,8 +51,9 @@ def _group(title: str, structs: typing.Iterable[Struct]) -> list[str]:
 
 def section(struct: Struct) -> str:
     """One message: its tag, what it is for, and its fields."""
-    title = f"`{struct.__struct_config__.tag or struct.__name__}`"
-    if struct in editing.ANSWERS and struct.__name__ in {answer.__name__ for answer in show.SERVER_MESSAGES}:
+    tag = struct.__struct_config__.tag
+    title = f"`{tag or struct.__name__}`"
+    if struct in editing.ANSWERS and tag in {answer.__struct_config__.tag for answer in show.SERVER_MESSAGES}:
         title += " (editor)"  # both links have one of this name
     hints = typing.get_type_hints(struct, include_extras=True)
     rows = [f"| `{field.name}` | {_described(hints[field.name])} |" for field in msgspec.structs.fields(struct)]
