@@ -174,3 +174,14 @@ def test_links_between_pages_lead_somewhere() -> None:
     links = [(page, link) for page in PAGES for link in re.findall(r"\]\(([^)#\s]+)[^)]*\)", page.read_text())]
     local = [(page, link) for page, link in links if "://" not in link]
     assert [f"{page.name}: {link}" for page, link in local if not (page.parent / link).exists()] == []
+
+
+def test_decisions_are_numbered_dated_and_listed() -> None:
+    folder = ROOT / "docs" / "decisions"
+    pages = sorted(path for path in folder.glob("*.md") if path.name != "README.md")
+    titles = [path.read_text().splitlines()[0] for path in pages]
+    assert [path.name[:4] for path in pages] == [f"{n:04}" for n in range(1, len(pages) + 1)]
+    assert all(title.startswith(f"# {path.name[:4]} ") for title, path in zip(titles, pages, strict=True))
+    assert all(re.fullmatch(r"\d{4}-\d\d-\d\d", path.read_text().splitlines()[2]) for path in pages)
+    listed = re.findall(r"^\* \[(.+)\]\((.+)\)$", (folder / "README.md").read_text(), re.MULTILINE)
+    assert listed == [(title[2:], path.name) for title, path in zip(titles, pages, strict=True)]
