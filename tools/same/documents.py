@@ -5,21 +5,21 @@ from __future__ import annotations
 import msgspec
 
 from omote.builtin import load_cast, load_mask, load_meshes
-from omote.edit.wire import encode as encode_editing
-from omote.files.contents import unpack_expression, unpack_face
-from omote.files.glb import glb_bytes
-from omote.files.glbread import Piece, read_glb
-from omote.model.compose import composed
-from omote.model.default_net import default_net
-from omote.model.recipe import KEY, Recipe
-from omote.server.bench import Bench, CompoundOrder, FaceOrder, HandlesOrder, TangentsOrder
-from omote.show.assets import documents
-from omote.show.export import Workbench, chosen, exported, worn_meshes
-from omote.show.intake import face_in, taken
+from omote.edit.protocol.wire import encode as encode_editing
+from omote.showfile.contents import unpack_expression, unpack_face
+from omote.interchange.formats.glb_writer import glb_bytes
+from omote.interchange.formats.glb_reader import Piece, read_glb
+from omote.model.recipes.compose_expression import composed
+from omote.model.controls.default_net import default_net
+from omote.model.recipes.recipe import KEY, Recipe
+from omote.server.workers.order_worker import Bench, CompoundOrder, FaceOrder, HandlesOrder, TangentsOrder
+from omote.stage_data.assets import documents
+from omote.interchange.export_face import Workbench, chosen, exported, worn_meshes
+from omote.interchange.import_meshes import face_in, taken
 from omote.show.messages import ContentAsset
-from omote.show.posing import pose_of, posed
-from omote.show.sheet import Setting
-from omote.show.troupe import manifest_of
+from omote.stage_data.pose_parser import pose_of, posed
+from omote.stage_data.picture_grid import Setting
+from omote.stage_data.playing_cast import manifest_of
 from omote.show.wire import encode
 from tools.same.authoring import numbers_of
 from tools.same.recording import Recording

@@ -11,12 +11,12 @@ import numpy as np
 from omote.builtin import load_cast
 from omote.model.cast import Cast
 from omote.perform.frame import Frame
-from omote.server.bundle import read_bundle
-from omote.server.chromium import open_chromium
-from omote.server.devtools import DevTools
-from omote.server.library import built_in
-from omote.server.studio import OPENED, OPENING, open_house, query
-from omote.show.sheet import Setting
+from omote.server.http.static_pages import read_bundle
+from omote.server.headless.chromium import open_chromium
+from omote.server.headless.devtools import DevTools
+from omote.server.http.cast_documents import built_in
+from omote.server.headless.picture_studio import OPENED, OPENING, open_house, query
+from omote.stage_data.picture_grid import Setting
 from omote.show.state import state_of
 from tools.browser import SENTENCE, find_browser
 from tools.same.compounds import SEED, pool, random_frame
