@@ -7,28 +7,28 @@ from itertools import product
 import numpy as np
 
 from omote.builtin import load_cast
-from omote.interchange.formats.sculpt_toml import read_sculpt
 from omote.geometry.mesh import normals
+from omote.interchange.formats.sculpt_toml import read_sculpt
 from omote.model.cast import Cast
-from omote.model.recipes.compose_expression import composed, renetted
-from omote.model.recipes.compose_face import Dressed, composed_face
-from omote.model.transfer.compound import compound, compound_parts
 from omote.model.controls.control_net import ControlNet
 from omote.model.controls.default_net import default_net
-from omote.model.space.expression import Expression
-from omote.model.transfer.extract import extract
-from omote.model.space.face import Face
-from omote.model.hair import carried
-from omote.model.recipes.face_handles import default_handles, dragged, handle_basis
-from omote.model.controls.mirror import mirrored
 from omote.model.controls.face_muscles import muscle_fields
+from omote.model.controls.inverse_solve import solved
+from omote.model.controls.mirror import mirrored
+from omote.model.controls.net_field import woven
+from omote.model.controls.tangents import tangents
+from omote.model.hair import carried
+from omote.model.recipes.compose_expression import composed, renetted
+from omote.model.recipes.compose_face import Dressed, composed_face
+from omote.model.recipes.face_handles import default_handles, dragged, handle_basis
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
 from omote.model.sculpting.regions import REGIONS, caricature, region_weights, regional
 from omote.model.sculpting.sculpt import sculpted
-from omote.model.controls.inverse_solve import solved
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.controls.tangents import tangents
-from omote.model.controls.net_field import woven
+from omote.model.transfer.compound import compound, compound_parts
+from omote.model.transfer.extract import extract
 from tools.baking.sculpts import sculpt_paths
 from tools.same.compounds import SEED, cast_under
 from tools.same.recording import Numbers, Recording

@@ -10,10 +10,10 @@ import numpy as np
 
 from omote.builtin import load_cast
 from omote.model.cast import Cast
-from omote.model.transfer.compound import compound, compound_parts, turned_eyes
 from omote.model.space.face_fit import fit
-from omote.model.transfer.corrective_regions import settling_of
 from omote.model.space.parameter_space import ParameterSpace, Transfer
+from omote.model.transfer.compound import compound, compound_parts, turned_eyes
+from omote.model.transfer.corrective_regions import settling_of
 from omote.perform.blending.compound_cache import compounds_of
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.frame import Frame, Gaze, Head

@@ -6,21 +6,21 @@ import msgspec
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.edit.protocol.wire import encode as encode_editing
-from omote.showfile.contents import unpack_expression, unpack_face
-from omote.interchange.formats.glb_writer import glb_bytes
+from omote.interchange.export_face import Workbench, chosen, exported, worn_meshes
 from omote.interchange.formats.glb_reader import Piece, read_glb
-from omote.model.recipes.compose_expression import composed
+from omote.interchange.formats.glb_writer import glb_bytes
+from omote.interchange.import_meshes import face_in, taken
 from omote.model.controls.default_net import default_net
+from omote.model.recipes.compose_expression import composed
 from omote.model.recipes.recipe import KEY, Recipe
 from omote.server.workers.order_worker import Bench, CompoundOrder, FaceOrder, HandlesOrder, TangentsOrder
-from omote.stage_data.assets import documents
-from omote.interchange.export_face import Workbench, chosen, exported, worn_meshes
-from omote.interchange.import_meshes import face_in, taken
 from omote.show.messages import ContentAsset
-from omote.stage_data.pose_parser import pose_of, posed
+from omote.show.wire import encode
+from omote.showfile.contents import unpack_expression, unpack_face
+from omote.stage_data.assets import documents
 from omote.stage_data.picture_grid import Setting
 from omote.stage_data.playing_cast import manifest_of
-from omote.show.wire import encode
+from omote.stage_data.pose_parser import pose_of, posed
 from tools.same.authoring import numbers_of
 from tools.same.recording import Recording
 from tools.same.show_link import own_contents, own_troupe

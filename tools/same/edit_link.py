@@ -13,21 +13,21 @@ import msgspec
 import numpy as np
 
 from omote.builtin import load_cast
-from omote.edit.protocol import messages as wire
-from omote.edit.store.import_items import Arrival, adopted, mail_of, mailed, opened
 from omote.edit.compute.order_runner import Craft
 from omote.edit.compute.welcome import greeting
-from omote.edit.store.on_air_recipes import OnAir
-from omote.edit.session.edit_session import EditSession, Outcome
-from omote.edit.protocol.wire import encode
+from omote.edit.protocol import messages as wire
 from omote.edit.protocol.orders import EditOrder
-from omote.showfile.changes import PutLayout
+from omote.edit.protocol.wire import encode
+from omote.edit.session.edit_session import EditSession, Outcome
+from omote.edit.store.import_items import Arrival, adopted, mail_of, mailed, opened
+from omote.edit.store.on_air_recipes import OnAir
 from omote.interchange.formats.expression_json import encode as expression_bytes
-from omote.showfile.inspection import verdicts
-from omote.showfile.show_file import ShowFile, open_show
 from omote.model.cast import Cast
 from omote.model.controls.default_net import default_net
 from omote.model.recipes.recipe import Recipe
+from omote.showfile.changes import PutLayout
+from omote.showfile.inspection import verdicts
+from omote.showfile.show_file import ShowFile, open_show
 from omote.stage_data.playing_cast import troupe_of
 from tools.same.compounds import SEED
 from tools.same.edit_script import Script

@@ -11,15 +11,15 @@ import msgspec
 import numpy as np
 
 from omote.builtin import load_cast
-from omote.showfile.contents import content_key, pack_expression, pack_face
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
-from omote.perform.performer import Performer
 from omote.perform.easing import EASINGS
+from omote.perform.performer import Performer
 from omote.show import messages as wire
 from omote.show.session import Outgoing, ShowSession
-from omote.stage_data.playing_cast import Own, Troupe, troupe_of
 from omote.show.wire import encode
+from omote.showfile.contents import content_key, pack_expression, pack_face
+from omote.stage_data.playing_cast import Own, Troupe, troupe_of
 from tools.same.compounds import SEED
 from tools.same.recording import Recording
 

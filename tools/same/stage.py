@@ -11,13 +11,13 @@ import numpy as np
 from omote.builtin import load_cast
 from omote.model.cast import Cast
 from omote.perform.frame import Frame
-from omote.server.http.static_pages import read_bundle
 from omote.server.headless.chromium import open_chromium
 from omote.server.headless.devtools import DevTools
-from omote.server.http.cast_documents import built_in
 from omote.server.headless.picture_studio import OPENED, OPENING, open_house, query
-from omote.stage_data.picture_grid import Setting
+from omote.server.http.cast_documents import built_in
+from omote.server.http.static_pages import read_bundle
 from omote.show.state import state_of
+from omote.stage_data.picture_grid import Setting
 from tools.browser import SENTENCE, find_browser
 from tools.same.compounds import SEED, pool, random_frame
 from tools.same.recording import Numbers, Recording
