@@ -19,7 +19,7 @@ Indices = NDArray[np.int32]
 
 
 @dataclass(frozen=True, eq=False)
-class Bag:
+class MouthBag:
     """The mouth bag of a space, seams welded.
 
     vertices (m,); triangles (t, 3) of the mesh that touch it; rows (n,): the row in `vertices` of each inner vertex, or
@@ -31,26 +31,26 @@ class Bag:
     vertices: Indices
     triangles: Indices
     rows: Indices
-    away: Values
-    around: NDArray[np.int64]
+    distance: Values
+    neighbours: NDArray[np.int64]
     starts: Indices
-    over: Indices
+    region: Indices
 
 
 # The bag is behind skin that is no farther from it than this, metres.
 REACH = 0.03
 
-_bags: WeakKeyDictionary[ParameterSpace, tuple[Bag, ...]] = WeakKeyDictionary()
+_bags: WeakKeyDictionary[ParameterSpace, tuple[MouthBag, ...]] = WeakKeyDictionary()
 
 
-def bag_of(space: ParameterSpace, /) -> Bag | None:
+def find_mouth_bag(space: ParameterSpace, /) -> MouthBag | None:
     """The mouth bag of a space, remembered as long as it lives; None where no lips are named or none is behind."""
     if space not in _bags:
-        _bags[space] = tuple(_found(space))
+        _bags[space] = tuple(_search(space))
     return next(iter(_bags[space]), None)
 
 
-def _found(space: ParameterSpace) -> Sequence[Bag]:
+def _search(space: ParameterSpace) -> Sequence[MouthBag]:
     lips = next((line.loop for line in space.lines if line.kind == "lips"), None)
     corners = space.welded[space.triangles]
     vertices = np.zeros(0, np.int32) if lips is None else _behind(corners, ~space.on_sheet, lips)
@@ -60,10 +60,10 @@ def _found(space: ParameterSpace) -> Sequence[Bag]:
     place = np.full(space.vertex_count, -1, np.int32)
     place[vertices] = np.arange(len(vertices), dtype=np.int32)
     rows = place[space.welded[space.inner.vertices]]
-    away, around = _from_skin(space, triangles, vertices), _around(triangles, place, len(vertices))
+    distance, neighbours = _from_skin(space, triangles, vertices), _around(triangles, place, len(vertices))
     near, _ = cKDTree(space.points[vertices]).query(space.points)
-    over = np.flatnonzero(near < REACH).astype(np.int32)
-    return (Bag(vertices, triangles, rows, away, around, _outside(space, vertices), over),)
+    region = np.flatnonzero(near < REACH).astype(np.int32)
+    return (MouthBag(vertices, triangles, rows, distance, neighbours, _outside(space, vertices), region),)
 
 
 def _behind(corners: Indices, inner: NDArray[np.bool_], lips: Indices) -> Indices:
