@@ -37,7 +37,7 @@ def plain(source: Source, face: Face) -> Map:
 
 
 def smooth(source: Source, face: Face) -> Map:
-    """Ours: contact kept, nothing folded (method.md, section 3, the recipe)."""
+    """Ours: contact kept, nothing folded (docs/method.md, "The smooth map")."""
     prepare_smooth_map(source.space, face)
     return lambda unit: apply_expression(source.space, face, source.compiled[unit]).astype(np.float64)
 

@@ -1,4 +1,4 @@
-"""What sums need to know of the skin around eyes and mouth."""
+"""What correctives need to know of the skin around eyes and mouth."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Unfolding: a triangle turned over comes back, what is good stays."""
+"""Fold repair: a triangle turned over comes back, what is good stays."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sums of compounds neither fold nor pierce where each alone does not; one alone is never changed."""
+"""Combinations of compounds neither fold nor pierce where each alone does not; one alone is never changed."""
 
 import numpy as np
 import pytest
@@ -108,7 +108,7 @@ def test_the_rest_of_the_head_never_moves() -> None:
     assert mixed[others] == pytest.approx(summed("kaori", *names)[others], abs=1e-6)
 
 
-def test_lashes_go_with_the_lids_that_settled() -> None:
+def test_lashes_go_with_the_lids_that_are_corrected() -> None:
     paper = Frame({"kaori": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(LIDS, 1.0))
     lashes = evaluate_parts(CAST, paper)["lashes"]
     part, skin = CAST.space.parts["lashes"], evaluate(CAST, paper)
@@ -135,7 +135,7 @@ def test_lids_leave_the_eyeball_where_the_cornea_bulges(sign: float) -> None:
     assert np.median(distance[before < balls.radii[0]]) >= balls.radii[0] - 2e-4
 
 
-def test_the_papers_map_never_settles() -> None:
+def test_the_papers_map_has_no_correctives() -> None:
     paper: Cast = CAST.under("paper")
     frame = Frame({"kaori": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(LIDS, 1.0))
     rest = paper.faces["kaori"].positions

@@ -55,10 +55,10 @@ def compound_parts(
 
 
 def move_parts(
-    space: ParameterSpace, fitted: Fitted, worn: Floats, rest: Mapping[str, NDArray[np.float64]], /
+    space: ParameterSpace, fitted: Fitted, skin: Floats, rest: Mapping[str, NDArray[np.float64]], /
 ) -> dict[str, Floats]:
-    """The parts where the skin has gone to worn (V, 3), with the expression's own rest per part."""
-    displacement = worn.astype(np.float64) - fitted.positions
+    """The parts of a face whose skin has moved to (V, 3), with the residual rest of each part."""
+    displacement = skin.astype(np.float64) - fitted.positions
     result = {}
     for name, placed in fitted.parts.items():
         own = fitted.sizes[name] * rest[name] if name in rest else 0.0

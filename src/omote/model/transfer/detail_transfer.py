@@ -22,13 +22,13 @@ Indices = NDArray[np.int32]
 
 # Where gradients give way to the displacement itself, metres.
 LENGTH = 0.004
-# What a triangle's gradient may lack without being corrected: people's amplitudes differ by so much (a fold lacks 1).
+# What a triangle's gradient may miss without being corrected: people's amplitudes differ by so much (a fold misses 1).
 TOLERANCE = 0.1
 
 
 @dataclass(frozen=True, eq=False)
 class DetailSolver:
-    """The solved system of one face: (D' A D + M / LENGTH^2) correction = D' A (gradients that lack).
+    """The solved system of one face: (D' A D + M / LENGTH^2) correction = D' A (missing gradients).
 
     slopes (2 T, n): D on the sheet's vertices used (n,); areas (2 T,) and solver: the factorised matrix.
     """
@@ -66,15 +66,15 @@ def solve_detail(detail: DetailSolver, displacement: Values, moved: Values, gain
     change *= gain[geometry.triangles].mean(axis=1)[:, None, None]
     wanted = (change @ geometry.plane).transpose(2, 0, 1).reshape(-1, 3)
     result = displacement * gain[:, None]
-    lacking = _soft_threshold(wanted - detail.slopes @ result[detail.used])
-    pull = detail.slopes.T @ (detail.areas[:, None] * lacking)
+    missing = _soft_threshold(wanted - detail.slopes @ result[detail.used])
+    pull = detail.slopes.T @ (detail.areas[:, None] * missing)
     result[detail.used] += detail.solver.solve(np.ascontiguousarray(pull))
     return result
 
 
-def _soft_threshold(lacking: Values) -> Values:
+def _soft_threshold(missing: Values) -> Values:
     """Gradients (2 T, 3) shortened by TOLERANCE, triangle by triangle (soft thresholding)."""
-    both = lacking.reshape(2, -1, 3)
+    both = missing.reshape(2, -1, 3)
     size = np.sqrt((both**2).sum(axis=(0, 2)))
     share = np.maximum(0.0, 1.0 - TOLERANCE / np.maximum(size, 1e-12))
     result: Values = (both * share[:, None]).reshape(-1, 3)

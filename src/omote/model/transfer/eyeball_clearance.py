@@ -12,7 +12,7 @@ from omote.geometry.laplacian import smoothing
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-# Vertices within so many radii of the ball's centre may be pushed.
+# Vertices within so many radii of the eyeball's centre may be pushed.
 REACH = 1.8
 # A push spreads over so many rings, from one to the next this share of it, so that no single vertex stands out.
 RINGS, SHARE = 5, 0.6
@@ -54,9 +54,9 @@ class Clearance:
 def build_clearance(
     generic: Values, positions: Values, triangles: Indices, source: Eyeball, ball: Eyeball, /
 ) -> Clearance:
-    """The clearance of a ball on a face with positions (V, 3).
+    """The clearance of an eyeball on a face with positions (V, 3).
 
-    generic (V, 3) with its ball, source: the face on which expressions were made; triangles (T, 3): the sheet's.
+    generic (V, 3) with its eyeball, source: the face on which expressions are defined; triangles (T, 3): the sheet's.
     """
     used = np.unique(triangles)
     near = used[np.linalg.norm(positions[used] - ball.centre, axis=1) < REACH * ball.radius].astype(np.int32)

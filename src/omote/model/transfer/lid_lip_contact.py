@@ -128,13 +128,13 @@ def close_contact(contact: Contact, positions: Values, moved: Values, /) -> None
     source = (contact.source * contact.line.rungs(moved)).sum(axis=1)
     now = (contact.target * contact.line.rungs(positions)).sum(axis=1)
     if contact.line.kind == "lips":
-        lack = contact.bins @ (contact.here + contact.gain * (source - contact.there) - now)
+        missing = contact.bins @ (contact.here + contact.gain * (source - contact.there) - now)
     else:
-        lack = contact.bins @ (contact.ratios * source - now)
+        missing = contact.bins @ (contact.ratios * source - now)
         lengths = contact.bins @ contact.lengths
         slack = TOLERANCE * np.abs(contact.bins @ (contact.ratios * source) / lengths) * lengths
-        lack = np.sign(lack) * np.maximum(np.abs(lack) - slack, 0.0)
-    positions[contact.near] += np.einsum("vbc,b->vc", contact.response, lack)
+        missing = np.sign(missing) * np.maximum(np.abs(missing) - slack, 0.0)
+    positions[contact.near] += np.einsum("vbc,b->vc", contact.response, missing)
 
 
 def compute_gain(generic: Values, contacts: tuple[Contact, ...], /) -> Values:

@@ -1,4 +1,9 @@
-"""The mouth bag on a face: it stays inside the head, behind the skin that is worn (docs/transfer.md)."""
+"""Pushes the mouth bag behind the skin of a compound (docs/method.md, "Mouth bag").
+
+Rays from the cylinder's axis find how deep each vertex lies; what is not deep enough is projected along the skin's
+normal, its neighbours with it. The depth that is required does not depend on the expression, so a compound stays linear
+in its residual where nothing comes out.
+"""
 
 from __future__ import annotations
 
@@ -25,10 +30,10 @@ MARGIN, FREE = 0.0015, 0.014
 # A push spreads over so many rings, from one to the next this share of it; then what is still outside by more than
 # EXACT metres is pushed again.
 RINGS, SHARE, ROUNDS, EXACT = 4, 0.75, 12, 1e-6
-# What has moved by less, metres, has not moved.
+# What has moved by less, metres, is at rest.
 STILL = 1e-5
-# Skin that the ray from the axis only grazes, cosines below MET, says little of what lies behind it: bag may lie SLACK
-# metres in front of it where it is parallel to the ray, less toward MET.
+# Skin that the ray from the axis only grazes, cosines below MET, says little of what lies behind it: the bag may lie
+# SLACK metres in front of it where it is parallel to the ray, less toward MET.
 MET, SLACK = 0.2, 0.02
 
 
@@ -42,7 +47,7 @@ class Depths:
 
 
 def measure_depths(space: ParameterSpace, bag: MouthBag, positions: Values, /) -> Depths:
-    """The depths of a bag behind the worn sheet of positions (V, 3), seen from the cylinder's axis."""
+    """The depths of a bag behind the sheet of positions (V, 3), seen from the cylinder's axis."""
     points = positions[bag.vertices]
     landing = project_to_surface(space, positions, points, bag.starts)
     corners = positions[space.location_triangles[landing.triangles]]
@@ -65,7 +70,7 @@ def require_depths(space: ParameterSpace, bag: MouthBag, /) -> Values:
 
 
 def missing_depths(wanted: Values, here: Depths, /) -> Values:
-    """How much deeper a bag would have to lie, (m,) metres, to be as far behind the skin as wanted (m,)."""
+    """How much deeper a bag has to lie, (m,) metres, to be as far behind the skin as wanted (m,)."""
     result: Values = np.maximum(wanted - here.depth, 0.0)
     return result
 

@@ -1,4 +1,4 @@
-"""Compounds on demand: each computed once per cast and kept while there is room."""
+"""Caches compounds: each is computed once per cast and kept while there is room (least recently used goes first)."""
 
 from __future__ import annotations
 
@@ -53,21 +53,21 @@ class CompoundCache:
     def _get(self, face: str, expression: str, what: What) -> Mapping[str, Floats]:
         key = (face, expression, what)
         if key not in self._kept:
-            self._keep(key, self._made(face, expression, what))
+            self._keep(key, self._compute(face, expression, what))
         self._kept.move_to_end(key)
         return self._kept[key]
 
-    def _made(self, face: str, expression: str, what: What) -> Mapping[str, Floats]:
-        worn = self._expressions[expression]
-        wearer = self._faces[face] if face else generic_face(self._space)
+    def _compute(self, face_name: str, expression_name: str, what: What) -> Mapping[str, Floats]:
+        expression = self._expressions[expression_name]
+        face = self._faces[face_name] if face_name else generic_face(self._space)
         if what == "parts":
-            return compound_parts(self._space, wearer, worn)
+            return compound_parts(self._space, face, expression)
         if what == "skin":
-            return {"": compound(self._space, wearer, worn)}
-        regions, skin = find_corrective_regions(self._space), self.skin(face, expression)
+            return {"": compound(self._space, face, expression)}
+        regions, skin = find_corrective_regions(self._space), self.skin(face_name, expression_name)
         if regions is None:
             return {"": np.empty(0, np.float32)}
-        return {"": measure_allowance(regions, fit(self._space, wearer), worn, skin)}
+        return {"": measure_allowance(regions, fit(self._space, face), expression, skin)}
 
     def _keep(self, key: tuple[str, str, What], arrays: Mapping[str, Floats]) -> None:
         self._kept[key] = arrays

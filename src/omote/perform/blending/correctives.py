@@ -57,25 +57,25 @@ class Eyeballs:
         return Eyeballs(np.array([face.centres[eye] for eye in eyes]).reshape(-1, 3), np.array(radii), angles)
 
     def ahead(self) -> Eyeballs:
-        """The same balls looking straight ahead."""
+        """The same eyeballs looking straight ahead."""
         return Eyeballs(self.centres, self.radii, np.zeros((2, 2)))
 
 
-def measure_allowance(regions: CorrectiveRegions, face: Fitted, expression: Expression, worn: Floats, /) -> Floats:
+def measure_allowance(regions: CorrectiveRegions, face: Fitted, expression: Expression, skin: Floats, /) -> Floats:
     """What one compound alone uses up: (regions.size,), of triangles, rungs (metres) and lids (metres), never
     negative.
 
-    worn (V, 3): the compound of face and expression.
+    skin (V, 3): the compound of face and expression.
     """
     still = _at_rest(regions, face)
     balls = Eyeballs(still.balls.centres, still.balls.radii, expression.eyes)
-    here, there = still.points, worn[regions.rows].astype(np.float64)
+    here, there = still.points, skin[regions.rows].astype(np.float64)
     areas = LEAST_AREA + AREA_SLACK - area_shares(there, still.normals, still.sizes, regions.triangles)
     rungs = []
     for crossing in regions.crossings:
         _, least, now = _openings(crossing, here, there)
         rungs.append(least - now + LENGTH_SLACK)
-    lids = _depths(regions, there, balls) - still.depths + LENGTH_SLACK
+    lids = _lid_depths(regions, there, balls) - still.depths + LENGTH_SLACK
     result = np.concatenate([areas, *rungs, lids])
     return np.where(_beyond_slack(regions, result), result, 0.0).astype(np.float32)
 
@@ -101,7 +101,7 @@ def _at_rest(regions: CorrectiveRegions, face: Fitted) -> _AtRest:
         points = face.positions[regions.rows].astype(np.float64)
         balls = Eyeballs.of(face, regions.eyes, np.zeros((2, 2)))
         normals, sizes = rest_normals(points, regions.triangles)
-        known = (regions, _AtRest(points, normals, sizes, balls, _depths(regions, points, balls)))
+        known = (regions, _AtRest(points, normals, sizes, balls, _lid_depths(regions, points, balls)))
         _rests[face] = known
     return known[1]
 
@@ -122,19 +122,19 @@ def correct_combination(
     beyond it, the positions come back as they were.
     """
     here, points = rest[regions.rows].astype(np.float64), positions[regions.rows].astype(np.float64)
-    mixed = points.copy()
+    blended = points.copy()
     areas, rungs, lids = _split(regions, allowed)
     normals, sizes = rest_normals(here, regions.triangles)
     goals = LEAST_AREA - areas
-    lids = lids + _depths(regions, here, balls.ahead())
-    for half in range(2):
-        for _ in range(2 - half):
-            _open_crossings(regions, here, points, rungs)
-        if half == 0:
-            _push_out_of_eyeballs(regions, points, lids, balls)
-        keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2)
+    lids = lids + _lid_depths(regions, here, balls.ahead())
+    _open_crossings(regions, here, points, rungs)
+    _open_crossings(regions, here, points, rungs)
     _push_out_of_eyeballs(regions, points, lids, balls)
-    move = points - mixed
+    keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2)
+    _open_crossings(regions, here, points, rungs)
+    keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2)
+    _push_out_of_eyeballs(regions, points, lids, balls)
+    move = points - blended
     if not move.any():
         return positions
     out = positions.copy()
@@ -172,10 +172,10 @@ def _open_crossings(regions: CorrectiveRegions, rest: Values, points: Values, al
     """Opens every line where it crosses, in place: either side by half, the skin around it by less and less."""
     for crossing, own in zip(regions.crossings, allowed, strict=True):
         along, least, now = _openings(crossing, rest, points)
-        lack = np.maximum(least - own - now, 0.0)
-        if not lack.any():
+        missing = np.maximum(least - own - now, 0.0)
+        if not missing.any():
             continue
-        half = 0.5 * lack[:, None] * along
+        half = 0.5 * missing[:, None] * along
         place = np.minimum(np.maximum(crossing.share * RUNGS - 0.5, 0.0), RUNGS - 1.0)
         first = np.minimum(place.astype(np.int32), RUNGS - 2)
         after = (place - first)[:, None]
@@ -185,14 +185,14 @@ def _open_crossings(regions: CorrectiveRegions, rest: Values, points: Values, al
 # ---- lids and eyeballs
 
 
-def _depths(regions: CorrectiveRegions, points: Values, balls: Eyeballs) -> Values:
-    """How deep each lid vertex lies in its ball, (r,) metres, zero outside."""
-    depth, _ = _in_balls(regions, points, balls)
+def _lid_depths(regions: CorrectiveRegions, points: Values, balls: Eyeballs) -> Values:
+    """How deep each lid vertex lies in its eyeball, (r,) metres, zero outside."""
+    depth, _ = _measure_depths(regions, points, balls)
     result: Values = np.maximum(depth, 0.0)
     return result
 
 
-def _in_balls(regions: CorrectiveRegions, points: Values, balls: Eyeballs) -> tuple[Values, Values]:
+def _measure_depths(regions: CorrectiveRegions, points: Values, balls: Eyeballs) -> tuple[Values, Values]:
     """Depth (r,), negative outside, and the outward direction (r, 3)."""
     outward = points[regions.lids] - balls.centres[regions.eye]
     distance = np.maximum(np.linalg.norm(outward, axis=1), 1e-9)
@@ -206,6 +206,6 @@ def _in_balls(regions: CorrectiveRegions, points: Values, balls: Eyeballs) -> tu
 
 def _push_out_of_eyeballs(regions: CorrectiveRegions, points: Values, allowed: Values, balls: Eyeballs) -> None:
     """Pushes lids out of the eyeballs, in place, as far as they lie deeper than allowed (r,)."""
-    depth, outward = _in_balls(regions, points, balls)
+    depth, outward = _measure_depths(regions, points, balls)
     push = np.maximum(depth - allowed, 0.0)
     points[regions.lids] += push[:, None] * outward

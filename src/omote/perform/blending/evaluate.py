@@ -42,7 +42,7 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
-    return _settled(cast, frame, channels, _mixed(cast, frame, channels, mode))
+    return _correct(cast, frame, channels, _mixed(cast, frame, channels, mode))
 
 
 def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
@@ -55,7 +55,7 @@ def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[st
     mixed = _mixed(cast, frame, channels, mode)
     exact = mode == "exact"
     moved = _exact_parts(cast, frame, channels, mixed) if exact else _bilinear_parts(cast, frame, channels)
-    moved |= _stuck(cast, frame, channels, mixed, moved)
+    moved |= _correct_parts(cast, frame, channels, mixed, moved)
     fitted = [(weight, fit(cast.space, cast.faces[face])) for face, weight in frame.faces.items()]
     centres = {part: _sum((weight, face.centres[part]) for weight, face in fitted) for part in cast.space.parts}
     return turn_eyes(cast.space, moved, centres, eye_angles(cast.expressions, frame.expressions, channels))
@@ -92,8 +92,8 @@ def _bilinear(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats
     return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
 
 
-def _settled(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
-    """The mix put right where compounds together fold or pierce what none does alone."""
+def _correct(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
+    """The mix with its correctives, where compounds together fold or pierce what none does alone."""
     regions = find_corrective_regions(cast.space)
     pairs = {key: abs(weight) for key, weight in _pairs(frame, channels).items() if key[1] != NEUTRAL and weight}
     if regions is None or not pairs:
@@ -111,17 +111,17 @@ def _settled(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Flo
     return correct_combination(regions, rest, mixed, allowed, whole)
 
 
-def _stuck(
+def _correct_parts(
     cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats, moved: Mapping[str, Floats]
 ) -> dict[str, Floats]:  # fmt: skip
-    """The parts that stick to the skin, gone with it where it settled."""
+    """The parts that are attached to the skin, moved with it where it is corrected."""
     regions = find_corrective_regions(cast.space)
     if regions is None:
         return {}
-    settled_skin = _settled(cast, frame, channels, mixed)
-    if settled_skin is mixed:
+    corrected = _correct(cast, frame, channels, mixed)
+    if corrected is mixed:
         return {}
-    move = settled_skin.astype(np.float64) - mixed
+    move = corrected.astype(np.float64) - mixed
     return {
         part: (moved[part] + predict_part(cast.space, part, move)).astype(np.float32) for part in regions.attached_parts
     }

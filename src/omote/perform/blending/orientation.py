@@ -63,15 +63,15 @@ def _accumulate(
     some = False
     for t in range(len(triangles)):
         i, j, k = triangles[t]
-        lack = goals[t] - _area_share(points[i], points[j], points[k], normals[t]) / sizes[t]
-        if lack <= 0.0:
+        missing = goals[t] - _area_share(points[i], points[j], points[k], normals[t]) / sizes[t]
+        if missing <= 0.0:
             continue
         some = True
         at_j = np.cross(points[k] - points[i], normals[t]) / sizes[t]
         at_k = np.cross(normals[t], points[j] - points[i]) / sizes[t]
         at_i = -at_j - at_k
         slope = (at_i**2).sum() + (at_j**2).sum() + (at_k**2).sum()
-        size = lack / max(slope, LEAST_SLOPE / np.sqrt(sizes[t]))
+        size = missing / max(slope, LEAST_SLOPE / np.sqrt(sizes[t]))
         push[i] += size * at_i
         push[j] += size * at_j
         push[k] += size * at_k
