@@ -57,7 +57,7 @@ def factor_detail(geometry: SheetGeometry, /) -> DetailSolver:
 
 
 def solve_detail(detail: DetailSolver, displacement: Values, moved: Values, gain: Values, /) -> Values:
-    """The displacement (V, 3), growth (V,) times as large, with its detail in the face's own triangles.
+    """The displacement (V, 3), gain (V,) times as large, with its detail in the face's own triangles.
 
     moved (V, 3): the generic face wearing the expression. On the generic face itself nothing changes.
     """

@@ -22,7 +22,7 @@ from omote.model.transfer.paper_map import project_to_surface
 Floats = NDArray[np.float32]
 Values = NDArray[np.float64]
 
-_floors: WeakKeyDictionary[Face, tuple[ParameterSpace, Values]] = WeakKeyDictionary()
+_limits: WeakKeyDictionary[Face, tuple[ParameterSpace, Values]] = WeakKeyDictionary()
 
 # How far behind the skin the bag stays, where it is as far behind it on the generic face at rest, metres; less toward
 # the lips, nothing at them and in full beyond FREE along the mesh.
@@ -76,8 +76,10 @@ def missing_depths(wanted: Values, here: Depths, /) -> Values:
 
 
 def push_inside(space: ParameterSpace, bag: MouthBag, wanted: Values, positions: Values, /) -> Values:
-    """Where the bag of positions (V, 3) goes, (m, 3), to lie as far behind the skin as wanted (m,), its neighbours with
-    it, so that no dent is left."""
+    """Where the bag of positions (V, 3) goes, (m, 3), to lie as far behind the skin as wanted (m,).
+
+    Each round projects what is not deep enough along the skin's normal, its neighbours with it, so no dent is left.
+    """
     result = positions.copy()
     for _ in range(ROUNDS):
         here = measure_depths(space, bag, result)
@@ -104,8 +106,7 @@ def fit_mouth_bag(space: ParameterSpace, face: Face, positions: Floats, /) -> Fl
 
 
 def fit_mouth_bag_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats:
-    """A face at rest (V, 3) with the mouth bag as far behind its skin as on the generic face: for faces as they are
-    made."""
+    """A new face at rest (V, 3) with the mouth bag as far behind its skin as on the generic face."""
     bag = find_mouth_bag(space)
     if bag is None:
         return positions
@@ -115,7 +116,7 @@ def fit_mouth_bag_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats
 
 
 def _is_at_rest(bag: MouthBag, positions: Floats, rest: Floats) -> bool:
-    """Whether neither the bag nor the skin over it has moved by MOVED: then it is as far inside as at rest."""
+    """Whether neither the bag nor the skin over it has moved by STILL: then it is as far inside as at rest."""
     return bool(np.abs(positions[bag.region] - rest[bag.region]).max() < STILL)
 
 
@@ -129,9 +130,9 @@ def place_bag(space: ParameterSpace, bag: MouthBag, positions: Floats, placed: V
 
 def limit_depths(space: ParameterSpace, face: Face, bag: MouthBag, /) -> Values:
     """How far behind the skin of a face the bag has to lie, (m,) metres: no farther than it does at rest."""
-    known = _floors.get(face)
+    known = _limits.get(face)
     if known is None or known[0] is not space:
         wanted = require_depths(space, bag)
         known = (space, wanted - missing_depths(wanted, measure_depths(space, bag, face.positions.astype(np.float64))))
-        _floors[face] = known
+        _limits[face] = known
     return known[1]

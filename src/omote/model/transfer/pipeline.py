@@ -54,7 +54,7 @@ def transfer_detail(state: State, /) -> State:
     """Adds the displacement to the face; within 4 mm the triangles take the generic face's deformation gradients.
 
     Deformation transfer (Sumner & Popovic 2004) as a screened Poisson equation, factorised once per face; gradients
-    that differ by less than a tenth stay (soft threshold). Tried: the displacement alone creases and folds where
+    that differ by less than a tenth stay (soft threshold). Rejected: the displacement alone creases and folds where
     triangles differ; gradients alone (one global solve) triple the error against people's true expressions; scaling by
     the size of the head is wrong, as people's amplitudes do not grow with it.
     """
@@ -90,7 +90,7 @@ def repair_folds(state: State, /) -> State:
 
     Gradient-domain patches: folded triangles take the generic face's deformation gradient, rotated by the polar
     decomposition from face to face, those around keep theirs; least squares by conjugate gradients, anchored to where
-    the sheet was. Tried: one global solve (see `transfer_detail`). A sheet that it has repaired already stays.
+    the sheet was. Rejected: one global solve (see `transfer_detail`). A sheet that it has repaired already stays.
     """
     if state.sheet is state.repaired:
         return state
@@ -111,8 +111,8 @@ def weld_seams(state: State, /) -> State:
 def follow_inner_skin(state: State, /) -> State:
     """Moves the inner skin (mouth bag, nostrils, lid pockets) by few anchors on the sheet and its own residual.
 
-    A harmonic extension, solved once per topology and kept as the ten largest weights of each vertex. Tried: a solve
-    per compound, which costs more than all other stages.
+    A harmonic extension, solved once per topology and kept as the ten largest weights of each vertex. Rejected: a
+    solve per compound, which would cost more than the whole compound.
     """
     inner, fitted, skin = state.space.inner, fit(state.space, state.face), state.skin.copy()
     follow_anchors(fitted.positions, inner.vertices, inner.anchors, inner.weights, state.residual, fitted.scale, skin)
@@ -123,7 +123,7 @@ def fit_mouth_bag(state: State, /) -> State:
     """Pushes the mouth bag behind the skin where it comes out.
 
     Rays from the cylinder's axis find its depth; projection along the skin's normal, spread over four rings by a
-    decaying maximum, up to twelve rounds. Tried: moving the bag's walls with the teeth improved no face.
+    decaying maximum, up to twelve rounds. Rejected: moving the bag's walls with the teeth improved no face.
     """
     return replace(state, skin=mouth_bag_fit.fit_mouth_bag(state.space, state.face, state.skin))
 
@@ -142,11 +142,11 @@ STAGES: tuple[Stage, ...] = (
 """What the smooth map does to a face, in order."""
 
 CONTINUOUS_STAGES = STAGES[: STAGES.index(clear_eyeballs)]
-"""The stages whose result changes smoothly with the displacement."""
+"""The stages whose result is continuous in the displacement; the inverse begins with them."""
 SHEET_STAGES = STAGES[: STAGES.index(weld_seams)]
-"""The stages that move the sheet."""
+"""The stages that move the sheet: what the inverse ends with."""
 LINEAR_INNER_STAGES = STAGES[: STAGES.index(fit_mouth_bag)]
-"""The stages up to where inner skin is linear in the residual."""
+"""The stages after which the inner skin is still linear in the residual, which extraction needs."""
 
 
 def run(stages: Sequence[Stage], state: State, /) -> State:

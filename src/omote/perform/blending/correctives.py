@@ -5,7 +5,7 @@ them correctives or combination shapes; here they are computed. One compound on 
 allowance of what it uses up by itself (`measure_allowance`), weighted like the mix. The GPU of a stage does the same
 (web/src/stage/settle_shaders.ts). All of it is continuous in the weights: lids and lips that cross move apart by half
 each; lids are pushed out of the eyeball, whose cornea bulges where it looks; triangles about to turn over are projected
-(`omote.perform.blending.orientation`). Tried: smoothing displacements folded more triangles than it mended.
+(`omote.perform.blending.orientation`). Rejected: smoothing displacements folded more triangles than it mended.
 """
 
 from __future__ import annotations
