@@ -36,7 +36,7 @@ from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import Fans, InnerSkin, ParameterSpace
 from omote.model.space.skin_sheet import unwrapped
-from omote.model.transfer.paper_map import Compiled, compile_expression, wear
+from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.blending.expression_tables import fields_of
 from omote.perform.blending.weighted_sum import blend_four, gather_rows
@@ -235,7 +235,9 @@ def _fastest(ours: Callable[[], object], peer: Callable[[], object]) -> tuple[fl
 def blend_and_copy(cast: Cast) -> tuple[float, float]:
     """Four compounds blended; a copy of two and a half of them reads and writes as much."""
     worn = [compile_expression(cast.space, cast.expressions[name]) for name in sorted(cast.expressions)[:2]]
-    four = [wear(cast.space, fit(cast.space, face), one).ravel() for face in cast.faces.values() for one in worn]
+    four = [
+        apply_paper_map(cast.space, fit(cast.space, face), one).ravel() for face in cast.faces.values() for one in worn
+    ]
     out, times = np.empty_like(four[0]), max(1, 200_000 // cast.space.vertex_count)
     source = np.zeros(len(out) * 5 // 2, np.float32)
     target = np.empty_like(source)
@@ -259,7 +261,7 @@ def compound_and_product(cast: Cast) -> tuple[float, float]:
     """A whole compound, radii and inner skin with it; the bare product."""
     positions, compiled, product = _worn(cast)
     face, out = fit(cast.space, cast.faces[FACES[1]]), np.empty_like(positions)
-    return _fastest(lambda: wear(cast.space, face, compiled, out), lambda: product @ positions)
+    return _fastest(lambda: apply_paper_map(cast.space, face, compiled, out), lambda: product @ positions)
 
 
 def _worn(cast: Cast) -> tuple[Floats, Compiled, csr_array]:

@@ -36,7 +36,7 @@ from rich.table import Table
 import omote
 from omote.model.cast import Cast
 from omote.perform.axis import Axis, advanced, called, weights
-from omote.perform.blending.compound_cache import Compounds
+from omote.perform.blending.compound_cache import CompoundCache
 from omote.perform.easing import DEFAULT_EASING, EASINGS, bump_rate
 
 SEED, COUNT, RATE = 1993, 10_000, 240
@@ -145,7 +145,7 @@ class Basis:
 
 def basis(cast: Cast, faces: list[str], expressions: list[str]) -> Basis:
     """All compounds of the palette."""
-    made = Compounds(cast)
+    made = CompoundCache(cast)
     worn = np.stack([np.stack([made.skin(i, j) for j in expressions]) for i in faces])
     return Basis(worn.reshape(len(faces) * len(expressions), -1), _spread(worn), _spread(worn.swapaxes(0, 1)))
 

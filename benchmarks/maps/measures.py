@@ -34,7 +34,8 @@ def normals(positions: Values, triangles: Indices) -> Values:
 
 
 def closure_errors(line: Line, source: tuple[Values, Values], target: tuple[Values, Values]) -> tuple[float, float]:
-    """How differently a line opens on a face and on the source, in the mean and along the line (method.md, section 3).
+    """How differently a line opens on a face and on the source, in the mean and along the line (docs/method.md,
+    "Contact of lids and lips").
 
     source, target: positions (V, 3) at rest and now. With g_i the rungs and e_i = g_i / |g_i| at rest:
     lids, mean: |O(target) - O(source)|, O = sum e_i.g_i(now) / sum |g_i(rest)|; along: the mean over the rungs of

@@ -12,8 +12,8 @@ import omote
 from omote.model.cast import GENERIC, Cast
 from omote.model.space.lid_lip_lines import Line
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.compound import compound, on_generic
-from omote.model.transfer.paper_map import Compiled, compile_expression
+from omote.model.transfer.compound import compound
+from omote.model.transfer.paper_map import Compiled, compile_expression, displace_generic
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -58,7 +58,7 @@ def load_source(units: int | None = None) -> Source:
         names = [names[i] for i in np.linspace(0, len(names) - 1, units).astype(int)]
     space = cast.space
     compiled = {name: compile_expression(space, cast.expressions[name]) for name in names}
-    moves = {name: on_generic(space, compiled[name]) for name in names}
+    moves = {name: displace_generic(space, compiled[name]) for name in names}
     sheet = space.sheet_triangles
     draw = np.random.default_rng(SEED)
     triples = tuple(tuple(draw.choice(names, 3, replace=False).tolist()) for _ in range(TRIPLES))

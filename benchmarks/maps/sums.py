@@ -15,8 +15,8 @@ from benchmarks.maps.source import Source
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.lid_lip_lines import Line
-from omote.model.transfer.corrective_regions import settling_of
-from omote.perform.blending.correctives import Balls, allowance, settled
+from omote.model.transfer.corrective_regions import find_corrective_regions
+from omote.perform.blending.correctives import Eyeballs, correct_combination, measure_allowance
 
 Values = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -68,18 +68,18 @@ class Sums:
 
     def _settled(self, face: Face, moves: Mapping[str, Values]) -> Callable[[Triple], Values]:
         """The engine's own way with sums, on this face."""
-        fitted, settling = fit(self._source.space, face), settling_of(self._source.space)
-        if settling is None:
+        fitted, regions = fit(self._source.space, face), find_corrective_regions(self._source.space)
+        if regions is None:
             raise ValueError("the cast's space names no line of lids or lips; expected the built-in cast")
         expressions = self._source.cast.expressions
         worn = {unit: (fitted.positions + move).astype(np.float32) for unit, move in moves.items()}
-        allowed = {unit: allowance(settling, fitted, expressions[unit], worn[unit]) for unit in moves}
+        allowed = {unit: measure_allowance(regions, fitted, expressions[unit], worn[unit]) for unit in moves}
 
         def add(triple: Triple) -> Values:
-            balls = Balls.of(fitted, settling.eyes, np.sum([expressions[unit].eyes for unit in triple], axis=0))
+            balls = Eyeballs.of(fitted, regions.eyes, np.sum([expressions[unit].eyes for unit in triple], axis=0))
             mixed = (fitted.positions + sum(moves[unit] for unit in triple)).astype(np.float32)
             together = np.sum([allowed[unit] for unit in triple], axis=0)
-            return settled(settling, fitted.positions, mixed, together, balls).astype(np.float64)
+            return correct_combination(regions, fitted.positions, mixed, together, balls).astype(np.float64)
 
         return add
 

@@ -18,7 +18,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.extract import extract
-from omote.model.transfer.mouth_bag_fit import lined
+from omote.model.transfer.mouth_bag_fit import fit_mouth_bag_at_rest
 from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, label, region
 from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head, Piece
@@ -84,7 +84,9 @@ def line_mouths(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> 
     """Puts the mouth bags of all faces but the generic one as far behind their skin as its own lies, in place."""
     for name in names:
         if name != GENERIC:
-            placed = np.round(lined(space, arrays[f"face/{name}"]).astype(np.float64), 9)  # no machine's last bits
+            placed = np.round(
+                fit_mouth_bag_at_rest(space, arrays[f"face/{name}"]).astype(np.float64), 9
+            )  # no machine's last bits
             arrays[f"face/{name}"] = np.asarray(placed + 0.0, np.float32)
 
 

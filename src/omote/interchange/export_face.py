@@ -21,7 +21,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import Fitted, fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.compound import moved_parts, turned_eyes, worn
+from omote.model.transfer.compound import apply_expression, move_parts, turn_eyes
 from omote.model.transfer.paper_map import compile_expression
 from omote.perform.limits import known
 
@@ -79,8 +79,8 @@ def worn_meshes(cast: Cast, face: str, expression: str, /) -> Meshes:
 def dressed(space: ParameterSpace, face: Face, expression: Expression, /) -> Meshes:
     """What `worn_meshes` gives, of a face and an expression of any cast."""
     compiled, fitted = compile_expression(space, expression), fit(space, face)
-    skin = worn(space, face, compiled)
-    parts = turned_eyes(space, moved_parts(space, fitted, skin, compiled.parts), fitted.centres, expression.eyes)
+    skin = apply_expression(space, face, compiled)
+    parts = turn_eyes(space, move_parts(space, fitted, skin, compiled.parts), fitted.centres, expression.eyes)
     return {name: points.astype(np.float64) for name, points in {SKIN: skin, **parts}.items()}
 
 

@@ -17,7 +17,7 @@ from omote.model.recipes.recipe import KEY
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.transfer.compound import moved_parts, worn
+from omote.model.transfer.compound import apply_expression, move_parts
 from omote.model.transfer.paper_map import compile_expression
 from omote.perform.lights import LIGHTS
 from omote.show import messages as wire
@@ -111,8 +111,8 @@ def rest_positions(cast: Cast, face: Face) -> Points:
 def compound_positions(cast: Cast, face: Face, expression: Expression) -> Points:
     """The positions of a face wearing an expression, (vertices, 3) metres; eyeballs before their turn."""
     fitted, compiled = fit(cast.space, face), compile_expression(cast.space, expression)
-    skin = worn(cast.space, face, compiled)
-    parts = moved_parts(cast.space, fitted, skin, compiled.parts)
+    skin = apply_expression(cast.space, face, compiled)
+    parts = move_parts(cast.space, fitted, skin, compiled.parts)
     return np.concatenate([skin, *(parts[name] for name in cast.space.parts)])
 
 

@@ -10,9 +10,9 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.corrective_regions import Crossing, Settling, settling_of
-from omote.perform.blending.correctives import BULGE, CORNEA, ROUNDS, UPRIGHT, Balls, allowance
-from omote.perform.blending.orientation import EAGER, FLATTEST
+from omote.model.transfer.corrective_regions import CorrectiveRegions, Crossing, find_corrective_regions
+from omote.perform.blending.correctives import BULGE, CORNEA, LEAST_AREA, ROUNDS, Eyeballs, measure_allowance
+from omote.perform.blending.orientation import LEAST_SLOPE, OVER_RELAXATION
 from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument
 from omote.show.wire import little
 
@@ -21,17 +21,17 @@ Ints = NDArray[np.int32]
 
 
 def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | None:
-    """The settling of a cast's space, its rows those of all positions; starts: the first row of each part."""
-    settling = settling_of(cast.space)
-    if settling is None:
+    """The corrective regions of a cast's space, its rows those of all positions; starts: the first row of each part."""
+    regions = find_corrective_regions(cast.space)
+    if regions is None:
         return None
-    followers, anchors, weights = _followers(cast, settling, starts)
+    followers, anchors, weights = _followers(cast, regions, starts)
     return SettlingDocument(
-        rounds=ROUNDS, upright=UPRIGHT, eager=EAGER, flattest=FLATTEST, bulge=BULGE, cornea=CORNEA,
-        rows=little(settling.rows, "<u4"),
-        triangles=little(settling.triangles, "<u4"),
-        crossings=[_crossing(crossing) for crossing in settling.crossings],
-        lids=little(settling.lids, "<u4"), eye=little(settling.eye, "<u4"),
+        rounds=ROUNDS, upright=LEAST_AREA, eager=OVER_RELAXATION, flattest=LEAST_SLOPE, bulge=BULGE, cornea=CORNEA,
+        rows=little(regions.rows, "<u4"),
+        triangles=little(regions.triangles, "<u4"),
+        crossings=[_crossing(crossing) for crossing in regions.crossings],
+        lids=little(regions.lids, "<u4"), eye=little(regions.eye, "<u4"),
         followers=little(followers, "<u4"), anchors=little(anchors, "<u4"), weights=little(weights, "<f4"),
     )  # fmt: skip
 
@@ -44,13 +44,13 @@ def _crossing(crossing: Crossing) -> CrossingDocument:
     )  # fmt: skip
 
 
-def _followers(cast: Cast, settling: Settling, starts: dict[str, int]) -> tuple[Ints, Ints, Floats]:
-    """Rows, anchors and weights of inner skin and of the parts that stick, the anchors in places of the settling."""
+def _followers(cast: Cast, regions: CorrectiveRegions, starts: dict[str, int]) -> tuple[Ints, Ints, Floats]:
+    """Rows, anchors and weights of inner skin and of the attached parts, the anchors in places of the regions."""
     place = np.full(cast.space.vertex_count, -1)
-    place[settling.rows] = np.arange(len(settling.rows))
-    rows, anchors, weights = [settling.followers], [settling.anchors], [settling.weights]
-    width = settling.anchors.shape[1]
-    for name in settling.sticking:
+    place[regions.rows] = np.arange(len(regions.rows))
+    rows, anchors, weights = [regions.followers], [regions.anchors], [regions.weights]
+    width = regions.anchors.shape[1]
+    for name in regions.attached_parts:
         part = cast.space.parts[name]
         own = place[part.anchors]
         share = np.where(own >= 0, part.weights, 0.0)
@@ -66,18 +66,18 @@ def allowance_document(
     space: ParameterSpace, face: Face, expression: Expression, skin: Floats
 ) -> AllowanceDocument | None:
     """What the compound of a face and an expression, skin (V, 3), uses up by itself."""
-    settling = settling_of(space)
-    if settling is None:
+    regions = find_corrective_regions(space)
+    if regions is None:
         return None
-    allowed = allowance(settling, fit(space, face), expression, skin)
+    allowed = measure_allowance(regions, fit(space, face), expression, skin)
     places = np.flatnonzero(allowed)
     return AllowanceDocument(places=little(places, "<u4"), values=little(allowed[places], "<f4"))
 
 
 def ball_radii(space: ParameterSpace, face: Face) -> tuple[float, float]:
     """The radii of a face's eyeballs, left and right, metres; zero where there is none."""
-    settling = settling_of(space)
-    if settling is None or len(settling.eyes) != 2:
+    regions = find_corrective_regions(space)
+    if regions is None or len(regions.eyes) != 2:
         return 0.0, 0.0
-    left, right = Balls.of(fit(space, face), settling.eyes, np.zeros((2, 2))).radii.tolist()
+    left, right = Eyeballs.of(fit(space, face), regions.eyes, np.zeros((2, 2))).radii.tolist()
     return left, right

@@ -9,10 +9,12 @@ import omote
 from omote.model.controls.face_muscles import muscle_fields, muscles
 from omote.model.controls.mirror import mirror_rows
 from omote.model.recipes.compose_expression import shifted
+from omote.model.space.face_fit import generic_face
 from omote.model.space.lid_lip_lines import chains
-from omote.model.transfer.compound import carrier, compound, generic_face, on_generic
-from omote.model.transfer.paper_map import compile_expression
-from omote.model.transfer.smooth_map import folds
+from omote.model.transfer.compound import compound
+from omote.model.transfer.fold_repair import find_folds
+from omote.model.transfer.paper_map import compile_expression, displace_generic
+from omote.model.transfer.smooth_map import prepare_smooth_map
 from tests import synthetic
 
 CAST = omote.load_cast()
@@ -44,8 +46,8 @@ def test_no_muscle_folds_a_face_and_a_smile_goes_up_and_out(name: str) -> None:
     for muscle in muscles(CAST.space):
         worn = shifted(CAST.space, None, muscle_fields(CAST.space)[muscle])
         positions = compound(CAST.space, face, worn).astype(np.float64)
-        moved = generic_face(CAST.space).positions + on_generic(CAST.space, compile_expression(CAST.space, worn))
-        assert folds(carrier(CAST.space, face), positions, moved).sum() == 0, muscle
+        moved = generic_face(CAST.space).positions + displace_generic(CAST.space, compile_expression(CAST.space, worn))
+        assert find_folds(prepare_smooth_map(CAST.space, face).geometry, positions, moved).sum() == 0, muscle
         if muscle == "zygomaticus_left":
             lips = next(line for line in CAST.space.lines if line.kind == "lips")
             corner = chains(CAST.space.points, lips.loop)[0][-1]

@@ -17,7 +17,7 @@ from omote.model.space.parts import (
     place,
     similarity,
 )
-from omote.model.transfer.compound import predicted
+from omote.model.transfer.compound import predict_part
 from tests.synthetic import space
 
 BALL = np.array([[0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01], [-0.01, -0.01, -0.01]]) + np.array([0.03, 0.03, 0.06])
@@ -59,12 +59,12 @@ def test_bindings_follow_the_skin_as_they_say() -> None:
         bind_to_skin("stuck", BALL, FACES, skin, candidates=sheet),
     )
     shift = np.tile([0.0, -0.01, 0.002], (len(skin), 1))
-    assert (predicted(bound, "still", shift) == 0).all()
+    assert (predict_part(bound, "still", shift) == 0).all()
     for name in ("jaw", "stuck"):
-        assert np.allclose(predicted(bound, name, shift), shift[0])
+        assert np.allclose(predict_part(bound, name, shift), shift[0])
     only_chin = np.zeros_like(skin)
     only_chin[chin] = [0.0, -0.02, 0.0]
-    assert np.allclose(predicted(bound, "jaw", only_chin), [0.0, -0.02, 0.0])
+    assert np.allclose(predict_part(bound, "jaw", only_chin), [0.0, -0.02, 0.0])
 
 
 def test_a_part_is_placed_by_the_similarity_of_its_ring() -> None:

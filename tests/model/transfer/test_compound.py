@@ -9,8 +9,10 @@ from hypothesis import strategies as st
 
 import omote
 from omote.model.space.expression import Expression
-from omote.model.transfer.compound import carrier, compound, compound_parts, generic_face
-from omote.model.transfer.smooth_map import folds
+from omote.model.space.face_fit import generic_face
+from omote.model.transfer.compound import compound, compound_parts
+from omote.model.transfer.fold_repair import find_folds
+from omote.model.transfer.smooth_map import prepare_smooth_map
 from tests.synthetic import cast, head, space
 
 UNITS = ("jawOpen", "eyeBlinkLeft", "mouthSmileRight", "mouthFunnel")
@@ -39,7 +41,9 @@ def test_on_every_face_nothing_folds_and_the_inner_skin_follows(unit: str) -> No
     for face in built.faces.values():
         worn = compound(built.space, face, built.expressions[unit])
         assert np.isfinite(worn).all()
-        assert folds(carrier(built.space, face), worn.astype(np.float64), source).sum() == 0, face.name
+        assert find_folds(prepare_smooth_map(built.space, face).geometry, worn.astype(np.float64), source).sum() == 0, (
+            face.name
+        )
         moved = np.abs(worn - face.positions).max(axis=1)
         assert moved[built.space.inner.vertices].max() < 2 * np.abs(source - built.space.points).max()
 

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.model.transfer.eyeball_clearance import Ball, Clearance, clearance_of, cleared, depth
+from omote.model.transfer.eyeball_clearance import Clearance, Eyeball, build_clearance, clear_eyeball, measure_depth
 
-BALL = Ball(np.zeros(3), 0.015)
+BALL = Eyeball(np.zeros(3), 0.015)
 
 
 def cap(radius: float, side: int = 21) -> tuple[np.ndarray, np.ndarray]:
@@ -24,7 +24,7 @@ def cap(radius: float, side: int = 21) -> tuple[np.ndarray, np.ndarray]:
 
 def lids(source: float, face: float) -> tuple[np.ndarray, np.ndarray, Clearance]:
     (generic, triangles), (positions, _) = cap(source), cap(face)
-    return generic, positions, clearance_of(generic, positions, triangles, BALL, BALL)
+    return generic, positions, build_clearance(generic, positions, triangles, BALL, BALL)
 
 
 @given(st.floats(0.0152, 0.02), st.floats(1e-6, 0.003))
@@ -35,14 +35,14 @@ def test_no_lid_lies_deeper_than_at_rest_and_as_on_the_source(face: float, dent:
     pressed[middle] *= (BALL.radius - dent) / face
     moved = generic.copy()
     moved[middle] *= (BALL.radius - 0.4 * dent) / 0.016
-    assert cleared(clearance, pressed, moved)
-    assert depth(BALL, pressed).max() <= 0.4 * dent + 1e-12
+    assert clear_eyeball(clearance, pressed, moved)
+    assert measure_depth(BALL, pressed).max() <= 0.4 * dent + 1e-12
 
 
 def test_what_lay_in_the_ball_at_rest_may_stay_there() -> None:
     generic, positions, clearance = lids(0.016, 0.014)
     still = positions.copy()
-    assert not cleared(clearance, still, generic)
+    assert not clear_eyeball(clearance, still, generic)
     assert np.array_equal(still, positions)
 
 
@@ -52,7 +52,7 @@ def test_a_push_leaves_no_vertex_standing_out() -> None:
     pressed = positions.copy()
     pressed[middle] *= 0.013 / 0.0151
     before = pressed.copy()
-    cleared(clearance, pressed, generic)
+    clear_eyeball(clearance, pressed, generic)
     step = np.linalg.norm(pressed - before, axis=1)
     around = np.argsort(np.linalg.norm(positions - positions[middle], axis=1))[1:5]
     assert step[middle] == pytest.approx(0.002)
@@ -68,4 +68,4 @@ def test_a_push_leaves_no_vertex_standing_out() -> None:
 )  # fmt: skip
 def test_what_is_no_ball_is_refused(centre: np.ndarray, radius: float, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
-        Ball(centre, radius)
+        Eyeball(centre, radius)

@@ -1,11 +1,18 @@
-"""Unfolding: a triangle turned over comes back, what is good stays."""
+"""Fold repair: a triangle turned over comes back, what is good stays."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from omote.model.transfer.fold_repair import NEAR, frames, nearest_turns, relax, sheet_of, turned_over
+from omote.model.transfer.fold_repair import (
+    NEAR,
+    build_sheet_geometry,
+    mark_folds,
+    nearest_rotations,
+    relax_patches,
+    triangle_frames,
+)
 
 SIZE = 12
 
@@ -20,16 +27,13 @@ def grid() -> tuple[np.ndarray, np.ndarray]:
 
 def relaxed(positions: np.ndarray, held: np.ndarray) -> np.ndarray:
     points, triangles = grid()
-    sheet = sheet_of(points, points, triangles)
+    sheet = build_sheet_geometry(points, points, triangles)
     bad = np.empty(len(triangles), np.bool_)
     result = positions.copy()
     for _ in range(6):
-        if turned_over(result, triangles, sheet.normals, bad) == 0:
+        if mark_folds(result, triangles, sheet.normals, bad) == 0:
             break
-        relax(
-            result, points, bad, held, 2, NEAR, triangles, sheet.starts, sheet.fans, sheet.gradients, sheet.plane,
-            sheet.turns, sheet.source,
-        )  # fmt: skip
+        relax_patches(sheet, result, points, bad, held, 2, NEAR)
     return result
 
 
@@ -42,9 +46,9 @@ def folded() -> np.ndarray:
 def test_a_vertex_pulled_over_its_neighbour_is_brought_back() -> None:
     points, triangles = grid()
     bad = np.empty(len(triangles), np.bool_)
-    assert turned_over(folded(), triangles, sheet_of(points, points, triangles).normals, bad) > 0
+    assert mark_folds(folded(), triangles, build_sheet_geometry(points, points, triangles).normals, bad) > 0
     result = relaxed(folded(), np.zeros(len(points), np.bool_))
-    assert turned_over(result, triangles, sheet_of(points, points, triangles).normals, bad) == 0
+    assert mark_folds(result, triangles, build_sheet_geometry(points, points, triangles).normals, bad) == 0
     far = np.linalg.norm(points - points[5 * SIZE + 5], axis=1) > 5
     assert np.array_equal(result[far], points[far])
 
@@ -60,16 +64,16 @@ def test_held_vertices_do_not_move() -> None:
 def test_the_gradients_are_exact_for_linear_maps_and_the_frames_for_the_identity() -> None:
     points, triangles = grid()
     points[:, 2] = 0.3 * points[:, 0]
-    sheet = sheet_of(points, points, triangles)
+    sheet = build_sheet_geometry(points, points, triangles)
     linear = np.array([[1.1, 0.2, 0.0], [-0.3, 0.9, 0.4], [0.0, 0.1, 1.2]])
     slopes = np.einsum("tkd,tkc->tdc", sheet.gradients, (points @ linear.T)[triangles])
     assert np.allclose(slopes, np.einsum("ij,tjd->tdi", linear, sheet.plane))
-    assert np.allclose(sheet.turns, np.eye(3), atol=1e-9)
-    assert np.allclose(frames(points, triangles) @ sheet.source, np.eye(3), atol=1e-9)
+    assert np.allclose(sheet.rotations, np.eye(3), atol=1e-9)
+    assert np.allclose(triangle_frames(points, triangles) @ sheet.inverse_frames, np.eye(3), atol=1e-9)
 
 
 def test_the_nearest_turn_of_a_turned_stretch_is_the_turn() -> None:
     angle = 0.7
     turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
     stretch = np.diag([2.0, 0.5, 1.5])
-    assert nearest_turns((turn @ stretch)[None])[0] == pytest.approx(turn)
+    assert nearest_rotations((turn @ stretch)[None])[0] == pytest.approx(turn)

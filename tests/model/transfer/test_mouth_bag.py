@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 import omote
-from omote.model.transfer.mouth_bag import bag_of
+from omote.model.transfer.mouth_bag import find_mouth_bag
 from tests.synthetic import space
 
 
 def test_the_bag_is_the_inner_skin_behind_the_lips() -> None:
     built = omote.load_cast().space
-    bag = bag_of(built)
+    bag = find_mouth_bag(built)
     assert bag is not None
     assert not built.on_sheet[bag.vertices].any()
     points, teeth = built.points[bag.vertices], built.parts["teeth_lower"].points
@@ -22,7 +22,7 @@ def test_the_bag_is_the_inner_skin_behind_the_lips() -> None:
 
 def test_every_copy_of_a_bag_vertex_has_its_row() -> None:
     built = omote.load_cast().space
-    bag = bag_of(built)
+    bag = find_mouth_bag(built)
     assert bag is not None
     known = bag.rows >= 0
     assert np.array_equal(bag.vertices[bag.rows[known]], built.welded[built.inner.vertices[known]])
@@ -30,12 +30,12 @@ def test_every_copy_of_a_bag_vertex_has_its_row() -> None:
 
 
 def test_neighbours_are_mutual_and_joined_to_the_skin() -> None:
-    bag = bag_of(omote.load_cast().space)
+    bag = find_mouth_bag(omote.load_cast().space)
     assert bag is not None
-    assert all(row in bag.around[other] for row, others in enumerate(bag.around) for other in others)
-    assert np.isfinite(bag.away).all()
-    assert (bag.away > 0).all()
+    assert all(row in bag.neighbours[other] for row, others in enumerate(bag.neighbours) for other in others)
+    assert np.isfinite(bag.distance).all()
+    assert (bag.distance > 0).all()
 
 
 def test_a_space_without_lips_has_none() -> None:
-    assert bag_of(type(space()).build(space().points, space().triangles)) is None
+    assert find_mouth_bag(type(space()).build(space().points, space().triangles)) is None

@@ -13,9 +13,9 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.compound import compound, compound_parts, turned_eyes
+from omote.model.transfer.compound import compound, compound_parts, turn_eyes
 from omote.model.transfer.extract import extract
-from omote.model.transfer.paper_map import compile_expression, slide
+from omote.model.transfer.paper_map import compile_expression, project_to_surface
 from tests.synthetic import cast, head, space
 
 MICROMETRE = 1e-6
@@ -26,7 +26,7 @@ def landed(used: ParameterSpace, face: Face, displacement: np.ndarray, expressio
     before = face.positions.astype(float)
     moved = np.flatnonzero(used.on_sheet & (np.abs(displacement) > 1e-9).any(axis=1)).astype(np.int32)
     inside = used.on_sheet.copy()
-    inside[moved] = slide(used, before, before[moved] + displacement[moved], moved).inside
+    inside[moved] = project_to_surface(used, before, before[moved] + displacement[moved], moved).inside
     return inside & compile_expression(used, expression).inside
 
 
@@ -51,12 +51,12 @@ def test_parts_come_back_and_an_eyeballs_turn_is_read_as_a_turn() -> None:
     fitted = fit(space(), wearer)
     worn = compound_parts(space(), wearer, cast().expressions["eyeLookOutLeft"])
     eyes = cast().expressions["eyeLookOutLeft"].eyes
-    turned = turned_eyes(space(), worn, fitted.centres, eyes)
+    turned = turn_eyes(space(), worn, fitted.centres, eyes)
     displacement = {name: turned[name] - fitted.parts[name] for name in turned}
     skin = compound(space(), wearer, cast().expressions["eyeLookOutLeft"]) - wearer.positions
     again = extract(space(), wearer, skin, parts=displacement)
     assert np.allclose(again.eyes, eyes, atol=1e-4)
-    back = turned_eyes(space(), compound_parts(space(), wearer, again), fitted.centres, again.eyes)
+    back = turn_eyes(space(), compound_parts(space(), wearer, again), fitted.centres, again.eyes)
     for name, points in turned.items():
         assert np.abs(back[name] - points).max() < 1e-6, name
 

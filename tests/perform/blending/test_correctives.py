@@ -1,4 +1,4 @@
-"""Sums of compounds neither fold nor pierce where each alone does not; one alone is never changed."""
+"""Combinations of compounds neither fold nor pierce where each alone does not; one alone is never changed."""
 
 import numpy as np
 import pytest
@@ -9,10 +9,10 @@ from omote.builtin import load_cast
 from omote.model.cast import NEUTRAL, Cast
 from omote.model.space.face_fit import fit
 from omote.model.transfer.compound import compound
-from omote.model.transfer.corrective_regions import Settling, settling_of
-from omote.perform.blending.correctives import Balls, allowance, settled
+from omote.model.transfer.corrective_regions import CorrectiveRegions, find_corrective_regions
+from omote.perform.blending.correctives import Eyeballs, correct_combination, measure_allowance
 from omote.perform.blending.evaluate import MODES, Mode, evaluate, evaluate_parts
-from omote.perform.blending.orientation import rest_normals, shares
+from omote.perform.blending.orientation import area_shares, rest_normals
 from omote.perform.frame import Frame
 
 CAST = load_cast()
@@ -23,18 +23,18 @@ LIDS = ("eyeBlinkLeft", "eyeSquintLeft", "eyeLookDownLeft")
 LIPS = ("mouthPucker", "mouthRollUpper", "mouthRollLower")
 
 
-def the_settling() -> Settling:
-    found = settling_of(CAST.space)
+def corrective_regions() -> CorrectiveRegions:
+    found = find_corrective_regions(CAST.space)
     assert found is not None
     return found
 
 
 def over(face: str, positions: np.ndarray) -> np.ndarray:
     """The triangles around eyes and mouth that are turned over, (t,)."""
-    settling = the_settling()
-    rest = CAST.faces[face].positions.astype(np.float64)[settling.rows]
-    normals, sizes = rest_normals(rest, settling.triangles)
-    return shares(positions.astype(np.float64)[settling.rows], normals, sizes, settling.triangles) < 0.0
+    regions = corrective_regions()
+    rest = CAST.faces[face].positions.astype(np.float64)[regions.rows]
+    normals, sizes = rest_normals(rest, regions.triangles)
+    return area_shares(positions.astype(np.float64)[regions.rows], normals, sizes, regions.triangles) < 0.0
 
 
 def crossed(face: str, positions: np.ndarray) -> np.ndarray:
@@ -103,12 +103,12 @@ def test_weights_that_change_little_change_little(face: str, names: list[str], w
 def test_the_rest_of_the_head_never_moves() -> None:
     names = (*LIDS, *LIPS)
     mixed = evaluate(CAST, Frame({"kaori": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(names, 1.0)))
-    settling = the_settling()
-    others = np.setdiff1d(np.arange(CAST.space.vertex_count), np.concatenate([settling.rows, settling.followers]))
+    regions = corrective_regions()
+    others = np.setdiff1d(np.arange(CAST.space.vertex_count), np.concatenate([regions.rows, regions.followers]))
     assert mixed[others] == pytest.approx(summed("kaori", *names)[others], abs=1e-6)
 
 
-def test_lashes_go_with_the_lids_that_settled() -> None:
+def test_lashes_go_with_the_lids_that_are_corrected() -> None:
     paper = Frame({"kaori": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(LIDS, 1.0))
     lashes = evaluate_parts(CAST, paper)["lashes"]
     part, skin = CAST.space.parts["lashes"], evaluate(CAST, paper)
@@ -120,22 +120,22 @@ def test_lashes_go_with_the_lids_that_settled() -> None:
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_lids_leave_the_eyeball_where_the_cornea_bulges(sign: float) -> None:
-    settling, face = the_settling(), fit(CAST.space, CAST.faces["kaori"])
-    balls = Balls.of(face, settling.eyes, np.array([[sign * 0.4, 0.0], [sign * 0.4, 0.0]]))
+    regions, face = corrective_regions(), fit(CAST.space, CAST.faces["kaori"])
+    balls = Eyeballs.of(face, regions.eyes, np.array([[sign * 0.4, 0.0], [sign * 0.4, 0.0]]))
     shut = compound(CAST.space, CAST.faces["kaori"], CAST.expressions["eyeBlinkLeft"])
-    nothing = np.zeros(settling.size, np.float32)
-    allowed = allowance(settling, face, CAST.expressions["eyeBlinkLeft"], shut) + nothing
+    nothing = np.zeros(regions.size, np.float32)
+    allowed = measure_allowance(regions, face, CAST.expressions["eyeBlinkLeft"], shut) + nothing
     pressed = shut.copy()
-    rows = settling.rows[settling.lids[settling.eye == 0]]
+    rows = regions.rows[regions.lids[regions.eye == 0]]
     pressed[rows] -= np.float32(2e-3) * (pressed[rows] - face.centres["eye_left"]).astype(np.float32) / 0.015
-    out = settled(settling, face.positions, pressed, allowed, balls)
+    out = correct_combination(regions, face.positions, pressed, allowed, balls)
     distance = np.linalg.norm(out[rows] - face.centres["eye_left"], axis=1)
     before = np.linalg.norm(pressed[rows] - face.centres["eye_left"], axis=1)
     assert (distance - before).max() > 1e-3
     assert np.median(distance[before < balls.radii[0]]) >= balls.radii[0] - 2e-4
 
 
-def test_the_papers_map_never_settles() -> None:
+def test_the_papers_map_has_no_correctives() -> None:
     paper: Cast = CAST.under("paper")
     frame = Frame({"kaori": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(LIDS, 1.0))
     rest = paper.faces["kaori"].positions

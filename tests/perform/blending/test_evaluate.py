@@ -161,11 +161,11 @@ def test_an_unknown_mode_is_refused(cast: Cast) -> None:
 
 def test_a_warm_cast_compiles_nothing_more(cast: Cast) -> None:
     from omote.geometry.locate import walk_strip
-    from omote.model.transfer.paper_map import follow, gather
+    from omote.model.transfer.paper_map import follow_anchors, gather_points
     from omote.perform.blending.expression_tables import _spread
 
     warm(cast)
-    kernels: list[Any] = [walk_strip, gather, follow, _spread]
+    kernels: list[Any] = [walk_strip, gather_points, follow_anchors, _spread]
     before = [len(kernel.signatures) for kernel in kernels]
     for mode in MODES:
         frame = Frame({"long": 0.4, "broad": 0.6}, {"smile": 1.0}, {"jawOpen": 0.3}, gaze=Gaze(0.2, 0.1))

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.model.space.face_fit import fit
-from omote.model.transfer.paper_map import compile_expression, wear
+from omote.model.transfer.paper_map import apply_paper_map, compile_expression
 from omote.perform.blending.expression_tables import Fields, fields_of
 from tests.synthetic import EXPRESSIONS
 
@@ -32,15 +32,15 @@ def mixed_field(cast: Cast, weights: dict[str, float]) -> Expression:
 )
 def test_a_mix_is_the_compiled_sum_of_the_fields(cast: Cast, weights: dict[str, float], face: str) -> None:
     fitted = fit(cast.space, cast.faces[face])
-    expected = wear(cast.space, fitted, compile_expression(cast.space, mixed_field(cast, weights)))
-    assert wear(cast.space, fitted, Fields(cast.space, cast.expressions).mixed(weights)) == pytest.approx(
+    expected = apply_paper_map(cast.space, fitted, compile_expression(cast.space, mixed_field(cast, weights)))
+    assert apply_paper_map(cast.space, fitted, Fields(cast.space, cast.expressions).mixed(weights)) == pytest.approx(
         expected, abs=1e-6
     )
 
 
 def test_nothing_mixed_is_the_face_itself(cast: Cast) -> None:
     fitted = fit(cast.space, cast.faces["long"])
-    assert wear(cast.space, fitted, fields_of(cast).mixed({})) == pytest.approx(fitted.positions, abs=1e-7)
+    assert apply_paper_map(cast.space, fitted, fields_of(cast).mixed({})) == pytest.approx(fitted.positions, abs=1e-7)
 
 
 def test_no_sum_of_fields_turns_a_radius_over(cast: Cast) -> None:

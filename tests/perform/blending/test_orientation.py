@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.blending.orientation import keep_upright, rest_normals, shares
+from omote.perform.blending.orientation import area_shares, keep_orientation, rest_normals
 
 SIDE = 7
 GOAL = 0.1
@@ -30,8 +30,8 @@ moves = st.lists(st.floats(-0.9e-3, 0.9e-3), min_size=3, max_size=3).map(np.arra
 def test_a_vertex_pushed_through_its_neighbours_turns_nothing_over(vertex: int, move: np.ndarray) -> None:
     points = REST.copy()
     points[vertex] += move
-    keep_upright(points, NORMALS, SIZES, TRIANGLES, GOALS, 200)
-    assert shares(points, NORMALS, SIZES, TRIANGLES).min() > 0.0
+    keep_orientation(points, NORMALS, SIZES, TRIANGLES, GOALS, 200)
+    assert area_shares(points, NORMALS, SIZES, TRIANGLES).min() > 0.0
 
 
 @given(st.integers(0, SIDE * SIDE - 1), moves, st.floats(0.0, 0.4))
@@ -39,8 +39,8 @@ def test_what_is_upright_stays_as_it_is(vertex: int, move: np.ndarray, size: flo
     points = REST.copy()
     points[vertex] += size * move
     before = points.copy()
-    whole = shares(points, NORMALS, SIZES, TRIANGLES).min() >= GOAL
-    keep_upright(points, NORMALS, SIZES, TRIANGLES, GOALS, 16)
+    whole = area_shares(points, NORMALS, SIZES, TRIANGLES).min() >= GOAL
+    keep_orientation(points, NORMALS, SIZES, TRIANGLES, GOALS, 16)
     assert np.array_equal(points, before) == whole
 
 
@@ -48,10 +48,10 @@ def test_a_triangle_may_be_allowed_to_turn_over() -> None:
     points = REST.copy()
     points[SIDE + 1] += [1.5e-3, 0.0, 0.0]
     before = points.copy()
-    keep_upright(points, NORMALS, SIZES, TRIANGLES, shares(points, NORMALS, SIZES, TRIANGLES), 16)
+    keep_orientation(points, NORMALS, SIZES, TRIANGLES, area_shares(points, NORMALS, SIZES, TRIANGLES), 16)
     assert np.array_equal(points, before)
 
 
 def test_shares_are_one_at_rest_and_minus_one_turned_over() -> None:
-    assert np.allclose(shares(REST, NORMALS, SIZES, TRIANGLES), 1.0)
-    assert np.allclose(shares(REST * [-1.0, 1.0, 1.0], NORMALS, SIZES, TRIANGLES), -1.0)
+    assert np.allclose(area_shares(REST, NORMALS, SIZES, TRIANGLES), 1.0)
+    assert np.allclose(area_shares(REST * [-1.0, 1.0, 1.0], NORMALS, SIZES, TRIANGLES), -1.0)

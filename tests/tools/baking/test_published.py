@@ -5,7 +5,7 @@ import pytest
 from numpy.typing import NDArray
 
 import omote
-from omote.model.transfer.compound import compound_parts, turned_eyes
+from omote.model.transfer.compound import compound_parts, turn_eyes
 from omote.model.transfer.paper_map import compile_expression
 from tools.baking.expressions import PERFORMED, unit_weights
 from tools.baking.heads.head import Head
@@ -102,6 +102,6 @@ def test_the_cast_wears_what_was_published(moves: dict[str, Move]) -> None:
         off = np.linalg.norm(worn - face.positions - move.skin, axis=1)
         assert off[inside].max() < 1e-6, name
         assert off.max() < 1e-4, name
-        parts = turned_eyes(cast.space, compound_parts(cast.space, face, expression), centres, expression.eyes)
+        parts = turn_eyes(cast.space, compound_parts(cast.space, face, expression), centres, expression.eyes)
         for part, points in parts.items():
             np.testing.assert_allclose(points, face.parts[part] + move.parts[part], atol=2e-6, err_msg=f"{name} {part}")

@@ -18,7 +18,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.paper_map import slide
+from omote.model.transfer.paper_map import project_to_surface
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -113,7 +113,7 @@ class ControlNet:
             raise ValueError(f"control point {point} does not exist; expected 0 to {self.own - 1}")
         goal = mesh.checked_points(np.reshape(target, (1, -1)), name="target")
         near = self._landing()[0][point, :1].astype(np.int32)
-        landing = slide(self.space, fit(self.space, face).positions.astype(np.float64), goal, near)
+        landing = project_to_surface(self.space, fit(self.space, face).positions.astype(np.float64), goal, near)
         corners = self.space.location_triangles[landing.triangles[0]]
         first = self.space.theta[corners[0]]
         theta = first + landing.weights[0] @ wrap(self.space.theta[corners] - first)

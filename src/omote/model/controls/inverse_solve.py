@@ -14,9 +14,9 @@ from omote.model.controls.net_field import Weave
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.compound import carrier, on_generic, worn
-from omote.model.transfer.paper_map import locate_field
-from omote.model.transfer.smooth_map import carried
+from omote.model.transfer.compound import apply_expression
+from omote.model.transfer.paper_map import displace_generic, locate_field
+from omote.model.transfer.pipeline import apply_smooth_map
 
 Values = NDArray[np.float64]
 
@@ -115,8 +115,8 @@ class _Drag:
         ratios = np.maximum(1.0 + over, _LEAST_RATIO)
         compiled = locate_field(self.space, dtheta, dh, ratios, self.under.residual, {})
         if self.space.transfer == "paper":
-            return worn(self.space, self.face, compiled)[self.rows].astype(np.float64)
-        return carried(carrier(self.space, self.face), on_generic(self.space, compiled))[self.rows]
+            return apply_expression(self.space, self.face, compiled)[self.rows].astype(np.float64)
+        return apply_smooth_map(self.space, self.face, displace_generic(self.space, compiled))[self.rows]
 
     @cached_property
     def _around(self) -> Values:

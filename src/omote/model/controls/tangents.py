@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.compound import carrier
+from omote.model.transfer.smooth_map import prepare_smooth_map
 
 Values = NDArray[np.float64]
 
@@ -27,5 +27,5 @@ def generic_tangents(space: ParameterSpace, /) -> Values:
 def tangents(space: ParameterSpace, face: Face, /) -> Values:
     """How each vertex of a face's sheet answers to the field there, (3, V, 3): metres per radian of dtheta, metre of dh
     and unit of R - 1; ValueError where the face does not belong to the space."""
-    ready = carrier(space, face)
-    return generic_tangents(space) * ready.growth[:, None]
+    ready = prepare_smooth_map(space, face)
+    return generic_tangents(space) * ready.gain[:, None]

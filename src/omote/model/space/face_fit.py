@@ -38,7 +38,16 @@ class Fitted:
         return float(np.linalg.norm(self.parts[eye] - self.centres[eye], axis=1).mean())
 
 
+_generic: WeakKeyDictionary[ParameterSpace, Face] = WeakKeyDictionary()
 _fitted: WeakKeyDictionary[Face, tuple[ParameterSpace, Fitted]] = WeakKeyDictionary()
+
+
+def generic_face(space: ParameterSpace, /) -> Face:
+    """The face M0 of a space, on which expressions are defined."""
+    if space not in _generic:
+        parts = {name: part.points.astype(np.float32) for name, part in space.parts.items()}
+        _generic[space] = Face("generic", space.points, parts)
+    return _generic[space]
 
 
 def fit(space: ParameterSpace, face: Face, /) -> Fitted:

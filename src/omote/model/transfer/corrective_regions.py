@@ -1,8 +1,8 @@
-"""Where sums of compounds are put right: the skin around eyes and mouth, worked out once per space.
+"""Where combinations of compounds are corrected: the skin around eyes and mouth, found once per space.
 
-Each compound alone folds and pierces nothing that the generic face does not. Sums do: a blink and a squint push one lid
-through the other, two lip shapes turn small triangles over. `omote.perform.blending.correctives` puts that right; here
-is what it needs to know of the topology, in places of `rows`.
+Each compound alone folds and pierces nothing that the generic face does not. Combinations do: a blink and a squint push
+one lid through the other, two lip shapes turn small triangles over. `omote.perform.blending.correctives` corrects that
+(docs/method.md, "Correctives of combinations"); here is what it needs of the topology, in places of `rows`.
 """
 
 from __future__ import annotations
@@ -19,23 +19,23 @@ from omote.model.space.lid_lip_lines import RUNGS, Kind, chains
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import Part
 from omote.model.transfer.eyeball_clearance import REACH as BALL_REACH
-from omote.model.transfer.fold_repair import sheet_of
+from omote.model.transfer.fold_repair import build_sheet_geometry
 
 Indices = NDArray[np.int32]
 Values = NDArray[np.float64]
 
-# The skin within so many widths of the widest line is put right.
+# The skin within so many widths of the widest line is corrected.
 REACH = 1.0
-# What parts two lids dies out over this share of their line's width; where less than LEAST of it is left it is cut off.
+# What separates two lids dies out over this share of their line's width; below LEAST of it, it is zero.
 FADE, LEAST = 0.2, 0.03
 
 
 @dataclass(frozen=True, eq=False)
 class Crossing:
-    """One line of lids or lips: its rungs, and how the skin around it gives way where they cross.
+    """One line of lids or lips: its rungs, and how the skin around it moves where they cross.
 
-    vertices, weights (RUNGS, 4): the rungs, as in Line; near (p,): who gives way; side (p,): how far up (+) or down
-    (-), one at the line; share (p,): at which share of the line, 0 at its right corner.
+    vertices, weights (RUNGS, 4): the rungs, as in Line; near (p,): the vertices that move; side (p,): how far up (+) or
+    down (-), one at the line; share (p,): at which share of the line, 0 at its right corner.
     """
 
     kind: Kind
@@ -47,12 +47,12 @@ class Crossing:
 
 
 @dataclass(frozen=True, eq=False)
-class Settling:
-    """The skin that sums of compounds can fold or pierce.
+class CorrectiveRegions:
+    """The skin that combinations of compounds can fold or pierce.
 
     rows (m,): its vertices; all else counts in them: crossings of lids and lips; triangles (t, 3); lids (r,) around
     eyeballs and which of `eyes`, part names, it is (r,). followers (f,): inner skin that moves with rows, by anchors
-    and weights (f, k). sticking: names of parts that stick to the skin under them.
+    and weights (f, k). attached_parts: names of parts that move with the skin under them.
     """
 
     rows: Indices
@@ -64,7 +64,7 @@ class Settling:
     followers: Indices
     anchors: Indices
     weights: NDArray[np.float32]
-    sticking: tuple[str, ...]
+    attached_parts: tuple[str, ...]
 
     @property
     def size(self) -> int:
@@ -72,17 +72,17 @@ class Settling:
         return len(self.triangles) + RUNGS * len(self.crossings) + len(self.lids)
 
 
-_settlings: WeakKeyDictionary[ParameterSpace, Settling | None] = WeakKeyDictionary()
+_regions: WeakKeyDictionary[ParameterSpace, CorrectiveRegions | None] = WeakKeyDictionary()
 
 
-def settling_of(space: ParameterSpace, /) -> Settling | None:
-    """The settling of a space, worked out once; None where no line is named or the paper's map carries."""
-    if space not in _settlings:
-        _settlings[space] = _settling(space) if space.lines and space.transfer == "smooth" else None
-    return _settlings[space]
+def find_corrective_regions(space: ParameterSpace, /) -> CorrectiveRegions | None:
+    """The corrective regions of a space, found once; None where no line is named or under the paper's map."""
+    if space not in _regions:
+        _regions[space] = _search(space) if space.lines and space.transfer == "smooth" else None
+    return _regions[space]
 
 
-def _settling(space: ParameterSpace) -> Settling:
+def _search(space: ParameterSpace) -> CorrectiveRegions:
     rows = _around(space)
     place = np.full(space.vertex_count, -1, np.int32)
     place[rows] = np.arange(len(rows))
@@ -90,13 +90,13 @@ def _settling(space: ParameterSpace) -> Settling:
     eyes = {name: part for name, part in space.parts.items() if part.eye}
     eye = _nearest_eye(space.points[rows], list(eyes.values()))
     anchors, weights, followers = _followers(space, place)
-    return Settling(
+    return CorrectiveRegions(
         rows=rows,
         crossings=_crossings(space, place),
         triangles=np.ascontiguousarray(corners[(corners >= 0).all(axis=1)]),
         lids=np.flatnonzero(eye >= 0).astype(np.int32), eye=eye[eye >= 0], eyes=tuple(eyes),
         followers=followers, anchors=anchors, weights=weights,
-        sticking=tuple(name for name, part in space.parts.items() if _sticks(part)),
+        attached_parts=tuple(name for name, part in space.parts.items() if _is_attached(part)),
     )  # fmt: skip
 
 
@@ -123,7 +123,7 @@ def _nearest_eye(points: Values, eyes: list[Part]) -> Indices:
     return result
 
 
-def _sticks(part: Part) -> bool:
+def _is_attached(part: Part) -> bool:
     """Whether the part's vertices move each with the skin under it, not all alike with the jaw or the head."""
     return bool(part.weights.any() and (part.anchors != part.anchors[0]).any())
 
@@ -137,12 +137,12 @@ def _followers(space: ParameterSpace, place: Indices) -> tuple[Indices, NDArray[
     return np.maximum(anchors, 0)[hangs], weights[hangs], inner.vertices[hangs]
 
 
-# ---- how skin gives way
+# ---- how far skin moves around a line
 
 
 def _crossings(space: ParameterSpace, place: Indices) -> tuple[Crossing, ...]:
     points, matrices = space.points.astype(np.float64), _membrane(space.points, space.sheet_triangles)
-    fields = [_giving_way(points, line.loop, place >= 0, matrices) for line in space.lines]
+    fields = [_falloff(points, line.loop, place >= 0, matrices) for line in space.lines]
     strongest = np.abs([side for side, _ in fields]).argmax(axis=0)  # each vertex gives way to one line
     found = []
     for number, (line, (side, share)) in enumerate(zip(space.lines, fields, strict=True)):
@@ -151,24 +151,24 @@ def _crossings(space: ParameterSpace, place: Indices) -> tuple[Crossing, ...]:
     return tuple(found)
 
 
-def _giving_way(
+def _falloff(
     points: Values, loop: Indices, within: NDArray[np.bool_], matrices: tuple[sparse.csr_array, Values]
 ) -> tuple[Values, Values]:  # fmt: skip
-    """Side and share (V,) around one line, zero beyond its reach: a membrane on springs, held at the line."""
+    """Side and share (V,) around one line, zero beyond its reach: a screened harmonic extension from the line."""
     fixed, side, share = _on_line(points, loop)
     stiffness, mass = matrices
     length = FADE * float(np.ptp(points[loop, 0]))
     free = within.copy()
     free[fixed] = False
     matrix = sparse.csr_array(stiffness + sparse.diags_array(mass / length**2))
-    spread = _spread(matrix, np.flatnonzero(free), fixed, np.stack([side, np.ones(len(fixed)), share], axis=1))
+    spread = _extend(matrix, np.flatnonzero(free), fixed, np.stack([side, np.ones(len(fixed)), share], axis=1))
     sides = np.sign(spread[:, 0]) * np.maximum(np.abs(spread[:, 0]) - LEAST, 0.0) / (1.0 - LEAST)
     return sides, np.minimum(np.maximum(spread[:, 2] / np.maximum(spread[:, 1], LEAST), 0.0), 1.0)
 
 
 def _membrane(points: Values, triangles: Indices) -> tuple[sparse.csr_array, Values]:
     """Stiffness (V, V) and lumped mass (V,) of a sheet, linear elements."""
-    sheet = sheet_of(points, points, triangles)
+    sheet = build_sheet_geometry(points, points, triangles)
     area = 0.5 * np.linalg.norm(sheet.normals, axis=1)
     energy = np.einsum("tkd,tld,t->tkl", sheet.gradients, sheet.gradients, area)
     rows, cols = np.repeat(triangles, 3, axis=1).ravel(), np.tile(triangles, (1, 3)).ravel()
@@ -189,8 +189,8 @@ def _on_line(points: Values, loop: Indices) -> tuple[Indices, Values, Values]:
     return np.concatenate(names), np.concatenate(sides), np.concatenate(shares)
 
 
-def _spread(matrix: sparse.csr_array, free: NDArray[np.intp], fixed: Indices, values: Values) -> Values:
-    """Values (n, k) given on fixed vertices, spread over free ones; zero elsewhere: (V, k)."""
+def _extend(matrix: sparse.csr_array, free: NDArray[np.intp], fixed: Indices, values: Values) -> Values:
+    """Values (n, k) given on fixed vertices, extended over free ones (Dirichlet problem); zero elsewhere: (V, k)."""
     result = np.zeros((matrix.shape[0], values.shape[1]))
     rows = matrix[free]
     result[free] = splu(sparse.csc_array(rows[:, free])).solve(-(rows[:, fixed] @ values))

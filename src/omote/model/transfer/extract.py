@@ -1,8 +1,14 @@
-"""Extraction: from a displacement of a face to an expression, the field on S (paper, section 2.2, step 1)."""
+"""Extraction: from a displacement of a face to an expression, the inverse of a compound (paper, section 2.2, step 1).
+
+In order: the smooth map inverted, so that the displacement is the generic face's; each vertex's new place projected
+onto that face at rest, which gives the field on S; residuals: what inner skin and parts do over what the field
+predicts.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,14 +20,24 @@ from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.space.parts import eye_angles, eye_rotation
-from omote.model.transfer.compound import carrier, compound, followed, generic_face, on_generic, predicted
-from omote.model.transfer.paper_map import compile_expression, slide
-from omote.model.transfer.smooth_map import uncarried
+from omote.model.transfer.compound import compound, predict_part
+from omote.model.transfer.paper_map import compile_expression, project_to_surface
+from omote.model.transfer.pipeline import (
+    CONTINUOUS_STAGES,
+    LINEAR_INNER_STAGES,
+    apply_smooth_map,
+    transfer_expression,
+)
+from omote.model.transfer.smooth_map import prepare_smooth_map
 
 Values = NDArray[np.float64]
 
 # Displacements below a nanometre are rest: fields stay empty where nothing moves.
 _REST = 1e-9
+# Steps of the inverse through the continuous stages at most, the error in metres at which it ends, and how many earlier
+# steps it remembers; then steps through all stages of the sheet, and the error that asks for them.
+_STEPS, _EXACT, _MEMORY = 120, 1e-8, 30
+_POLISHING_STEPS, _CLOSE = 60, 2e-6
 
 
 def extract(
@@ -44,20 +60,65 @@ def extract(
             f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
         )
     if space.transfer == "smooth":
-        source = generic_face(space)
-        ready = carrier(space, face)
+        ready = prepare_smooth_map(space, face)
         goal = ready.positions + moved * space.on_sheet[:, None]
-        bare = _field(space, source.positions.astype(np.float64), uncarried(ready, goal))
+        bare = _field(space, ready.generic, invert_smooth_map(space, face, goal))
     else:
         bare = _field(space, face.positions.astype(np.float64), moved)
     return _with_rest(space, face, bare, moved, parts or {})
+
+
+def invert_smooth_map(space: ParameterSpace, face: Face, goal: Values, /) -> Values:
+    """The displacement (V, 3) of the generic face with which `apply_smooth_map` brings a face's sheet to goal (V, 3).
+
+    Exact where no stage after `CONTINUOUS_STAGES` changes the sheet; elsewhere all stages of the sheet are inverted as
+    far as they go. Anderson acceleration (1965), since plain fixed-point steps diverge where a face's triangles are
+    much larger than the generic one's.
+    """
+    through_continuous = partial(apply_smooth_map, space, face, stages=CONTINUOUS_STAGES)
+    through_all = partial(apply_smooth_map, space, face)
+    first = goal - prepare_smooth_map(space, face).positions
+    smooth = _solve_fixed_point(through_continuous, goal, first, _STEPS)
+    if np.abs(through_all(smooth) - goal).max() < _CLOSE:
+        return smooth
+    return _solve_fixed_point(through_all, goal, smooth, _POLISHING_STEPS)
+
+
+def _solve_fixed_point(map_: Callable[[Values], Values], goal: Values, start: Values, most: int) -> Values:
+    """Where a map gives the goal (V, 3), or the nearest it came to it in so many steps of Anderson acceleration."""
+    displacement, best, least = start, start, np.inf
+    steps, changes = list[Values](), list[Values]()
+    before: tuple[Values, Values] | None = None
+    for _ in range(most):
+        residual = goal - map_(displacement)
+        error = float(np.abs(residual).max())
+        if error < least:
+            best, least = displacement, error
+        if error < _EXACT:
+            break
+        if before is not None:
+            steps, changes = [*steps, before[0]][-_MEMORY:], [*changes, residual - before[1]][-_MEMORY:]
+        step = _accelerated_step(residual, steps, changes)
+        before = (step, residual)
+        displacement = displacement + step
+    return best
+
+
+def _accelerated_step(residual: Values, steps: list[Values], changes: list[Values]) -> Values:
+    """Half the residual, after the combination of earlier steps whose changes of the residual explain it best."""
+    if not steps:
+        return 0.5 * residual
+    known = np.stack(changes)
+    share, *_ = np.linalg.lstsq(known.reshape(len(known), -1).T, residual.ravel(), rcond=1e-10)
+    result: Values = 0.5 * (residual - np.tensordot(share, known, 1)) - np.tensordot(share, np.stack(steps), 1)
+    return result
 
 
 def _field(space: ParameterSpace, before: Values, moved: Values) -> Expression:
     """The field on S of a displacement (V, 3) of the sheet of a face with positions (V, 3)."""
     after = before + moved
     vertices = np.flatnonzero(space.on_sheet & (np.abs(moved) > _REST).any(axis=1)).astype(np.int32)
-    landing = slide(space, before, after[vertices], vertices)
+    landing = project_to_surface(space, before, after[vertices], vertices)
     dtheta, dh, ratio = np.zeros(len(before)), np.zeros(len(before)), np.ones(len(before))
     corners = space.location_triangles[landing.triangles]
     from_first = wrap(space.theta[corners] - space.theta[corners[:, :1]])
@@ -82,7 +143,7 @@ def _with_rest(
     fitted = fit(space, face)
     sheet = compound(space, face, bare).astype(np.float64) - face.positions
     inner = space.inner.vertices
-    residual = (moved[inner] - _unkept(space, face, bare)[inner]) / fitted.scale[:, None]
+    residual = (moved[inner] - _before_mouth_bag(space, face, bare)[inner]) / fitted.scale[:, None]
     residual[np.abs(residual).max(axis=1) < _REST] = 0.0
     eyes = np.zeros((2, 2))
     rest: dict[str, Values] = {}
@@ -99,13 +160,13 @@ def _with_rest(
             eyes[0 if part.eye == "left" else 1] = angles
             # Turned back about the centre, so that what remains is turned with the ball.
             after = (after - fitted.centres[name]) @ eye_rotation(*angles) + fitted.centres[name]
-        rest[name] = (after - before - predicted(space, name, sheet)) / fitted.sizes[name]
+        rest[name] = (after - before - predict_part(space, name, sheet)) / fitted.sizes[name]
     return Expression(bare.dtheta, bare.dh, bare.ratio, residual, rest, eyes, space.radius, space.transfer)
 
 
-def _unkept(space: ParameterSpace, face: Face, bare: Expression) -> Values:
-    """What the skin (V, 3) is predicted to do before the mouth bag is kept inside the head, which needs the rest."""
-    compiled = compile_expression(space, bare)
+def _before_mouth_bag(space: ParameterSpace, face: Face, bare: Expression) -> Values:
+    """What the skin (V, 3) is predicted to do before the mouth bag is fitted, which needs the residual."""
     if space.transfer == "paper":
         return compound(space, face, bare).astype(np.float64) - face.positions
-    return followed(space, face, on_generic(space, compiled), compiled.residual).astype(np.float64) - face.positions
+    compiled = compile_expression(space, bare)
+    return transfer_expression(space, face, compiled, LINEAR_INNER_STAGES).astype(np.float64) - face.positions

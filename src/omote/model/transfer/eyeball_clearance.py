@@ -1,4 +1,4 @@
-"""Eyeballs stay behind the lids: on every face no deeper in than on the source (method.md, section 3)."""
+"""Lids lie no deeper in an eyeball than on the generic face (docs/method.md, "Eyeball clearance")."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from omote.geometry.laplacian import smoothing
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-# Vertices within so many radii of the ball's centre may be pushed.
+# Vertices within so many radii of the eyeball's centre may be pushed.
 REACH = 1.8
 # A push spreads over so many rings, from one to the next this share of it, so that no single vertex stands out.
 RINGS, SHARE = 5, 0.6
@@ -21,7 +21,7 @@ HIDDEN = 0.003
 
 
 @dataclass(frozen=True, eq=False)
-class Ball:
+class Eyeball:
     """An eyeball: its centre (3,) and radius, metres. Raises ValueError where it is none."""
 
     centre: Values
@@ -45,31 +45,33 @@ class Clearance:
     near: Indices
     starts: Indices
     neighbours: Indices
-    source: Ball
-    ball: Ball
+    source: Eyeball
+    ball: Eyeball
     rest: Values
     deeper: Values
 
 
-def clearance_of(generic: Values, positions: Values, triangles: Indices, source: Ball, ball: Ball, /) -> Clearance:
-    """The clearance of a ball on a face with positions (V, 3).
+def build_clearance(
+    generic: Values, positions: Values, triangles: Indices, source: Eyeball, ball: Eyeball, /
+) -> Clearance:
+    """The clearance of an eyeball on a face with positions (V, 3).
 
-    generic (V, 3) with its ball, source: the face on which expressions were made; triangles (T, 3): the sheet's.
+    generic (V, 3) with its eyeball, source: the face on which expressions are defined; triangles (T, 3): the sheet's.
     """
     used = np.unique(triangles)
     near = used[np.linalg.norm(positions[used] - ball.centre, axis=1) < REACH * ball.radius].astype(np.int32)
     rings = smoothing(triangles, len(positions))[near][:, near]
-    deeper = np.maximum(depth(ball, positions[near]) - depth(source, generic[near]), 0.0)
+    deeper = np.maximum(measure_depth(ball, positions[near]) - measure_depth(source, generic[near]), 0.0)
     return Clearance(near, rings.indptr[:-1], rings.indices, source, ball, generic[near], deeper)
 
 
-def depth(ball: Ball, points: Values, /) -> Values:
+def measure_depth(ball: Eyeball, points: Values, /) -> Values:
     """How deep points (n, 3) lie in a ball, (n,) metres, zero outside."""
     result: Values = np.maximum(ball.radius - np.linalg.norm(points - ball.centre, axis=1), 0.0)
     return result
 
 
-def cleared(clearance: Clearance, positions: Values, moved: Values, /) -> bool:
+def clear_eyeball(clearance: Clearance, positions: Values, moved: Values, /) -> bool:
     """Pushes the lids of positions (V, 3) out of the ball, in place; says whether anything had to go.
 
     moved (V, 3): the generic face wearing the expression. A vertex may lie as deep as it does there, and one that stays
@@ -79,8 +81,8 @@ def cleared(clearance: Clearance, positions: Values, moved: Values, /) -> bool:
     points = positions[clearance.near]
     there = moved[clearance.near]
     still = np.maximum(1.0 - np.linalg.norm(there - clearance.rest, axis=1) / HIDDEN, 0.0)
-    allowed = depth(clearance.source, there) + still * clearance.deeper
-    push = np.maximum(depth(clearance.ball, points) - allowed, 0.0)
+    allowed = measure_depth(clearance.source, there) + still * clearance.deeper
+    push = np.maximum(measure_depth(clearance.ball, points) - allowed, 0.0)
     if not push.any():
         return False
     for _ in range(RINGS):

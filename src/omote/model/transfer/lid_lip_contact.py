@@ -1,4 +1,8 @@
-"""Lids and lips close on a face as far as on the source (method.md, section 3, step 2)."""
+"""Lids and lips close on a face as far as on the generic face (docs/method.md, "Contact of lids and lips").
+
+Openings are measured along each line by hat functions; what is missing is given back by equality-constrained least
+squares of minimum norm, whose responses are solved once per face: M^-1 C' (C M^-1 C')^-1.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +14,7 @@ from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from omote.model.space.lid_lip_lines import RUNGS, Line
-from omote.model.transfer.fold_repair import Sheet
+from omote.model.transfer.fold_repair import SheetGeometry
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -32,11 +36,10 @@ _UP = np.array([0.0, 1.0, 0.0])
 class Contact:
     """How one line of a face is opened and closed.
 
-    bins (b, RUNGS): hats along the line; source, target (RUNGS, 3): directions along which openings are measured on the
-    generic face and on this one; ratios (RUNGS,): how much longer the rungs are here; rest, origin (b,): openings at
-    rest
-    there and here (lips); least (b,): the rungs' lengths here, summed; near (m,), answer (m, b, 3): the displacement of
-    the vertices near the line that opens a bin by one metre.
+    bins (b, RUNGS): hat functions along the line; source, target (RUNGS, 3): directions along which openings are
+    measured on the generic face and on this one; ratios (RUNGS,): how much longer the rungs are here; there, here
+    (RUNGS,): openings at rest on both; gain: how much larger lips open here; lengths (RUNGS,): of the rungs here; near
+    (m,), response (m, b, 3): the displacement of the vertices near the line that opens a bin by one metre.
     """
 
     line: Line
@@ -46,13 +49,13 @@ class Contact:
     ratios: Values
     there: Values
     here: Values
-    growth: float
+    gain: float
     lengths: Values
     near: Indices
-    answer: Values
+    response: Values
 
 
-def contact_of(line: Line, generic: Values, positions: Values, sheet: Sheet, /) -> Contact:
+def build_contact(line: Line, generic: Values, positions: Values, sheet: SheetGeometry, /) -> Contact:
     """The contact of a line on a face with positions (V, 3); generic (V, 3): the face on which expressions were
     made."""
     there, here = line.rungs(generic), line.rungs(positions)
@@ -61,20 +64,20 @@ def contact_of(line: Line, generic: Values, positions: Values, sheet: Sheet, /) 
     source = np.tile(_UP, (RUNGS, 1)) if lips else there / long_there[:, None]
     target = np.tile(_UP, (RUNGS, 1)) if lips else here / long_here[:, None]
     widths = [float(np.ptp(points[line.loop, 0])) for points in (generic, positions)]
-    near, answer = _answers(line, target, positions, sheet, widths[1])
+    near, response = _solve_responses(line, target, positions, sheet, widths[1])
     return Contact(
-        line, hats(), source, target, long_here / long_there, (source * there).sum(axis=1), (target * here).sum(axis=1),
-        _growth(widths[1] / widths[0]), long_here, near, answer,
+        line, hat_functions(), source, target, long_here / long_there, (source * there).sum(axis=1),
+        (target * here).sum(axis=1), _lip_gain(widths[1] / widths[0]), long_here, near, response,
     )  # fmt: skip
 
 
-def _growth(ratio: float) -> float:
+def _lip_gain(ratio: float) -> float:
     """How much larger lips open where the mouth is `ratio` times as wide."""
     far = np.log(ratio)
     return float(np.exp(np.sign(far) * max(abs(far) - ALIKE, 0.0)))
 
 
-def hats() -> Values:
+def hat_functions() -> Values:
     """Hat functions over the rungs that sum to one: (BINS, RUNGS)."""
     shares = (np.arange(RUNGS) + 0.5) / RUNGS * BINS - 0.5
     result: Values = np.maximum(0.0, 1.0 - np.abs(shares - np.arange(BINS)[:, None]))
@@ -82,8 +85,13 @@ def hats() -> Values:
     return result
 
 
-def _answers(line: Line, target: Values, positions: Values, sheet: Sheet, width: float) -> tuple[Indices, Values]:
-    """The smoothest displacements near the line that open each bin alone: M^-1 C' (C M^-1 C')^-1."""
+def _solve_responses(
+    line: Line, target: Values, positions: Values, sheet: SheetGeometry, width: float
+) -> tuple[Indices, Values]:
+    """The smoothest displacements near the line that open each bin alone: M^-1 C' (C M^-1 C')^-1.
+
+    Least squares of minimum norm under equality constraints, by the Schur complement of its KKT system.
+    """
     used = np.unique(sheet.triangles)
     distance = np.full(len(used), np.inf)
     for vertex in line.loop:
@@ -92,7 +100,7 @@ def _answers(line: Line, target: Values, positions: Values, sheet: Sheet, width:
     place = np.full(len(positions), -1)
     place[near] = np.arange(len(near))
     openings = np.zeros((BINS, len(near), 3))
-    weighted = np.einsum("br,rk,rc->brkc", hats(), line.weights, target)
+    weighted = np.einsum("br,rk,rc->brkc", hat_functions(), line.weights, target)
     for column in range(4):
         for rung in range(RUNGS):
             openings[:, place[line.vertices[rung, column]]] += weighted[:, rung, column]
@@ -102,7 +110,7 @@ def _answers(line: Line, target: Values, positions: Values, sheet: Sheet, width:
     return near, np.einsum("vbc,bd->vdc", flat, np.linalg.inv(gram))
 
 
-def _stiffness(sheet: Sheet, near: Indices, place: NDArray[np.int64], length: float) -> sparse.csr_array:
+def _stiffness(sheet: SheetGeometry, near: Indices, place: NDArray[np.int64], length: float) -> sparse.csr_array:
     """M = D'D + diag(valence / 3 / length^2) on the near vertices, those beyond held."""
     touched = np.flatnonzero((place[sheet.triangles] >= 0).any(axis=1))
     corners, slopes = place[sheet.triangles[touched]], sheet.gradients[touched]
@@ -115,27 +123,27 @@ def _stiffness(sheet: Sheet, near: Indices, place: NDArray[np.int64], length: fl
     return sparse.csr_array(matrix + sparse.diags_array(valence / length**2))
 
 
-def closed(contact: Contact, positions: Values, moved: Values, /) -> None:
+def close_contact(contact: Contact, positions: Values, moved: Values, /) -> None:
     """Opens or closes the line of positions (V, 3), in place, as far as moved (V, 3), the generic face, has it."""
     source = (contact.source * contact.line.rungs(moved)).sum(axis=1)
     now = (contact.target * contact.line.rungs(positions)).sum(axis=1)
     if contact.line.kind == "lips":
-        lack = contact.bins @ (contact.here + contact.growth * (source - contact.there) - now)
+        missing = contact.bins @ (contact.here + contact.gain * (source - contact.there) - now)
     else:
-        lack = contact.bins @ (contact.ratios * source - now)
+        missing = contact.bins @ (contact.ratios * source - now)
         lengths = contact.bins @ contact.lengths
         slack = TOLERANCE * np.abs(contact.bins @ (contact.ratios * source) / lengths) * lengths
-        lack = np.sign(lack) * np.maximum(np.abs(lack) - slack, 0.0)
-    positions[contact.near] += np.einsum("vbc,b->vc", contact.answer, lack)
+        missing = np.sign(missing) * np.maximum(np.abs(missing) - slack, 0.0)
+    positions[contact.near] += np.einsum("vbc,b->vc", contact.response, missing)
 
 
-def growth_of(generic: Values, contacts: tuple[Contact, ...], /) -> Values:
-    """How much larger a displacement of the generic face (V, 3) becomes at each vertex, (V,).
+def compute_gain(generic: Values, contacts: tuple[Contact, ...], /) -> Values:
+    """How much larger a displacement of the generic face (V, 3) becomes at each vertex, (V,): its gain.
 
     The jaw goes with lips that open less: as they do where a vertex is nearer to the lips than to the lids, by one
     around these, smoothly between.
     """
-    growth, lids = np.ones(len(generic)), np.full(len(generic), np.inf)
+    gain, lids = np.ones(len(generic)), np.full(len(generic), np.inf)
     for contact in contacts:
         if contact.line.kind == "lids":
             lids = np.minimum(lids, _distance(generic, contact.line))
@@ -143,8 +151,8 @@ def growth_of(generic: Values, contacts: tuple[Contact, ...], /) -> Values:
         if contact.line.kind == "lips" and np.isfinite(lids).all():
             lips = _distance(generic, contact.line)
             share = np.minimum(np.maximum((lids - lips) / (lids + lips) / JAW, 0.0), 1.0)
-            growth += (min(contact.growth, 1.0) - 1.0) * share * share * (3.0 - 2.0 * share)
-    return growth
+            gain += (min(contact.gain, 1.0) - 1.0) * share * share * (3.0 - 2.0 * share)
+    return gain
 
 
 def _distance(points: Values, line: Line) -> Values:

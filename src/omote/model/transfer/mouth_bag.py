@@ -1,4 +1,4 @@
-"""The mouth bag: the inner skin behind the lips."""
+"""Finds the mouth bag, the inner skin behind the lips (docs/method.md, "Mouth bag")."""
 
 from __future__ import annotations
 
@@ -19,38 +19,38 @@ Indices = NDArray[np.int32]
 
 
 @dataclass(frozen=True, eq=False)
-class Bag:
+class MouthBag:
     """The mouth bag of a space, seams welded.
 
     vertices (m,); triangles (t, 3) of the mesh that touch it; rows (n,): the row in `vertices` of each inner vertex, or
-    -1; away (m,): metres along the mesh to the skin; around (m, k): the rows of each one's neighbours, its own where it
-    has fewer; starts (m,): sheet vertices near which a walk to the skin outside begins; over (k,): the bag and the skin
-    within REACH of it.
+    -1; distance (m,): metres along the mesh to the sheet; neighbours (m, k): rows, a vertex's own where it has fewer;
+    starts (m,): sheet vertices at which a walk to the skin outside begins; region (k,): the bag and the skin within
+    REACH of it.
     """
 
     vertices: Indices
     triangles: Indices
     rows: Indices
-    away: Values
-    around: NDArray[np.int64]
+    distance: Values
+    neighbours: NDArray[np.int64]
     starts: Indices
-    over: Indices
+    region: Indices
 
 
 # The bag is behind skin that is no farther from it than this, metres.
 REACH = 0.03
 
-_bags: WeakKeyDictionary[ParameterSpace, tuple[Bag, ...]] = WeakKeyDictionary()
+_bags: WeakKeyDictionary[ParameterSpace, tuple[MouthBag, ...]] = WeakKeyDictionary()
 
 
-def bag_of(space: ParameterSpace, /) -> Bag | None:
+def find_mouth_bag(space: ParameterSpace, /) -> MouthBag | None:
     """The mouth bag of a space, remembered as long as it lives; None where no lips are named or none is behind."""
     if space not in _bags:
-        _bags[space] = tuple(_found(space))
+        _bags[space] = tuple(_search(space))
     return next(iter(_bags[space]), None)
 
 
-def _found(space: ParameterSpace) -> Sequence[Bag]:
+def _search(space: ParameterSpace) -> Sequence[MouthBag]:
     lips = next((line.loop for line in space.lines if line.kind == "lips"), None)
     corners = space.welded[space.triangles]
     vertices = np.zeros(0, np.int32) if lips is None else _behind(corners, ~space.on_sheet, lips)
@@ -60,10 +60,13 @@ def _found(space: ParameterSpace) -> Sequence[Bag]:
     place = np.full(space.vertex_count, -1, np.int32)
     place[vertices] = np.arange(len(vertices), dtype=np.int32)
     rows = place[space.welded[space.inner.vertices]]
-    away, around = _from_skin(space, triangles, vertices), _around(triangles, place, len(vertices))
+    distance, neighbours = (
+        _measure_distance(space, triangles, vertices),
+        _list_neighbours(triangles, place, len(vertices)),
+    )
     near, _ = cKDTree(space.points[vertices]).query(space.points)
-    over = np.flatnonzero(near < REACH).astype(np.int32)
-    return (Bag(vertices, triangles, rows, away, around, _outside(space, vertices), over),)
+    region = np.flatnonzero(near < REACH).astype(np.int32)
+    return (MouthBag(vertices, triangles, rows, distance, neighbours, _nearest_on_sheet(space, vertices), region),)
 
 
 def _behind(corners: Indices, inner: NDArray[np.bool_], lips: Indices) -> Indices:
@@ -77,8 +80,8 @@ def _behind(corners: Indices, inner: NDArray[np.bool_], lips: Indices) -> Indice
     return np.unique(corners[inner[corners] & np.isin(label[corners], met)]).astype(np.int32)
 
 
-def _from_skin(space: ParameterSpace, triangles: Indices, vertices: Indices) -> Values:
-    """How far along the mesh the bag's vertices are from the sheet, metres."""
+def _measure_distance(space: ParameterSpace, triangles: Indices, vertices: Indices) -> Values:
+    """How far along the mesh the bag's vertices are from the sheet (Dijkstra), metres."""
     ends = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     lengths = np.linalg.norm(space.points[ends[:, 0]] - space.points[ends[:, 1]], axis=1)
     ends, first = np.unique(np.sort(ends, axis=1), axis=0, return_index=True)
@@ -89,7 +92,7 @@ def _from_skin(space: ParameterSpace, triangles: Indices, vertices: Indices) -> 
     return result
 
 
-def _around(triangles: Indices, place: Indices, count: int) -> NDArray[np.int64]:
+def _list_neighbours(triangles: Indices, place: Indices, count: int) -> NDArray[np.int64]:
     ends = place[np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])]
     ends = ends[(ends >= 0).all(axis=1)]
     ends = np.unique(np.concatenate([ends, ends[:, ::-1]]), axis=0)
@@ -100,7 +103,7 @@ def _around(triangles: Indices, place: Indices, count: int) -> NDArray[np.int64]
     return result
 
 
-def _outside(space: ParameterSpace, vertices: Indices) -> Indices:
+def _nearest_on_sheet(space: ParameterSpace, vertices: Indices) -> Indices:
     """The sheet vertices nearest on S."""
     sheet = np.flatnonzero(space.on_sheet & (space.welded == np.arange(space.vertex_count)))
     radius = float(np.hypot(space.points[sheet, 0], space.points[sheet, 2]).mean())

@@ -1,4 +1,8 @@
-"""The paper's map between a face and S: slide, compile, wear (paper, section 2.2; method.md, section 3)."""
+"""The paper's map: an expression located on S once, then any face moved by it (paper, section 2.2).
+
+`STAGES` are its steps on a face, in order. The smooth map begins with what they do to the generic face
+(`displace_generic`, `omote.model.transfer.pipeline`).
+"""
 
 from __future__ import annotations
 
@@ -13,7 +17,7 @@ from numpy.typing import NDArray
 from omote.geometry.locate import Landing, walk_face
 from omote.geometry.mesh import FARTHEST
 from omote.model.space.expression import Expression
-from omote.model.space.face_fit import Fitted
+from omote.model.space.face_fit import Fitted, fit, generic_face
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 
 Floats = NDArray[np.float32]
@@ -76,7 +80,7 @@ def _refuse_foreign(space: ParameterSpace, expression: Expression) -> None:
             )
 
 
-def slide(
+def project_to_surface(
     space: ParameterSpace, points: NDArray[np.float64], targets: NDArray[np.float64], vertices: Indices, /
 ) -> Landing:
     """Where targets (N, 3) come down on a face with points (V, 3) along their cylinder radius, walking from vertices
@@ -130,28 +134,43 @@ def locate_field(
     return Compiled(indices, weights, ratios.astype(np.float32), residual.astype(np.float32), dict(parts), inside)
 
 
-def wear(space: ParameterSpace, fitted: Fitted, compiled: Compiled, /, out: Floats | None = None) -> Floats:
-    """The compound (V, 3) of a fitted face and a compiled expression: one gather, one rescale, the inner skin behind
-    it."""
-    out = np.empty_like(fitted.positions) if out is None else out
-    inner = space.inner
+def gather_landings(space: ParameterSpace, fitted: Fitted, compiled: Compiled, out: Floats, /) -> None:
+    """Moves each vertex of the sheet to the point of the face at which it lands on S, radius rescaled: one gather."""
     axis = np.float32(space.cylinder.x), np.float32(space.cylinder.z)
-    gather(
-        fitted.positions,
-        compiled.indices,
-        compiled.weights,
-        compiled.ratios,
-        fitted.radii,
-        *axis,
-        space.radius == "origin",
-        out,
+    from_origin = space.radius == "origin"
+    gather_points(
+        fitted.positions, compiled.indices, compiled.weights, compiled.ratios, fitted.radii, *axis, from_origin, out
     )
-    follow(fitted.positions, inner.vertices, inner.anchors, inner.weights, compiled.residual, fitted.scale, out)
+
+
+def follow_inner_skin(space: ParameterSpace, fitted: Fitted, compiled: Compiled, out: Floats, /) -> None:
+    """Moves the inner skin by its anchors' mean displacement and the expression's own residual."""
+    inner = space.inner
+    follow_anchors(fitted.positions, inner.vertices, inner.anchors, inner.weights, compiled.residual, fitted.scale, out)
+
+
+STAGES = (gather_landings, follow_inner_skin)
+"""What the paper's map does to a face, in order; each writes into out (V, 3)."""
+
+
+def apply_paper_map(
+    space: ParameterSpace, fitted: Fitted, compiled: Compiled, /, out: Floats | None = None
+) -> Floats:  # fmt: skip
+    """The compound (V, 3) of a fitted face and a compiled expression, metres."""
+    out = np.empty_like(fitted.positions) if out is None else out
+    for stage in STAGES:
+        stage(space, fitted, compiled, out)
     return out
 
 
+def displace_generic(space: ParameterSpace, compiled: Compiled, /) -> NDArray[np.float64]:
+    """What a compiled expression does to the generic face by the paper's map: displacement (V, 3), metres."""
+    fitted = fit(space, generic_face(space))
+    return apply_paper_map(space, fitted, compiled).astype(np.float64) - fitted.positions
+
+
 @njit(cache=True, fastmath={"contract"}, error_model="numpy")
-def gather(
+def gather_points(
     positions: Floats, indices: Indices, weights: Floats, ratios: Floats, radii: Floats, x: np.float32, z: np.float32,
     origin: bool, out: Floats,
 ) -> None:  # fmt: skip
@@ -174,9 +193,9 @@ def gather(
 
 
 @njit(cache=True, fastmath={"contract"}, error_model="numpy")
-def follow(
-    positions: Floats, vertices: Indices, anchors: Indices, weights: Floats, residual: Floats, scale: Floats, out:
-    Floats
+def follow_anchors(
+    positions: Floats, vertices: Indices, anchors: Indices, weights: Floats, residual: Floats, scale: Floats,
+    out: Floats,
 ) -> None:  # fmt: skip
     """Moves the inner skin by its anchors' displacement and the expression's own residual; reads and writes out."""
     for n in range(len(vertices)):

@@ -1,4 +1,4 @@
-"""Compounds on demand: each computed once per cast and kept while there is room."""
+"""Caches compounds: each is computed once per cast and kept while there is room (least recently used goes first)."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
-from omote.model.space.face_fit import fit
-from omote.model.transfer.compound import compound, compound_parts, generic_face
-from omote.model.transfer.corrective_regions import settling_of
-from omote.perform.blending.correctives import allowance
+from omote.model.space.face_fit import fit, generic_face
+from omote.model.transfer.compound import compound, compound_parts
+from omote.model.transfer.corrective_regions import find_corrective_regions
+from omote.perform.blending.correctives import measure_allowance
 
 Floats = NDArray[np.float32]
 What = Literal["skin", "parts", "allowance"]
 
-ROOM = 512 * 2**20
+CAPACITY = 512 * 2**20
 """Bytes of compounds kept per cast; the least recently used go first."""
 
 
-class Compounds:
+class CompoundCache:
     """The compounds of one cast, remembered: skins (V, 3) and parts (n, 3) by face and expression, metres."""
 
-    def __init__(self, cast: Cast, *, room: int = ROOM) -> None:
+    def __init__(self, cast: Cast, *, room: int = CAPACITY) -> None:
         self._faces = cast.faces
         self._expressions = cast.expressions
         self._space = cast.space
@@ -47,27 +47,27 @@ class Compounds:
         return self._get(face, expression, "parts")
 
     def allowance(self, face: str, expression: str) -> Floats:
-        """What the compound alone uses up (omote.perform.blending.correctives); empty without correctives."""
+        """What the compound alone uses up (omote.perform.blending.correctives); empty without corrective regions."""
         return self._get(face, expression, "allowance")[""]
 
     def _get(self, face: str, expression: str, what: What) -> Mapping[str, Floats]:
         key = (face, expression, what)
         if key not in self._kept:
-            self._keep(key, self._made(face, expression, what))
+            self._keep(key, self._compute(face, expression, what))
         self._kept.move_to_end(key)
         return self._kept[key]
 
-    def _made(self, face: str, expression: str, what: What) -> Mapping[str, Floats]:
-        worn = self._expressions[expression]
-        wearer = self._faces[face] if face else generic_face(self._space)
+    def _compute(self, face_name: str, expression_name: str, what: What) -> Mapping[str, Floats]:
+        expression = self._expressions[expression_name]
+        face = self._faces[face_name] if face_name else generic_face(self._space)
         if what == "parts":
-            return compound_parts(self._space, wearer, worn)
+            return compound_parts(self._space, face, expression)
         if what == "skin":
-            return {"": compound(self._space, wearer, worn)}
-        settling, skin = settling_of(self._space), self.skin(face, expression)
-        if settling is None:
+            return {"": compound(self._space, face, expression)}
+        regions, skin = find_corrective_regions(self._space), self.skin(face_name, expression_name)
+        if regions is None:
             return {"": np.empty(0, np.float32)}
-        return {"": allowance(settling, fit(self._space, wearer), worn, skin)}
+        return {"": measure_allowance(regions, fit(self._space, face), expression, skin)}
 
     def _keep(self, key: tuple[str, str, What], arrays: Mapping[str, Floats]) -> None:
         self._kept[key] = arrays
@@ -77,13 +77,13 @@ class Compounds:
             self._bytes -= _size(dropped)
 
 
-_of_cast: WeakKeyDictionary[Cast, Compounds] = WeakKeyDictionary()
+_of_cast: WeakKeyDictionary[Cast, CompoundCache] = WeakKeyDictionary()
 
 
-def compounds_of(cast: Cast) -> Compounds:
+def compound_cache(cast: Cast) -> CompoundCache:
     """The compounds of a cast, the same ones as long as the cast lives."""
     if cast not in _of_cast:
-        _of_cast[cast] = Compounds(cast)
+        _of_cast[cast] = CompoundCache(cast)
     return _of_cast[cast]
 
 

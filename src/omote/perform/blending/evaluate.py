@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import NEUTRAL, Cast
-from omote.model.space.face_fit import Fitted, fit
-from omote.model.transfer.compound import generic_face, moved_parts, predicted, turned_eyes
-from omote.model.transfer.corrective_regions import settling_of
-from omote.model.transfer.paper_map import Compiled, wear
-from omote.perform.blending.compound_cache import compounds_of
-from omote.perform.blending.correctives import Balls, settled
+from omote.model.space.face_fit import Fitted, fit, generic_face
+from omote.model.transfer.compound import move_parts, predict_part, turn_eyes
+from omote.model.transfer.corrective_regions import find_corrective_regions
+from omote.model.transfer.paper_map import Compiled, apply_paper_map
+from omote.perform.blending.compound_cache import compound_cache
+from omote.perform.blending.correctives import Eyeballs, correct_combination
 from omote.perform.blending.expression_tables import fields_of
 from omote.perform.blending.weighted_sum import weighted_sum
 from omote.perform.channels import effective_channels, eye_angles
@@ -42,7 +42,7 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
-    return _settled(cast, frame, channels, _mixed(cast, frame, channels, mode))
+    return _correct(cast, frame, channels, _mixed(cast, frame, channels, mode))
 
 
 def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
@@ -55,10 +55,10 @@ def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[st
     mixed = _mixed(cast, frame, channels, mode)
     exact = mode == "exact"
     moved = _exact_parts(cast, frame, channels, mixed) if exact else _bilinear_parts(cast, frame, channels)
-    moved |= _stuck(cast, frame, channels, mixed, moved)
+    moved |= _correct_parts(cast, frame, channels, mixed, moved)
     fitted = [(weight, fit(cast.space, cast.faces[face])) for face, weight in frame.faces.items()]
     centres = {part: _sum((weight, face.centres[part]) for weight, face in fitted) for part in cast.space.parts}
-    return turned_eyes(cast.space, moved, centres, eye_angles(cast.expressions, frame.expressions, channels))
+    return turn_eyes(cast.space, moved, centres, eye_angles(cast.expressions, frame.expressions, channels))
 
 
 def _mixed(cast: Cast, frame: Frame, channels: Mapping[str, float], mode: Mode) -> Floats:
@@ -86,50 +86,52 @@ def _rests(frame: Frame, channels: Mapping[str, float]) -> dict[str, float]:
 
 
 def _bilinear(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
-    compounds = compounds_of(cast)
+    compounds = compound_cache(cast)
     terms = [(cast.faces[face].positions, weight) for face, weight in _rests(frame, channels).items()]
     terms += [(compounds.skin(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
     return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
 
 
-def _settled(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
-    """The mix put right where compounds together fold or pierce what none does alone."""
-    settling = settling_of(cast.space)
+def _correct(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
+    """The mix with its correctives, where compounds together fold or pierce what none does alone."""
+    regions = find_corrective_regions(cast.space)
     pairs = {key: abs(weight) for key, weight in _pairs(frame, channels).items() if key[1] != NEUTRAL and weight}
-    if settling is None or not pairs:
+    if regions is None or not pairs:
         return mixed
-    compounds, fitted = compounds_of(cast), [fit(cast.space, cast.faces[face]) for face in frame.faces]
+    compounds, fitted = compound_cache(cast), [fit(cast.space, cast.faces[face]) for face in frame.faces]
     factors = list(frame.faces.values())
     angles = eye_angles(cast.expressions, frame.expressions, channels)
-    balls = [Balls.of(face, settling.eyes, angles) for face in fitted]
-    whole = Balls(
+    balls = [Eyeballs.of(face, regions.eyes, angles) for face in fitted]
+    whole = Eyeballs(
         np.asarray(_sum((s, ball.centres) for s, ball in zip(factors, balls, strict=True))),
         np.asarray(sum(s * ball.radii for s, ball in zip(factors, balls, strict=True))), angles,
     )  # fmt: skip
     rest = weighted_sum([face.positions for face in fitted], factors)
     allowed = weighted_sum([compounds.allowance(*key) for key in pairs], list(pairs.values()))
-    return settled(settling, rest, mixed, allowed, whole)
+    return correct_combination(regions, rest, mixed, allowed, whole)
 
 
-def _stuck(
+def _correct_parts(
     cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats, moved: Mapping[str, Floats]
 ) -> dict[str, Floats]:  # fmt: skip
-    """The parts that stick to the skin, gone with it where it settled."""
-    settling = settling_of(cast.space)
-    if settling is None:
+    """The parts that are attached to the skin, moved with it where it is corrected."""
+    regions = find_corrective_regions(cast.space)
+    if regions is None:
         return {}
-    settled_skin = _settled(cast, frame, channels, mixed)
-    if settled_skin is mixed:
+    corrected = _correct(cast, frame, channels, mixed)
+    if corrected is mixed:
         return {}
-    move = settled_skin.astype(np.float64) - mixed
-    return {part: (moved[part] + predicted(cast.space, part, move)).astype(np.float32) for part in settling.sticking}
+    move = corrected.astype(np.float64) - mixed
+    return {
+        part: (moved[part] + predict_part(cast.space, part, move)).astype(np.float32) for part in regions.attached_parts
+    }
 
 
 def _exact(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
     weights = combined(((1.0, frame.expressions), (1.0, channels)))
     worn = fields_of(cast).mixed(weights)
     if cast.space.transfer == "paper":
-        return wear(cast.space, _mixed_face(cast, frame.faces), worn)
+        return apply_paper_map(cast.space, _mixed_face(cast, frame.faces), worn)
     return _bilinear(cast, frame, channels) + _bent(cast, weights, worn)
 
 
@@ -139,8 +141,8 @@ def _bent(cast: Cast, weights: Mapping[str, float], worn: Compiled) -> Floats:
     The smooth map carries displacements, and carries this one as it is: nothing where one expression is worn.
     """
     source = fit(cast.space, generic_face(cast.space))
-    compounds = compounds_of(cast)
-    terms = [(wear(cast.space, source, worn), 1.0), (source.positions, math.fsum(weights.values()) - 1.0)]
+    compounds = compound_cache(cast)
+    terms = [(apply_paper_map(cast.space, source, worn), 1.0), (source.positions, math.fsum(weights.values()) - 1.0)]
     terms += [(compounds.source(name), -weight) for name, weight in weights.items()]
     return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
 
@@ -172,11 +174,11 @@ def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed:
     rest = {
         part: _sum((worn[name], cast.expressions[name].parts[part]) for name in names) for part, names in moving.items()
     }
-    return moved_parts(cast.space, face, mixed, rest)
+    return move_parts(cast.space, face, mixed, rest)
 
 
 def _bilinear_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dict[str, Floats]:
-    compounds = compounds_of(cast)
+    compounds = compound_cache(cast)
     terms = [(fit(cast.space, cast.faces[face]).parts, weight) for face, weight in _rests(frame, channels).items()]
     terms += [(compounds.parts(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
     factors = [weight for _, weight in terms]
