@@ -13,14 +13,14 @@ from omote.model.cast import Cast
 from omote.model.controls.control_net import ControlNet
 from omote.model.controls.default_net import default_net
 from omote.model.controls.face_muscles import muscle_fields
-from omote.model.controls.inverse_solve import solved
-from omote.model.controls.mirror import mirrored
-from omote.model.controls.net_field import woven
+from omote.model.controls.inverse_solve import solve_vectors
+from omote.model.controls.mirror import mirror_expression
+from omote.model.controls.net_field import build_net_field
 from omote.model.controls.tangents import tangents
-from omote.model.hair import carried
-from omote.model.recipes.compose_expression import composed, renetted
-from omote.model.recipes.compose_face import Dressed, composed_face
-from omote.model.recipes.face_handles import default_handles, dragged, handle_basis
+from omote.model.hair import place_strands
+from omote.model.recipes.compose_expression import change_net, compose_expression
+from omote.model.recipes.compose_face import FaceWithLook, compose_face
+from omote.model.recipes.face_handles import default_handles, drag_handles, handle_basis
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
 from omote.model.sculpting.regions import REGIONS, caricature, region_weights, regional
 from omote.model.sculpting.sculpt import sculpted
@@ -79,7 +79,7 @@ def record_recipes(recording: Recording) -> None:
     cast, rng = load_cast(), np.random.default_rng(SEED)
     space, net = cast.space, default_net(cast.space)
     recording.numbers("control nets", "default net", np.array(net))
-    weave = woven(space, net)
+    weave = build_net_field(space, net)
     recording.numbers("control nets", "woven", weave.net.triangles, weave.net.corners, weave.net.weights)
     recording.numbers("control nets", "points on dog", ControlNet.points_on(weave.net, cast.faces["dog"]))
     for name, field in muscle_fields(space).items():
@@ -87,13 +87,13 @@ def record_recipes(recording: Recording) -> None:
     for region, share in region_weights(space).items():
         recording.numbers("regions", region, share)
     for name in [*cast.expressions][::3]:
-        recording.numbers("mirrored", name, *numbers_of(mirrored(space, cast.expressions[name])))
+        recording.numbers("mirrored", name, *numbers_of(mirror_expression(space, cast.expressions[name])))
     for place in range(16):
         recipe = random_recipe(cast, net, rng)
-        made = composed(space, recipe, cast.expressions)
+        made = compose_expression(space, recipe, cast.expressions)
         recording.numbers("recipes composed", f"{place:02d}", *numbers_of(made))
         recording.numbers("recipes worn", f"{place:02d}", compound(space, cast.faces["dog"], made))
-        fewer, _, ground = renetted(space, recipe, None, net[: -3 - place % 4])
+        fewer, _, ground = change_net(space, recipe, None, net[: -3 - place % 4])
         recording.numbers("recipes under other nets", f"{place:02d}", np.array(fewer.vectors))
         if ground is not None:
             recording.numbers("recipes under other nets", f"{place:02d} ground", *numbers_of(ground))
@@ -128,12 +128,14 @@ def record_solves(recording: Recording) -> None:
     space, net = cast.space, default_net(cast.space)
     for name, face in cast.faces.items():
         recording.numbers("tangents", name, tangents(space, face))
-    weave, rest = woven(space, net), ((0.0, 0.0, 1.0),) * len(net)
+    weave, rest = build_net_field(space, net), ((0.0, 0.0, 1.0),) * len(net)
     for place, face in product(range(SOLVES), WORN[:2]):
-        under = composed(space, random_recipe(cast, net, rng), cast.expressions)
+        under = compose_expression(space, random_recipe(cast, net, rng), cast.expressions)
         points = sorted(rng.choice(len(net), size=1 + place % 3, replace=False).tolist())
         start = compound(space, cast.faces[face], under)[[net[point] for point in points]]
-        found = solved(space, cast.faces[face], under, weave, rest, points, start + rng.normal(0.0, 0.002, start.shape))
+        found = solve_vectors(
+            space, cast.faces[face], under, weave, rest, points, start + rng.normal(0.0, 0.002, start.shape)
+        )
         recording.numbers("inverse solves", f"{face} {place}", found.vectors, np.array([found.miss, found.compounds]))
     for point in range(0, len(net), 9):
         target = weave.net.points_on(cast.faces["kaori"])[point] + [0.002, -0.003, 0.001]
@@ -162,7 +164,7 @@ def record_faces(recording: Recording) -> None:
     )
     recording.numbers("regional faces", "mixed", mixed.positions, *(mixed.parts[name] for name in sorted(mixed.parts)))
     for style, face in product(cast.hair, WORN[:3]):
-        strands = carried(cast.hair[style], cast.space.points, cast.faces[face].positions.astype(np.float64))
+        strands = place_strands(cast.hair[style], cast.space.points, cast.faces[face].positions.astype(np.float64))
         recording.numbers("hair", f"{face} {style}", strands, every=97)
     _record_handles(recording, cast)
 
@@ -172,16 +174,16 @@ def _record_handles(recording: Recording, cast: Cast) -> None:
     rows = [handle.row for handle in handles]
     recording.data("handles", "default", repr([(each.label, each.row, each.mirror) for each in handles]).encode())
     recording.numbers("handles", "basis", handle_basis(cast.space, cast.faces["dog"], rows), every=97)
-    sources = {name: Dressed(cast.faces[name], cast.looks[name]) for name in cast.faces}
+    sources = {name: FaceWithLook(cast.faces[name], cast.looks[name]) for name in cast.faces}
     for place in range(8):
         moves = rng.normal(0.0, 0.0015, (len(rows), 3))
-        moved = dragged(cast.space, cast.faces[WORN[place % 4]], "moved", rows=rows, moves=moves)
+        moved = drag_handles(cast.space, cast.faces[WORN[place % 4]], "moved", rows=rows, moves=moves)
         recording.numbers("handles", f"dragged {place}", moved.positions)
         one, two, three = rng.choice([*cast.faces], size=3, replace=False).tolist()
         region = REGIONS[place % len(REGIONS)]
         points, ways = (tuple(rows), tuple(_vector(row) for row in moves / 2)) if place % 2 else ((), ())
         recipe = FaceRecipe({one: 0.4, two: 0.6}, {region: three}, 1.0 + 0.1 * (place % 3), points, ways)
-        made = composed_face(cast.space, "own", recipe, sources)
+        made = compose_face(cast.space, "own", recipe, sources)
         recording.numbers("own faces", f"{place}", made.face.positions, *made.face.parts.values())
         recording.data("own faces", f"{place} look", repr(vars(made.look)).encode())
 

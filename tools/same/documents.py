@@ -6,21 +6,21 @@ import msgspec
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.edit.protocol.wire import encode as encode_editing
-from omote.interchange.export_face import Workbench, chosen, exported, worn_meshes
+from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
 from omote.interchange.formats.glb_reader import Piece, read_glb
 from omote.interchange.formats.glb_writer import glb_bytes
-from omote.interchange.import_meshes import face_in, taken
+from omote.interchange.import_meshes import import_expressions, import_face
 from omote.model.controls.default_net import default_net
-from omote.model.recipes.compose_expression import composed
+from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import KEY, Recipe
-from omote.server.workers.order_worker import Bench, CompoundOrder, FaceOrder, HandlesOrder, TangentsOrder
+from omote.server.workers.order_worker import CompoundOrder, FaceOrder, HandlesOrder, OrderWorker, TangentsOrder
 from omote.show.messages import ContentAsset
 from omote.show.wire import encode
 from omote.showfile.contents import unpack_expression, unpack_face
 from omote.stage_data.assets import documents
 from omote.stage_data.picture_grid import Setting
 from omote.stage_data.playing_cast import manifest_of
-from omote.stage_data.pose_parser import pose_of, posed
+from omote.stage_data.pose_parser import parse_pose, pose_of
 from tools.same.authoring import numbers_of
 from tools.same.recording import Recording
 from tools.same.show_link import own_contents, own_troupe
@@ -32,7 +32,7 @@ SCENES = {"kaori": "performed", "dog": "smile,jawOpen,eyeBlinkLeft,eyeLookOutLef
 
 def record_documents(recording: Recording) -> None:
     """Manifest, assets of faces and hair, compounds, tangents, handles, the greeting of editors."""
-    cast, bench = load_cast(), Bench(load_cast())
+    cast, bench = load_cast(), OrderWorker(load_cast())
     made = documents(cast, load_meshes(), mask="/assets/mask")
     recording.data("documents", "digest", cast.digest.encode())
     recording.data("documents", "manifest", encode(made.manifest))
@@ -51,7 +51,7 @@ def record_documents(recording: Recording) -> None:
     recording.data("documents", "manifest with an own expression", encode(manifest))
 
 
-def _record_own(recording: Recording, bench: Bench) -> None:
+def _record_own(recording: Recording, bench: OrderWorker) -> None:
     """Documents of own things, by the keys of their contents."""
     contents = own_contents(bench.cast)
     smile, face = contents
@@ -74,10 +74,10 @@ def _record_own(recording: Recording, bench: Bench) -> None:
 def record_scenes(recording: Recording) -> None:
     """GLB files, and what becomes of them when they are read again."""
     cast, meshes = load_cast(), load_meshes()
-    bench = Workbench(cast, meshes, load_mask())
+    bench = ExportContext(cast, meshes, load_mask())
     for face, words in SCENES.items():
-        poses = [(name, worn_meshes(cast, face, name)) for name in chosen(cast, words)]
-        data = glb_bytes(exported(bench, face, poses))
+        poses = [(name, named_compound_meshes(cast, face, name)) for name in choose_expressions(cast, words)]
+        data = glb_bytes(build_scene(bench, face, poses))
         recording.data("GLB", face, data)
         _record_import(recording, face, read_glb(data))
     _record_words(recording)
@@ -94,12 +94,12 @@ def _record_words(recording: Recording) -> None:
     }
     for key, (face, expression, channels, turn, gaze) in words.items():
         with recording.refusal("poses: refused", key):
-            frame = posed(cast, face=face, expression=expression, channels=channels, turn=turn, gaze=gaze)
+            frame = parse_pose(cast, face=face, expression=expression, channels=channels, turn=turn, gaze=gaze)
             recording.data("poses", key, msgspec.json.encode(pose_of(cast, frame)))
     recipes = {"two points": Recipe((1, 2), rest[:2]), "no ground": Recipe(default_net(cast.space)[:3], rest, "#x")}
     for key, recipe in recipes.items():
         with recording.refusal("recipes: refused", key):
-            composed(cast.space, recipe, cast.expressions)
+            compose_expression(cast.space, recipe, cast.expressions)
     with recording.refusal("pictures: refused", "huge"):
         Setting(10**6, 1)
 
@@ -109,8 +109,8 @@ def _record_import(recording: Recording, face: str, pieces: tuple[Piece, ...]) -
     for place, piece in enumerate(pieces):
         moves = [piece.moves[name] for name in piece.moves]
         recording.numbers("GLB read", f"{face} {place} {piece.name}", piece.points, *moves, every=97)
-    found, look = face_in(cast, meshes, "again", pieces)
+    found, look = import_face(cast, meshes, "again", pieces)
     recording.numbers("GLB imported", f"{face} face", found.positions)
     recording.data("GLB imported", f"{face} look", repr(vars(look)).encode())
-    for each in taken(cast, meshes, {"file": pieces}):
+    for each in import_expressions(cast, meshes, {"file": pieces}):
         recording.numbers("GLB imported", f"{face} {each.label}", *numbers_of(each.expression), each.error, every=97)

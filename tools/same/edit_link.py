@@ -13,13 +13,19 @@ import msgspec
 import numpy as np
 
 from omote.builtin import load_cast
-from omote.edit.compute.order_runner import Craft
-from omote.edit.compute.welcome import greeting
+from omote.edit.compute.order_runner import OrderRunner
+from omote.edit.compute.welcome import build_welcome
 from omote.edit.protocol import messages as wire
 from omote.edit.protocol.orders import EditOrder
 from omote.edit.protocol.wire import encode
 from omote.edit.session.edit_session import EditSession, Outcome
-from omote.edit.store.import_items import Arrival, adopted, mail_of, mailed, opened
+from omote.edit.store.import_items import (
+    ImportedItem,
+    changes_to_import,
+    export_document,
+    import_document,
+    make_document,
+)
 from omote.edit.store.on_air_recipes import OnAir
 from omote.interchange.formats.expression_json import encode as expression_bytes
 from omote.model.cast import Cast
@@ -28,7 +34,7 @@ from omote.model.recipes.recipe import Recipe
 from omote.showfile.changes import PutLayout
 from omote.showfile.inspection import verdicts
 from omote.showfile.show_file import ShowFile, open_show
-from omote.stage_data.playing_cast import troupe_of
+from omote.stage_data.playing_cast import build_playing_cast
 from tools.same.compounds import SEED
 from tools.same.edit_script import Script
 from tools.same.recording import Recording
@@ -49,7 +55,7 @@ class House:
     cast: Cast
     file: ShowFile
     script: Script
-    craft: Craft
+    craft: OrderRunner
     session: EditSession
     waiting: list[tuple[int, EditOrder]] = field(default_factory=list)
     outcomes: int = 0
@@ -57,7 +63,7 @@ class House:
     def ask(self, key: str, who: str, data: bytes, on_air: OnAir) -> None:
         """What follows from a page's bytes, orders and all; some orders wait."""
         self.recording.data("editing: sent by the script", key, data)
-        self.settle(key, self.session.hear(who, data, wall=WALL + self.script.number, on_air=on_air))
+        self.settle(key, self.session.receive_bytes(who, data, wall=WALL + self.script.number, on_air=on_air))
 
     def settle(self, key: str, outcome: Outcome) -> None:
         """Commits what an outcome changes, records it, and makes what it orders."""
@@ -129,7 +135,7 @@ def record_session(recording: Recording) -> None:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "same.omote"
         file = open_show(path)
-        house = House(recording, cast, file, script, Craft(cast), _session(cast, file, net))
+        house = House(recording, cast, file, script, OrderRunner(cast), _session(cast, file, net))
         for step in range(STEPS):
             if step == STEPS // 2:
                 house.work("before the restart")
@@ -144,7 +150,7 @@ def record_session(recording: Recording) -> None:
 
 
 def _session(cast: Cast, file: ShowFile, net: tuple[int, ...]) -> EditSession:
-    return EditSession(cast, file.stored(), file.contents(), net=net, welcome=greeting(cast))
+    return EditSession(cast, file.stored(), file.contents(), net=net, welcome=build_welcome(cast))
 
 
 def _step(house: House, key: str) -> None:
@@ -180,7 +186,7 @@ def _record_cast(house: House) -> None:
     session, recording = house.session, house.recording
     for key, data in sorted(session.contents.items()):
         recording.data("editing: contents", key, data)
-    troupe = troupe_of(house.cast, session.own(), session.contents)
+    troupe = build_playing_cast(house.cast, session.own(), session.contents)
     recording.data("editing: cast that plays", "digest", troupe.digest.encode())
     recording.data("editing: cast that plays", "names", repr(([*troupe.faces], [*troupe.expressions])).encode())
 
@@ -191,16 +197,16 @@ def _record_import(house: House) -> None:
     stored, contents, arrivals = file.stored(), file.contents(), []
     own = [item.name for item in stored.items if item.kind == "expression" and item.head]
     for name in (*own[:4], "smile", "eyeBlinkLeft"):
-        document = mail_of(cast, stored, contents, name)
+        document = export_document(cast, stored, contents, name)
         recording.data("expression JSON", name, expression_bytes(document))
-        arrivals.append(opened(cast.space, document, note="by mail"))
+        arrivals.append(import_document(cast.space, document, note="by mail"))
     net = house.script.net
     alone = Recipe(net, tuple(house.script.vectors()[: len(net)]))
     if len(alone.vectors) == len(net):
-        made = mailed(cast.space, "Alone", ["mine"], cast.expressions["smile"], alone)
+        made = make_document(cast.space, "Alone", ["mine"], cast.expressions["smile"], alone)
         recording.data("expression JSON", "control points alone", expression_bytes(made))
-    arrivals.append(Arrival("A dog", (cast.faces["dog"], cast.looks["dog"]), ("animal",)))
-    changes = adopted(cast, stored, arrivals, wall=WALL)
+    arrivals.append(ImportedItem("A dog", (cast.faces["dog"], cast.looks["dog"]), ("animal",)))
+    changes = changes_to_import(cast, stored, arrivals, wall=WALL)
     recording.data("editing: changes", "imported", plainly(changes))
     file.apply(changes)
 

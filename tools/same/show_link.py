@@ -19,7 +19,7 @@ from omote.show import messages as wire
 from omote.show.session import Outgoing, ShowSession
 from omote.show.wire import encode
 from omote.showfile.contents import content_key, pack_expression, pack_face
-from omote.stage_data.playing_cast import Own, Troupe, troupe_of
+from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
 from tools.same.compounds import SEED
 from tools.same.recording import Recording
 
@@ -122,7 +122,7 @@ def record_session(recording: Recording) -> None:
     session, script, now = ShowSession(cast, Performer(cast), epoch=3), Script(cast, np.random.default_rng(SEED)), 100.0
     for place, client in enumerate(CLIENTS[:4]):
         hello = encode(wire.Hello("stage" if place < 2 else "console", wire.PROTOCOL_VERSION))
-        _record_answers(recording, f"greeting {client}", session.hear(client, hello, now))
+        _record_answers(recording, f"greeting {client}", session.receive_bytes(client, hello, now))
     for step in range(STEPS):
         key, now = f"{step:04d}", now + float(script.rng.exponential(0.15))
         if step == STEPS // 3:
@@ -139,12 +139,12 @@ def _step(recording: Recording, session: ShowSession, script: Script, key: str, 
     who = script.one(*CLIENTS, *CLIENTS[2:4] * 6)
     if who not in session.crew and who != CLIENTS[-1]:
         data = encode(wire.Hello("stage" if "stage" in who else "console", wire.PROTOCOL_VERSION))
-        _record_answers(recording, f"{key} joins", session.hear(who, data, now))
+        _record_answers(recording, f"{key} joins", session.receive_bytes(who, data, now))
     data = encode(script.message()) if rng.random() < 0.93 else script.one(*BROKEN, rng.bytes(30))
     recording.data("show: sent by the script", key, data)
-    _record_answers(recording, key, session.hear(who, data, now))
+    _record_answers(recording, key, session.receive_bytes(who, data, now))
     recording.data("show: states", key, encode(session.tick(now)))
-    wishes = [(wish.who, msgspec.to_builtins(wish.message)) for wish in session.take_wishes()]
+    wishes = [(wish.who, msgspec.to_builtins(wish.message)) for wish in session.take_keep_requests()]
     held = [sorted(names) for names in session.names_held()]
     recording.data("show: wishes and names held", key, repr((wishes, held, session.clock(now + 0.01))).encode())
     if rng.random() < 0.1:
@@ -160,7 +160,9 @@ def _restarted(recording: Recording, session: ShowSession) -> ShowSession:
     snapshot = msgspec.msgpack.decode(data, type=type(session.snapshot()))
     again = ShowSession.restored(session.cast, snapshot, epoch=session.epoch + 1, revision=session.revision)
     for client, member in session.crew.items():
-        _record_answers(recording, f"again {client}", again.hear(client, encode(wire.Hello(member.role, 1)), 0.0))
+        _record_answers(
+            recording, f"again {client}", again.receive_bytes(client, encode(wire.Hello(member.role, 1)), 0.0)
+        )
     return again
 
 
@@ -187,7 +189,7 @@ def own_contents(cast: Cast) -> dict[str, bytes]:
     return {content_key(data): data for data in packed}
 
 
-def own_troupe(cast: Cast) -> Troupe:
+def own_troupe(cast: Cast) -> PlayingCast:
     """The cast with an own expression and an own face."""
     contents = own_contents(cast)
     smile, face = contents
@@ -195,4 +197,4 @@ def own_troupe(cast: Cast) -> Troupe:
         Own("expression", "own_smile", "Own smile", ("wide",), 1.0, smile),
         Own("face", "own_face", "Own face", (), 2.0, face),
     )
-    return troupe_of(cast, own, contents)
+    return build_playing_cast(cast, own, contents)

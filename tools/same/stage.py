@@ -13,9 +13,9 @@ from omote.model.cast import Cast
 from omote.perform.frame import Frame
 from omote.server.headless.chromium import open_chromium
 from omote.server.headless.devtools import DevTools
-from omote.server.headless.picture_studio import OPENED, OPENING, open_house, query
-from omote.server.http.cast_documents import built_in
-from omote.server.http.static_pages import read_bundle
+from omote.server.headless.picture_studio import OPENED, OPENING, query, serve_pages
+from omote.server.http.cast_documents import built_in_documents
+from omote.server.http.static_pages import read_pages
 from omote.show.state import state_of
 from omote.stage_data.picture_grid import Setting
 from tools.browser import SENTENCE, find_browser
@@ -50,7 +50,7 @@ async def _drawn(poses: list[dict[str, Any]]) -> list[Numbers]:
     browser = find_browser()
     if browser is None:
         raise FileNotFoundError(SENTENCE)
-    async with open_house(built_in(), read_bundle()) as address, open_chromium(browser) as tools:
+    async with serve_pages(built_in_documents(), read_pages()) as address, open_chromium(browser) as tools:
         page = await _opened(tools, f"{address}/stage{query(SETTING)}")
         found = []
         for pose in poses:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.model.space.face_fit import Fitted, fit
+from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression
@@ -55,7 +55,7 @@ def compound_parts(
 
 
 def move_parts(
-    space: ParameterSpace, fitted: Fitted, skin: Floats, rest: Mapping[str, NDArray[np.float64]], /
+    space: ParameterSpace, fitted: FittedFace, skin: Floats, rest: Mapping[str, NDArray[np.float64]], /
 ) -> dict[str, Floats]:
     """The parts of a face whose skin has moved to (V, 3), with the residual rest of each part."""
     displacement = skin.astype(np.float64) - fitted.positions

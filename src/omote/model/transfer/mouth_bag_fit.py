@@ -13,7 +13,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.space.eye_socket import falling
+from omote.model.space.eye_socket import fall_off
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.mouth_bag import MouthBag, find_mouth_bag
@@ -64,7 +64,7 @@ def measure_depths(space: ParameterSpace, bag: MouthBag, positions: Values, /) -
 
 def require_depths(space: ParameterSpace, bag: MouthBag, /) -> Values:
     """How far behind the skin of any face the bag has to lie, (m,) metres."""
-    ramp = 1.0 - falling(bag.distance / FREE)
+    ramp = 1.0 - fall_off(bag.distance / FREE)
     result: Values = ramp * np.clip(measure_depths(space, bag, space.points).depth, 0.0, MARGIN)
     return result
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from omote.geometry.locate import Landing, walk_face
 from omote.geometry.mesh import FARTHEST
 from omote.model.space.expression import Expression
-from omote.model.space.face_fit import Fitted, fit, generic_face
+from omote.model.space.face_fit import FittedFace, fit, generic_face
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 
 Floats = NDArray[np.float32]
@@ -134,7 +134,7 @@ def locate_field(
     return Compiled(indices, weights, ratios.astype(np.float32), residual.astype(np.float32), dict(parts), inside)
 
 
-def gather_landings(space: ParameterSpace, fitted: Fitted, compiled: Compiled, out: Floats, /) -> None:
+def gather_landings(space: ParameterSpace, fitted: FittedFace, compiled: Compiled, out: Floats, /) -> None:
     """Moves each vertex of the sheet to the point of the face at which it lands on S, radius rescaled: one gather."""
     axis = np.float32(space.cylinder.x), np.float32(space.cylinder.z)
     from_origin = space.radius == "origin"
@@ -143,7 +143,7 @@ def gather_landings(space: ParameterSpace, fitted: Fitted, compiled: Compiled, o
     )
 
 
-def follow_inner_skin(space: ParameterSpace, fitted: Fitted, compiled: Compiled, out: Floats, /) -> None:
+def follow_inner_skin(space: ParameterSpace, fitted: FittedFace, compiled: Compiled, out: Floats, /) -> None:
     """Moves the inner skin by its anchors' mean displacement and the expression's own residual."""
     inner = space.inner
     follow_anchors(fitted.positions, inner.vertices, inner.anchors, inner.weights, compiled.residual, fitted.scale, out)
@@ -154,7 +154,7 @@ STAGES = (gather_landings, follow_inner_skin)
 
 
 def apply_paper_map(
-    space: ParameterSpace, fitted: Fitted, compiled: Compiled, /, out: Floats | None = None
+    space: ParameterSpace, fitted: FittedFace, compiled: Compiled, /, out: Floats | None = None
 ) -> Floats:  # fmt: skip
     """The compound (V, 3) of a fitted face and a compiled expression, metres."""
     out = np.empty_like(fitted.positions) if out is None else out

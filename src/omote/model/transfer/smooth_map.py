@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.space.face import Face
-from omote.model.space.face_fit import Fitted, fit, generic_face
+from omote.model.space.face_fit import FittedFace, fit, generic_face
 from omote.model.space.lid_lip_lines import Line
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.detail_transfer import DetailSolver, factor_detail
@@ -80,7 +80,7 @@ def build_smooth_map(
     )  # fmt: skip
 
 
-def _eyeballs(space: ParameterSpace, fitted: Fitted) -> tuple[Eyeball, ...]:
+def _eyeballs(space: ParameterSpace, fitted: FittedFace) -> tuple[Eyeball, ...]:
     """The eyeballs of a face, in the order of the space's parts."""
     eyes = [name for name, part in space.parts.items() if part.eye]
     return tuple(Eyeball(fitted.centres[name], fitted.ball_radius(name)) for name in eyes)

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.space.expression import Expression
-from omote.model.space.face_fit import Fitted
+from omote.model.space.face_fit import FittedFace
 from omote.model.space.lid_lip_lines import RUNGS
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.corrective_regions import CorrectiveRegions, Crossing
@@ -51,7 +51,7 @@ class Eyeballs:
         return np.stack([eye_rotation(*angles)[:, 2] for angles in self.angles])
 
     @staticmethod
-    def of(face: Fitted, eyes: tuple[str, ...], angles: Values) -> Eyeballs:
+    def of(face: FittedFace, eyes: tuple[str, ...], angles: Values) -> Eyeballs:
         """The eyeballs of a face, by their parts' names, turned by angles (2, 2)."""
         radii = [face.ball_radius(eye) for eye in eyes]
         return Eyeballs(np.array([face.centres[eye] for eye in eyes]).reshape(-1, 3), np.array(radii), angles)
@@ -61,7 +61,7 @@ class Eyeballs:
         return Eyeballs(self.centres, self.radii, np.zeros((2, 2)))
 
 
-def measure_allowance(regions: CorrectiveRegions, face: Fitted, expression: Expression, skin: Floats, /) -> Floats:
+def measure_allowance(regions: CorrectiveRegions, face: FittedFace, expression: Expression, skin: Floats, /) -> Floats:
     """What one compound alone uses up: (regions.size,), of triangles, rungs (metres) and lids (metres), never
     negative.
 
@@ -92,10 +92,10 @@ class _AtRest:
     depths: Values
 
 
-_rests: WeakKeyDictionary[Fitted, tuple[CorrectiveRegions, _AtRest]] = WeakKeyDictionary()
+_rests: WeakKeyDictionary[FittedFace, tuple[CorrectiveRegions, _AtRest]] = WeakKeyDictionary()
 
 
-def _at_rest(regions: CorrectiveRegions, face: Fitted) -> _AtRest:
+def _at_rest(regions: CorrectiveRegions, face: FittedFace) -> _AtRest:
     known = _rests.get(face)
     if known is None or known[0] is not regions:
         points = face.positions[regions.rows].astype(np.float64)
