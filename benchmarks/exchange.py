@@ -105,7 +105,7 @@ def main() -> int:
     context = ExportContext(cast, load_meshes(), load_mask())
     assert context.canvas.hair.any()  # painted once, for all faces
     table = Table(
-        title=f"GLB of {len(cast.faces)} faces with {len(choose_expressions(cast, 'arkit'))} ARKit shapes (errors in mm)"
+        title=f"{len(cast.faces)} faces, {len(choose_expressions(cast, 'arkit'))} ARKit shapes (errors in mm)"
     )
     for column in ("face", "MB", "errors", "warnings", "three", "read", "taken", "strange", "time / numpy", "held"):
         table.add_column(column, justify="left" if column == "face" else "right")

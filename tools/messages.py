@@ -58,7 +58,7 @@ def editing_module() -> str:
         f"/** Bytes; no message of an editor is longer. */\nexport const EDITING_LIMIT = {editing.EDITING_LIMIT};",
     ]
     unions = [_union("FromEditor", editing.EDITOR_MESSAGES), _union("ToEditor", editing.ANSWERS)]
-    return _module("edit", constants, structs_of(editing), unions)
+    return _module("edit/protocol", constants, structs_of(editing), unions)
 
 
 MODULES = {"messages.ts": show_module, "editing.ts": editing_module}

@@ -47,8 +47,8 @@ class Solution:
 
 
 def solve_vectors(
-    space: ParameterSpace, face: Face, under: Expression, net_field: NetField, vectors: ArrayLike, points: Sequence[int],
-    targets: ArrayLike, /,
+    space: ParameterSpace, face: Face, under: Expression, net_field: NetField, vectors: ArrayLike,
+    points: Sequence[int], targets: ArrayLike, /,
 ) -> Solution:  # fmt: skip
     """Vectors with which control points `points` (places in the net) lie at targets (m, 3), metres, on a face.
 

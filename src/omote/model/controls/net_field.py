@@ -22,7 +22,7 @@ MOST = 400
 
 @dataclass(frozen=True, eq=False)
 class NetField:
-    """A control net whose points stand on vertices, so that a point's vector is the field there; made by `build_net_field`."""
+    """A control net with its points on vertices: a point's vector is the field there. Made by `build_net_field`."""
 
     rows: tuple[int, ...]
     net: ControlNet

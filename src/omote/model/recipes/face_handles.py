@@ -111,7 +111,7 @@ def _nearest(
 
 def handle_basis(space: ParameterSpace, face: Face, rows: ArrayLike, /) -> Values:
     """How far each position of a face follows each handle's move: (N, n), skin then parts in the space's order, such
-    that basis @ moves (n, 3) is the displacement of `drag_handles` before eyeballs are made round and lids are laid on them.
+    that basis @ moves (n, 3) is the displacement of `drag_handles` before eyeballs are made round and lids laid on.
 
     It is the sculptor's map around the face's own handles, so a face with a small nose has a fine map there. Raises
     ValueError as `drag_handles` does.

@@ -1,8 +1,8 @@
 """The process that waits warmed up and makes servers of itself.
 
 Starting Python, loading the cast and its kernels takes longer than an audience forgives, so it is done once, here. An
-order makes a copy of this process (`fork_server`) in milliseconds, and the copy plays. The standby has no thread and no event
-loop, so that copies are whole. It lives as long as its supervisor, and each server as long as its own pipe.
+order makes a copy of this process (`fork_server`) in milliseconds, and the copy plays. The standby has no thread and
+no event loop, so that copies are whole. It lives as long as its supervisor, and each server as long as its own pipe.
 """
 
 from __future__ import annotations
