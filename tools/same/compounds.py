@@ -12,9 +12,9 @@ from omote.builtin import load_cast
 from omote.model.cast import Cast
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace, Transfer
-from omote.model.transfer.compound import compound, compound_parts, turned_eyes
-from omote.model.transfer.corrective_regions import settling_of
-from omote.perform.blending.compound_cache import compounds_of
+from omote.model.transfer.compound import compound, compound_parts, turn_eyes
+from omote.model.transfer.corrective_regions import find_corrective_regions
+from omote.perform.blending.compound_cache import compound_cache
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.frame import Frame, Gaze, Head
 from tools.same.recording import Numbers, Recording
@@ -45,7 +45,7 @@ def record_face(recording: Recording, face: str, transfer: Transfer) -> None:
         recording.numbers(f"compounds {transfer}", key, skin)
         if place % 2 == 0 or transfer == "paper":
             parts = compound_parts(cast.space, wearer, expression)
-            turned = turned_eyes(cast.space, parts, fit(cast.space, wearer).centres, expression.eyes)
+            turned = turn_eyes(cast.space, parts, fit(cast.space, wearer).centres, expression.eyes)
             recording.numbers(f"compound parts {transfer}", key, *_in_order(parts), *_in_order(turned))
         if (place + len(face)) % SPARSE[transfer] == 0:
             for weight in WEIGHTS[transfer]:
@@ -57,7 +57,7 @@ def record_face(recording: Recording, face: str, transfer: Transfer) -> None:
 
 
 def _record_allowances(recording: Recording, cast: Cast, face: str) -> None:
-    known = compounds_of(cast)
+    known = compound_cache(cast)
     for place, name in enumerate(cast.expressions):
         if place % 4 == 0:
             recording.numbers("allowances", f"{face} {name}", known.allowance(face, name))
@@ -82,7 +82,7 @@ def _record_space(recording: Recording, key: str, space: ParameterSpace) -> None
     recording.numbers("spaces", key, *arrays, space.on_sheet, space.welded, *inner, *(x.loop for x in space.lines))
     for name, part in space.parts.items():
         recording.numbers("spaces", f"{key} {name}", part.points, part.triangles, part.anchors, part.weights)
-    settling = settling_of(space)
+    settling = find_corrective_regions(space)
     if settling is not None:
         crossings = [y for x in settling.crossings for y in (x.vertices, x.weights, x.near, x.side, x.share)]
         own = [settling.rows, settling.triangles, settling.lids, settling.eye, settling.followers, settling.anchors]

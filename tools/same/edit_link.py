@@ -80,14 +80,14 @@ class House:
             number, order = self.waiting.pop(int(self.script.rng.integers(len(self.waiting))))
             lost = self.script.rng.random() < LOST
             made = self.script.one(None, "the mesh would fold.", b"\xff") if lost else self._made(order)
-            outcome = self.session.made(number, made)
+            outcome = self.session.finish_order(number, made)
             self._record(key, outcome)
             self.file.apply(outcome.changes)
             self.waiting += outcome.orders
 
     def _made(self, order: EditOrder) -> bytes | str:
         try:
-            return encode(self.craft.perform(order))
+            return encode(self.craft.run(order))
         except ValueError as error:
             return str(error)
 
