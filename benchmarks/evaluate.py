@@ -31,15 +31,15 @@ from omote.geometry import mesh
 from omote.geometry.cylinder import wrap
 from omote.geometry.locate import Strip
 from omote.model.cast import Cast
-from omote.model.expression import Expression
-from omote.model.face import Face
-from omote.model.fitted import fit
-from omote.model.sheet import unwrapped
-from omote.model.space import Fans, InnerSkin, ParameterSpace
-from omote.model.transfer import Compiled, compile_expression, wear
-from omote.perform.blend import blend_four, gather_rows
-from omote.perform.evaluate import evaluate
-from omote.perform.fields import fields_of
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.space.parameter_space import Fans, InnerSkin, ParameterSpace
+from omote.model.space.skin_sheet import unwrap_corners
+from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression
+from omote.perform.blending.evaluate import evaluate
+from omote.perform.blending.expression_tables import tables_of
+from omote.perform.blending.weighted_sum import blend_four, gather_rows
 from omote.perform.frame import Frame
 
 SIZES = (4_278, 50_000, 500_000)
@@ -166,7 +166,7 @@ def _finer_space(space: ParameterSpace, fine: Cut) -> ParameterSpace:
         transfer="paper",
         theta=theta,
         h=h,
-        strip=Strip.of(unwrapped(theta, located), h[located], mesh.neighbours(located)),
+        strip=Strip.of(unwrap_corners(theta, located), h[located], mesh.neighbours(located)),
         fans=_first_triangles(located, len(points)),
         inner=_finer_inner(space, fine, np.flatnonzero(~on_sheet)),
         on_sheet=on_sheet,
@@ -235,7 +235,9 @@ def _fastest(ours: Callable[[], object], peer: Callable[[], object]) -> tuple[fl
 def blend_and_copy(cast: Cast) -> tuple[float, float]:
     """Four compounds blended; a copy of two and a half of them reads and writes as much."""
     worn = [compile_expression(cast.space, cast.expressions[name]) for name in sorted(cast.expressions)[:2]]
-    four = [wear(cast.space, fit(cast.space, face), one).ravel() for face in cast.faces.values() for one in worn]
+    four = [
+        apply_paper_map(cast.space, fit(cast.space, face), one).ravel() for face in cast.faces.values() for one in worn
+    ]
     out, times = np.empty_like(four[0]), max(1, 200_000 // cast.space.vertex_count)
     source = np.zeros(len(out) * 5 // 2, np.float32)
     target = np.empty_like(source)
@@ -259,12 +261,12 @@ def compound_and_product(cast: Cast) -> tuple[float, float]:
     """A whole compound, radii and inner skin with it; the bare product."""
     positions, compiled, product = _worn(cast)
     face, out = fit(cast.space, cast.faces[FACES[1]]), np.empty_like(positions)
-    return _fastest(lambda: wear(cast.space, face, compiled, out), lambda: product @ positions)
+    return _fastest(lambda: apply_paper_map(cast.space, face, compiled, out), lambda: product @ positions)
 
 
 def _worn(cast: Cast) -> tuple[Floats, Compiled, csr_array]:
     """A face, all sixty expressions on it at once (so that every vertex of the sheet moves), and that as a matrix."""
-    compiled = fields_of(cast).mixed(dict.fromkeys(cast.expressions, 1.0 / ACTIVE))
+    compiled = tables_of(cast).mix(dict.fromkeys(cast.expressions, 1.0 / ACTIVE))
     count = cast.space.vertex_count
     rows = np.arange(0, 3 * count + 1, 3, dtype=np.int32)
     product = csr_array((compiled.weights.ravel(), compiled.indices.ravel(), rows), shape=(count, count))
@@ -293,7 +295,7 @@ PAIRS: dict[str, Callable[[Cast], tuple[float, float]]] = {
 # --- the report -------------------------------------------------------------------------------------------------------
 
 
-def measured() -> dict[str, list[tuple[float, float]]]:
+def measure_pairs() -> dict[str, list[tuple[float, float]]]:
     """Seconds of ours and of the peer, for each pair at each size."""
     coarse = omote.load_cast()
     found: dict[str, list[tuple[float, float]]] = {name: [] for name in PAIRS}
@@ -326,4 +328,4 @@ def report(found: dict[str, list[tuple[float, float]]]) -> bool:
 
 
 if __name__ == "__main__":
-    sys.exit(0 if report(measured()) else 1)
+    sys.exit(0 if report(measure_pairs()) else 1)

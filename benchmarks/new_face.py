@@ -31,9 +31,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import omote
-from benchmarks.recovery import COMMAND, opened
+from benchmarks.recovery import COMMAND, read_address
 from omote.model.cast import Cast
-from omote.show.assets import compound_asset
 from omote.show.messages import (
     LINK_PATH,
     PROTOCOL_VERSION,
@@ -46,6 +45,7 @@ from omote.show.messages import (
     State,
 )
 from omote.show.wire import decode_answer, encode
+from omote.stage_data.assets import compound_asset
 
 LIMIT, WORST_RATIO = 1.0, 1.5
 """Seconds until a face is complete; p99 of the intervals, times that of a show with nothing to compute (issue 3)."""
@@ -181,7 +181,7 @@ async def play(url: str, faces: int | None, *, plain: bool) -> list[Called]:
             return calls
 
 
-def measured(url: str, faces: int | None, *, plain: bool) -> tuple[list[Called], list[Arrival]]:
+def measure_calls(url: str, faces: int | None, *, plain: bool) -> tuple[list[Called], list[Arrival]]:
     """The calls, and every state that came meanwhile."""
     ours, theirs = multiprocessing.Pipe()
     listener = multiprocessing.get_context("spawn").Process(target=listen, args=(url, theirs))
@@ -281,7 +281,9 @@ def main() -> int:
         command = [*COMMAND, str(Path(folder) / "show.omote"), "--port", "0", "--no-open"]
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         try:
-            calls, arrivals = measured(opened(process).removesuffix(LINK_PATH), options.faces, plain=options.plain)
+            calls, arrivals = measure_calls(
+                read_address(process).removesuffix(LINK_PATH), options.faces, plain=options.plain
+            )
         finally:
             process.terminate()
             process.wait(10.0)

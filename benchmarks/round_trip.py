@@ -16,12 +16,12 @@ from rich.table import Table
 
 import omote
 from omote.model.cast import Cast
-from omote.model.compound import compound, compound_parts, turned_eyes
-from omote.model.expression import Expression
-from omote.model.extract import extract
-from omote.model.face import Face
-from omote.model.fitted import fit
-from omote.model.transfer import compile_expression, slide
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.transfer.compound import compound, compound_parts, turn_eyes
+from omote.model.transfer.extract import extract
+from omote.model.transfer.paper_map import compile_expression, project_to_surface
 
 BAR_SHEET, BAR_REST, BAR_INSIDE = 0.001, 0.1, 0.99
 """Millimetres on the sheet, millimetres of inner skin and parts, share of moved vertices whose walks ended inside."""
@@ -46,12 +46,12 @@ def measure(cast: Cast, face: Face, expression: Expression, found: Found) -> Non
     space, fitted = cast.space, fit(cast.space, face)
     worn = compound(space, face, expression).astype(np.float64)
     displacement = worn - face.positions
-    parts = turned_eyes(space, compound_parts(space, face, expression), fitted.centres, expression.eyes)
+    parts = turn_eyes(space, compound_parts(space, face, expression), fitted.centres, expression.eyes)
     moves = {name: parts[name].astype(np.float64) - fitted.parts[name] for name in parts}
     again = extract(space, face, displacement, parts=moves)
     error = 1000 * np.linalg.norm(compound(space, face, again) - worn, axis=1)
     vertices = np.flatnonzero(space.on_sheet & (np.linalg.norm(displacement, axis=1) > MOVED)).astype(np.int32)
-    landing = slide(space, face.positions.astype(np.float64), worn[vertices], vertices)
+    landing = project_to_surface(space, face.positions.astype(np.float64), worn[vertices], vertices)
     inside = landing.inside & compile_expression(space, again).inside[vertices]
     found.moved += len(vertices)
     found.landed += int(inside.sum())
@@ -59,7 +59,7 @@ def measure(cast: Cast, face: Face, expression: Expression, found: Found) -> Non
     found.inside = max(found.inside, error[vertices[inside]].max(initial=0.0))
     found.outside = max(found.outside, error[vertices[~inside]].max(initial=0.0))
     found.inner = max(found.inner, error[space.inner.vertices].max())
-    back = turned_eyes(space, compound_parts(space, face, again), fitted.centres, again.eyes)
+    back = turn_eyes(space, compound_parts(space, face, again), fitted.centres, again.eyes)
     found.parts = max(found.parts, *(1000 * float(np.abs(back[name] - parts[name]).max()) for name in parts))
 
 

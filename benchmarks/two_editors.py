@@ -1,8 +1,9 @@
 """Two editors, a console and restarts: in 10,000 random steps nothing acknowledged is lost.
 
-The steps of `tests/edit/test_session.py` (edits, undo and redo, clashing saves, revisions brought back, deletions, what
-is on air kept, orders that fail, servers that start anew), drawn afresh at every run, over tables in memory and over
-real show files. Ends with 1, and prints the shortest history that fails, when any promise is broken. `--steps N`.
+The steps of `tests/edit/session/test_edit_session.py` (edits, undo and redo, clashing saves, revisions brought back,
+deletions, what is on air kept, orders that fail, servers that start anew), drawn afresh at every run, over tables in
+memory and over real show files. Ends with 1, and prints the shortest history that fails, when any promise is broken.
+`--steps N` sets their number.
 """
 
 from __future__ import annotations
@@ -18,15 +19,15 @@ from typing import Any
 from hypothesis import HealthCheck, settings
 from hypothesis.stateful import run_state_machine_as_test
 
-from omote.edit import messages as wire
-from omote.files.showfile import open_show
-from tests.edit.test_session import Authors, ShowTables
+from omote.edit.protocol import messages as wire
+from omote.showfile.show_file import open_show
+from tests.edit.session.test_edit_session import Authors, ShowTables
 
 LENGTH = 100
 """Steps of a history."""
 
 
-def counted(seen: Counter[str], folder: Path | None) -> type[Authors]:
+def count_steps(seen: Counter[str], folder: Path | None) -> type[Authors]:
     """Authors that count what they went through; folder: their show files lie there, None: in memory."""
     numbers = count()
 
@@ -42,7 +43,7 @@ def counted(seen: Counter[str], folder: Path | None) -> type[Authors]:
             super().check_invariants(*arguments, **options)
 
         def teardown(self) -> None:
-            replies = [each.message for outcome in self.studio.outcomes for each in outcome.replies]
+            replies = [each.message for outcome in self.harness.outcomes for each in outcome.replies]
             saved = [message for message in replies if isinstance(message, wire.Saved)]
             seen["acknowledged"] += sum(hasattr(message, "request") for message in replies)
             seen["kept aside"] += sum(message.aside for message in saved)
@@ -65,7 +66,7 @@ def play(steps: int, folder: Path | None) -> Counter[str]:
         suppress_health_check=list(HealthCheck),
     )
     while seen["steps"] < steps:
-        run_state_machine_as_test(counted(seen, folder), settings=fresh)
+        run_state_machine_as_test(count_steps(seen, folder), settings=fresh)
     return seen
 
 

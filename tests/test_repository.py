@@ -172,3 +172,14 @@ def test_every_target_that_a_page_names_is_in_the_makefile() -> None:
         name for page in PAGES for name in re.findall(r"(?:`|^)make ([a-z][\w-]*)", page.read_text(), re.MULTILINE)
     }
     assert {"demo", "test"} <= named <= targets
+
+
+def test_decisions_are_numbered_dated_and_listed() -> None:
+    folder = ROOT / "docs" / "decisions"
+    pages = sorted(path for path in folder.glob("*.md") if path.name != "README.md")
+    titles = [path.read_text().splitlines()[0] for path in pages]
+    assert [path.name[:4] for path in pages] == [f"{n:04}" for n in range(1, len(pages) + 1)]
+    assert all(title.startswith(f"# {path.name[:4]} ") for title, path in zip(titles, pages, strict=True))
+    assert all(re.fullmatch(r"\d{4}-\d\d-\d\d", path.read_text().splitlines()[2]) for path in pages)
+    listed = re.findall(r"^\* \[(.+)\]\((.+)\)$", (folder / "README.md").read_text(), re.MULTILINE)
+    assert listed == [(title[2:], path.name) for title, path in zip(titles, pages, strict=True)]

@@ -7,8 +7,8 @@ from numba import njit
 from numpy.typing import NDArray
 
 from omote.geometry.cylinder import Cylinder
-from omote.model.bag import bag_of
-from omote.model.space import ParameterSpace
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.mouth_bag import find_mouth_bag
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -25,11 +25,11 @@ class Mouth:
     """The bag of a space, and the sheet and membranes around it: what is seen through the open mouth is not out."""
 
     def __init__(self, space: ParameterSpace) -> None:
-        bag = bag_of(space)
+        bag = find_mouth_bag(space)
         if bag is None:
             raise ValueError("the space has no mouth bag; expected lips and parts bound to the jaw")
         self._cylinder = space.cylinder
-        self._vertices = bag.vertices[bag.away > EDGE]
+        self._vertices = bag.vertices[bag.distance > EDGE]
         middle = space.points[space.location_triangles].mean(axis=1)
         low, high = space.points[bag.vertices, 1].min() - 0.02, space.points[bag.vertices, 1].max() + 0.02
         near = (middle[:, 1] > low) & (middle[:, 1] < high) & (middle[:, 2] > space.cylinder.z)

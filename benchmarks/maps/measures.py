@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.lines import Line
+from omote.model.space.lid_lip_lines import Line
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -17,7 +17,7 @@ Mask = NDArray[np.bool_]
 # ---- folds
 
 
-def turned_over(rest: Values, now: Values, sheet: Indices) -> Mask:
+def find_folds(rest: Values, now: Values, sheet: Indices) -> Mask:
     """The triangles (T,) whose normal points against that at rest; positions (V, 3) at rest and now."""
     result: Mask = (normals(rest, sheet) * normals(now, sheet)).sum(axis=1) < 0
     return result
@@ -34,7 +34,8 @@ def normals(positions: Values, triangles: Indices) -> Values:
 
 
 def closure_errors(line: Line, source: tuple[Values, Values], target: tuple[Values, Values]) -> tuple[float, float]:
-    """How differently a line opens on a face and on the source, in the mean and along the line (method.md, section 3).
+    """How differently a line opens on a face and on the source, in the mean and along the line (docs/method.md,
+    "Contact of lids and lips").
 
     source, target: positions (V, 3) at rest and now. With g_i the rungs and e_i = g_i / |g_i| at rest:
     lids, mean: |O(target) - O(source)|, O = sum e_i.g_i(now) / sum |g_i(rest)|; along: the mean over the rungs of
@@ -43,19 +44,19 @@ def closure_errors(line: Line, source: tuple[Values, Values], target: tuple[Valu
     mean: |D(target) - D(source)|, D = mean_i up.(g_i(now) - g_i(rest)) / W; along: mean_i |d_i(target) - d_i(source)|.
     """
     if line.kind == "lips":
-        here, there = _risen(line, *target), _risen(line, *source)
+        here, there = _rise(line, *target), _rise(line, *source)
         return abs(float(here.mean() - there.mean())), float(np.abs(here - there).mean())
-    (here, long_here), (there, long_there) = _parted(line, *target), _parted(line, *source)
+    (here, long_here), (there, long_there) = _part(line, *target), _part(line, *source)
     mean = (here * long_here).sum() / long_here.sum() - (there * long_there).sum() / long_there.sum()
     return abs(float(mean)), float((long_here * np.abs(here - there)).sum() / long_here.sum())
 
 
-def _risen(line: Line, rest: Values, now: Values) -> Values:
+def _rise(line: Line, rest: Values, now: Values) -> Values:
     result: Values = (line.rungs(now) - line.rungs(rest))[:, 1] / np.ptp(rest[line.loop, 0])
     return result
 
 
-def _parted(line: Line, rest: Values, now: Values) -> tuple[Values, Values]:
+def _part(line: Line, rest: Values, now: Values) -> tuple[Values, Values]:
     """Openings relative to rest and the lengths at rest, rung by rung."""
     still = line.rungs(rest)
     length = np.linalg.norm(still, axis=1)

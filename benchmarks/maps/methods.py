@@ -9,14 +9,15 @@ from numpy.typing import NDArray
 
 from benchmarks.maps.deformation import DeformationTransfer, rims
 from benchmarks.maps.source import Source
-from omote.model.compound import carrier, worn
-from omote.model.face import Face
+from omote.model.space.face import Face
+from omote.model.transfer.compound import apply_expression
+from omote.model.transfer.smooth_map import prepare_smooth_map
 
 Values = NDArray[np.float64]
 Map = Callable[[str], Values]
 
 
-def added(source: Source, face: Face) -> Map:
+def add_deltas(source: Source, face: Face) -> Map:
     """Added deltas: what blendshape tools do."""
     positions = face.positions.astype(np.float64)
     return lambda unit: positions + source.moves[unit]
@@ -32,18 +33,18 @@ def deformation(source: Source, face: Face) -> Map:
 def plain(source: Source, face: Face) -> Map:
     """The paper's map as it stands: located on S once for all faces, one gather (section 2.2)."""
     reference = source.cast.under("paper")
-    return lambda unit: worn(reference.space, face, source.compiled[unit]).astype(np.float64)
+    return lambda unit: apply_expression(reference.space, face, source.compiled[unit]).astype(np.float64)
 
 
 def smooth(source: Source, face: Face) -> Map:
-    """Ours: contact kept, nothing folded (method.md, section 3, the recipe)."""
-    carrier(source.space, face)
-    return lambda unit: worn(source.space, face, source.compiled[unit]).astype(np.float64)
+    """Ours: contact kept, nothing folded (docs/method.md, "The smooth map")."""
+    prepare_smooth_map(source.space, face)
+    return lambda unit: apply_expression(source.space, face, source.compiled[unit]).astype(np.float64)
 
 
 DELTAS, DEFORMATION, PAPER, OURS = "added deltas", "deformation transfer", "the paper's map", "ours"
 METHODS: dict[str, Callable[[Source, Face], Map]] = {
-    DELTAS: added,
+    DELTAS: add_deltas,
     DEFORMATION: deformation,
     PAPER: plain,
     OURS: smooth,

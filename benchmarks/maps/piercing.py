@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.maps.source import Source
-from omote.model.compound import moved_parts
-from omote.model.face import Face
-from omote.model.fitted import fit
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.transfer.compound import move_parts
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -42,7 +42,7 @@ def depth_in_balls(balls: tuple[tuple[Values, float], ...], positions: Values, r
 def teeth_on(source: Source, face: Face, worn: Values, unit: str) -> Values:
     """The teeth's vertices (n, 3) where the skin of a face has gone to worn (V, 3)."""
     rest = source.cast.expressions[unit].parts
-    parts = moved_parts(source.space, fit(source.space, face), worn.astype(np.float32), rest)
+    parts = move_parts(source.space, fit(source.space, face), worn.astype(np.float32), rest)
     return np.concatenate([parts[name] for name in TEETH]).astype(np.float64)
 
 

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 import omote
 from omote.model.cast import GENERIC, Cast
-from omote.model.compound import compound, on_generic
-from omote.model.lines import Line
-from omote.model.space import ParameterSpace
-from omote.model.transfer import Compiled, compile_expression
+from omote.model.space.lid_lip_lines import Line
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.compound import compound
+from omote.model.transfer.paper_map import Compiled, compile_expression, displace_generic
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -45,7 +45,7 @@ class Source:
         """The parameter space of the cast."""
         return self.cast.space
 
-    def worn(self, unit: str, weight: float) -> Values:
+    def wear(self, unit: str, weight: float) -> Values:
         """The generic face (V, 3) wearing a unit's field at a weight."""
         return compound(self.space, self.cast.faces[GENERIC], self.cast.expressions[unit], weight).astype(np.float64)
 
@@ -58,7 +58,7 @@ def load_source(units: int | None = None) -> Source:
         names = [names[i] for i in np.linspace(0, len(names) - 1, units).astype(int)]
     space = cast.space
     compiled = {name: compile_expression(space, cast.expressions[name]) for name in names}
-    moves = {name: on_generic(space, compiled[name]) for name in names}
+    moves = {name: displace_generic(space, compiled[name]) for name in names}
     sheet = space.sheet_triangles
     draw = np.random.default_rng(SEED)
     triples = tuple(tuple(draw.choice(names, 3, replace=False).tolist()) for _ in range(TRIPLES))

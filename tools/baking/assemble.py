@@ -13,20 +13,20 @@ from numpy.typing import NDArray
 from omote.builtin.binding import PARTS, PartMesh, head_space
 from omote.builtin.castfile import FORMAT, SKIN
 from omote.model.cast import GENERIC, NEUTRAL
-from omote.model.expression import Expression
-from omote.model.extract import extract
-from omote.model.face import Face
-from omote.model.lining import lined
-from omote.model.sculpt import Sculpt
-from omote.model.space import ParameterSpace
-from tools.baking.basemesh import BaseMesh, Floats
+from omote.model.sculpting.sculpt import Sculpt
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.extract import extract
+from omote.model.transfer.mouth_bag_fit import fit_mouth_bag_at_rest
 from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, label, region
-from tools.baking.head import Head, Piece
-from tools.baking.moves import Move
-from tools.baking.neck import settle_throat
+from tools.baking.heads.basemesh import BaseMesh, Floats
+from tools.baking.heads.head import Head, Piece
+from tools.baking.heads.moves import Move
+from tools.baking.heads.neck import level_throat
+from tools.baking.heads.people import PEOPLE
+from tools.baking.heads.person import person_points
 from tools.baking.package import Package
-from tools.baking.people import PEOPLE
-from tools.baking.person import person_points
 
 Arrays = dict[str, NDArray[Any]]
 Step = Callable[[str], None]
@@ -38,7 +38,7 @@ def face_arrays(package: Package, base: BaseMesh, head: Head, step: Step) -> Arr
     generic = head.metres(base.points)[head.skin.vertices]
     for name, person in PEOPLE.items():
         points = head.metres(person_points(person, package, base, head))
-        skin = settle_throat(points[head.skin.vertices], generic, head.skin.triangles)
+        skin = level_throat(points[head.skin.vertices], generic, head.skin.triangles)
         arrays[f"face/{name}"] = skin.astype(np.float32)
         for part in PARTS:
             arrays[f"face/{name}/{part}"] = points[head.parts[part].vertices].astype(np.float32)
@@ -49,15 +49,15 @@ def face_arrays(package: Package, base: BaseMesh, head: Head, step: Step) -> Arr
 def mesh_arrays(head: Head, layout: Floats) -> Arrays:
     """Triangles, and the meshes as they are drawn: the skin on its own layout, the parts on the published one."""
     arrays: Arrays = {"triangles": head.skin.triangles}
-    arrays.update(_drawn(SKIN, head.skin, layout))
+    arrays.update(_split_at_seams(SKIN, head.skin, layout))
     for part in PARTS:
         piece = head.parts[part]
         arrays[f"part/{part}"] = piece.triangles
-        arrays.update(_drawn(part, piece, piece.uvs * [1.0, -1.0] + [0.0, 1.0]))
+        arrays.update(_split_at_seams(part, piece, piece.uvs * [1.0, -1.0] + [0.0, 1.0]))
     return arrays
 
 
-def _drawn(name: str, piece: Piece, uvs: Floats) -> Arrays:
+def _split_at_seams(name: str, piece: Piece, uvs: Floats) -> Arrays:
     """Every pair of vertex and texture coordinate once; uvs (k, 2), (0, 0) the upper left corner."""
     pairs = np.stack([piece.triangles.ravel(), piece.uv_corners.ravel()], axis=1)
     drawn, corners = np.unique(pairs, axis=0, return_inverse=True)
@@ -80,11 +80,13 @@ def space_of(arrays: Arrays) -> ParameterSpace:
     return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
 
 
-def line_mouths(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
+def fit_mouth_bags(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
     """Puts the mouth bags of all faces but the generic one as far behind their skin as its own lies, in place."""
     for name in names:
         if name != GENERIC:
-            placed = np.round(lined(space, arrays[f"face/{name}"]).astype(np.float64), 9)  # no machine's last bits
+            placed = np.round(
+                fit_mouth_bag_at_rest(space, arrays[f"face/{name}"]).astype(np.float64), 9
+            )  # no machine's last bits
             arrays[f"face/{name}"] = np.asarray(placed + 0.0, np.float32)
 
 
@@ -100,7 +102,7 @@ def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move
     for name, pupil in OWN.items():
         expressions.append(replace(_at_rest(space), pupil=pupil))
         step(name)
-    return _stacked(expressions, space)
+    return _stack(expressions, space)
 
 
 def _at_rest(space: ParameterSpace) -> Expression:
@@ -108,7 +110,7 @@ def _at_rest(space: ParameterSpace) -> Expression:
     return Expression(np.zeros(count), np.zeros(count), np.ones(count), np.zeros((len(space.inner.vertices), 3)))
 
 
-def _stacked(expressions: list[Expression], space: ParameterSpace) -> Arrays:
+def _stack(expressions: list[Expression], space: ParameterSpace) -> Arrays:
     """The fields as float32: their rounding is below a millionth of a millimetre."""
     stacks: dict[str, list[NDArray[Any]]] = {
         "dtheta": [expression.dtheta for expression in expressions],

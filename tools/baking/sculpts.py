@@ -8,15 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin.binding import EYES, PARTS
-from omote.files.sculptfile import read_sculpt
+from omote.interchange.formats.sculpt_toml import read_sculpt
 from omote.model.cast import GENERIC
-from omote.model.face import Face
-from omote.model.sculpt import Sculpt, sculpted
-from omote.model.space import ParameterSpace
+from omote.model.sculpting.sculpt import Sculpt, sculpted
+from omote.model.space.face import Face
+from omote.model.space.parameter_space import ParameterSpace
 from tools.baking.assemble import Arrays, Step, face_of
-from tools.baking.basemesh import Floats
+from tools.baking.heads.basemesh import Floats
+from tools.baking.heads.people import PEOPLE
 from tools.baking.package import BakeError
-from tools.baking.people import PEOPLE
 
 FOLDER = Path(__file__).resolve().parents[2] / "src" / "omote" / "builtin" / "sculpts"
 
@@ -48,14 +48,14 @@ def sculpt_arrays(arrays: Arrays, space: ParameterSpace, sculpts: tuple[Sculpt, 
     for sculpt in sculpts:
         face = sculpted(space, sculpt, people)
         shift = _eyes(people[GENERIC]) - _eyes(face)
-        found[f"face/{face.name}"] = _settled(face.positions + shift)
+        found[f"face/{face.name}"] = _round_to_nanometre(face.positions + shift)
         for part in PARTS:
-            found[f"face/{face.name}/{part}"] = _settled(face.parts[part] + shift)
+            found[f"face/{face.name}/{part}"] = _round_to_nanometre(face.parts[part] + shift)
         step(face.name)
     return found
 
 
-def _settled(points: Floats) -> NDArray[np.float32]:
+def _round_to_nanometre(points: Floats) -> NDArray[np.float32]:
     """To the nanometre: a solver's last bits, which depend on the machine, are gone, and the midline is at zero."""
     return np.asarray(np.round(points, 9) + 0.0, np.float32)
 

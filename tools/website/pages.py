@@ -23,21 +23,10 @@ def examples_page() -> str:
     return "\n".join([listed, *whole])
 
 
-def decisions_page() -> str:
-    """The list of decisions, newest first."""
-    pages = sorted((ROOT / "docs" / "decisions").glob("[0-9]*.md"), reverse=True)
-    titles = [page.read_text().splitlines()[0].removeprefix("# ") for page in pages]
-    entries = [f"* [{title}]({page.name})" for page, title in zip(pages, titles, strict=True)]
-    return "\n".join(
-        ["# Decisions", "", "What was decided, when and why; one page each, newest first.", "", *entries, ""]
-    )
-
-
 GENERATED: Mapping[str, Callable[[], str]] = {
     "reference/wire.md": wire_page,
     "reference/show-file.md": file_page,
     "reference/commands.md": command_page,
-    "decisions/index.md": decisions_page,
     "examples.md": examples_page,
 }
 """What makes each page, by its path in the site."""

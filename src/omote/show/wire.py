@@ -8,8 +8,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.show.door import Refusal
 from omote.show.messages import MESSAGE_LIMIT, FromClient, FromServer
+from omote.show.validation import Refusal
 
 Said = TypeVar("Said")
 
@@ -43,6 +43,6 @@ def decode_answer(data: bytes) -> FromServer:
     return _from_server.decode(data)
 
 
-def little(array: NDArray[np.generic], dtype: str) -> bytes:
+def le_bytes(array: NDArray[np.generic], dtype: str) -> bytes:
     """The bytes of an array for a document, as the little-endian dtype that it names."""
     return np.ascontiguousarray(array, dtype=dtype).tobytes()

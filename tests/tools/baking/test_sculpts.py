@@ -9,10 +9,10 @@ import pytest
 
 import omote
 from omote.builtin.binding import EYES
-from omote.model.face import Face
-from omote.model.lining import lined
-from omote.model.sculpt import Sculpt, sculpted, warp
-from omote.model.socket import heights
+from omote.model.sculpting.sculpt import Sculpt, sculpted, warp
+from omote.model.space.eye_socket import ball_heights
+from omote.model.space.face import Face
+from omote.model.transfer.mouth_bag_fit import fit_mouth_bag_at_rest
 from tools.baking.package import BakeError
 from tools.baking.sculpts import read_sculpts
 
@@ -33,7 +33,7 @@ def test_the_sculpts_of_the_cast() -> None:
 def test_the_cast_has_the_sculpt_with_its_eyes_in_place(sculpt: Sculpt) -> None:
     face, baked = made(sculpt), CAST.faces[sculpt.name]
     shift = baked.positions - face.positions
-    placed = lined(CAST.space, face.positions + np.median(shift, axis=0))
+    placed = fit_mouth_bag_at_rest(CAST.space, face.positions + np.median(shift, axis=0))
     assert np.abs(baked.positions - placed).max() < 1e-6
     for part, points in baked.parts.items():
         assert np.allclose(points - face.parts[part], np.median(shift, axis=0), atol=1e-6)
@@ -52,10 +52,10 @@ def test_eyeballs_are_round_and_lids_lie_on_them(sculpt: Sculpt) -> None:
     face = made(sculpt)
     for eye in EYES:
         ball = face.parts[eye].astype(np.float64)
-        assert np.abs(heights(ball, ball) - 1.0).max() < 0.03  # as round as the people's
-        rest = heights(CAST.space.points, CAST.space.parts[eye].points)
+        assert np.abs(ball_heights(ball, ball) - 1.0).max() < 0.03  # as round as the people's
+        rest = ball_heights(CAST.space.points, CAST.space.parts[eye].points)
         lids = (rest > 1.0) & (rest < 1.1)
-        over = heights(face.positions, ball)[lids]
+        over = ball_heights(face.positions, ball)[lids]
         assert 0.98 < over.min() <= over.max() < 1.2
 
 

@@ -1,0 +1,298 @@
+"""Authoring without input or output: bytes of editors and work done in, orders, changes and answers out.
+
+The server commits an outcome's changes before it sends its replies, so whatever was acknowledged is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field
+
+from msgspec.structs import replace
+
+from omote.edit.protocol import messages as wire
+from omote.edit.protocol.names import clean_label
+from omote.edit.protocol.orders import Baked, EditOrder
+from omote.edit.protocol.validation import Bounds
+from omote.edit.protocol.wire import decode, decode_baked, read_recipe, write_recipe
+from omote.edit.session import drafts, items, saving
+from omote.edit.session.draft_queue import DraftQueues, Task
+from omote.edit.session.plan import Authored, KeepOutcome, Plan, Result
+from omote.edit.session.requests import RequestContext, queue_key
+from omote.edit.session.requests import answer as respond
+from omote.edit.session.saving import Author
+from omote.edit.store.authored_state import AuthoredState, DraftKey
+from omote.edit.store.content_store import ContentStore
+from omote.edit.store.on_air_recipes import OnAir, recipe_on_air
+from omote.edit.store.sources import Sources
+from omote.model.cast import Cast
+from omote.model.recipes.recipe import KEY
+from omote.show.messages import Message
+from omote.show.validation import Refusal
+from omote.showfile.changes import Change, Kind, Stored
+from omote.stage_data.playing_cast import Own, digest_of
+
+
+@dataclass(frozen=True)
+class Outgoing:
+    """A message for one editor."""
+
+    who: str
+    message: wire.ToEditor
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What the server does now, in this order: gives the workshop the orders, commits the changes (together), loads
+    the cast anew where `cast`, sends the replies and tells consoles what was kept."""
+
+    orders: tuple[tuple[int, EditOrder], ...] = ()
+    changes: tuple[Change, ...] = ()
+    replies: tuple[Outgoing, ...] = ()
+    cast: bool = False
+    kept: tuple[KeepOutcome, ...] = ()
+
+
+@dataclass(frozen=True)
+class Member:
+    """A page that greeted: its editor's id and name, and the items it has open."""
+
+    editor: str
+    name: str
+    open: dict[int, None]
+
+
+@dataclass
+class _Answer:
+    """An outcome while it is being made."""
+
+    orders: list[tuple[int, EditOrder]] = field(default_factory=list)
+    changes: list[Change] = field(default_factory=list)
+    replies: list[Outgoing] = field(default_factory=list)
+    kept: list[KeepOutcome] = field(default_factory=list)
+    greeted: str | None = None
+    listed: bool = False
+
+
+class EditSession:
+    """Who is editing what, and everything authored.
+
+    contents: what the show file has, by key; net: the control points of a new expression; welcome: what does not
+    change of the answer to greet.
+    """
+
+    def __init__(
+        self,
+        base: Cast,
+        stored: Stored,
+        contents: Mapping[str, bytes],
+        *,
+        net: tuple[int, ...],
+        welcome: wire.Greeted,
+    ) -> None:
+        state, store = AuthoredState(stored), ContentStore(contents)
+        for revision in stored.revisions:
+            with suppress(Refusal):  # what one recipe spoils, the others need not suffer
+                store.remember_recipe(write_recipe(read_recipe(revision.recipe)), revision.content)
+        bounds = Bounds(base.space.on_sheet, frozenset(muscle.name for muscle in welcome.muscles))
+        self.authored = Authored(base, state, store, Sources(base, state, store), bounds, net)
+        self._welcome = welcome
+        self.refused = 0
+        self.crew: dict[str, Member] = {}
+        self._queues = DraftQueues()
+        self._digest = digest_of(base.digest, self.own())
+        self._sent = items.list_items(state, self._digest, self._editors)
+
+    @property
+    def contents(self) -> Mapping[str, bytes]:
+        """The bytes of everything that can be shown, by key: kept or not."""
+        return self.authored.store
+
+    @property
+    def digest(self) -> str:
+        """The name of the cast as it plays now, own things and all."""
+        return self._digest
+
+    def own(self) -> tuple[Own, ...]:
+        """The own faces and expressions that play."""
+        return items.own_things(self.authored.state)
+
+    def stored(self) -> Stored:
+        """All authored work."""
+        return self.authored.state.stored()
+
+    def receive_bytes(self, who: str, data: bytes, *, wall: float, on_air: OnAir) -> Outcome:
+        """What follows from the bytes of an editor; wall: seconds since 1970, for people to read only."""
+        answer, request = _Answer(), -1
+        try:
+            message = decode(data)
+            if isinstance(message, wire.Greet):
+                self._greet(answer, who, message)
+            else:
+                request = message.request
+                self._start(answer, self._task(who, message, wall, on_air))
+        except Refusal as refusal:
+            self._refuse(answer, who, request, refusal)
+        return self._outcome(answer)
+
+    def finish_order(self, order: int, result: bytes | str | None) -> Outcome:
+        """What follows from an order: the workshop's answer, or why there is none (a sentence, or None)."""
+        answer, finished = _Answer(), self._queues.finish_order(order)
+        if finished is not None:
+            task, plan = finished
+            try:
+                self._carry_out(answer, task, plan.finish(self._read_result(plan, result)))
+            except Refusal as refusal:
+                self._fail(answer, task, refusal)
+            self._run_waiting(answer, task)
+        return self._outcome(answer)
+
+    def leave(self, who: str) -> Outcome:
+        """An editor's page is gone; its drafts stay, and what it asked for is still carried out."""
+        self.crew.pop(who, None)
+        return self._outcome(_Answer(listed=True))
+
+    def keep(
+        self, kind: Kind, on_air: OnAir, *, label: str | None, wall: float, editor: str, ticket: str = ""
+    ) -> Outcome:
+        """What is on air as a new item; `Outcome.kept` says what became of it, now or after an order."""
+        authored, answer, author = self.authored, _Answer(), Author(editor, "", wall)
+        try:
+            recipe = recipe_on_air(kind, on_air, authored.net, authored.sources)
+            plan = saving.keep(authored, kind, label, recipe, author, ticket)
+            self._start(answer, Task((0, ""), lambda: plan, ticket=ticket))
+        except Refusal as refusal:
+            answer.kept.append(KeepOutcome(ticket, trouble=str(refusal)))
+        return self._outcome(answer)
+
+    # --- hearing ------------------------------------------------------------------------------------------------------
+
+    def _greet(self, answer: _Answer, who: str, greet: wire.Greet) -> None:
+        if greet.version != wire.EDITING_VERSION:
+            versions = f"version {greet.version}, the server {wire.EDITING_VERSION}"
+            raise Refusal(f"the page speaks {versions}: reload the page.")
+        self.crew[who] = Member(greet.editor, clean_label(greet.name, "your name"), {})
+        answer.greeted, answer.listed = who, True
+
+    def _task(self, who: str, message: Message, wall: float, on_air: OnAir) -> Task:
+        member = self.crew.get(who)
+        if member is None:
+            raise Refusal("nothing is heard before greet: send greet with editor, name and version first.")
+        context = RequestContext(self.authored, message, Author(member.name, member.editor, wall), on_air)
+        request: int = context.message.request
+        return Task(queue_key(message, member.editor), lambda: respond(context), who, request)
+
+    # --- carrying out -------------------------------------------------------------------------------------------------
+
+    def _start(self, answer: _Answer, task: Task) -> None:
+        if self._queues.try_start(task):
+            self._begin(answer, task)
+
+    def _begin(self, answer: _Answer, task: Task) -> bool:
+        """Whether the task is over at once; else it waits for an order."""
+        try:
+            plan = task.begin()
+            if isinstance(plan, Plan):
+                known = self.authored.store.recall(plan.order)
+                if known is None:
+                    answer.orders.append(self._queues.order(task, plan))
+                    return False
+                plan = plan.finish(known)
+            self._carry_out(answer, task, plan)
+        except Refusal as refusal:
+            self._fail(answer, task, refusal)
+        return True
+
+    def _run_waiting(self, answer: _Answer, task: Task) -> None:
+        following = self._queues.next_task(task)
+        while following is not None and self._begin(answer, following):
+            following = self._queues.next_task(following)
+
+    def _read_result(self, plan: Plan, result: bytes | str | None) -> Baked:
+        """The workshop's answer, its contents remembered; Refusal where there is none."""
+        if not isinstance(result, bytes):
+            raise Refusal(result or "the workshop gave no answer: try again.")
+        baked, store = decode_baked(result), self.authored.store
+        if baked.key not in baked.contents and baked.key not in store:
+            raise Refusal("the workshop's answer is without its content: try again.")
+        store.remember_result(plan.order, baked)
+        return baked
+
+    def _carry_out(self, answer: _Answer, task: Task, result: Result) -> None:
+        self.authored.state.apply(result.changes)
+        answer.changes += result.changes
+        answer.listed |= result.lists
+        member = self.crew.get(task.who)
+        if member is not None and result.opened is not None:
+            member.open[result.opened] = None
+        if member is not None and result.closed is not None:
+            member.open.pop(result.closed, None)
+        if result.reply is not None:
+            answer.replies.append(Outgoing(task.who, result.reply))
+        if result.kept is not None:
+            answer.kept.append(result.kept)
+        if result.draft is not None:
+            self._show(answer, task, result, result.draft)
+
+    # --- answering ----------------------------------------------------------------------------------------------------
+
+    def _show(self, answer: _Answer, task: Task, result: Result, key: DraftKey) -> None:
+        """The draft's state to whoever asked, and to the editor's other windows where it changed."""
+        state = self._state(key, whole=result.whole, miss=result.miss)
+        request = task.request if result.reply is None else -1
+        answer.replies.append(Outgoing(task.who, replace(state, request=request)))
+        for who, member in self.crew.items():
+            if who != task.who and member.editor == key[1] and key[0] in member.open and result.changes:
+                answer.replies.append(Outgoing(who, state))
+
+    def _state(self, key: DraftKey, *, whole: bool, miss: float) -> wire.DraftState:
+        state, store = self.authored.state, self.authored.store
+        draft, shown = state.drafts[key], state.shown_edit(key)
+        recipe = read_recipe(shown.recipe)
+        return wire.DraftState(
+            request=-1,
+            item=key[0],
+            recipe=recipe,
+            content=KEY + store.key(shown.recipe),
+            undo=draft.cursor,
+            redo=len(state.edits[key]) - 1 - draft.cursor,
+            base=draft.base,
+            dirty=drafts.is_dirty(state, key),
+            what=shown.what,
+            net=store.net(recipe) if whole else None,
+            miss=miss,
+            others=self._editors(key[0], but=key[1]),
+        )
+
+    def _editors(self, item: int, *, but: str = "") -> list[str]:
+        """Names of those who have an item open, each editor once."""
+        names = {m.editor: m.name for m in self.crew.values() if item in m.open and m.editor != but}
+        return list(names.values())
+
+    def _fail(self, answer: _Answer, task: Task, refusal: Refusal) -> None:
+        if task.ticket is None:
+            self._refuse(answer, task.who, task.request, refusal)
+        else:
+            answer.kept.append(KeepOutcome(task.ticket, trouble=str(refusal)))
+
+    def _refuse(self, answer: _Answer, who: str, request: int, refusal: Refusal) -> None:
+        self.refused += 1
+        answer.replies.append(Outgoing(who, wire.EditRefused(request, str(refusal))))
+
+    def _outcome(self, answer: _Answer) -> Outcome:
+        """The outcome, and the list of all items to everybody where it has changed."""
+        before = self._digest
+        if answer.listed:
+            self._digest = digest_of(self.authored.base.digest, self.own())
+        listed = items.list_items(self.authored.state, self._digest, self._editors) if answer.listed else self._sent
+        if answer.greeted is not None:
+            welcome = replace(self._welcome, version=wire.EDITING_VERSION, digest=self._digest, items=listed.items)
+            answer.replies.append(Outgoing(answer.greeted, welcome))
+        if listed != self._sent:
+            answer.replies += [Outgoing(who, listed) for who in self.crew if who != answer.greeted]
+            self._sent = listed
+        replies = tuple(
+            each for each in answer.replies if each.who in self.crew or isinstance(each.message, wire.EditRefused)
+        )
+        return Outcome(tuple(answer.orders), tuple(answer.changes), replies, self._digest != before, tuple(answer.kept))

@@ -1,0 +1,44 @@
+"""Similarities: turn, scale and move that lay one set of points on another."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Values = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Similarity:
+    """points -> scale * rotation @ points + shift."""
+
+    scale: float
+    rotation: Values
+    shift: Values
+
+    def __call__(self, points: NDArray[np.floating], /) -> Values:
+        """Where points (m, 3) go."""
+        result: Values = self.scale * (points @ self.rotation.T) + self.shift
+        return result
+
+
+def fit_similarity(
+    points: NDArray[np.floating], targets: NDArray[np.floating], weights: Values, /
+) -> Similarity:  # fmt: skip
+    """The similarity that brings points (n, 3) nearest to targets (n, 3), least squares by weights (n,) (Umeyama 1991).
+
+    The same points, or weights that are all zero, give the identity.
+    """
+    total = weights.sum()
+    if not total > 0.0 or np.array_equal(points, targets):
+        return Similarity(1.0, np.eye(3), np.zeros(3))
+    share = weights / total
+    middle, there = share @ points, share @ targets
+    away, wanted = points - middle, targets - there
+    left, sizes, right = np.linalg.svd((share[:, None] * wanted).T @ away)
+    signs = np.array([1.0, 1.0, np.sign(np.linalg.det(left @ right))])
+    rotation = (left * signs) @ right
+    scale = float((sizes * signs).sum() / (share @ (away**2).sum(axis=1)))
+    return Similarity(scale, rotation, there - scale * rotation @ middle)

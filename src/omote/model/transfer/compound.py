@@ -1,0 +1,114 @@
+"""Compounds: one face wearing one expression (paper, section 2.4), by the paper's map or by the smooth one.
+
+The stages of either are lists: `paper_map.STAGES` and `pipeline.STAGES` (docs/method.md, "The smooth map").
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.space.face_fit import FittedFace, fit
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.parts import eye_rotation
+from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression
+from omote.model.transfer.pipeline import transfer_expression
+
+Floats = NDArray[np.float32]
+
+
+def compound(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> Floats:
+    """A face wearing an expression (a blendshape of this face, retargeted from the field on S).
+
+    With transfer="paper" by the paper's map; with transfer="smooth" the generic face wears it by the paper's map, and
+    what it does there is carried over: lids and lips meet, nothing folds.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        The space of both.
+    face : Face
+        Who wears it.
+    expression : Expression
+        What is worn.
+    weight : float
+        Scales the field; 1 is as it was made.
+
+    Returns
+    -------
+    ndarray of float32, (V, 3)
+        Positions of skin and inner skin, metres.
+
+    Raises
+    ------
+    ValueError
+        Where face or expression does not belong to the space.
+
+    Examples
+    --------
+    >>> smiling = omote.compound(cast.space, cast.faces["old"], cast.expressions["smile"], weight=0.7)
+    >>> smiling.shape, smiling.dtype
+    ((4278, 3), dtype('float32'))
+    >>> at_rest = omote.compound(cast.space, cast.faces["old"], cast.expressions["smile"], weight=0.0)
+    >>> bool(np.abs(at_rest - cast.faces["old"].positions).max() < 1e-7)
+    True
+
+    References
+    ----------
+    K. Arai (1993), sections 2.2 and 2.4; docs/method.md, "The smooth map".
+    """
+    return apply_expression(space, face, compile_expression(space, expression, weight))
+
+
+def apply_expression(space: ParameterSpace, face: Face, compiled: Compiled, /) -> Floats:
+    """A face wearing a compiled expression: (V, 3) float32, metres."""
+    if space.transfer == "paper":
+        return apply_paper_map(space, fit(space, face), compiled)
+    return transfer_expression(space, face, compiled)
+
+
+def predict_part(space: ParameterSpace, name: str, displacement: NDArray[np.float64], /) -> NDArray[np.float64]:
+    """The displacement (n, 3) of a part that follows from that of the skin (V, 3)."""
+    part = space.parts[name]
+    result: NDArray[np.float64] = np.einsum("nk,nkc->nc", part.weights, displacement[part.anchors])
+    return result
+
+
+def compound_parts(
+    space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0
+) -> dict[str, Floats]:
+    """The parts of a face wearing an expression: {part: (n, 3)} metres; eyeballs before their turn."""
+    compiled = compile_expression(space, expression, weight)
+    return move_parts(space, fit(space, face), apply_expression(space, face, compiled), compiled.parts)
+
+
+def move_parts(
+    space: ParameterSpace, fitted: FittedFace, skin: Floats, rest: Mapping[str, NDArray[np.float64]], /
+) -> dict[str, Floats]:
+    """The parts of a face whose skin has moved to (V, 3), with the residual rest of each part."""
+    displacement = skin.astype(np.float64) - fitted.positions
+    result = {}
+    for name, placed in fitted.parts.items():
+        own = fitted.sizes[name] * rest[name] if name in rest else 0.0
+        result[name] = (placed + predict_part(space, name, displacement) + own).astype(np.float32)
+    return result
+
+
+def turn_eyes(
+    space: ParameterSpace,
+    parts: Mapping[str, Floats],
+    centres: Mapping[str, NDArray[np.float64]],
+    eyes: NDArray[np.float64],
+    /,
+) -> dict[str, Floats]:
+    """The parts with both eyeballs turned about centres (3,) by eyes (2, 2): yaw and pitch, left and right."""
+    result = dict(parts)
+    for name, part in space.parts.items():
+        if part.eye:
+            rotation = eye_rotation(*eyes[0 if part.eye == "left" else 1])
+            result[name] = ((parts[name] - centres[name]) @ rotation.T + centres[name]).astype(np.float32)
+    return result

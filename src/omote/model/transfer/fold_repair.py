@@ -1,0 +1,311 @@
+"""Turns back the triangles that a displacement has turned over (docs/method.md, "Fold repair").
+
+Gradient-domain editing of small patches, as rigid as the generic face's triangles are: weighted least squares on
+deformation gradients (Sumner & Popovic 2004), solved by conjugate gradients. A patch changes with every compound, so
+nothing is factorised.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Values = NDArray[np.float64]
+Indices = NDArray[np.int32]
+Mask = NDArray[np.bool_]
+
+# Weight of a folded triangle's target gradient.
+FOLDED = 3.0
+# Rounds with the lines held, and then with the lines free: how many, how many rings of triangles around a fold are free
+# to move, and the weight of the anchor that keeps vertices where they are.
+HELD_ROUNDS, NEAR_RINGS, NEAR = 6, 2, 0.1
+FREE_ROUNDS, FAR_RINGS, FAR = 8, 3, 0.02
+_ITERATIONS = 80
+
+
+@dataclass(frozen=True, eq=False)
+class SheetGeometry:
+    """The triangles of a face's sheet, and how they differ from the generic face's.
+
+    triangles (T, 3); starts (V + 1,), fans: the triangles around each vertex; normals, generic_normals (T, 3): at rest,
+    twice the areas long; gradients (T, 3, 2): the derivative of each corner's hat function along two in-plane
+    directions, plane (T, 3, 2); rotations (T, 3, 3): from the generic face's triangle to this one's; inverse_frames
+    (T, 3, 3): of the generic face.
+    """
+
+    triangles: Indices
+    starts: Indices
+    fans: Indices
+    normals: Values
+    generic_normals: Values
+    gradients: Values
+    plane: Values
+    rotations: Values
+    inverse_frames: Values
+
+
+def build_sheet_geometry(generic: Values, positions: Values, triangles: Indices, /) -> SheetGeometry:
+    """The sheet of a face with positions (V, 3), for displacements of the generic face with positions (V, 3)."""
+    order = np.argsort(triangles.ravel(), kind="stable")
+    starts = np.concatenate([[0], np.cumsum(np.bincount(triangles.ravel(), minlength=len(positions)))])
+    here, there = triangle_frames(generic, triangles), triangle_frames(positions, triangles)
+    inverse = np.linalg.inv(here).astype(np.float64)
+    gradients, plane = _gradients(positions, triangles)
+    return SheetGeometry(
+        triangles, starts.astype(np.int32), (order // 3).astype(np.int32), _normals(positions, triangles),
+        _normals(generic, triangles), gradients, plane, nearest_rotations(there @ inverse), inverse,
+    )  # fmt: skip
+
+
+def repair(
+    geometry: SheetGeometry, positions: Values, source: Values, on_line: Mask, close: Callable[[Values], None], /
+) -> Values:
+    """Positions (V, 3) with fewer folded triangles, or the same array where none is folded.
+
+    source (V, 3): the generic face wearing the expression; on_line (V,): the vertices of lids' and lips' lines, held in
+    the first rounds; close: brings them into contact again, in place, once they move too. The best round counts.
+    """
+    free, folded = np.zeros_like(on_line), find_folds(geometry, positions, source)
+    best, fewest = positions, int(folded.sum())
+    for number in range(HELD_ROUNDS + FREE_ROUNDS):
+        if fewest == 0:
+            break
+        positions = positions.copy()
+        if number < HELD_ROUNDS:
+            relax_patches(geometry, positions, source, folded, on_line, NEAR_RINGS, NEAR)
+        else:
+            relax_patches(geometry, positions, source, folded, free, FAR_RINGS, FAR)
+            close(positions)
+        folded = find_folds(geometry, positions, source)
+        if folded.sum() < fewest:
+            best, fewest = positions, int(folded.sum())
+    return best
+
+
+def find_folds(geometry: SheetGeometry, positions: Values, source: Values, /) -> Mask:
+    """The sheet triangles (T,) turned over on the face (V, 3) but not on the source (V, 3), the generic face."""
+    here, there = np.empty(len(geometry.triangles), np.bool_), np.empty(len(geometry.triangles), np.bool_)
+    mark_folds(positions, geometry.triangles, geometry.normals, here)
+    mark_folds(source, geometry.triangles, geometry.generic_normals, there)
+    result: Mask = here & ~there
+    return result
+
+
+def relax_patches(
+    geometry: SheetGeometry, positions: Values, source: Values, folded: Mask, held: Mask, rings: int, anchor: float, /
+) -> None:
+    """One round, in place: patches of so many rings around folded (T,) triangles, least squares.
+
+    Folded triangles take the source's gradients, those around keep theirs; vertices that are held (V,) stay.
+    """
+    _relax(
+        positions, source, folded, held, rings, anchor, geometry.triangles, geometry.starts, geometry.fans,
+        geometry.gradients, geometry.plane, geometry.rotations, geometry.inverse_frames,
+    )  # fmt: skip
+
+
+def triangle_frames(positions: Values, triangles: Indices, /) -> Values:
+    """Two edges and the scaled normal of each triangle as columns: (T, 3, 3) (Sumner & Popovic 2004, section 3)."""
+    a, b, c = positions.T[:, triangles.T].transpose(1, 0, 2)
+    first, second = b - a, c - a
+    normal = np.stack([
+        first[1] * second[2] - first[2] * second[1],
+        first[2] * second[0] - first[0] * second[2],
+        first[0] * second[1] - first[1] * second[0],
+    ])  # fmt: skip
+    normal /= np.sqrt(np.sqrt((normal * normal).sum(axis=0)))
+    return np.stack([first, second, normal], axis=2).transpose(1, 0, 2)
+
+
+def nearest_rotations(matrices: Values, /) -> Values:
+    """The rotation nearest to each matrix (T, 3, 3), by polar decomposition."""
+    u, _, vt = np.linalg.svd(matrices)
+    u[:, :, 2] *= np.sign(np.linalg.det(u @ vt))[:, None]
+    result: Values = u @ vt
+    return result
+
+
+def _normals(positions: Values, triangles: Indices) -> Values:
+    a, b, c = positions[triangles].transpose(1, 0, 2)
+    result: Values = np.cross(b - a, c - a)
+    return result
+
+
+def _gradients(positions: Values, triangles: Indices) -> tuple[Values, Values]:
+    a, b, c = positions[triangles].transpose(1, 0, 2)
+    first = (b - a) / np.linalg.norm(b - a, axis=1, keepdims=True)
+    normal = np.cross(b - a, c - a)
+    second = np.cross(normal / np.linalg.norm(normal, axis=1, keepdims=True), first)
+    bx, cx, cy = ((b - a) * first).sum(axis=1), ((c - a) * first).sum(axis=1), ((c - a) * second).sum(axis=1)
+    of_b = np.stack([1.0 / bx, -cx / (bx * cy)], axis=1)
+    of_c = np.stack([np.zeros_like(cy), 1.0 / cy], axis=1)
+    return np.stack([-of_b - of_c, of_b, of_c], axis=1), np.stack([first, second], axis=2)
+
+
+@njit(cache=True)
+def mark_folds(positions: Values, triangles: Indices, rest: Values, out: Mask) -> int:
+    """Marks in out (T,) the triangles whose normal points against that at rest (T, 3); returns how many."""
+    count = 0
+    for t in range(len(triangles)):
+        i, j, k = triangles[t]
+        ax, ay, az = (
+            positions[j, 0] - positions[i, 0],
+            positions[j, 1] - positions[i, 1],
+            positions[j, 2] - positions[i, 2],
+        )
+        bx, by, bz = (
+            positions[k, 0] - positions[i, 0],
+            positions[k, 1] - positions[i, 1],
+            positions[k, 2] - positions[i, 2],
+        )
+        along = (ay * bz - az * by) * rest[t, 0] + (az * bx - ax * bz) * rest[t, 1] + (ax * by - ay * bx) * rest[t, 2]
+        out[t] = along < 0.0
+        count += out[t]
+    return count
+
+
+@njit(cache=True)
+def _grow_patch(folded: Mask, rings: int, triangles: Indices, starts: Indices, fans: Indices) -> Mask:
+    patch = folded.copy()
+    for _ in range(rings):
+        for t in np.flatnonzero(patch):
+            for v in triangles[t]:
+                patch[fans[starts[v] : starts[v + 1]]] = True
+    return patch
+
+
+@njit(cache=True)
+def _number_unknowns(
+    patch: NDArray[np.int64], count: int, triangles: Indices, starts: Indices, fans: Indices, held: Mask
+) -> Indices:  # fmt: skip
+    """Each vertex's place among those, not held, all of whose triangles lie in the patch, or -1: (V,)."""
+    inside, place = np.zeros(count, np.bool_), np.full(len(starts) - 1, -1, np.int32)
+    inside[patch] = True
+    found = 0
+    for t in patch:
+        for v in triangles[t]:
+            if place[v] == -1 and not held[v] and inside[fans[starts[v] : starts[v + 1]]].all():
+                place[v] = found
+                found += 1
+    return place
+
+
+@njit(cache=True)
+def _target_gradient(
+    t: int, rotations: Values, inverse_frames: Values, plane: Values, moved: Values, corners: Indices, out: Values
+) -> None:
+    """Writes the source's deformation gradient of a triangle, rotated to the face, along its plane: out (2, 3)."""
+    frame = np.empty((3, 3))
+    for c in range(3):
+        frame[c, 0] = moved[corners[1], c] - moved[corners[0], c]
+        frame[c, 1] = moved[corners[2], c] - moved[corners[0], c]
+    normal = np.cross(frame[:, 0].copy(), frame[:, 1].copy())
+    size = np.sqrt(np.sqrt((normal * normal).sum()))
+    frame[:, 2] = normal / max(size, 1e-12)
+    gradient = rotations[t] @ (frame @ inverse_frames[t]) @ np.ascontiguousarray(rotations[t].T)
+    for k in range(2):
+        for c in range(3):
+            out[k, c] = (
+                gradient[c, 0] * plane[t, 0, k] + gradient[c, 1] * plane[t, 1, k] + gradient[c, 2] * plane[t, 2, k]
+            )
+
+
+@njit(cache=True)
+def _relax(
+    positions: Values, moved: Values, folded: Mask, held: Mask, rings: int, anchor: float, triangles: Indices,
+    starts: Indices, fans: Indices, gradients: Values, plane: Values, rotations: Values, inverse_frames: Values,
+) -> None:  # fmt: skip
+    """Kernel of `relax_patches`; moved (V, 3): the source."""
+    patch = np.flatnonzero(_grow_patch(folded, rings, triangles, starts, fans))
+    place = _number_unknowns(patch, len(triangles), triangles, starts, fans, held)
+    pull, diagonal = np.zeros((place.max() + 1, 3)), np.zeros(place.max() + 1)
+    if len(pull) == 0:
+        return
+    corners, slopes, weights = np.empty((len(patch), 3), np.int32), gradients[patch], np.ones(len(patch))
+    target = np.empty((2, 3))
+    for n in range(len(patch)):
+        t = patch[n]
+        for k in range(3):
+            corners[n, k] = place[triangles[t, k]]
+        if folded[t]:
+            weights[n] = FOLDED
+            # The others keep their gradients: only the residual of the folded ones pulls.
+            _target_gradient(t, rotations, inverse_frames, plane, moved, triangles[t], target)
+            _add_residual(target, slopes[n], positions, triangles[t], corners[n], pull)
+        _add_diagonal(weights[n], slopes[n], corners[n], diagonal)
+    shift = anchor * diagonal.mean()
+    step = _solve_conjugate_gradients(pull, diagonal + shift, shift, corners, slopes, weights)
+    for v in range(len(place)):
+        if place[v] >= 0:
+            positions[v] += step[place[v]]
+
+
+@njit(cache=True)
+def _add_residual(
+    target: Values, slopes: Values, positions: Values, triangle: Indices, corners: Indices, pull: Values
+) -> None:
+    for d in range(2):
+        for k in range(3):
+            target[d] -= slopes[k, d] * positions[triangle[k]]
+    for k in range(3):
+        if corners[k] >= 0:
+            pull[corners[k]] += FOLDED * (slopes[k, 0] * target[0] + slopes[k, 1] * target[1])
+
+
+@njit(cache=True)
+def _add_diagonal(weight: float, slopes: Values, corners: Indices, diagonal: Values) -> None:
+    for k in range(3):
+        if corners[k] >= 0:
+            diagonal[corners[k]] += weight * (slopes[k] ** 2).sum()
+
+
+@njit(cache=True)
+def _apply_matrix(x: Values, shift: float, corners: Indices, slopes: Values, weights: Values, out: Values) -> None:
+    out[:] = shift * x
+    slope = np.empty(3)
+    for n in range(len(corners)):
+        for d in range(2):
+            slope[:] = 0.0
+            for k in range(3):
+                p = corners[n, k]
+                if p >= 0:
+                    for c in range(3):
+                        slope[c] += slopes[n, k, d] * x[p, c]
+            _scatter(weights[n], slopes[n, :, d], slope, corners[n], out)
+
+
+@njit(cache=True, inline="always")
+def _scatter(weight: float, slopes: Values, slope: Values, corners: Indices, out: Values) -> None:
+    for k in range(3):
+        p = corners[k]
+        if p >= 0:
+            for c in range(3):
+                out[p, c] += weight * slopes[k] * slope[c]
+
+
+@njit(cache=True)
+def _solve_conjugate_gradients(
+    pull: Values, diagonal: Values, shift: float, corners: Indices, slopes: Values, weights: Values
+) -> Values:  # fmt: skip
+    """Conjugate gradients, preconditioned by the diagonal."""
+    x, applied, rest = np.zeros_like(pull), np.empty_like(pull), pull.copy()
+    scale = np.expand_dims(1.0 / diagonal, 1)
+    scaled = rest * scale
+    direction, energy = scaled.copy(), (rest * scaled).sum()
+    goal = 1e-10 * energy
+    for _ in range(_ITERATIONS):
+        if energy <= goal:
+            break
+        _apply_matrix(direction, shift, corners, slopes, weights, applied)
+        share = energy / (direction * applied).sum()
+        x += share * direction
+        rest -= share * applied
+        scaled = rest * scale
+        after = (rest * scaled).sum()
+        direction = scaled + (after / energy) * direction
+        energy = after
+    return x

@@ -1,0 +1,211 @@
+"""Correctives of combinations: what several compounds together fold or pierce, and none alone, is corrected.
+
+Each frame, after the blend (docs/method.md, "Correctives of combinations"). Artists sculpt such fixes by hand and call
+them correctives or combination shapes; here they are computed. One compound on one face is never changed: each has an
+allowance of what it uses up by itself (`measure_allowance`), weighted like the mix. The GPU of a stage does the same
+(web/src/stage/settle_shaders.ts). All of it is continuous in the weights: lids and lips that cross move apart by half
+each; lids are pushed out of the eyeball, whose cornea bulges where it looks; triangles about to turn over are projected
+(`omote.perform.blending.orientation`). Rejected: smoothing displacements folded more triangles than it mended.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.space.expression import Expression
+from omote.model.space.face_fit import FittedFace
+from omote.model.space.lid_lip_lines import RUNGS
+from omote.model.space.parts import eye_rotation
+from omote.model.transfer.corrective_regions import CorrectiveRegions, Crossing
+from omote.perform.blending.orientation import area_shares, keep_orientation, rest_normals
+
+Floats = NDArray[np.float32]
+Values = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+ROUNDS = 16
+"""How often triangles are projected; half of them before lids and lips are separated for the last time."""
+LEAST_AREA = 0.1
+"""A triangle keeps this share of its area at rest, seen along its normal at rest."""
+BULGE, CORNEA = 0.035, 0.6
+"""How far the cornea stands out of the ball, in radii, and where it ends, radians from the line of sight."""
+AREA_SLACK, LENGTH_SLACK = 1e-3, 1e-6
+"""What rounding may use up: share of a triangle's area, and metres."""
+
+
+@dataclass(frozen=True, eq=False)
+class Eyeballs:
+    """Both eyeballs as mixed: centres (2, 3) and radii (2,) metres, angles (2, 2): yaw and pitch, radians."""
+
+    centres: Values
+    radii: Values
+    angles: Values
+
+    @property
+    def sights(self) -> Values:
+        """Where each eye looks, unit vectors (2, 3)."""
+        return np.stack([eye_rotation(*angles)[:, 2] for angles in self.angles])
+
+    @staticmethod
+    def of(face: FittedFace, eyes: tuple[str, ...], angles: Values) -> Eyeballs:
+        """The eyeballs of a face, by their parts' names, turned by angles (2, 2)."""
+        radii = [face.ball_radius(eye) for eye in eyes]
+        return Eyeballs(np.array([face.centres[eye] for eye in eyes]).reshape(-1, 3), np.array(radii), angles)
+
+    def ahead(self) -> Eyeballs:
+        """The same eyeballs looking straight ahead."""
+        return Eyeballs(self.centres, self.radii, np.zeros((2, 2)))
+
+
+def measure_allowance(regions: CorrectiveRegions, face: FittedFace, expression: Expression, skin: Floats, /) -> Floats:
+    """What one compound alone uses up: (regions.size,), of triangles, rungs (metres) and lids (metres), never
+    negative.
+
+    skin (V, 3): the compound of face and expression.
+    """
+    still = _at_rest(regions, face)
+    balls = Eyeballs(still.balls.centres, still.balls.radii, expression.eyes)
+    here, there = still.points, skin[regions.rows].astype(np.float64)
+    areas = LEAST_AREA + AREA_SLACK - area_shares(there, still.normals, still.sizes, regions.triangles)
+    rungs = []
+    for crossing in regions.crossings:
+        _, least, now = _openings(crossing, here, there)
+        rungs.append(least - now + LENGTH_SLACK)
+    lids = _lid_depths(regions, there, balls) - still.depths + LENGTH_SLACK
+    result = np.concatenate([areas, *rungs, lids])
+    return np.where(_beyond_slack(regions, result), result, 0.0).astype(np.float32)
+
+
+@dataclass(frozen=True, eq=False)
+class _AtRest:
+    """What is the same for all compounds of one face: rows (m, 3) at rest, triangles' normals and their squared
+    lengths, eyeballs, and how deep lids lie in them."""
+
+    points: Values
+    normals: Values
+    sizes: Values
+    balls: Eyeballs
+    depths: Values
+
+
+_rests: WeakKeyDictionary[FittedFace, tuple[CorrectiveRegions, _AtRest]] = WeakKeyDictionary()
+
+
+def _at_rest(regions: CorrectiveRegions, face: FittedFace) -> _AtRest:
+    known = _rests.get(face)
+    if known is None or known[0] is not regions:
+        points = face.positions[regions.rows].astype(np.float64)
+        balls = Eyeballs.of(face, regions.eyes, np.zeros((2, 2)))
+        normals, sizes = rest_normals(points, regions.triangles)
+        known = (regions, _AtRest(points, normals, sizes, balls, _lid_depths(regions, points, balls)))
+        _rests[face] = known
+    return known[1]
+
+
+def _beyond_slack(regions: CorrectiveRegions, values: Values) -> NDArray[np.bool_]:
+    slack = np.full(regions.size, LENGTH_SLACK)
+    slack[: len(regions.triangles)] = 0.0
+    result: NDArray[np.bool_] = values > slack
+    return result
+
+
+def correct_combination(
+    regions: CorrectiveRegions, rest: Floats, positions: Floats, allowed: Floats, balls: Eyeballs, /
+) -> Floats:
+    """The skin (V, 3) of a mix, corrected; rest (V, 3): the mixed face without expression.
+
+    allowed (regions.size,): the sum of the compounds' allowances, each times the size of its weight. Where nothing is
+    beyond it, the positions come back as they were.
+    """
+    here, points = rest[regions.rows].astype(np.float64), positions[regions.rows].astype(np.float64)
+    blended = points.copy()
+    areas, rungs, lids = _split(regions, allowed)
+    normals, sizes = rest_normals(here, regions.triangles)
+    goals = LEAST_AREA - areas
+    lids = lids + _lid_depths(regions, here, balls.ahead())
+    _open_crossings(regions, here, points, rungs)
+    _open_crossings(regions, here, points, rungs)
+    _push_out_of_eyeballs(regions, points, lids, balls)
+    keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2)
+    _open_crossings(regions, here, points, rungs)
+    keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2)
+    _push_out_of_eyeballs(regions, points, lids, balls)
+    move = points - blended
+    if not move.any():
+        return positions
+    out = positions.copy()
+    out[regions.rows] = points
+    out[regions.followers] += np.einsum("fk,fkc->fc", regions.weights, move[regions.anchors]).astype(np.float32)
+    return out
+
+
+def _split(regions: CorrectiveRegions, allowed: Floats) -> tuple[Values, Values, Values]:
+    first = len(regions.triangles)
+    second = first + RUNGS * len(regions.crossings)
+    values = allowed.astype(np.float64)
+    return values[:first], values[first:second].reshape(-1, RUNGS), values[second:]
+
+
+# ---- lids and lips
+
+
+def _openings(crossing: Crossing, rest: Values, points: Values) -> tuple[Values, Values, Values]:
+    """Directions (RUNGS, 3) along which a line opens, the least opening (RUNGS,) and the present one, metres.
+
+    The least is none, or what crosses at rest already.
+    """
+    still = np.einsum("rk,rkc->rc", crossing.weights, rest[crossing.vertices])
+    now = np.einsum("rk,rkc->rc", crossing.weights, points[crossing.vertices])
+    if crossing.kind == "lips":
+        along = np.zeros((RUNGS, 3))
+        along[:, 1] = 1.0
+    else:
+        along = still / np.maximum(np.linalg.norm(still, axis=1, keepdims=True), 1e-9)
+    return along, np.minimum((along * still).sum(axis=1), 0.0), (along * now).sum(axis=1)
+
+
+def _open_crossings(regions: CorrectiveRegions, rest: Values, points: Values, allowed: Values) -> None:
+    """Opens every line where it crosses, in place: either side by half, the skin around it by less and less."""
+    for crossing, own in zip(regions.crossings, allowed, strict=True):
+        along, least, now = _openings(crossing, rest, points)
+        missing = np.maximum(least - own - now, 0.0)
+        if not missing.any():
+            continue
+        half = 0.5 * missing[:, None] * along
+        place = np.minimum(np.maximum(crossing.share * RUNGS - 0.5, 0.0), RUNGS - 1.0)
+        first = np.minimum(place.astype(np.int32), RUNGS - 2)
+        after = (place - first)[:, None]
+        points[crossing.near] += crossing.side[:, None] * ((1.0 - after) * half[first] + after * half[first + 1])
+
+
+# ---- lids and eyeballs
+
+
+def _lid_depths(regions: CorrectiveRegions, points: Values, balls: Eyeballs) -> Values:
+    """How deep each lid vertex lies in its eyeball, (r,) metres, zero outside."""
+    depth, _ = _measure_depths(regions, points, balls)
+    result: Values = np.maximum(depth, 0.0)
+    return result
+
+
+def _measure_depths(regions: CorrectiveRegions, points: Values, balls: Eyeballs) -> tuple[Values, Values]:
+    """Depth (r,), negative outside, and the outward direction (r, 3)."""
+    outward = points[regions.lids] - balls.centres[regions.eye]
+    distance = np.maximum(np.linalg.norm(outward, axis=1), 1e-9)
+    outward = outward / distance[:, None]
+    end = np.cos(CORNEA)
+    cosine = (outward * balls.sights[regions.eye]).sum(axis=1)
+    up = np.maximum((cosine - end) / (1.0 - end), 0.0)
+    radius = balls.radii[regions.eye] * (1.0 + BULGE * up * up * (3.0 - 2.0 * up))
+    return radius - distance, outward
+
+
+def _push_out_of_eyeballs(regions: CorrectiveRegions, points: Values, allowed: Values, balls: Eyeballs) -> None:
+    """Pushes lids out of the eyeballs, in place, as far as they lie deeper than allowed (r,)."""
+    depth, outward = _measure_depths(regions, points, balls)
+    push = np.maximum(depth - allowed, 0.0)
+    points[regions.lids] += push[:, None] * outward

@@ -1,0 +1,81 @@
+"""A browser's DevTools over a line of our own: JSON messages, each ended by a zero byte; no port is opened."""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+from typing import Any
+
+import msgspec
+
+END = b"\0"
+
+Answer = dict[str, Any]
+
+
+class BrowserError(RuntimeError):
+    """The browser does not do what it should, and why, in one sentence."""
+
+
+class DevTools:
+    """The line to a browser; every call waits for its answer, however many wait at once."""
+
+    def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        self._reader, self._writer = reader, writer
+        self._numbers = itertools.count(1)
+        self._waiting: dict[int, asyncio.Future[Answer]] = {}
+        self._listening = asyncio.create_task(self._listen())
+
+    async def call(self, method: str, *, session: str | None = None, **parameters: Any) -> Answer:
+        """What the browser answers; BrowserError when it refuses, or ends."""
+        if self._listening.done():
+            raise BrowserError("the browser has ended; try again")
+        number = next(self._numbers)
+        message: Answer = {"id": number, "method": method, "params": parameters}
+        if session is not None:
+            message["sessionId"] = session
+        answer: asyncio.Future[Answer] = asyncio.get_running_loop().create_future()
+        self._waiting[number] = answer
+        self._writer.write(msgspec.json.encode(message) + END)
+        return await answer
+
+    async def evaluate(self, session: str, script: str) -> Any:
+        """The value of an expression on a page, once its promise is kept; BrowserError with what it throws."""
+        answer = await self.call(
+            "Runtime.evaluate", session=session, expression=script, awaitPromise=True, returnByValue=True
+        )
+        if "exceptionDetails" in answer:
+            thrown = answer["exceptionDetails"].get("exception", {})
+            reason = str(thrown.get("value") or thrown.get("description") or "a script failed")
+            raise BrowserError(reason.split("\n")[0].removeprefix("Error: "))
+        return answer["result"].get("value")
+
+    async def close(self) -> None:
+        """Hangs up."""
+        self._listening.cancel()
+        self._writer.close()
+        await asyncio.gather(self._listening, return_exceptions=True)
+
+    async def _listen(self) -> None:
+        try:
+            while True:
+                self._handle_message(msgspec.json.decode((await self._reader.readuntil(END))[:-1]))
+        except (asyncio.IncompleteReadError, ConnectionError):
+            self._fail_all("the browser ended before it had drawn; try again")
+
+    def _handle_message(self, message: Answer) -> None:
+        if message.get("method") == "Inspector.targetCrashed":
+            self._fail_all("the browser's page crashed; try a smaller picture or a lower quality")
+        answer = self._waiting.pop(message.get("id", 0), None)
+        if answer is None or answer.done():
+            return
+        if "error" in message:
+            answer.set_exception(BrowserError(f"the browser refuses: {message['error'].get('message', '')}"))
+        else:
+            answer.set_result(message.get("result", {}))
+
+    def _fail_all(self, reason: str) -> None:
+        for answer in self._waiting.values():
+            if not answer.done():
+                answer.set_exception(BrowserError(reason))
+        self._waiting.clear()

@@ -1,0 +1,90 @@
+"""Who may speak to the server: checks of Host and Origin, and the headers every answer carries."""
+
+from __future__ import annotations
+
+import ipaddress
+import logging
+import socket
+from urllib.parse import urlsplit
+
+from aiohttp import web
+from aiohttp.http_exceptions import HttpProcessingError
+from aiohttp.typedefs import Handler, Middleware
+
+HEADERS = {
+    "Content-Security-Policy": "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
+    "worker-src 'self' blob:; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; "
+    "frame-ancestors 'self'",
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+}
+
+
+def silence_bad_requests() -> None:
+    """Keeps requests that are no HTTP, which aiohttp answers with 400, from filling the operator's terminal."""
+    logging.getLogger("aiohttp.server").addFilter(_is_no_bad_request)
+
+
+def _is_no_bad_request(record: logging.LogRecord) -> bool:
+    return record.exc_info is None or not isinstance(record.exc_info[1], HttpProcessingError)
+
+
+def own_names() -> frozenset[str]:
+    """The names under which browsers may address this machine; addresses in figures are always allowed."""
+    name = socket.gethostname().lower()
+    return frozenset({"localhost", name, f"{name}.local"})
+
+
+def host_allowed(host: str, names: frozenset[str]) -> bool:
+    """Whether a Host header names this machine; a foreign name means that somebody's DNS was bent to point here."""
+    name = (urlsplit(f"//{host}").hostname or "").lower()
+    return name in names or _is_address(name)
+
+
+def origin_allowed(origin: str | None, host: str) -> bool:
+    """Whether a request comes from our own pages, or from no page (a program in the house)."""
+    if origin is None:
+        return True
+    parts = urlsplit(origin)
+    return parts.scheme in ("http", "https") and parts.netloc.lower() == host.lower()
+
+
+def refusal(host: str, origin: str | None, names: frozenset[str]) -> str | None:
+    """Why a request is refused, in one sentence; None when it may pass."""
+    try:
+        if not host_allowed(host, names):
+            return f"this server is not called {host[:80]!r}: use its address in figures, or localhost."
+        if not origin_allowed(origin, host):
+            return f"a page of {(origin or '')[:80]!r} may not play here: open the console from this server."
+    except ValueError as error:  # urlsplit on things like "[::1"
+        return f"the address of this request cannot be read ({error})."
+    return None
+
+
+def guard(names: frozenset[str]) -> Middleware:
+    """The middleware that refuses strangers."""
+
+    @web.middleware
+    async def middleware(request: web.Request, handler: Handler) -> web.StreamResponse:
+        reason = refusal(request.headers.get("Host", ""), request.headers.get("Origin"), names)
+        if reason is not None:
+            raise web.HTTPForbidden(text=reason)
+        return await handler(request)
+
+    return middleware
+
+
+async def add_headers(_: web.Request, response: web.StreamResponse) -> None:
+    """Gives an answer the headers of `HEADERS` (an `on_response_prepare` signal)."""
+    for name, value in HEADERS.items():
+        response.headers.setdefault(name, value)
+
+
+def _is_address(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,36 @@
+"""The built pages, read once into memory: no name that a browser sends ever becomes a path."""
+
+from __future__ import annotations
+
+import mimetypes
+from dataclasses import dataclass
+from pathlib import Path
+
+FOLDER = Path(__file__).parents[1] / "web"
+PAGES = {"/": "index.html", "/stage": "stage.html", "/console": "console.html", "/editor": "editor.html"}
+TYPES = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".html": "text/html"}
+
+
+@dataclass(frozen=True)
+class Page:
+    """A file of the bundle as it is sent."""
+
+    body: bytes
+    content_type: str
+    immutable: bool
+
+
+def read_pages(folder: Path = FOLDER) -> dict[str, Page]:
+    """Every page by its URL path; FileNotFoundError, with how to build them, when one is missing."""
+    missing = [name for name in PAGES.values() if not (folder / name).is_file()]
+    if missing:
+        raise FileNotFoundError(f"the pages are not built ({', '.join(missing)} missing in {folder}): run `make web`.")
+    files = sorted(path for path in folder.rglob("*") if path.is_file())
+    pages = {f"/{path.relative_to(folder).as_posix()}": _page(path, folder) for path in files}
+    return pages | {url: pages[f"/{name}"] for url, name in PAGES.items()}
+
+
+def _page(path: Path, folder: Path) -> Page:
+    content_type = TYPES.get(path.suffix) or mimetypes.guess_type(path.name)[0] or "application/octet-stream"
+    hashed = path.relative_to(folder).parts[0] == "static"  # vite puts a hash into these names
+    return Page(path.read_bytes(), content_type, immutable=hashed)

@@ -1,0 +1,33 @@
+"""Whether the state that servers start from is what kills them."""
+
+from __future__ import annotations
+
+import signal
+from collections import deque
+
+DEATHS, WITHIN_SECONDS = 3, 30.0
+FROM_OUTSIDE = {-signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT, -signal.SIGHUP}
+"""Codes of servers that somebody else ended: no fault of the state."""
+
+
+class CrashLoop:
+    """Counts the deaths that a state may have caused; time is an argument."""
+
+    def __init__(self) -> None:
+        self._deaths: deque[float] = deque(maxlen=DEATHS)
+
+    def record_end(self, now: float, code: int) -> None:
+        """A server ended with this exit status, or minus the signal that killed it."""
+        if code != 0 and code not in FROM_OUTSIDE:
+            self._deaths.append(now)
+
+    def record_hang(self, now: float) -> None:
+        """A server hung before its first tick and had to be killed."""
+        self._deaths.append(now)
+
+    def suspects_state(self, now: float) -> bool:
+        """Whether the next server should start from neutral; asking starts the count anew when it should."""
+        blamed = len(self._deaths) == DEATHS and now - self._deaths[0] <= WITHIN_SECONDS
+        if blamed:
+            self._deaths.clear()
+        return blamed

@@ -1,0 +1,134 @@
+"""The process that plays: until its supervisor closes the pipe."""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+import socket
+import sys
+from collections.abc import Callable, Coroutine, Mapping
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+
+from aiohttp import web
+
+from omote.server.http.app import ShowServer
+from omote.server.http.cast_documents import CastDocuments, built_in_documents
+from omote.server.http.cast_reload import gather_cast
+from omote.server.http.security import own_names
+from omote.server.http.static_pages import Page, read_pages
+from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
+from omote.server.persistence.commit_thread import CommitThread
+from omote.server.persistence.journal import JournalWriter
+from omote.server.persistence.restore import journal_entry, open_journal, restore
+from omote.server.process.process_messages import Order
+from omote.server.supervision.tick_loop import ShowTick, run_ticks
+from omote.server.workers.workshop import open_workshop
+from omote.showfile.show_file import ShowFile
+
+
+@dataclass(frozen=True)
+class Pipes:
+    """Descriptors from the supervisor: the listening socket, the pipe from it (its end is our end), the pulse."""
+
+    listen: int
+    control: int
+    pulse: int
+
+
+@dataclass(frozen=True)
+class ShowMaterial:
+    """What a server serves: the cast's documents and the pages."""
+
+    documents: CastDocuments
+    pages: Mapping[str, Page]
+
+
+def load_material() -> ShowMaterial:
+    """The baked cast and the built pages; FileNotFoundError, with what to do, when they are missing."""
+    return ShowMaterial(built_in_documents(), read_pages())
+
+
+def report(sentence: str) -> None:
+    """Says a sentence to the operator's terminal."""
+    sys.stderr.write(f"omote: {sentence}\n")
+
+
+def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
+    """Plays to the end, on the fastest event loop there is."""
+    start_workshop(material.documents)  # while there is neither thread nor loop, which no copy may have
+    playing = play(material, order, show=show, pipes=pipes)
+    try:
+        import uvloop
+    except ImportError:  # not made for this platform: the stock loop is slower and does the same
+        asyncio.run(playing)
+    else:
+        uvloop.run(playing)
+
+
+def start_workshop(documents: CastDocuments) -> None:
+    """Has everything computed beside the server; where no process can be made, in a thread of it."""
+    try:
+        documents.use_workshop(open_workshop(documents.compute), report)
+    except OSError as error:
+        report(f"no process can be made that computes ({error}); the server computes by itself.")
+
+
+async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
+    """Plays until the supervisor's pipe ends or SIGTERM comes; raises what a tick raises."""
+    file, documents = open_journal(show, report), material.documents
+    authored_work, reopen = open_reopenable_work(file, documents, report)
+    server = ShowServer(restore(documents.playing, file, order, report), documents, material.pages)
+    server.enable_editing(authored_work, reopen, report)
+    journal = JournalWriter(file, report) if file else None
+    runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
+    await runner.setup()
+    await web.SockSite(runner, socket.socket(fileno=pipes.listen)).start()
+    try:
+        await run_until_ended(run_ticks(ShowTick(server, journal, pipes.pulse).tick), pipes.control)
+    finally:
+        await server.close_all()
+        await runner.cleanup()
+        documents.close()
+        if authored_work:
+            authored_work.committer.close()
+        if journal:
+            journal.offer(journal_entry(server.session))
+            journal.close()
+
+
+def open_reopenable_work(
+    file: ShowFile | None, documents: CastDocuments, report: Callable[[str], None]
+) -> tuple[AuthoredWork | None, Callable[[], AuthoredWork | None]]:
+    """The desk of a show file, its own things in the cast already, and what gives the desk anew."""
+    if file is None:
+        return None, lambda: None
+    committer = CommitThread(file.again(), report)
+
+    def reopened() -> AuthoredWork | None:
+        with closing(file.again()) as own:  # the journal's thread writes with the other connection
+            return open_authored_work(own, committer, documents.worker, report)
+
+    authored_work = reopened()
+    if authored_work is None:
+        committer.close()
+        return None, lambda: None
+    documents.contents = authored_work.session.contents
+    documents.play(gather_cast(documents.cast, authored_work.session.own(), documents.contents, report))
+    return authored_work, reopened
+
+
+async def run_until_ended(beating: Coroutine[object, object, None], control: int) -> None:
+    """Runs `beating` until the control pipe or SIGTERM ends it; raises what it raises."""
+    ended = asyncio.Event()
+    loop = asyncio.get_running_loop()
+    loop.add_reader(control, ended.set)
+    loop.add_signal_handler(signal.SIGTERM, ended.set)
+    tasks = {asyncio.create_task(beating), asyncio.ensure_future(ended.wait())}
+    done, rest = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+    loop.remove_reader(control)
+    for task in rest:
+        task.cancel()
+    for task in done:
+        task.result()

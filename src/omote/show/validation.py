@@ -1,0 +1,37 @@
+"""The one door for numbers from outside: one comes through unchanged or is refused with a sentence, never clamped."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMIT, HEAD_LIMIT, LONGEST_CALL, check_within
+
+
+class Refusal(ValueError):  # noqa: N818  (what an operator reads, not a fault)
+    """Why a message was not obeyed, in one sentence: what came, what was expected."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A number that comes from outside: what it is called in a refusal, and its range, both ends included."""
+
+    what: str
+    low: float
+    high: float
+
+
+SECONDS = Quantity("the length of a call (seconds)", 0.0, LONGEST_CALL)
+FADER = Quantity("a T-bar", 0.0, 1.0)
+CHANNEL = Quantity("a channel", CHANNEL_LOWEST, CHANNEL_HIGHEST)
+HEAD = Quantity("an angle of the head (radians)", -HEAD_LIMIT, HEAD_LIMIT)
+GAZE = Quantity("an angle of the gaze (radians)", -GAZE_LIMIT, GAZE_LIMIT)
+SENT = Quantity("the time a ping was sent", -1e15, 1e15)
+FPS = Quantity("the rate of drawn frames", 0.0, 1000.0)
+
+
+def validate_number(value: object, quantity: Quantity) -> float:
+    """`value` as a float when it is a real number in the range of `quantity`; Refusal for anything else, NaN too."""
+    try:
+        return check_within(value, quantity.low, quantity.high, quantity.what)
+    except (ValueError, TypeError) as error:
+        raise Refusal(f"{error}.") from error

@@ -1,0 +1,83 @@
+"""Correctives for the stages: one document per space and an allowance per compound (`perform.blending.correctives`)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.cast import Cast
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.corrective_regions import CorrectiveRegions, Crossing, find_corrective_regions
+from omote.perform.blending.correctives import BULGE, CORNEA, LEAST_AREA, ROUNDS, Eyeballs, measure_allowance
+from omote.perform.blending.orientation import LEAST_SLOPE, OVER_RELAXATION
+from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument
+from omote.show.wire import le_bytes
+
+Floats = NDArray[np.float32]
+Ints = NDArray[np.int32]
+
+
+def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | None:
+    """The corrective regions of a cast's space, its rows those of all positions; starts: the first row of each part."""
+    regions = find_corrective_regions(cast.space)
+    if regions is None:
+        return None
+    followers, anchors, weights = _followers(cast, regions, starts)
+    return SettlingDocument(
+        rounds=ROUNDS, upright=LEAST_AREA, eager=OVER_RELAXATION, flattest=LEAST_SLOPE, bulge=BULGE, cornea=CORNEA,
+        rows=le_bytes(regions.rows, "<u4"),
+        triangles=le_bytes(regions.triangles, "<u4"),
+        crossings=[_crossing(crossing) for crossing in regions.crossings],
+        lids=le_bytes(regions.lids, "<u4"), eye=le_bytes(regions.eye, "<u4"),
+        followers=le_bytes(followers, "<u4"), anchors=le_bytes(anchors, "<u4"), weights=le_bytes(weights, "<f4"),
+    )  # fmt: skip
+
+
+def _crossing(crossing: Crossing) -> CrossingDocument:
+    return CrossingDocument(
+        upward=crossing.kind == "lips",
+        vertices=le_bytes(crossing.vertices, "<u4"), weights=le_bytes(crossing.weights, "<f4"),
+        near=le_bytes(crossing.near, "<u4"), side=le_bytes(crossing.side, "<f4"), share=le_bytes(crossing.share, "<f4"),
+    )  # fmt: skip
+
+
+def _followers(cast: Cast, regions: CorrectiveRegions, starts: dict[str, int]) -> tuple[Ints, Ints, Floats]:
+    """Rows, anchors and weights of inner skin and of the attached parts, the anchors in places of the regions."""
+    place = np.full(cast.space.vertex_count, -1)
+    place[regions.rows] = np.arange(len(regions.rows))
+    rows, anchors, weights = [regions.followers], [regions.anchors], [regions.weights]
+    width = regions.anchors.shape[1]
+    for name in regions.attached_parts:
+        part = cast.space.parts[name]
+        own = place[part.anchors]
+        share = np.where(own >= 0, part.weights, 0.0)
+        short = ((0, 0), (0, width - share.shape[1]))
+        hangs = share.any(axis=1)
+        rows.append((starts[name] + np.flatnonzero(hangs)).astype(np.int32))
+        anchors.append(np.pad(np.maximum(own, 0), short)[hangs].astype(np.int32))
+        weights.append(np.pad(share, short)[hangs].astype(np.float32))
+    return np.concatenate(rows), np.concatenate(anchors), np.concatenate(weights)
+
+
+def allowance_document(
+    space: ParameterSpace, face: Face, expression: Expression, skin: Floats
+) -> AllowanceDocument | None:
+    """What the compound of a face and an expression, skin (V, 3), uses up by itself."""
+    regions = find_corrective_regions(space)
+    if regions is None:
+        return None
+    allowed = measure_allowance(regions, fit(space, face), expression, skin)
+    places = np.flatnonzero(allowed)
+    return AllowanceDocument(places=le_bytes(places, "<u4"), values=le_bytes(allowed[places], "<f4"))
+
+
+def ball_radii(space: ParameterSpace, face: Face) -> tuple[float, float]:
+    """The radii of a face's eyeballs, left and right, metres; zero where there is none."""
+    regions = find_corrective_regions(space)
+    if regions is None or len(regions.eyes) != 2:
+        return 0.0, 0.0
+    left, right = Eyeballs.of(fit(space, face), regions.eyes, np.zeros((2, 2))).radii.tolist()
+    return left, right

@@ -1,0 +1,114 @@
+"""What a picture shows, as somebody types it: mixes, channels and angles in words, and the pose a stage makes of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+import msgspec
+
+from omote.perform.frame import Frame, Gaze, Head
+from omote.perform.lights import FIRST_LIGHT, LIGHTS
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
+from omote.perform.mix import HIGHEST, LOWEST
+from omote.show.state import state_of
+
+if TYPE_CHECKING:
+    from omote.model.cast import Cast
+
+Pose = dict[str, Any]
+EVEN = 1e-6
+"""By how much a mix may miss the sum of one: people type three digits, and their sums are exact enough."""
+
+
+def parse_pose(
+    cast: Cast,
+    *,
+    face: str = "generic",
+    expression: str = "neutral",
+    channels: str = "",
+    turn: str = "",
+    gaze: str = "",
+    light: str = FIRST_LIGHT,
+) -> Frame:
+    """The frame of a pose in words: `kaori=0.5+dog=0.5`, `smile=0.7`, `jawOpen=0.5+eyeBlinkLeft=1`, angles in degrees.
+
+    Names without a weight share what is left of one; what is left of the expressions is neutral. `turn`: yaw, pitch,
+    roll; `gaze`: yaw, pitch; what is left out is 0. ValueError with a sentence for what is not understood or not there.
+    """
+    return Frame(
+        faces=parse_mix(face, cast.faces, "face"),
+        expressions=parse_expression_mix(expression, cast.expressions),
+        channels=parse_channels(channels, cast.expressions),
+        head=Head(*parse_angles(turn, 3, "turn")),
+        gaze=Gaze(*parse_angles(gaze, 2, "gaze")),
+        light=parse_mix(light, LIGHTS, "light"),
+    )
+
+
+def pose_of(cast: Cast, frame: Frame) -> Pose:
+    """What a stage is told of a frame, as plain values."""
+    pose: Pose = msgspec.to_builtins(state_of(cast, frame, epoch=0, number=0, revision=0))
+    return pose
+
+
+def parse_mix(text: str, names: Iterable[str], what: str) -> dict[str, float]:
+    """Names by weight, `kaori=0.5+dog`; ValueError where they do not sum to one."""
+    weights = share_rest(parse_weights(text, names, what, LOWEST, HIGHEST))
+    total = sum(weights.values())
+    if abs(total - 1.0) > EVEN:
+        raise ValueError(f"the {what}s in {text!r} weigh {total:g} together; give weights that sum to 1")
+    return weights
+
+
+def parse_expression_mix(text: str, names: Iterable[str]) -> dict[str, float]:
+    """Expressions by weight, `smile=0.7`, the rest neutral; ValueError where they weigh more than one."""
+    weights = share_rest(parse_weights(text, names, "expression", LOWEST, HIGHEST))
+    rest = 1.0 - sum(weights.values())
+    if not LOWEST - EVEN <= rest <= HIGHEST + EVEN:
+        raise ValueError(f"the expressions {text!r} weigh {1.0 - rest:g} together; give weights that sum to 1 at most")
+    if abs(rest) > EVEN:
+        weights["neutral"] = weights.get("neutral", 0.0) + rest
+    return weights
+
+
+def parse_channels(text: str, names: Iterable[str]) -> dict[str, float]:
+    """Channels by weight, `jawOpen=0.5+mouthSmileLeft`; one without a weight is full."""
+    read = parse_weights(text, names, "channel", CHANNEL_LOWEST, CHANNEL_HIGHEST)
+    return {name: 1.0 if weight is None else weight for name, weight in read.items()}
+
+
+def parse_weights(text: str, names: Iterable[str], what: str, low: float, high: float) -> dict[str, float | None]:
+    """Names and their weights, None where none is given, of `one=0.5+two`; ValueError for what is not understood."""
+    choices, read = list(names), dict[str, float | None]()
+    for part in filter(None, (part.strip() for part in text.split("+"))):
+        name, given, weight = part.partition("=")
+        name = check_known(name.strip(), choices, what)
+        if name in read:
+            raise ValueError(f"the {what} {name!r} comes twice in {text!r}; give it one weight")
+        read[name] = check_within(parse_number(weight, part), low, high, f"the weight in {part!r}") if given else None
+    return read
+
+
+def share_rest(read: dict[str, float | None]) -> dict[str, float]:
+    """A mix in which the names without a weight share what is left of one."""
+    open_names = [name for name, weight in read.items() if weight is None]
+    left = 1.0 - sum(weight for weight in read.values() if weight is not None)
+    return {name: left / len(open_names) if weight is None else weight for name, weight in read.items()}
+
+
+def parse_angles(text: str, count: int, what: str) -> list[float]:
+    """Up to `count` angles of `30,0,-5`, degrees, as radians; ValueError for what is not understood."""
+    parts = [part.strip() for part in text.split(",")] if text.strip() else []
+    if len(parts) > count:
+        raise ValueError(f"{what} {text!r} has {len(parts)} angles; give {count} at most, in degrees, as in 30,-5")
+    return [math.radians(check_within(parse_number(part, text), -90.0, 90.0, f"{what} (degrees)")) for part in parts]
+
+
+def parse_number(text: str, whole: str) -> float:
+    """The number in a text; ValueError, with the whole that it came in, for what is none."""
+    try:
+        return float(text)
+    except ValueError:
+        raise ValueError(f"in {whole!r} {text!r} is no number; write for instance 0.5") from None

@@ -1,0 +1,67 @@
+"""The mouth bag stays inside the head: pushed behind the skin where it came out, left alone where it did not."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import omote
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.compound import compound
+from omote.model.transfer.mouth_bag import find_mouth_bag
+from omote.model.transfer.mouth_bag_fit import (
+    EXACT,
+    fit_mouth_bag,
+    limit_depths,
+    measure_depths,
+    missing_depths,
+    require_depths,
+)
+from omote.model.transfer.paper_map import compile_expression
+from omote.model.transfer.pipeline import LINEAR_INNER_STAGES, transfer_expression
+
+
+def built() -> omote.Cast:
+    return omote.load_cast()
+
+
+def lacking(space: ParameterSpace, face: omote.Face, positions: NDArray[np.float32]) -> float:
+    bag = find_mouth_bag(space)
+    assert bag is not None
+    return float(
+        missing_depths(limit_depths(space, face, bag), measure_depths(space, bag, positions.astype(np.float64))).max()
+    )
+
+
+@pytest.mark.parametrize("name", ["gaunt", "goblin", "old", "kaori"])
+def test_an_open_mouth_keeps_its_bag_behind_the_cheeks(name: str) -> None:
+    space, face = built().space, built().faces[name]
+    compiled = compile_expression(space, built().expressions["mouth-open"])
+    loose = transfer_expression(space, face, compiled, LINEAR_INNER_STAGES)
+    inside = fit_mouth_bag(space, face, loose)
+    assert lacking(space, face, loose) > 10 * lacking(space, face, inside)
+    assert np.array_equal(inside[space.on_sheet], loose[space.on_sheet])
+
+
+def test_at_rest_nothing_moves() -> None:
+    for face in built().faces.values():
+        assert np.abs(fit_mouth_bag(built().space, face, face.positions) - face.positions).max() < EXACT, face.name
+
+
+def test_the_generic_face_is_left_as_it_is_and_deep_enough_at_rest() -> None:
+    space, generic = built().space, built().faces["generic"]
+    bag = find_mouth_bag(space)
+    assert bag is not None
+    assert missing_depths(require_depths(space, bag), measure_depths(space, bag, space.points)).max() == 0
+    positions = (generic.positions + 0.01 * ~space.on_sheet[:, None]).astype(np.float32)
+    assert fit_mouth_bag(space, generic, positions) is positions
+
+
+def test_the_bag_follows_the_weight_without_a_jump() -> None:
+    space, face, jaw = built().space, built().faces["gaunt"], built().expressions["mouth-open"]
+    bag = find_mouth_bag(space)
+    assert bag is not None
+    worn = [compound(space, face, jaw, weight)[bag.vertices] for weight in (0.799, 0.8, 0.801)]
+    assert np.abs(worn[1] - worn[0]).max() < 5e-4
+    assert np.abs(worn[2] - worn[1]).max() < 5e-4

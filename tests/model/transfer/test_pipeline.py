@@ -1,0 +1,105 @@
+"""The stages of a compound: their order is the theory's, each keeps its promise, together they are the compound."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import omote
+from omote.model.transfer.compound import compound
+from omote.model.transfer.fold_repair import find_folds
+from omote.model.transfer.paper_map import compile_expression, displace_generic
+from omote.model.transfer.pipeline import (
+    CONTINUOUS_STAGES,
+    LINEAR_INNER_STAGES,
+    SHEET_STAGES,
+    STAGES,
+    State,
+    apply_smooth_map,
+    clear_eyeballs,
+    fit_mouth_bag,
+    repair_folds,
+    run,
+    start,
+    weld_seams,
+)
+
+METHOD = Path(__file__).parents[3] / "docs" / "method.md"
+CAST = omote.load_cast()
+CASES = [("baby", "eyeBlinkLeft"), ("gaunt", "mouth-open"), ("dog", "mouthFunnel")]
+
+
+def begin(face: str, unit: str) -> State:
+    compiled = compile_expression(CAST.space, CAST.expressions[unit])
+    return start(CAST.space, CAST.faces[face], displace_generic(CAST.space, compiled), compiled.residual)
+
+
+@pytest.mark.skipif(not METHOD.exists(), reason="docs/method.md is not written yet")
+def test_the_theory_names_the_stages_in_the_order_in_which_they_run() -> None:
+    section = re.search(r"^## The smooth map\n(.*?)(?=^## |\Z)", METHOD.read_text(), re.MULTILINE | re.DOTALL)
+    assert section is not None
+    named = re.findall(r"^\d+\. .*?`(\w+)`", section[1], re.MULTILINE)
+    assert named == [stage.__name__ for stage in STAGES]
+
+
+@pytest.mark.parametrize(("face", "unit"), CASES)
+def test_the_stages_one_after_another_are_the_compound(face: str, unit: str) -> None:
+    state = begin(face, unit)
+    for stage in STAGES:
+        state = stage(state)
+    assert np.array_equal(state.skin, compound(CAST.space, CAST.faces[face], CAST.expressions[unit]))
+
+
+@pytest.mark.parametrize(("face", "unit"), CASES)
+def test_a_stage_leaves_the_state_that_it_was_given_as_it_was(face: str, unit: str) -> None:
+    state = begin(face, unit)
+    for stage in STAGES:
+        sheet, skin = state.sheet.copy(), state.skin.copy()
+        after = stage(state)
+        assert np.array_equal(state.sheet, sheet), stage.__name__
+        assert np.array_equal(state.skin, skin), stage.__name__
+        state = after
+
+
+@pytest.mark.parametrize(("face", "unit"), CASES)
+def test_each_group_of_stages_changes_what_it_is_named_after(face: str, unit: str) -> None:
+    state = begin(face, unit)
+    sheet = run(SHEET_STAGES, state)
+    assert np.array_equal(sheet.skin, state.skin)
+    assert np.array_equal(sheet.sheet, apply_smooth_map(CAST.space, CAST.faces[face], state.displacement))
+    whole = run(STAGES, state)
+    assert np.array_equal(whole.sheet, sheet.sheet)
+    loose, on_sheet = run(LINEAR_INNER_STAGES, state).skin, CAST.space.on_sheet
+    assert np.array_equal(whole.skin[on_sheet], loose[on_sheet])
+    assert np.array_equal(whole.skin[on_sheet], sheet.sheet[CAST.space.welded][on_sheet].astype(np.float32))
+
+
+def test_the_groups_are_the_list_up_to_a_stage() -> None:
+    assert (*CONTINUOUS_STAGES, clear_eyeballs) == STAGES[: len(CONTINUOUS_STAGES) + 1]
+    assert (*SHEET_STAGES, weld_seams) == STAGES[: len(SHEET_STAGES) + 1]
+    assert (*LINEAR_INNER_STAGES, fit_mouth_bag) == STAGES
+
+
+@pytest.mark.parametrize(("face", "unit"), CASES)
+def test_a_sheet_that_was_repaired_and_not_pushed_since_is_left_alone(face: str, unit: str) -> None:
+    repaired = repair_folds(run(CONTINUOUS_STAGES, begin(face, unit)))
+    assert repair_folds(repaired) is repaired
+
+
+def test_repair_leaves_no_fold_where_the_continuous_stages_leave_some() -> None:
+    for face, unit in CASES:
+        before = run(CONTINUOUS_STAGES, begin(face, unit))
+        geometry = before.smooth_map.geometry
+        after = repair_folds(before)
+        assert find_folds(geometry, after.sheet, before.source).sum() == 0
+
+
+def test_the_inner_skin_is_linear_in_the_residual_before_the_mouth_bag_is_fitted() -> None:
+    state = begin("kaori", "jawOpen")
+    more = start(state.space, state.face, state.displacement, 2.0 * state.residual)
+    none = start(state.space, state.face, state.displacement, 0.0 * state.residual)
+    one, two, zero = (run(LINEAR_INNER_STAGES, begun).skin.astype(np.float64) for begun in (state, more, none))
+    assert two - one == pytest.approx(one - zero, abs=1e-7)
