@@ -1,0 +1,292 @@
+"""Figures of the smooth map: its stages one after the other, the closure of lids and lips, the correctives of sums."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.cast import Cast
+from omote.model.clearance import cleared
+from omote.model.compound import carrier, compound, generic_face, moved_parts, on_generic, turned_eyes
+from omote.model.contact import closed
+from omote.model.detail import detailed
+from omote.model.face import Face
+from omote.model.fitted import fit
+from omote.model.lines import Line
+from omote.model.smooth import Carrier, carried, folds
+from omote.model.space import ParameterSpace
+from omote.model.transfer import Compiled, compile_expression, follow, wear
+from omote.model.unfold import turned_over
+from omote.perform.blend import weighted_sum
+from omote.perform.channels import eye_angles
+from omote.perform.compounds import compounds_of
+from omote.perform.evaluate import evaluate, evaluate_parts
+from omote.perform.frame import Frame
+from tools.figures.svg import AMBER, BLUE, GREEN, GREY, INK, RED, VIOLET, Chart, Figure
+from tools.figures.view import BALL, INNER, IRIS, SKIN, TEETH, TONGUE, Eye, Surface, marked, picture
+
+Values = NDArray[np.float64]
+Floats = NDArray[np.float32]
+Mask = NDArray[np.bool_]
+Box = tuple[float, float, float, float]
+MATERIALS: Mapping[str, int] = {
+    "eye_left": BALL, "eye_right": BALL, "teeth_upper": TEETH, "teeth_lower": TEETH, "tongue": TONGUE,
+}  # fmt: skip
+
+
+# ---- the stages of one compound
+
+FAR_FACE = "dog"
+LID, MOUTH = "eyeBlinkLeft", "mouth-open"
+
+
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """What a stage leaves: its name, the whole skin (V, 3), and the sheet's triangles (t,) that are folded in it."""
+
+    name: str
+    skin: Values
+    folded: Mask
+
+
+def stages(cast: Cast, face: Face, expression: str) -> list[Stage]:
+    """A compound as it comes out of each stage of the smooth map, in the order of the code."""
+    space, ready = cast.space, carrier(cast.space, face)
+    compiled = compile_expression(space, cast.expressions[expression])
+    displacement = on_generic(space, compiled)
+    moved = ready.generic + displacement
+    found = [("the paper's map", wear(space, fit(space, face), compiled).astype(np.float64))]
+    positions = ready.positions + detailed(ready.detail, displacement, moved, ready.growth)
+    found.append(("detail transfer", positions.copy()))
+    for contact in ready.contacts:
+        closed(contact, positions, moved)
+    found.append(("contact of lids and lips", positions.copy()))
+    for clearance in ready.clearances:
+        cleared(clearance, positions, moved)
+    found.append(("eyeball clearance", positions.copy()))
+    found.append(("fold repair", carried(ready, displacement)))
+    made = [Stage(name, _whole(space, face, compiled, skin), folds(ready, skin, moved)) for name, skin in found]
+    last = compound(space, face, cast.expressions[expression]).astype(np.float64)
+    return [*made, Stage("mouth bag fit", last, folds(ready, last, moved))]
+
+
+def _whole(space: ParameterSpace, face: Face, compiled: Compiled, sheet: Values) -> Values:
+    """The skin (V, 3) of a sheet, the inner skin behind it."""
+    fitted, inner = fit(space, face), space.inner
+    out = np.where(space.on_sheet[:, None], sheet[space.welded], fitted.positions).astype(np.float32)
+    follow(fitted.positions, inner.vertices, inner.anchors, inner.weights, compiled.residual, fitted.scale, out)
+    return out.astype(np.float64)
+
+
+def draw_stages(cast: Cast) -> Figure:
+    """Lids and mouth of one far face after each stage of its compound, folded triangles in red."""
+    figure = Figure(960, 474, f"The stages of a compound on the face {FAR_FACE}")
+    for row, (expression, eye, kept) in enumerate(_ROWS):
+        face = cast.faces[FAR_FACE]
+        shown = [stage for number, stage in enumerate(stages(cast, face, expression)) if number in kept]
+        source = compound(cast.space, generic_face(cast.space), cast.expressions[expression]).astype(np.float64)
+        top = 42.0 + 222 * row
+        panels = [("the source, worn by the generic head", source, None), *((s.name, s.skin, s.folded) for s in shown)]
+        for column, (name, skin, folded) in enumerate(panels):
+            box = (12.0 + 157 * column, top, 151.0, 150.0)
+            wearer = generic_face(cast.space) if folded is None else face
+            _panel(figure, box, cast, wearer, expression, skin, folded, eye[folded is not None])
+            _caption(figure, box, name, folded)
+    figure.text(12, 26, f"{LID} on {FAR_FACE}; red: triangles turned over here and not on the source, hidden ones too", colour=INK)
+    figure.text(12, 252, f"{MOUTH} on {FAR_FACE}", colour=INK)
+    return figure
+
+
+_ROWS = (
+    (LID, (Eye((0.033, -0.003, 0.14), 0.04), Eye((0.035, -0.004, 0.12), 0.042)), (0, 1, 2, 3, 4)),
+    (MOUTH, (Eye((0.0, -0.075, 0.15), 0.1), Eye((0.0, -0.075, 0.15), 0.13)), (0, 1, 2, 4, 5)),
+)
+
+
+def _panel(
+    figure: Figure, box: Box, cast: Cast, face: Face, expression: str, skin: Values, folded: Mask | None, eye: Eye
+) -> None:  # fmt: skip
+    parts = _parts(cast, face, expression, skin)
+    figure.rect(*box)
+    figure.add(picture(eye, box, [_skin(cast.space, skin), *parts]))
+    if folded is not None:
+        marked(figure, eye, box, skin, cast.space.sheet_triangles[folded], RED)
+
+
+def _skin(space: ParameterSpace, skin: Values) -> Surface:
+    material = np.full(len(space.triangles), INNER)
+    material[_rows_of_sheet(space)] = SKIN
+    return Surface(skin, space.triangles, material)
+
+
+def _rows_of_sheet(space: ParameterSpace) -> NDArray[np.intp]:
+    place = {tuple(row): number for number, row in enumerate(space.triangles.tolist())}
+    return np.array([place[tuple(row)] for row in space.skin_triangles.tolist()])
+
+
+def _parts(cast: Cast, face: Face, expression: str, skin: Values) -> list[Surface]:
+    space, fitted = cast.space, fit(cast.space, face)
+    worn = cast.expressions[expression]
+    rest = compile_expression(space, worn).parts
+    moved = moved_parts(space, fitted, skin.astype(np.float32), rest)
+    turned = turned_eyes(space, moved, fitted.centres, worn.eyes)
+    return part_surfaces(space, turned)
+
+
+def part_surfaces(space: ParameterSpace, parts: Mapping[str, Floats]) -> list[Surface]:
+    """Eyeballs with their irises, teeth and tongue, as far as they are among the parts (n, 3) by name."""
+    shown = [name for name in MATERIALS if name in parts]
+    return [Surface(parts[name], space.parts[name].triangles, _of_part(space, name)) for name in shown]
+
+
+def _of_part(space: ParameterSpace, name: str) -> NDArray[np.int64]:
+    part = space.parts[name]
+    middles = part.points[part.triangles].mean(axis=1) - part.points.mean(axis=0)
+    ahead = middles[:, 2] / np.linalg.norm(middles, axis=1)
+    kind = MATERIALS[name]
+    return np.where((ahead > np.cos(_IRIS)) & (kind == BALL), IRIS, kind)
+
+
+_IRIS = 0.52
+"""Radians from the line of sight to the rim of a drawn iris."""
+
+
+def _caption(figure: Figure, box: Box, name: str, folded: Mask | None) -> None:
+    below = box[1] + box[3]
+    for line, words in enumerate(_broken(name)):
+        figure.text(box[0], below + 16 + 15 * line, words, colour=INK, size=12)
+    if folded is not None:
+        count = int(folded.sum())
+        words = "1 fold" if count == 1 else f"{count} folds"
+        figure.label(box[0] + box[2] - 6, box[1] + 18, words, colour=RED if count else GREEN, anchor="end")
+
+
+def _broken(words: str, most: int = 22) -> list[str]:
+    lines = [""]
+    for word in words.split():
+        if len(lines[-1]) + len(word) > most:
+            lines.append("")
+        lines[-1] = f"{lines[-1]} {word}".strip()
+    return lines
+
+
+# ---- how lids and lips close
+
+FACES = ("baby", "old", "doll", "dog")
+WEIGHTS = np.linspace(0.0, 1.0, 21)
+
+
+def opening(line: Line, rest: NDArray[np.floating], now: NDArray[np.floating]) -> float:
+    """How far lids are open: sum of e.g now over the sum of |g| at rest; lips: how much farther, over the width."""
+    before, after = line.rungs(rest.astype(np.float64)), line.rungs(now.astype(np.float64))
+    length = np.linalg.norm(before, axis=1)
+    if line.kind == "lids":
+        return float((before / length[:, None] * after).sum() / length.sum())
+    return float((after - before)[:, 1].mean() / np.ptp(rest[line.loop, 0]))
+
+
+def closures(cast: Cast, face: str, expression: str, line: Line) -> dict[str, list[float]]:
+    """The opening of a line at each of WEIGHTS, by the map that carried the unit; "source": the generic face's own."""
+    space, generic = cast.space, generic_face(cast.space).positions
+    worn, rest = cast.expressions[expression], cast.faces[face].positions
+    source = compound(space, generic_face(space), worn)
+    old = cast.under("paper")
+    ends = {
+        "ours": compound(space, cast.faces[face], worn),
+        "added deltas": rest + (source - generic),
+        "the paper's map": compound(old.space, old.faces[face], old.expressions[expression]),
+    }
+    found = {name: [opening(line, rest, rest + w * (end - rest)) for w in WEIGHTS] for name, end in ends.items()}
+    found["source"] = [opening(line, generic, compound(space, generic_face(space), worn, float(w))) for w in WEIGHTS]
+    return found
+
+
+_MAPS = {"source": INK, "ours": GREEN, "the paper's map": AMBER, "added deltas": RED}
+
+
+def draw_closure(cast: Cast) -> Figure:
+    """Lines of lids and lips with their rungs, and how far lids are open over the weight of a blink, on four faces."""
+    figure = Figure(960, 520, "Lines of lids and lips, their rungs, and the opening over the weight")
+    lines = {line.name: line for line in cast.space.lines}
+    views = (("lid_left", "doll", Eye((0.036, 0.004, 0.13), 0.068)), ("lips", "doll", Eye((0.0, -0.062, 0.15), 0.055)))
+    for number, (name, face, eye) in enumerate(views):
+        box = (16.0, 44.0 + 232 * number, 290.0, 186.0)
+        _rungs(figure, box, cast, cast.faces[face], lines[name], eye)
+        figure.text(box[0], box[1] - 10, f"the line {name!r} and its 32 rungs on {face}", colour=INK)
+    for number, face in enumerate(FACES):
+        box = (358.0 + 312 * (number % 2), 44.0 + 232 * (number // 2), 262.0, 186.0)
+        chart = Chart(figure, box, x=(0.0, 1.0), y=(-0.6, 1.05))
+        chart.ticks_x((0.0, 0.25, 0.5, 0.75, 1.0))
+        chart.ticks_y((-0.5, 0.0, 0.5, 1.0))
+        found = closures(cast, face, "eyeBlinkLeft", lines["lid_left"])
+        for way in ("added deltas", "the paper's map", "source", "ours"):
+            chart.curve(WEIGHTS, found[way], _MAPS[way], width=5 if way == "source" else 2.2)
+        chart.curve((0.0, 1.0), (0.0, 0.0), GREY, width=1.0, dash="4 3")
+        figure.text(box[0], box[1] - 10, f"eyeBlinkLeft on {face}: opening over weight", colour=INK)
+    figure.legend(16, 506, [("the source", INK), ("ours", GREEN), ("the paper's map", AMBER), ("added deltas", RED),
+                            ("dashed: lids meet", GREY)])  # fmt: skip
+    return figure
+
+
+def _rungs(figure: Figure, box: Box, cast: Cast, face: Face, line: Line, eye: Eye) -> None:
+    space, points = cast.space, face.positions.astype(np.float64)
+    figure.rect(*box)
+    figure.add(picture(eye, box, [_skin(space, points), *part_surfaces(space, fit(space, face).parts)]))
+    figure.line(eye.seen(points[line.loop], box)[:, :2], GREEN, width=2, closed=True)
+    ends = np.einsum("rk,rkc->rc", np.maximum(line.weights, 0.0), points[line.vertices])
+    for start, step in zip(ends, line.rungs(points), strict=True):
+        figure.line(eye.seen(np.stack([start, start - step]), box)[:, :2], VIOLET, width=1.4)
+
+
+# ---- correctives of sums
+
+SUMMED, PAIR = "old", ("eyeBlinkLeft", "eyeSquintLeft")
+
+
+def draw_correctives(cast: Cast) -> Figure:
+    """Two units that are whole each, their sum as added, and the sum with its correctives."""
+    figure = Figure(960, 296, "Correctives: a blink and a squint at once")
+    space, face = cast.space, cast.faces[SUMMED]
+    ready, compounds = carrier(space, face), compounds_of(cast)
+    alone = [compounds.skin(SUMMED, unit) for unit in PAIR]
+    frame = Frame({SUMMED: 1.0}, {"neutral": 1.0}, dict.fromkeys(PAIR, 1.0))
+    added = weighted_sum([*alone, face.positions], [1.0, 1.0, -1.0])
+    known = np.any([_folded(ready, skin) for skin in alone], axis=0)
+    line = next(line for line in space.lines if line.name == "lid_left")
+    least = [min(_least(line, ready, skin) for skin in alone), _least(line, ready, added)]
+    panels = [*((unit, skin) for unit, skin in zip(PAIR, alone, strict=True)), ("the sum as it is", added),
+              ("the sum with its correctives", evaluate(cast, frame))]  # fmt: skip
+    parts = evaluate_parts(cast, frame)
+    for number, (name, skin) in enumerate(panels):
+        box = (16.0 + 234 * number, 44.0, 226.0, 180.0)
+        new = _folded(ready, skin) & ~known
+        figure.rect(*box)
+        figure.add(picture(_AT_EYE, box, [_skin(space, skin.astype(np.float64)), *part_surfaces(space, parts)]))
+        marked(figure, _AT_EYE, box, skin, space.sheet_triangles[new], RED)
+        figure.text(box[0], 32, name, colour=INK)
+        if number >= len(PAIR):
+            figure.text(box[0], 244, f"{new.sum()} folds that neither has alone", colour=RED if new.any() else GREEN)
+        crossed = 1000 * max(-_least(line, ready, skin), 0.0)
+        figure.text(box[0], 264, f"lids pass each other by {crossed:.1f} mm")
+    figure.text(16, 286, f"On {SUMMED}, both at weight 1. A blink alone passes by {-1000 * least[0]:.1f} mm: "
+                         "closed lids overlap; that much is allowed.")  # fmt: skip
+    return figure
+
+
+_AT_EYE = Eye((0.033, -0.004, 0.13), 0.045)
+
+
+def _folded(ready: Carrier, skin: NDArray[np.floating]) -> Mask:
+    found = np.empty(len(ready.rest), np.bool_)
+    turned_over(skin.astype(np.float64), ready.sheet.triangles, ready.sheet.normals, found)
+    return found
+
+
+def _least(line: Line, ready: Carrier, skin: NDArray[np.floating]) -> float:
+    """The worst rung: how far the upper lid is above the lower, along the rung at rest, metres."""
+    rest = line.rungs(ready.positions)
+    ways = rest / np.linalg.norm(rest, axis=1, keepdims=True)
+    return float((ways * line.rungs(skin.astype(np.float64))).sum(axis=1).min())
