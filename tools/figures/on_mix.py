@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
-from omote.model.default_net import default_net
-from omote.model.solve import CLOSE, _approached, _Drag
-from omote.model.weave import Weave, woven
+from omote.model.controls.default_net import default_net
+from omote.model.controls.inverse_solve import CLOSE, _approached, _Drag
+from omote.model.controls.net_field import Weave, woven
 from omote.perform.axis import Axis, advanced, called, rates, weights
-from omote.perform.evaluate import evaluate, evaluate_parts
+from omote.perform.blending.evaluate import evaluate, evaluate_parts
+from omote.perform.easing import DECAY_SECONDS, DEFAULT_EASING, bump
 from omote.perform.frame import Frame
-from omote.perform.transition import DECAY_SECONDS, DEFAULT_EASING, bump
 from tools.figures.on_transfer import part_surfaces
 from tools.figures.svg import AMBER, BLUE, GREEN, GREY, INK, RED, VIOLET, Chart, Figure
 from tools.figures.view import INNER, SKIN, Eye, Surface, picture
@@ -45,7 +45,9 @@ def draw_grid(cast: Cast) -> Figure:
             figure.label(box[0] + 8, box[1] + 20, name, colour=AMBER)
     for number, (face, expression) in enumerate(zip(FACES, EXPRESSIONS, strict=True)):
         figure.text(240 + 372 * number, 562, f"face {number + 1}: {face}", colour=INK, anchor="middle")
-        figure.text(140, 106 + 344 * number, f"expression {number + 1}: {expression}", colour=INK, anchor="end", size=12)
+        figure.text(
+            140, 106 + 344 * number, f"expression {number + 1}: {expression}", colour=INK, anchor="end", size=12
+        )
     for share in SHARES:
         figure.text(240 + 372 * share, 546, f"s2 = {share:g}", anchor="middle", size=12)
         figure.text(140, 122 + 344 * share, f"t2 = {share:g}", anchor="end", size=12)
@@ -117,7 +119,10 @@ def draw_calls(cast: Cast) -> Figure:
     """Weights through interrupted calls, frozen and with their velocity taken over; their speeds; the quintic."""
     del cast  # weights need no face
     figure = Figure(960, 452, "Weights through interrupted calls")
-    ways = (("as in the paper: a call freezes the blend", False, RED), ("here: and takes its velocity over", True, GREEN))
+    ways = (
+        ("as in the paper: a call freezes the blend", False, RED),
+        ("here: and takes its velocity over", True, GREEN),
+    )
     for column, (words, inertial, _) in enumerate(ways):
         log = played(inertial=inertial)
         chart = Chart(figure, (48.0 + 322 * column, 44.0, 292.0, 186.0), x=(0.0, LENGTH), y=(-0.1, 1.1))

@@ -8,15 +8,15 @@ from numpy.typing import NDArray
 from omote.geometry import mesh
 from omote.geometry.cylinder import wrap
 from omote.model.cast import Cast
-from omote.model.control_net import ControlNet
-from omote.model.default_net import default_net
-from omote.model.face import Face
-from omote.model.lines import Line
-from omote.model.sheet import unwrapped
-from omote.model.space import ParameterSpace
-from omote.model.transfer import compile_expression, slide, wear
-from omote.model.fitted import fit
-from omote.model.weave import woven
+from omote.model.controls.control_net import ControlNet
+from omote.model.controls.default_net import default_net
+from omote.model.controls.net_field import woven
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.space.lid_lip_lines import Line
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.skin_sheet import unwrapped
+from omote.model.transfer.paper_map import compile_expression, slide, wear
 from tools.figures.svg import AMBER, BLUE, GREEN, GREY, INK, RED, VIOLET, Figure
 from tools.figures.view import COOL, INNER, MARK, MEMBRANE, SKIN, Eye, Surface, painted, picture
 
@@ -241,7 +241,11 @@ def _on_face(
     a, b, c = (tuple(eye.seen(p[None], box)[0, :2]) for p in (start, on_skin, goal))
     figure.line(ray[:, :2], AMBER, width=1.2, dash="4 3")
     figure.line([a, c], RED, width=2, arrow=True)
-    for place, colour, words, side in ((a, BLUE, f"P{name}", 1), (b, AMBER, f"P{name}1'", -1), (c, RED, f"P{name}1", 1)):
+    for place, colour, words, side in (
+        (a, BLUE, f"P{name}", 1),
+        (b, AMBER, f"P{name}1'", -1),
+        (c, RED, f"P{name}1", 1),
+    ):
         figure.dot(*place, colour)
         figure.label(place[0] + 9 * side, place[1] + 16, words, colour=colour, anchor="start" if side > 0 else "end")
 

@@ -9,23 +9,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
-from omote.model.clearance import cleared
-from omote.model.compound import carrier, compound, generic_face, moved_parts, on_generic, turned_eyes
-from omote.model.contact import closed
-from omote.model.detail import detailed
-from omote.model.face import Face
-from omote.model.fitted import fit
-from omote.model.lines import Line
-from omote.model.smooth import Carrier, carried, folds
-from omote.model.space import ParameterSpace
-from omote.model.transfer import Compiled, compile_expression, follow, wear
-from omote.model.unfold import turned_over
-from omote.perform.blend import weighted_sum
-from omote.perform.channels import eye_angles
-from omote.perform.compounds import compounds_of
-from omote.perform.evaluate import evaluate, evaluate_parts
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.space.lid_lip_lines import Line
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.compound import carrier, compound, generic_face, moved_parts, on_generic, turned_eyes
+from omote.model.transfer.detail_transfer import detailed
+from omote.model.transfer.eyeball_clearance import cleared
+from omote.model.transfer.fold_repair import turned_over
+from omote.model.transfer.lid_lip_contact import closed
+from omote.model.transfer.paper_map import Compiled, compile_expression, follow, wear
+from omote.model.transfer.smooth_map import Carrier, carried, folds
+from omote.perform.blending.compound_cache import compounds_of
+from omote.perform.blending.evaluate import evaluate, evaluate_parts
+from omote.perform.blending.weighted_sum import weighted_sum
 from omote.perform.frame import Frame
-from tools.figures.svg import AMBER, BLUE, GREEN, GREY, INK, RED, VIOLET, Chart, Figure
+from tools.figures.svg import AMBER, GREEN, GREY, INK, RED, VIOLET, Chart, Figure
 from tools.figures.view import BALL, INNER, IRIS, SKIN, TEETH, TONGUE, Eye, Surface, marked, picture
 
 Values = NDArray[np.float64]
@@ -95,7 +94,12 @@ def draw_stages(cast: Cast) -> Figure:
             wearer = generic_face(cast.space) if folded is None else face
             _panel(figure, box, cast, wearer, expression, skin, folded, eye[folded is not None])
             _caption(figure, box, name, folded)
-    figure.text(12, 26, f"{LID} on {FAR_FACE}; red: triangles turned over here and not on the source, hidden ones too", colour=INK)
+    figure.text(
+        12,
+        26,
+        f"{LID} on {FAR_FACE}; red: triangles turned over here and not on the source, hidden ones too",
+        colour=INK,
+    )
     figure.text(12, 252, f"{MOUTH} on {FAR_FACE}", colour=INK)
     return figure
 

@@ -117,7 +117,9 @@ class Chart:
         up = (y - self._y[0]) / (self._y[1] - self._y[0])
         return left + width * across, top + height * (1.0 - up)
 
-    def curve(self, xs: Iterable[float], ys: Iterable[float], colour: str, *, width: float = 2.0, dash: str = "") -> None:
+    def curve(
+        self, xs: Iterable[float], ys: Iterable[float], colour: str, *, width: float = 2.0, dash: str = ""
+    ) -> None:
         """A curve."""
         self.figure.line([self.at(x, y) for x, y in zip(xs, ys, strict=True)], colour, width=width, dash=dash)
 

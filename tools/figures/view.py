@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from tools.baking.raster import rasterise
 
 from omote.geometry.mesh import normals
-from tools.baking.raster import rasterise
 from tools.figures.svg import Figure
 
 Values = NDArray[np.float64]
@@ -135,7 +135,12 @@ def _indexed_png(index: NDArray[np.uint8]) -> bytes:
     rows, columns = index.shape
     lines = np.concatenate([np.zeros((rows, 1), np.uint8), index], axis=1)
     head = struct.pack(">IIBBBBB", columns, rows, 8, 3, 0, 0, 0)
-    parts = ((b"IHDR", head), (b"PLTE", palette.tobytes()), (b"IDAT", zlib.compress(lines.tobytes(), 9)), (b"IEND", b""))
+    parts = (
+        (b"IHDR", head),
+        (b"PLTE", palette.tobytes()),
+        (b"IDAT", zlib.compress(lines.tobytes(), 9)),
+        (b"IEND", b""),
+    )
     return b"\x89PNG\r\n\x1a\n" + b"".join(
         struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)) for kind, data in parts
     )
