@@ -24,13 +24,12 @@ from omote.perform.blending.compound_cache import compounds_of
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.blending.weighted_sum import weighted_sum
 from omote.perform.frame import Frame
-from tools.figures.svg import AMBER, GREEN, GREY, INK, RED, VIOLET, Chart, Figure
-from tools.figures.view import BALL, INNER, IRIS, SKIN, TEETH, TONGUE, Eye, Surface, marked, picture
+from tools.pictures.method.svg import AMBER, GREEN, GREY, INK, RED, VIOLET, Box, Chart, Figure
+from tools.pictures.method.view import BALL, INNER, IRIS, SKIN, TEETH, TONGUE, Eye, Surface, marked, picture
 
 Values = NDArray[np.float64]
 Floats = NDArray[np.float32]
 Mask = NDArray[np.bool_]
-Box = tuple[float, float, float, float]
 MATERIALS: Mapping[str, int] = {
     "eye_left": BALL, "eye_right": BALL, "teeth_upper": TEETH, "teeth_lower": TEETH, "tongue": TONGUE,
 }  # fmt: skip
@@ -250,33 +249,38 @@ def _rungs(figure: Figure, box: Box, cast: Cast, face: Face, line: Line, eye: Ey
 SUMMED, PAIR = "old", ("eyeBlinkLeft", "eyeSquintLeft")
 
 
+def summed(cast: Cast) -> list[Stage]:
+    """Two units alone, their sum as added, the sum with its correctives; folded: only what neither unit folds alone."""
+    face, compounds = cast.faces[SUMMED], compounds_of(cast)
+    alone = [compounds.skin(SUMMED, unit) for unit in PAIR]
+    added = weighted_sum([*alone, face.positions], [1.0, 1.0, -1.0])
+    found = [*zip(PAIR, alone, strict=True), ("the sum as it is", added),
+             ("the sum with its correctives", evaluate(cast, _BOTH))]  # fmt: skip
+    ready = carrier(cast.space, face)
+    known = _folded(ready, alone[0]) | _folded(ready, alone[1])
+    return [Stage(name, skin.astype(np.float64), _folded(ready, skin) & ~known) for name, skin in found]
+
+
+_BOTH = Frame({SUMMED: 1.0}, {"neutral": 1.0}, dict.fromkeys(PAIR, 1.0))
+
+
 def draw_correctives(cast: Cast) -> Figure:
     """Two units that are whole each, their sum as added, and the sum with its correctives."""
     figure = Figure(960, 296, "Correctives: a blink and a squint at once")
-    space, face = cast.space, cast.faces[SUMMED]
-    ready, compounds = carrier(space, face), compounds_of(cast)
-    alone = [compounds.skin(SUMMED, unit) for unit in PAIR]
-    frame = Frame({SUMMED: 1.0}, {"neutral": 1.0}, dict.fromkeys(PAIR, 1.0))
-    added = weighted_sum([*alone, face.positions], [1.0, 1.0, -1.0])
-    known = np.any([_folded(ready, skin) for skin in alone], axis=0)
-    line = next(line for line in space.lines if line.name == "lid_left")
-    least = [min(_least(line, ready, skin) for skin in alone), _least(line, ready, added)]
-    panels = [*((unit, skin) for unit, skin in zip(PAIR, alone, strict=True)), ("the sum as it is", added),
-              ("the sum with its correctives", evaluate(cast, frame))]  # fmt: skip
-    parts = evaluate_parts(cast, frame)
-    for number, (name, skin) in enumerate(panels):
+    space, parts = cast.space, part_surfaces(cast.space, evaluate_parts(cast, _BOTH))
+    line, rest = next(line for line in space.lines if line.name == "lid_left"), cast.faces[SUMMED].positions
+    for number, panel in enumerate(summed(cast)):
         box = (16.0 + 234 * number, 44.0, 226.0, 180.0)
-        new = _folded(ready, skin) & ~known
         figure.rect(*box)
-        figure.add(picture(_AT_EYE, box, [_skin(space, skin.astype(np.float64)), *part_surfaces(space, parts)]))
-        marked(figure, _AT_EYE, box, skin, space.sheet_triangles[new], RED)
-        figure.text(box[0], 32, name, colour=INK)
+        figure.add(picture(_AT_EYE, box, [_skin(space, panel.skin), *parts]))
+        marked(figure, _AT_EYE, box, panel.skin, space.sheet_triangles[panel.folded], RED)
+        figure.text(box[0], 32, panel.name, colour=INK)
         if number >= len(PAIR):
-            figure.text(box[0], 244, f"{new.sum()} folds that neither has alone", colour=RED if new.any() else GREEN)
-        crossed = 1000 * max(-_least(line, ready, skin), 0.0)
+            count = int(panel.folded.sum())
+            figure.text(box[0], 244, f"{count} folds that neither has alone", colour=RED if count else GREEN)
+        crossed = 1000 * max(-least_rung(line, rest, panel.skin), 0.0)
         figure.text(box[0], 264, f"lids pass each other by {crossed:.1f} mm")
-    figure.text(16, 286, f"On {SUMMED}, both at weight 1. A blink alone passes by {-1000 * least[0]:.1f} mm: "
-                         "closed lids overlap; that much is allowed.")  # fmt: skip
+    figure.text(16, 286, f"On {SUMMED}, both at weight 1. Lids overlap in a blink alone; that much is allowed.")
     return figure
 
 
@@ -289,8 +293,8 @@ def _folded(ready: Carrier, skin: NDArray[np.floating]) -> Mask:
     return found
 
 
-def _least(line: Line, ready: Carrier, skin: NDArray[np.floating]) -> float:
+def least_rung(line: Line, rest: NDArray[np.floating], now: NDArray[np.floating]) -> float:
     """The worst rung: how far the upper lid is above the lower, along the rung at rest, metres."""
-    rest = line.rungs(ready.positions)
-    ways = rest / np.linalg.norm(rest, axis=1, keepdims=True)
-    return float((ways * line.rungs(skin.astype(np.float64))).sum(axis=1).min())
+    before = line.rungs(rest.astype(np.float64))
+    ways = before / np.linalg.norm(before, axis=1, keepdims=True)
+    return float((ways * line.rungs(now.astype(np.float64))).sum(axis=1).min())

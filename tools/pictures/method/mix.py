@@ -1,24 +1,21 @@
-"""Figures of the mix: the four compounds of eq. 3, weights through interrupted calls, and a solve of the editor."""
+"""Figures of the mix: the four compounds of eq. 3, and weights through interrupted calls."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
-from omote.model.controls.default_net import default_net
-from omote.model.controls.inverse_solve import CLOSE, _approached, _Drag
-from omote.model.controls.net_field import Weave, woven
 from omote.perform.axis import Axis, advanced, called, rates, weights
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.easing import DECAY_SECONDS, DEFAULT_EASING, bump
 from omote.perform.frame import Frame
-from tools.figures.on_transfer import part_surfaces
-from tools.figures.svg import AMBER, BLUE, GREEN, GREY, INK, RED, VIOLET, Chart, Figure
-from tools.figures.view import INNER, SKIN, Eye, Surface, picture
+from tools.pictures.method.smooth_map import part_surfaces
+from tools.pictures.method.svg import AMBER, BLUE, GREEN, GREY, INK, RED, VIOLET, Chart, Figure
+from tools.pictures.method.view import INNER, SKIN, Eye, Surface, picture
 
 Values = NDArray[np.float64]
 
@@ -43,17 +40,20 @@ def draw_grid(cast: Cast) -> Figure:
             figure.add(picture(eye, box, [skin, *part_surfaces(cast.space, parts)], edges=False))
             name = _NAMES.get((s, t), "")
             figure.label(box[0] + 8, box[1] + 20, name, colour=AMBER)
+    _grid_words(figure)
+    return figure
+
+
+def _grid_words(figure: Figure) -> None:
     for number, (face, expression) in enumerate(zip(FACES, EXPRESSIONS, strict=True)):
         figure.text(240 + 372 * number, 562, f"face {number + 1}: {face}", colour=INK, anchor="middle")
-        figure.text(
-            140, 106 + 344 * number, f"expression {number + 1}: {expression}", colour=INK, anchor="end", size=12
-        )
+        words = f"expression {number + 1}: {expression}"
+        figure.text(140, 106 + 344 * number, words, colour=INK, anchor="end", size=12)
     for share in SHARES:
         figure.text(240 + 372 * share, 546, f"s2 = {share:g}", anchor="middle", size=12)
         figure.text(140, 122 + 344 * share, f"t2 = {share:g}", anchor="end", size=12)
-    for number, (words, colour) in enumerate(_FORMULA):
-        figure.text(724, 40 + 22 * number, words, colour=colour)
-    return figure
+    for number, (line, colour) in enumerate(_FORMULA):
+        figure.text(724, 40 + 22 * number, line, colour=colour)
 
 
 _NAMES = {(0.0, 0.0): "P11", (1.0, 0.0): "P21", (0.0, 1.0): "P12", (1.0, 1.0): "P22", (0.5, 0.5): "P"}
@@ -128,7 +128,7 @@ def draw_calls(cast: Cast) -> Figure:
         chart = Chart(figure, (48.0 + 322 * column, 44.0, 292.0, 186.0), x=(0.0, LENGTH), y=(-0.1, 1.1))
         chart.ticks_x((0, 1, 2, 3), unit=" s")
         chart.ticks_y((0.0, 0.5, 1.0))
-        for number, (name, colour) in enumerate(NAMES.items()):
+        for number, colour in enumerate(NAMES.values()):
             chart.curve(log.times, log.weights[:, number], colour)
         figure.text(48 + 322 * column, 30, words, colour=INK)
         _marks(chart, (-0.1, 1.1))
@@ -136,7 +136,7 @@ def draw_calls(cast: Cast) -> Figure:
     speed.ticks_x((0, 1, 2, 3), unit=" s")
     speed.ticks_y((0, 1, 2))
     _marks(speed, (0.0, 2.0))
-    for _, inertial, colour in ways:
+    for inertial, colour in ((False, RED), (True, GREEN)):
         log = played(inertial=inertial)
         speed.curve(log.times, log.speed, colour)
     figure.text(48, 262, "how fast the mix moves, per second", colour=INK)
@@ -163,68 +163,3 @@ def _quintic(figure: Figure) -> None:
              f"at most {DECAY_SECONDS:g} s, short enough that", "no weight leaves -0.1 ... 1.1")  # fmt: skip
     for number, line in enumerate(words):
         figure.text(720, 284 + 18 * number, line, colour=AMBER if number in (0, 2, 3) else GREY, size=12.5)
-
-
-# ---- the editor's solve
-
-
-@dataclass(frozen=True, eq=False)
-class _Watched(_Drag):
-    """A drag that remembers how far each compound left the worst point from its target, metres."""
-
-    goal: Values = field(default_factory=lambda: np.zeros((1, 3)))
-    misses: list[float] = field(default_factory=list)
-
-    def worn(self, places: Values) -> Values:
-        """Where the points lie, as the solve asks for it; written down."""
-        found = super().worn(places)
-        self.misses.append(float(np.linalg.norm(found - self.goal, axis=1).max()))
-        return found
-
-
-def solving(cast: Cast, face: str, point: int, weave: Weave, way: Values) -> list[float]:
-    """How far a dragged point is from its target after each compound of a solve, metres."""
-    space = cast.space
-    rest = np.tile([0.0, 0.0, 1.0], (len(weave.rows), 1))
-    drag = _Watched(space, cast.faces[face], cast.expressions["smile"], weave, rest, np.array([point]))
-    goal = drag.worn(drag.places()) + way
-    watched = replace(drag, goal=goal, misses=[])
-    _approached(watched, goal)
-    return watched.misses
-
-
-DRAGGED = {"kaori": BLUE, "old": AMBER, "doll": VIOLET, "dog": GREEN}
-
-
-def draw_solve(cast: Cast) -> Figure:
-    """How the editor's solve comes to its target on four faces, compound by compound."""
-    weave = woven(cast.space, default_net(cast.space))
-    goals = _drags(cast, weave)
-    figure = Figure(960, 330, "The editor's solve: distance to the target over compounds")
-    for column, (words, point, way) in enumerate(goals):
-        chart = Chart(figure, (64.0 + 308 * column, 48.0, 262.0, 216.0), x=(1, 8), y=(-2.5, 1.2))
-        chart.ticks_x(range(1, 9))
-        chart.ticks_y((-2, -1, 0, 1), form="log")
-        for face, colour in DRAGGED.items():
-            misses = solving(cast, face, point, weave, way)[:8]
-            heights = np.log10(np.maximum(1000 * np.array(misses), 10**-2.5))
-            chart.curve(range(1, len(misses) + 1), heights, colour)
-            figure.dot(*chart.at(len(misses), heights[-1]), colour, radius=3.5)
-        chart.curve((1, 8), (np.log10(1000 * CLOSE),) * 2, GREY, width=1.2, dash="4 3")
-        figure.text(64 + 308 * column, 32, words, colour=INK)
-    figure.text(64, 300, "compounds computed", size=12)
-    figure.text(200, 300, "upwards: distance to the target, mm", size=12)
-    figure.legend(480, 300, [*DRAGGED.items(), (f"content: {1000 * CLOSE:g} mm", GREY)])
-    return figure
-
-
-def _drags(cast: Cast, weave: Weave) -> list[tuple[str, int, Values]]:
-    """Three drags: a corner of the mouth, an upper lid and the lower lip; the point of the net and the way, metres."""
-    points = cast.space.points[list(weave.rows)]
-    places = (("a corner of the mouth, 14 mm up and out", (0.025, -0.068, 0.141), (0.01, 0.0095, -0.002)),
-              ("an upper lid, 9 mm down", (0.031, 0.005, 0.141), (0.0, -0.009, 0.0)),
-              ("the lower lip, 12 mm down", (0.0, -0.073, 0.156), (0.0, -0.012, 0.0)))  # fmt: skip
-    found = []
-    for words, where, way in places:
-        found.append((words, int(np.linalg.norm(points - where, axis=1).argmin()), np.array([way])))
-    return found

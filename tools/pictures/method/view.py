@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from tools.baking.raster import rasterise
 
 from omote.geometry.mesh import normals
-from tools.figures.svg import Figure
+from tools.baking.skin.raster import rasterise
+from tools.pictures.method.svg import Box, Figure
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -36,7 +36,7 @@ class Eye:
     yaw: float = 0.0
     pitch: float = 0.0
 
-    def seen(self, points: NDArray[np.floating], box: tuple[float, float, float, float]) -> Values:
+    def seen(self, points: NDArray[np.floating], box: Box) -> Values:
         """Points (n, 3) in a box of a figure: x, y and how near they are (n, 3), in the figure's units."""
         left, top, width, height = box
         scale = width / self.width
@@ -67,7 +67,7 @@ class Surface:
 
 
 def picture(
-    eye: Eye, box: tuple[float, float, float, float], surfaces: Sequence[Surface], *, edges: bool = True
+    eye: Eye, box: Box, surfaces: Sequence[Surface], *, edges: bool = True
 ) -> str:  # fmt: skip
     """What an eye sees in a box of a figure, as an SVG image."""
     seen = [eye.seen(surface.points, box)[surface.triangles] for surface in surfaces]
@@ -77,7 +77,7 @@ def picture(
 
 
 def marked(
-    figure: Figure, eye: Eye, box: tuple[float, float, float, float], points: NDArray[np.floating], triangles: Indices,
+    figure: Figure, eye: Eye, box: Box, points: NDArray[np.floating], triangles: Indices,
     colour: str,
 ) -> None:  # fmt: skip
     """Outlines triangles (t, 3) over a picture, those too that lie behind others; those beyond its box are left out."""
@@ -89,7 +89,7 @@ def marked(
 
 
 def painted(
-    box: tuple[float, float, float, float], corners: Values, lights: Values, materials: NDArray[np.integer], *,
+    box: Box, corners: Values, lights: Values, materials: NDArray[np.integer], *,
     edges: bool = True,
 ) -> str:  # fmt: skip
     """Triangles (t, 3, 3) with the light at their corners (t, 3), 0 to 1, and their materials (t,), as an SVG image."""
@@ -115,7 +115,7 @@ def painted(
 def _lit(surface: Surface, eye: Eye) -> Values:
     if surface.shade is not None:
         return surface.shade
-    lamp = eye.ahead() + [-0.45, 0.55, 0.0]
+    lamp = eye.ahead() + np.array([-0.45, 0.55, 0.0])
     slope = normals(np.asarray(surface.points, np.float64), surface.triangles)
     result: Values = 0.25 + 0.75 * np.clip(slope @ (lamp / np.linalg.norm(lamp)), 0.0, 1.0)
     return result

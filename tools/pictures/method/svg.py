@@ -12,6 +12,8 @@ PAPER, PANEL, RULE = "#14161a", "#1c2026", "#3a3f48"
 INK, GREY = "#e4e6eb", "#9aa1ad"
 GREEN, RED, AMBER, BLUE, VIOLET = "#6fc3a8", "#e8705a", "#e2a23c", "#6ea8e0", "#b493e0"
 
+Box = tuple[float, float, float, float]
+"""Left, top, width and height, in the units of a figure."""
 Points = NDArray[np.floating] | Sequence[tuple[float, float]]
 
 
@@ -60,9 +62,10 @@ class Figure:
         if arrow:
             self._head(np.asarray(points, np.float64)[-2:], colour, 3.0 + 2.0 * width)
 
-    def dot(self, x: float, y: float, colour: str, *, radius: float = 4.0, ring: str = PAPER) -> None:
+    def dot(self, at: Sequence[float] | NDArray[np.floating], colour: str, *, radius: float = 4.0) -> None:
         """A point with a rim that sets it off."""
-        self.add(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius:g}" fill="{colour}" stroke="{ring}"/>')
+        x, y = at
+        self.add(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius:g}" fill="{colour}" stroke="{PAPER}"/>')
 
     def label(self, x: float, y: float, words: str, *, colour: str = INK, anchor: str = "start") -> None:
         """Words with a dark rim, for pictures."""
@@ -104,7 +107,7 @@ class Chart:
     """A pair of axes inside a figure; draws its frame at once."""
 
     def __init__(
-        self, figure: Figure, box: tuple[float, float, float, float], *, x: tuple[float, float], y: tuple[float, float]
+        self, figure: Figure, box: Box, *, x: tuple[float, float], y: tuple[float, float]
     ) -> None:  # fmt: skip
         self.figure = figure
         self._box, self._x, self._y = box, x, y

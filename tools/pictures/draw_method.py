@@ -1,6 +1,6 @@
 """Draws the figures of docs/method.md from the code's own numbers.
 
-Usage: python -m tools.draw_method [NAME ...]. Writes docs/pictures/method-NAME.svg; without names all of them.
+Usage: python -m tools.pictures.draw_method [NAME ...]. Writes docs/pictures/method-NAME.svg; without names all of them.
 """
 
 from __future__ import annotations
@@ -11,12 +11,15 @@ from pathlib import Path
 
 import omote
 from omote.model.cast import Cast
-from tools.figures.on_mix import draw_calls, draw_grid, draw_solve
-from tools.figures.on_space import draw_net, draw_space, draw_transfer
-from tools.figures.on_transfer import draw_closure, draw_correctives, draw_stages
-from tools.figures.svg import Figure
+from tools.pictures.method.control_net import draw_net
+from tools.pictures.method.mix import draw_calls, draw_grid
+from tools.pictures.method.one_vertex import draw_transfer
+from tools.pictures.method.smooth_map import draw_closure, draw_correctives, draw_stages
+from tools.pictures.method.solve import draw_solve
+from tools.pictures.method.space import draw_space
+from tools.pictures.method.svg import Figure
 
-PICTURES = Path(__file__).resolve().parent.parent / "docs" / "pictures"
+PICTURES = Path(__file__).resolve().parents[2] / "docs" / "pictures"
 
 FIGURES: Mapping[str, Callable[[Cast], Figure]] = {
     "space": draw_space,
