@@ -119,11 +119,7 @@ def draw_calls(cast: Cast) -> Figure:
     """Weights through interrupted calls, frozen and with their velocity taken over; their speeds; the quintic."""
     del cast  # weights need no face
     figure = Figure(960, 452, "Weights through interrupted calls")
-    ways = (
-        ("as in the paper: a call freezes the blend", False, RED),
-        ("here: and takes its velocity over", True, GREEN),
-    )
-    for column, (words, inertial, _) in enumerate(ways):
+    for column, (words, inertial) in enumerate(_WAYS):
         log = played(inertial=inertial)
         chart = Chart(figure, (48.0 + 322 * column, 44.0, 292.0, 186.0), x=(0.0, LENGTH), y=(-0.1, 1.1))
         chart.ticks_x((0, 1, 2, 3), unit=" s")
@@ -132,6 +128,16 @@ def draw_calls(cast: Cast) -> Figure:
             chart.curve(log.times, log.weights[:, number], colour)
         figure.text(48 + 322 * column, 30, words, colour=INK)
         _marks(chart, (-0.1, 1.1))
+    _speeds(figure)
+    figure.legend(48, 440, [*NAMES.items(), ("a call", GREY)])
+    _quintic(figure)
+    return figure
+
+
+_WAYS = (("as in the paper: a call freezes the blend", False), ("here: and takes its velocity over", True))
+
+
+def _speeds(figure: Figure) -> None:
     speed = Chart(figure, (48.0, 274.0, 614.0, 126.0), x=(0.0, LENGTH), y=(0.0, 2.0))
     speed.ticks_x((0, 1, 2, 3), unit=" s")
     speed.ticks_y((0, 1, 2))
@@ -141,9 +147,6 @@ def draw_calls(cast: Cast) -> Figure:
         speed.curve(log.times, log.speed, colour)
     figure.text(48, 262, "how fast the mix moves, per second", colour=INK)
     figure.legend(330, 262, [("frozen: stops dead", RED), ("taken over: no break", GREEN)])
-    figure.legend(48, 440, [*NAMES.items(), ("a call", GREY)])
-    _quintic(figure)
-    return figure
 
 
 def _marks(chart: Chart, height: tuple[float, float]) -> None:
