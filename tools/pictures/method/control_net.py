@@ -9,8 +9,10 @@ from omote.model.cast import Cast
 from omote.model.controls.control_net import ControlNet
 from omote.model.controls.default_net import default_net
 from omote.model.controls.net_field import woven
+from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.skin_sheet import unwrapped
+from tools.pictures.method.smooth_map import part_surfaces
 from tools.pictures.method.svg import AMBER, INK, VIOLET, Box, Figure
 from tools.pictures.method.unrolled import Unrolled
 from tools.pictures.method.view import COOL, MEMBRANE, SKIN, Eye, Surface, picture
@@ -75,10 +77,10 @@ def _needles(
     points = face.positions.astype(np.float64)
     middle = (points[space.on_sheet].min(axis=0) + points[space.on_sheet].max(axis=0)) / 2
     eye = Eye((float(middle[0]), -0.02, float(middle[2])), 0.2 if name == "kaori" else 0.235, yaw=24.0, pitch=2.0)
-    shown = space.location_triangles[: len(space.skin_triangles)]
     figure.rect(*box)
-    moved = np.where(share[shown].mean(axis=1) > 0.02, COOL, SKIN)
-    figure.add(picture(eye, box, [Surface(points, shown, moved)], edges=False))
+    moved = np.where(share[space.triangles].mean(axis=1) > 0.02, COOL, SKIN)
+    parts = part_surfaces(space, fit(space, face).parts)
+    figure.add(picture(eye, box, [Surface(points, space.triangles, moved), *parts], edges=False))
     roots = net.points_on(face)
     out = roots - [space.cylinder.x, 0.0, space.cylinder.z]
     out[:, 1] = 0.0

@@ -61,7 +61,7 @@ def draw_solve(cast: Cast) -> Figure:
         chart.curve((1, 8), (np.log10(1000 * CLOSE),) * 2, GREY, width=1.2, dash="4 3")
         figure.text(64 + 308 * column, 32, words, colour=INK)
     figure.text(64, 300, "compounds computed", size=12)
-    figure.text(200, 300, "upwards: distance to the target, mm", size=12)
+    figure.text(222, 300, "upwards: distance to the target, mm", size=12)
     figure.legend(480, 300, [*DRAGGED.items(), (f"content: {1000 * CLOSE:g} mm", GREY)])
     return figure
 

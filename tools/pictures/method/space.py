@@ -10,7 +10,7 @@ from omote.geometry.cylinder import wrap
 from omote.model.cast import Cast
 from omote.model.space.lid_lip_lines import Line
 from omote.model.space.parameter_space import ParameterSpace
-from tools.pictures.method.svg import AMBER, BLUE, GREEN, INK, RED, VIOLET, Box, Figure
+from tools.pictures.method.svg import AMBER, BLUE, GREEN, INK, PAPER, RED, VIOLET, Box, Figure
 from tools.pictures.method.unrolled import Unrolled, sheet_or_membrane
 from tools.pictures.method.view import INNER, SKIN, Eye, Surface, picture
 
@@ -27,7 +27,7 @@ def draw_space(cast: Cast) -> Figure:
     _turns(figure, Unrolled(space, plane))
     for number, (words, theta, h, width) in enumerate(_INSETS):
         box = (16.0 + 312 * number, 396.0, 304.0, 150.0)
-        _unrolled(figure, Unrolled(space, box, middle=(np.deg2rad(theta), h), width=width))
+        _unrolled(figure, Unrolled(space, box, middle=(np.deg2rad(theta), h), width=width), near=True)
         figure.text(box[0], box[1] - 10, words, colour=INK)
     figure.text(16, 28, "the generic head M0 on its axis", colour=INK)
     figure.text(286, 28, "S: the skin sheet over (theta, h), membranes amber", colour=INK)
@@ -45,15 +45,24 @@ _INSETS = (
 )
 
 
-def _unrolled(figure: Figure, flat: Unrolled) -> None:
-    """S with its membranes, boundary loops and lines."""
+def _unrolled(figure: Figure, flat: Unrolled, *, near: bool = False) -> None:
+    """S with its boundary loops and lines; near: with the edges of its membranes."""
     space = flat.space
     figure.rect(*flat.box)
     figure.add(flat.picture(sheet_or_membrane(space)))
+    if near:
+        _ladder(figure, flat)
     for loop in mesh.boundary_loops(space.sheet_triangles, _plane(space, flat), period=2 * np.pi * flat.metric):
         _path(figure, flat, space.theta[loop], space.h[loop], _LOOPS[_named(space, loop)])
     for line in space.lines:
         _path(figure, flat, space.theta[line.loop], space.h[line.loop], GREEN, width=1.4)
+
+
+def _ladder(figure: Figure, flat: Unrolled) -> None:
+    """The membranes' triangles that lie whole in the box."""
+    for corners in flat.corners(flat.space.membranes)[:, :, :2]:
+        if len(_within(flat, corners)) == 1 and len(_within(flat, corners)[0]) == 3:
+            figure.line(corners, PAPER, width=0.8, closed=True)
 
 
 _LOOPS = {"face": RED, "other": BLUE, "rim": VIOLET}
