@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 from omote.model.cast import Cast
 from omote.model.controls.control_net import ControlNet
 from omote.model.controls.default_net import default_net
-from omote.model.controls.net_field import woven
+from omote.model.controls.net_field import build_net_field
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.space.skin_sheet import unwrapped
+from omote.model.space.skin_sheet import unwrap_corners
 from tools.pictures.method.smooth_map import part_surfaces
 from tools.pictures.method.svg import AMBER, INK, VIOLET, Box, Figure
 from tools.pictures.method.unrolled import Unrolled
@@ -23,8 +23,8 @@ Values = NDArray[np.float64]
 def draw_net(cast: Cast) -> Figure:
     """The default control net on S, and how far one of its points reaches, there and on two faces."""
     space = cast.space
-    weave = woven(space, default_net(space))
-    net = weave.net
+    net_field = build_net_field(space, default_net(space))
+    net = net_field.net
     point = _cheek_point(net)
     share = np.asarray(net.basis[:, point].toarray()).ravel()
     figure = Figure(960, 400, "The control net on S, and the influence of one control point")
@@ -57,7 +57,7 @@ def _influenced(space: ParameterSpace, share: Values, triangles: NDArray[np.int3
 
 def _net(figure: Figure, flat: Unrolled, net: ControlNet, point: int) -> None:
     for triangle in net.triangles:
-        theta = unwrapped(net.theta, triangle[None])[0]
+        theta = unwrap_corners(net.theta, triangle[None])[0]
         places = flat.at(theta, net.h[triangle])
         inside = (places[:, 0] > flat.box[0]) & (places[:, 0] < flat.box[0] + flat.box[2])
         inside &= (places[:, 1] > flat.box[1]) & (places[:, 1] < flat.box[1] + flat.box[3])

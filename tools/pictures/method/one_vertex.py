@@ -10,7 +10,7 @@ from omote.model.cast import Cast
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.paper_map import compile_expression, slide, wear
+from omote.model.transfer.paper_map import apply_paper_map, compile_expression, project_to_surface
 from tools.pictures.method.svg import AMBER, BLUE, GREY, INK, RED, Box, Figure
 from tools.pictures.method.unrolled import Unrolled, sheet_or_membrane
 from tools.pictures.method.view import MARK, SKIN, Eye, Surface, picture
@@ -27,7 +27,7 @@ def draw_transfer(cast: Cast) -> Figure:
     figure = Figure(960, 372, "One vertex: extracted on one face, applied on another")
     boxes = [(16.0 + 316 * n, 60.0, 300.0, 270.0) for n in range(3)]
     teacher, learner = cast.faces[TEACHER], cast.faces[LEARNER]
-    landing = slide(space, teacher.positions.astype(np.float64), moved[None], np.array([vertex], np.int32))
+    landing = project_to_surface(space, teacher.positions.astype(np.float64), moved[None], np.array([vertex], np.int32))
     triangle, weights = int(landing.triangles[0]), landing.weights[0]
     _on_face(figure, boxes[0], space, teacher, (vertex, triangle), weights, moved, "1")
     _on_s(figure, boxes[1], space, (vertex, triangle), weights)
@@ -59,7 +59,8 @@ def _corner(cast: Cast) -> tuple[int, Values]:
 def _worn(cast: Cast, face: str) -> Values:
     old = cast.under("paper")
     compiled = compile_expression(old.space, old.expressions[SMILE])
-    return wear(old.space, fit(old.space, old.faces[face]), compiled).astype(np.float64)
+    worn: Values = apply_paper_map(old.space, fit(old.space, old.faces[face]), compiled).astype(np.float64)
+    return worn
 
 
 def _on_face(

@@ -10,17 +10,15 @@ from numpy.typing import NDArray
 
 from omote.model.cast import Cast
 from omote.model.space.face import Face
-from omote.model.space.face_fit import fit
+from omote.model.space.face_fit import fit, generic_face
 from omote.model.space.lid_lip_lines import Line
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.compound import carrier, compound, generic_face, moved_parts, on_generic, turned_eyes
-from omote.model.transfer.detail_transfer import detailed
-from omote.model.transfer.eyeball_clearance import cleared
-from omote.model.transfer.fold_repair import turned_over
-from omote.model.transfer.lid_lip_contact import closed
-from omote.model.transfer.paper_map import Compiled, compile_expression, follow, wear
-from omote.model.transfer.smooth_map import Carrier, carried, folds
-from omote.perform.blending.compound_cache import compounds_of
+from omote.model.transfer import pipeline
+from omote.model.transfer.compound import compound, move_parts, turn_eyes
+from omote.model.transfer.fold_repair import find_folds
+from omote.model.transfer.paper_map import apply_paper_map, compile_expression, displace_generic
+from omote.model.transfer.smooth_map import SmoothMap, prepare_smooth_map
+from omote.perform.blending.compound_cache import compound_cache
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.blending.weighted_sum import weighted_sum
 from omote.perform.frame import Frame
@@ -51,32 +49,18 @@ class Stage:
 
 
 def stages(cast: Cast, face: Face, expression: str) -> list[Stage]:
-    """A compound as it comes out of each stage of the smooth map, in the order of the code."""
-    space, ready = cast.space, carrier(cast.space, face)
-    compiled = compile_expression(space, cast.expressions[expression])
-    displacement = on_generic(space, compiled)
-    moved = ready.generic + displacement
-    found = [("the paper's map", wear(space, fit(space, face), compiled).astype(np.float64))]
-    positions = ready.positions + detailed(ready.detail, displacement, moved, ready.growth)
-    found.append(("detail transfer", positions.copy()))
-    for contact in ready.contacts:
-        closed(contact, positions, moved)
-    found.append(("contact of lids and lips", positions.copy()))
-    for clearance in ready.clearances:
-        cleared(clearance, positions, moved)
-    found.append(("eyeball clearance", positions.copy()))
-    found.append(("fold repair", carried(ready, displacement)))
-    made = [Stage(name, _whole(space, face, compiled, skin), folds(ready, skin, moved)) for name, skin in found]
-    last = compound(space, face, cast.expressions[expression]).astype(np.float64)
-    return [*made, Stage("mouth bag fit", last, folds(ready, last, moved))]
-
-
-def _whole(space: ParameterSpace, face: Face, compiled: Compiled, sheet: Values) -> Values:
-    """The skin (V, 3) of a sheet, the inner skin behind it."""
-    fitted, inner = fit(space, face), space.inner
-    out = np.where(space.on_sheet[:, None], sheet[space.welded], fitted.positions).astype(np.float32)
-    follow(fitted.positions, inner.vertices, inner.anchors, inner.weights, compiled.residual, fitted.scale, out)
-    return out.astype(np.float64)
+    """A compound by the paper's map, then as each stage of the pipeline leaves it, those that run twice "again"."""
+    space, compiled = cast.space, compile_expression(cast.space, cast.expressions[expression])
+    state = pipeline.start(space, face, displace_generic(space, compiled), compiled.residual)
+    geometry = state.smooth_map.geometry
+    skin = apply_paper_map(space, fit(space, face), compiled).astype(np.float64)
+    found = {"the paper's map": Stage("the paper's map", skin, find_folds(geometry, skin, state.source))}
+    for stage in pipeline.STAGES:
+        state = stage(state)
+        whole = state if stage is pipeline.fit_mouth_bag else pipeline.follow_inner_skin(pipeline.weld_seams(state))
+        name = stage.__name__ + (" again" if stage.__name__ in found else "")
+        found[name] = Stage(name, whole.skin.astype(np.float64), find_folds(geometry, state.sheet, state.source))
+    return list(found.values())
 
 
 def draw_stages(cast: Cast) -> Figure:
@@ -84,7 +68,7 @@ def draw_stages(cast: Cast) -> Figure:
     figure = Figure(960, 474, f"The stages of a compound on the face {FAR_FACE}")
     for row, (expression, eye, kept) in enumerate(_ROWS):
         face = cast.faces[FAR_FACE]
-        shown = [stage for number, stage in enumerate(stages(cast, face, expression)) if number in kept]
+        shown = [stage for stage in stages(cast, face, expression) if stage.name in kept]
         source = compound(cast.space, generic_face(cast.space), cast.expressions[expression]).astype(np.float64)
         top = 42.0 + 222 * row
         panels = [("the source, worn by the generic head", source, None), *((s.name, s.skin, s.folded) for s in shown)]
@@ -103,10 +87,12 @@ def draw_stages(cast: Cast) -> Figure:
     return figure
 
 
+_SHEET = ("the paper's map", "transfer_detail", "close_lids_and_lips", "clear_eyeballs", "repair_folds again")
 _ROWS = (
-    (LID, (Eye((0.033, -0.003, 0.14), 0.04), Eye((0.035, -0.004, 0.12), 0.042)), (0, 1, 2, 3, 4)),
-    (MOUTH, (Eye((0.0, -0.075, 0.15), 0.1), Eye((0.0, -0.075, 0.15), 0.13)), (0, 1, 2, 4, 5)),
-)
+    (LID, (Eye((0.033, -0.003, 0.14), 0.04), Eye((0.035, -0.004, 0.12), 0.042)), _SHEET),
+    (MOUTH, (Eye((0.0, -0.075, 0.15), 0.1), Eye((0.0, -0.075, 0.15), 0.13)),
+     ("the paper's map", "transfer_detail", "close_lids_and_lips", "repair_folds", "fit_mouth_bag")),
+)  # fmt: skip
 
 
 def _panel(
@@ -134,8 +120,8 @@ def _parts(cast: Cast, face: Face, expression: str, skin: Values) -> list[Surfac
     space, fitted = cast.space, fit(cast.space, face)
     worn = cast.expressions[expression]
     rest = compile_expression(space, worn).parts
-    moved = moved_parts(space, fitted, skin.astype(np.float32), rest)
-    turned = turned_eyes(space, moved, fitted.centres, worn.eyes)
+    moved = move_parts(space, fitted, skin.astype(np.float32), rest)
+    turned = turn_eyes(space, moved, fitted.centres, worn.eyes)
     return part_surfaces(space, turned)
 
 
@@ -251,12 +237,12 @@ SUMMED, PAIR = "old", ("eyeBlinkLeft", "eyeSquintLeft")
 
 def summed(cast: Cast) -> list[Stage]:
     """Two units alone, their sum as added, the sum with its correctives; folded: only what neither unit folds alone."""
-    face, compounds = cast.faces[SUMMED], compounds_of(cast)
+    face, compounds = cast.faces[SUMMED], compound_cache(cast)
     alone = [compounds.skin(SUMMED, unit) for unit in PAIR]
     added = weighted_sum([*alone, face.positions], [1.0, 1.0, -1.0])
     found = [*zip(PAIR, alone, strict=True), ("the sum as it is", added),
              ("the sum with its correctives", evaluate(cast, _BOTH))]  # fmt: skip
-    ready = carrier(cast.space, face)
+    ready = prepare_smooth_map(cast.space, face)
     known = _folded(ready, alone[0]) | _folded(ready, alone[1])
     return [Stage(name, skin.astype(np.float64), _folded(ready, skin) & ~known) for name, skin in found]
 
@@ -287,10 +273,8 @@ def draw_correctives(cast: Cast) -> Figure:
 _AT_EYE = Eye((0.033, -0.004, 0.13), 0.045)
 
 
-def _folded(ready: Carrier, skin: NDArray[np.floating]) -> Mask:
-    found = np.empty(len(ready.rest), np.bool_)
-    turned_over(skin.astype(np.float64), ready.sheet.triangles, ready.sheet.normals, found)
-    return found
+def _folded(ready: SmoothMap, skin: NDArray[np.floating]) -> Mask:
+    return find_folds(ready.geometry, skin.astype(np.float64), ready.generic)
 
 
 def least_rung(line: Line, rest: NDArray[np.floating], now: NDArray[np.floating]) -> float:

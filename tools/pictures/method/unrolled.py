@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from omote.geometry import mesh
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.space.skin_sheet import unwrapped
+from omote.model.space.skin_sheet import unwrap_corners
 from tools.pictures.method.svg import Box
 from tools.pictures.method.view import MEMBRANE, SKIN, painted
 
@@ -33,7 +33,7 @@ class Unrolled:
 
     def corners(self, triangles: NDArray[np.int32]) -> Values:
         """Triangles (t, 3) of S in the figure: (t, 3, 3), none torn at the seam."""
-        flat = self.at(unwrapped(self.space.theta, triangles), self.space.h[triangles])
+        flat = self.at(unwrap_corners(self.space.theta, triangles), self.space.h[triangles])
         return np.concatenate([flat, np.zeros((*flat.shape[:2], 1))], axis=2)
 
     def picture(self, materials: NDArray[np.integer]) -> str:
