@@ -13,9 +13,9 @@ import numpy as np
 
 import omote
 from omote.builtin import load_mask, load_meshes
-from omote.files.glb import glb_bytes
-from omote.files.glbread import read_glb
-from omote.show.export import Workbench, chosen, exported, worn_meshes
+from omote.interchange.formats.glb_writer import glb_bytes
+from omote.interchange.formats.glb_reader import read_glb
+from omote.interchange.export_face import Workbench, chosen, exported, worn_meshes
 
 out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import omote
-from omote.model.default_net import default_net
+from omote.model.controls.default_net import default_net
 
 out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)

@@ -10,8 +10,8 @@ import sys
 from pathlib import Path
 
 import omote
-from omote.server.studio import draw_sheet
-from omote.show.sheet import Setting, grid
+from omote.server.headless.picture_studio import draw_sheet
+from omote.stage_data.picture_grid import Setting, grid
 
 out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import omote
-from omote.files.objfile import read_obj
+from omote.interchange.formats.obj_reader import read_obj
 
 out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)

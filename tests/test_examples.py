@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from omote.files.glbread import read_glb
-from omote.files.objfile import read_obj
-from omote.files.png import read_png
-from omote.server.chromium import find_chromium
+from omote.interchange.formats.glb_reader import read_glb
+from omote.interchange.formats.obj_reader import read_obj
+from omote.interchange.formats.png import read_png
+from omote.server.headless.chromium import find_chromium
 from omote.show.wire import decode_answer
 from tests import synthetic
 

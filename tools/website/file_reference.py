@@ -5,7 +5,7 @@ from __future__ import annotations
 import sqlite3
 from contextlib import closing
 
-from omote.files.schema import APPLICATION_ID, MIGRATIONS, SCHEMA_VERSION
+from omote.showfile.schema import APPLICATION_ID, MIGRATIONS, SCHEMA_VERSION
 
 PURPOSES = {
     "journal": "The show as it was last: one row, from which a server that was killed goes on.",

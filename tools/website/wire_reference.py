@@ -9,7 +9,7 @@ import typing
 
 import msgspec
 
-from omote.edit import messages as editing
+from omote.edit.protocol import messages as editing
 from omote.show import messages as show
 
 Struct = type[msgspec.Struct]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sqlite3
 from contextlib import closing
 
-from omote.files.schema import MIGRATIONS
+from omote.showfile.schema import MIGRATIONS
 from tools.website.file_reference import PURPOSES, file_page
 
 

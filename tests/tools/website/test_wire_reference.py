@@ -7,7 +7,7 @@ import re
 import msgspec
 import pytest
 
-from omote.edit import messages as editing
+from omote.edit.protocol import messages as editing
 from omote.show import messages as show
 from tools.website.wire_reference import section, wire_page
 
