@@ -13,18 +13,18 @@ import numpy as np
 
 import omote
 from omote.builtin import load_mask, load_meshes
-from omote.interchange.formats.glb_writer import glb_bytes
+from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
 from omote.interchange.formats.glb_reader import read_glb
-from omote.interchange.export_face import Workbench, chosen, exported, worn_meshes
+from omote.interchange.formats.glb_writer import glb_bytes
 
 out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)
 
 FACE = "child"
 cast = omote.load_cast()
-names = chosen(cast, "arkit")  # kinds or names, by commas: "arkit,smile"
-bench = Workbench(cast, load_meshes(), load_mask())
-scene = exported(bench, FACE, ((name, worn_meshes(cast, FACE, name)) for name in names))
+names = choose_expressions(cast, "arkit")  # kinds or names, by commas: "arkit,smile"
+bench = ExportContext(cast, load_meshes(), load_mask())
+scene = build_scene(bench, FACE, ((name, named_compound_meshes(cast, FACE, name)) for name in names))
 path = out / f"{FACE}.glb"
 path.write_bytes(glb_bytes(scene))
 

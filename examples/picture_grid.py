@@ -10,14 +10,14 @@ import sys
 from pathlib import Path
 
 import omote
-from omote.server.headless.picture_studio import draw_sheet
-from omote.stage_data.picture_grid import Setting, grid
+from omote.server.headless.picture_studio import draw_grid
+from omote.stage_data.picture_grid import Setting, build_grid
 
 out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)
 
 cast = omote.load_cast()
-sheet = grid(
+sheet = build_grid(
     cast,
     faces="kaori,old,kaori=0.5+dog=0.5",  # rows: faces, or mixes of them
     expressions="neutral,smile",  # columns
@@ -27,6 +27,6 @@ sheet = grid(
 )
 setting = Setting(width=160, height=180, quality="low")  # of one picture; "high" for print
 
-picture = draw_sheet(sheet.on_paper(setting, "image/png"), setting)
+picture = draw_grid(sheet.on_paper(setting, "image/png"), setting)
 (out / "grid.png").write_bytes(picture)
 print(f"{out / 'grid.png'}: {len(sheet.rows)} rows, {len(sheet.columns)} columns, {len(picture) / 1000:.0f} kB")

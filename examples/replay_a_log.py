@@ -42,7 +42,7 @@ def replay(log: Path, *, start: float = 10.0, seconds: float = 2.0, rate: float 
         now = start + number / rate
         while waiting and waiting[0][0] <= now:
             at, message = waiting.pop(0)
-            session.hear("console-1", msgspec.msgpack.encode(message), at)
+            session.receive_bytes("console-1", msgspec.msgpack.encode(message), at)
         states.append(encode(session.tick(now)))
     assert session.refused == 0
     return b"".join(states)
