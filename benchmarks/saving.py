@@ -1,15 +1,19 @@
-"""What is acknowledged is kept: `kill -9` while authored work is saved.
+"""What is acknowledged is kept: `kill -9` while authored work is saved, and then a bad disk.
 
 A process edits and saves through the scribe as a server does, beside a journal that is written and flushed all the
-while and good copies that are made again and again, and says on a pipe what was told to be committed. It is killed at a
+while and backups that are made again and again, and says on a pipe what was told to be committed. It is killed at a
 random moment. Then the file must be right in every part (`omote file check`), hold all that was acknowledged, and
-exactly what so many lists of changes make, no half of one. The next process goes on with the same file. `--kills N`.
+exactly what so many lists of changes make, no half of one; so must each backup. Then a copy of the file is damaged at
+a random place: it must open, as `omote show` does, whole or as its newest backup, and what that lacks must not be older
+than the time between two backups and the quarter of a minute that `omote show` allows for making one. The next process
+goes on with the same file. `--kills N`.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import shutil
 import signal
 import sqlite3
 import struct
@@ -39,13 +43,12 @@ from omote.files.changes import (
     Revision,
 )
 from omote.files.contents import content_key, pack_expression
-from omote.files.goodcopy import good_path
 from omote.files.inspection import verdicts
-from omote.files.proof import prove
 from omote.files.schema import migrate
 from omote.files.showfile import JournalEntry, ShowFile, open_show
 from omote.model.expression import Expression
 from omote.model.recipe import Recipe
+from omote.server.backup_thread import BACKUP_SECONDS, BackupThread
 from omote.server.journal import JournalWriter
 from omote.server.restore import open_newest
 from omote.server.scribe import Fate, Scribe
@@ -53,9 +56,14 @@ from omote.server.scribe import Fate, Scribe
 ITEMS, STEPS = 7, 4
 """Items that are edited in turn, and lists of changes that make one save of one."""
 IN_FLIGHT = 3
-"""Lists that wait for the scribe at once; every so often none, and a good copy is made."""
+"""Lists that wait for the scribe at once."""
+BACKUP_EVERY = 0.02
+MOST_SECONDS = BACKUP_EVERY + 60.0 - BACKUP_SECONDS
+"""Between two backups here, and how old what a bad disk costs may be: as `omote show` promises a minute."""
 VERTICES = 300
 COUNT = "count"
+TOLD = struct.Struct("<id")
+"""A list's number and the monotonic time (s) at which it was acknowledged."""
 
 
 def changes(number: int, vertices: int = VERTICES) -> list[Change]:
@@ -100,9 +108,11 @@ def say(sentence: str) -> None:
 
 
 def write_for_ever(path: Path, pipe: int) -> None:
-    """Edits and saves until somebody kills it; the number of every list told to be committed goes into the pipe."""
+    """Edits and saves until somebody kills it; the number of every list told to be committed, and when, goes into the
+    pipe."""
     show = open_newest(path, say)
-    scribe = Scribe(show.again(), say, quiet_seconds=0.0)
+    backup = BackupThread(show.again(), say, first_seconds=BACKUP_EVERY, backup_seconds=BACKUP_EVERY)
+    scribe = Scribe(show.again(), say, backup)
     journal = JournalWriter(show.again(), say, flush_seconds=0.002)
     free = threading.Semaphore(IN_FLIGHT)
     number = counted(show)
@@ -112,7 +122,7 @@ def write_for_ever(path: Path, pipe: int) -> None:
             say(f"list {number}: {fate}")
             return
         try:
-            os.write(pipe, struct.pack("<i", number))
+            os.write(pipe, TOLD.pack(number, time.monotonic()))
         except OSError:
             os._exit(1)  # who should have killed us is gone
         free.release()
@@ -122,18 +132,15 @@ def write_for_ever(path: Path, pipe: int) -> None:
         free.acquire()
         journal.offer(JournalEntry(number, float(number), bytes(2000)))
         scribe.commit(changes(number), lambda fate, number=number: told(number, fate))  # type: ignore[misc]
-        if number % 16 == 0:
-            for _ in range(IN_FLIGHT):
-                free.acquire()
-            free.release(IN_FLIGHT)
 
 
 @dataclass(frozen=True)
 class Kill:
-    """acknowledged: the last list told to be committed; half: whether the log ends within a transaction; copying:
-    whether a good copy was being made."""
+    """acknowledged: the last list told to be committed; times: when each was (s), by number; half: whether the log ends
+    within a transaction; copying: whether a backup was being made."""
 
     acknowledged: int
+    times: dict[int, float]
     half: bool
     copying: bool
 
@@ -150,16 +157,17 @@ def kill_writer(path: Path, acknowledgements: int, wait: float, before: int) -> 
             os._exit(1)
     os.close(writing)
     with os.fdopen(reading, "rb") as pipe:
-        told = pipe.read(4 * acknowledgements)
+        told = pipe.read(TOLD.size * acknowledgements)
         if wait:
             time.sleep(wait)
         os.kill(child, signal.SIGKILL)
         told += pipe.read()
     os.waitpid(child, 0)
-    numbers = [number for (number,) in struct.iter_unpack("<i", told[: len(told) // 4 * 4])]
-    if numbers != [*range(before + 1, before + 1 + len(numbers))] or len(numbers) < acknowledgements:
-        raise AssertionError(f"after {before} lists {numbers} were acknowledged")
-    return Kill(before + len(numbers), ends_half(path), path.with_name(path.name + ".good-new").exists())
+    times = dict(TOLD.iter_unpack(told[: len(told) // TOLD.size * TOLD.size]))
+    if [*times] != [*range(before + 1, before + 1 + len(times))] or len(times) < acknowledgements:
+        raise AssertionError(f"after {before} lists {[*times]} were acknowledged")
+    copying = path.with_name(path.name + ".good-new").exists()
+    return Kill(before + len(times), times, ends_half(path), copying)
 
 
 def ends_half(path: Path) -> bool:
@@ -198,8 +206,6 @@ def check(path: Path, kill: Kill, reference: Reference) -> str:
     wrong = [sentence for right, sentence in verdicts(path) if not right]
     if wrong:
         return "; ".join(wrong)
-    if good_path(path).exists():
-        prove(good_path(path))
     show = open_show(path)
     try:
         there = counted(show)
@@ -213,13 +219,62 @@ def check(path: Path, kill: Kill, reference: Reference) -> str:
         show.close()
 
 
+def damaged_copy(path: Path, folder: Path, random: np.random.Generator) -> str:
+    """Copies a show file and all beside it into a new folder and damages it there; says how."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    for file in path.parent.glob(f"{path.name}*"):
+        if not file.name.endswith("-shm"):
+            shutil.copyfile(file, folder / file.name)
+    at = int(random.integers(path.stat().st_size))
+    with (folder / path.name).open("r+b") as copy:
+        if random.random() < 0.5:
+            copy.truncate(at)
+            return f"cut off at byte {at}"
+        copy.seek(at)
+        copy.write(random.bytes(4096))
+        return f"written over from byte {at}"
+
+
+class BadDisk:
+    """Damages copies of the file that is killed; keeps what that cost.
+
+    costs: age in seconds of the oldest list that was acknowledged and is lost; one for each copy that was not whole.
+    """
+
+    def __init__(self, folder: Path, random: np.random.Generator) -> None:
+        self.folder, self.random, self.reference = folder, random, Reference()
+        self.acknowledged: dict[int, float] = {}
+        self.costs: list[float] = []
+
+    def strike(self, path: Path, kill: Kill, whole: int) -> str:
+        """What of the claim does not hold for a damaged copy of a file that holds so many lists; "" when all does."""
+        self.acknowledged |= kill.times
+        how = damaged_copy(path, self.folder, self.random)
+        said: list[str] = []
+        show = open_newest(self.folder / path.name, said.append)
+        try:
+            there = counted(show)
+            if not said:
+                return "" if there == whole else f"{how}: opened as if nothing were wrong, with {there} lists"
+            self.reference.make(there)
+            if show.stored() != self.reference.show.stored() or show.contents() != self.reference.show.contents():
+                return f"{how}: opened with something else than {there} lists make"
+            lost = [time for number, time in self.acknowledged.items() if number > there]
+            self.costs.append(max(kill.times.values()) - min(lost) if lost else 0.0)
+            return f"{how}: {self.costs[-1]:.1f} s are lost" if self.costs[-1] > MOST_SECONDS else ""
+        finally:
+            show.close()
+
+
 def kills(path: Path, count: int, *, seed: int = 5) -> bool:
     """Kills so many writers of one file, prints what was found; whether the claim holds."""
     random, reference, found = np.random.default_rng(seed), Reference(), Counter[str]()
+    disk = BadDisk(path.parent / "bad disk", np.random.default_rng(seed + 1))
     for number in range(count):
         wait = float(random.choice([0.0, random.uniform(0.0, 0.02)]))
         kill = kill_writer(path, int(random.integers(1, 25)), wait, reference.made)
-        wrong = check(path, kill, reference)
+        wrong = check(path, kill, reference) or disk.strike(path, kill, reference.made)
         if wrong:
             print(f"  kill {number + 1}: {wrong}")
         found["wrong"] += bool(wrong)
@@ -229,7 +284,12 @@ def kills(path: Path, count: int, *, seed: int = 5) -> bool:
     size = path.stat().st_size / 1e6
     print(f"{count} x kill -9 while {reference.made} lists of changes were committed, file {size:.1f} MB")
     print(f"  within the writing of a commit {found['half']}, between commit and word {found['unheard']}", end="")
-    print(f", while a good copy was made {found['copying']}")
+    print(f", while a backup was made {found['copying']}")
+    print(
+        f"  a bad disk after each: {len(disk.costs)} opened as their newest backup, one every {BACKUP_EVERY} s: ",
+        end="",
+    )
+    print(f"at most {max(disk.costs, default=0.0):.2f} s lost, the rest whole")
     print(f"  lost or torn {found['wrong']}")
     return not found["wrong"]
 

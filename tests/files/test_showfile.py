@@ -8,6 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from omote.files.changes import PutLayout
+from omote.files.rescue import move_aside
 from omote.files.showfile import (
     APPLICATION_ID,
     ASIDE_LIMIT,
@@ -16,7 +17,6 @@ from omote.files.showfile import (
     JournalEntry,
     ShowFileError,
     default_path,
-    move_aside,
     open_show,
 )
 
@@ -203,18 +203,3 @@ def test_a_state_that_is_no_number_is_not_believed(tmp_path: Path) -> None:
     with pytest.raises(sqlite3.DatabaseError, match="epoch None"):
         show.journal()
     show.close()
-
-
-def test_moving_aside_never_writes_over_what_was_kept(tmp_path: Path) -> None:
-    path = tmp_path / "a.omote"
-    assert move_aside(path) is None
-    (tmp_path / "a.omote-wal").write_bytes(b"first log")
-    assert move_aside(path) is None
-    path.write_bytes(b"file")
-    (tmp_path / "a.omote-wal").write_bytes(b"second log")
-    assert move_aside(path) == tmp_path / "a.omote.corrupt-2"
-    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == {
-        "a.omote.corrupt-1-wal": b"first log",
-        "a.omote.corrupt-2": b"file",
-        "a.omote.corrupt-2-wal": b"second log",
-    }

@@ -15,6 +15,7 @@ from aiohttp import web
 
 from omote.files.showfile import ShowFile
 from omote.server.app import ShowServer
+from omote.server.backup_thread import BackupThread
 from omote.server.beat import Playing, beat
 from omote.server.bundle import Page, read_bundle
 from omote.server.casting import gathered
@@ -78,7 +79,8 @@ def employ_workshop(library: Library) -> None:
 async def play(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
     """Plays until the supervisor's pipe ends or SIGTERM comes; raises what a tick raises."""
     file, library = open_journal(show, report), material.library
-    desk, reopen = open_desks(file, library, report)
+    backup = BackupThread(file.again(), report) if file else None
+    desk, reopen = open_desks(file, library, report, backup)
     server = ShowServer(restore(library.troupe, file, order, report), library, material.pages)
     server.edit(desk, reopen, report)
     journal = JournalWriter(file, report) if file else None
@@ -96,15 +98,17 @@ async def play(material: Material, order: Order, *, show: Path, pipes: Pipes) ->
         if journal:
             journal.offer(journal_entry(server.session))
             journal.close()
+        if backup:
+            backup.close()
 
 
 def open_desks(
-    file: ShowFile | None, library: Library, report: Callable[[str], None]
+    file: ShowFile | None, library: Library, report: Callable[[str], None], backup: BackupThread | None = None
 ) -> tuple[Desk | None, Callable[[], Desk | None]]:
     """The desk of a show file, its own things in the cast already, and what gives the desk anew."""
     if file is None:
         return None, lambda: None
-    keeper = Scribe(file.again(), report)
+    keeper = Scribe(file.again(), report, backup)
 
     def reopened() -> Desk | None:
         with closing(file.again()) as own:  # the journal's thread writes with the other connection
