@@ -239,17 +239,21 @@ def damaged_copy(path: Path, folder: Path, random: np.random.Generator) -> str:
 class BadDisk:
     """Damages copies of the file that is killed; keeps what that cost.
 
-    costs: age in seconds of the oldest list that was acknowledged and is lost; one for each copy that was not whole.
+    costs: for each copy that was not whole how long before the last list that was acknowledged the first one was that
+    is lost, in seconds of writing (s).
     """
 
     def __init__(self, folder: Path, random: np.random.Generator) -> None:
         self.folder, self.random, self.reference = folder, random, Reference()
         self.acknowledged: dict[int, float] = {}
         self.costs: list[float] = []
+        self.written = 0.0
 
     def strike(self, path: Path, kill: Kill, whole: int) -> str:
         """What of the claim does not hold for a damaged copy of a file that holds so many lists; "" when all does."""
-        self.acknowledged |= kill.times
+        begun = min(kill.times.values()) - self.written
+        self.acknowledged |= {number: time - begun for number, time in kill.times.items()}
+        self.written = max(self.acknowledged.values())
         how = damaged_copy(path, self.folder, self.random)
         said: list[str] = []
         show = open_newest(self.folder / path.name, said.append)
@@ -261,7 +265,7 @@ class BadDisk:
             if show.stored() != self.reference.show.stored() or show.contents() != self.reference.show.contents():
                 return f"{how}: opened with something else than {there} lists make"
             lost = [time for number, time in self.acknowledged.items() if number > there]
-            self.costs.append(max(kill.times.values()) - min(lost) if lost else 0.0)
+            self.costs.append(self.written - min(lost, default=self.written))
             return f"{how}: {self.costs[-1]:.1f} s are lost" if self.costs[-1] > MOST_SECONDS else ""
         finally:
             show.close()
