@@ -133,31 +133,17 @@ def holds(folder: Path, made: Populated, page: int, stride: int) -> bool:
     """Damages one populated file in every way; whether the claim holds."""
     newest, log = backup_paths(Path(NAME))[0].name, f"{NAME}-wal"
     lengths = lengths_of(made.closed[NAME], page, stride)
-    shorter = [length for length in lengths if length < len(made.closed[newest])]
-    lost = written_over(made.closed, page)
-    return all(
-        [
-            tried(folder, "closed file cut", cut(made.closed, (NAME,), lengths), made.states, MADE, COPIED),
-            tried(folder, "closed file, a page lost", lost, made.states, MADE, COPIED),
-            tried(folder, "killed file cut", cut(made.killed, (NAME,), lengths), made.states, MADE, COPIED),
-            tried(
-                folder,
-                "closed file and backup cut",
-                cut(made.closed, (NAME, newest), shorter),
-                made.states,
-                MADE,
-                OLDER,
-            ),
-            tried(
-                folder,
-                "log cut",
-                cut(made.killed, (log,), lengths_of(made.killed[log], page, stride)),
-                made.states,
-                FLUSHED,
-                COPIED,
-            ),
-        ]
-    )
+    both = cut(made.closed, (NAME, newest), [length for length in lengths if length < len(made.closed[newest])])
+    logs = cut(made.killed, (log,), lengths_of(made.killed[log], page, stride))
+    ways = [
+        ("closed file cut", cut(made.closed, (NAME,), lengths), MADE, COPIED),
+        ("closed file, a page lost", written_over(made.closed, page), MADE, COPIED),
+        ("killed file cut", cut(made.killed, (NAME,), lengths), MADE, COPIED),
+        ("closed file and backup cut", both, MADE, OLDER),
+        ("log cut", logs, FLUSHED, COPIED),
+    ]
+    good = [tried(folder, kind, damaged, made.states, *lists) for kind, damaged, *lists in ways]
+    return all(good)
 
 
 def main() -> int:

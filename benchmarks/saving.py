@@ -104,12 +104,8 @@ def say(sentence: str) -> None:
     sys.stderr.write(f"{sentence}\n")
 
 
-# --- the process that is killed ---------------------------------------------------------------------------------------
-
-
 def write_for_ever(path: Path, pipe: int) -> None:
-    """Edits and saves until somebody kills it; the number of every list told to be committed, and when, goes into the
-    pipe."""
+    """Edits and saves until somebody kills it; the number and time of every commit told of go into the pipe."""
     show = open_newest(path, say)
     backup = BackupThread(show.again(), say, first_seconds=BACKUP_EVERY, backup_seconds=BACKUP_EVERY)
     scribe = Scribe(show.again(), say, backup)
@@ -136,8 +132,8 @@ def write_for_ever(path: Path, pipe: int) -> None:
 
 @dataclass(frozen=True)
 class Kill:
-    """acknowledged: the last list told to be committed; times: when each was (s), by number; half: whether the log ends
-    within a transaction; copying: whether a backup was being made."""
+    """acknowledged: the last list told to be committed; times: when each was (s); half: whether the log ends within a
+    transaction; copying: whether a backup was being made."""
 
     acknowledged: int
     times: dict[int, float]
@@ -200,6 +196,11 @@ class Reference:
             self.show.apply(changes(number, vertices))
         self.made = count
 
+    def equals(self, show: ShowFile, count: int) -> bool:
+        """Whether a file holds exactly what so many lists make."""
+        self.make(count)
+        return show.stored() == self.show.stored() and show.contents() == self.show.contents()
+
 
 def check(path: Path, kill: Kill, reference: Reference) -> str:
     """What of the claim does not hold after a kill; "" when all does."""
@@ -211,37 +212,28 @@ def check(path: Path, kill: Kill, reference: Reference) -> str:
         there = counted(show)
         if not kill.acknowledged <= there <= kill.acknowledged + IN_FLIGHT:
             return f"{kill.acknowledged} were acknowledged, {there} are there"
-        reference.make(there)
-        if show.stored() != reference.show.stored() or show.contents() != reference.show.contents():
-            return f"it holds something else than {there} lists make"
-        return ""
+        return "" if reference.equals(show, there) else f"it holds something else than {there} lists make"
     finally:
         show.close()
 
 
 def damaged_copy(path: Path, folder: Path, random: np.random.Generator) -> str:
-    """Copies a show file and all beside it into a new folder and damages it there; says how."""
+    """Copies a show file and all beside it into a new folder, cut off or written over there; says where."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     for file in path.parent.glob(f"{path.name}*"):
         if not file.name.endswith("-shm"):
             shutil.copyfile(file, folder / file.name)
-    at = int(random.integers(path.stat().st_size))
-    with (folder / path.name).open("r+b") as copy:
-        if random.random() < 0.5:
-            copy.truncate(at)
-            return f"cut off at byte {at}"
-        copy.seek(at)
-        copy.write(random.bytes(4096))
-        return f"written over from byte {at}"
+    data = path.read_bytes()
+    at = int(random.integers(len(data)))
+    rest = b"" if random.random() < 0.5 else random.bytes(4096) + data[at + 4096 :]
+    (folder / path.name).write_bytes(data[:at] + rest)
+    return f"{'written over' if rest else 'cut off'} from byte {at}"
 
 
 class BadDisk:
-    """Damages copies of the file that is killed; keeps what that cost.
-
-    costs: for each copy that was not whole how long before the last list that was acknowledged the first one was that
-    is lost, in seconds of writing (s).
-    """
+    """Damages copies of the file; costs: seconds of writing from the first acknowledged list that is lost to the last,
+    for each copy that was not whole."""
 
     def __init__(self, folder: Path, random: np.random.Generator) -> None:
         self.folder, self.random, self.reference = folder, random, Reference()
@@ -254,15 +246,13 @@ class BadDisk:
         begun = min(kill.times.values()) - self.written
         self.acknowledged |= {number: time - begun for number, time in kill.times.items()}
         self.written = max(self.acknowledged.values())
-        how = damaged_copy(path, self.folder, self.random)
-        said: list[str] = []
+        how, said = damaged_copy(path, self.folder, self.random), list[str]()
         show = open_newest(self.folder / path.name, said.append)
         try:
             there = counted(show)
             if not said:
                 return "" if there == whole else f"{how}: opened as if nothing were wrong, with {there} lists"
-            self.reference.make(there)
-            if show.stored() != self.reference.show.stored() or show.contents() != self.reference.show.contents():
+            if not self.reference.equals(show, there):
                 return f"{how}: opened with something else than {there} lists make"
             lost = [time for number, time in self.acknowledged.items() if number > there]
             self.costs.append(self.written - min(lost, default=self.written))
@@ -285,15 +275,11 @@ def kills(path: Path, count: int, *, seed: int = 5) -> bool:
         found["half"] += kill.half
         found["copying"] += kill.copying
         found["unheard"] += reference.made > kill.acknowledged
-    size = path.stat().st_size / 1e6
+    size, most = path.stat().st_size / 1e6, max(disk.costs, default=0.0)
     print(f"{count} x kill -9 while {reference.made} lists of changes were committed, file {size:.1f} MB")
     print(f"  within the writing of a commit {found['half']}, between commit and word {found['unheard']}", end="")
     print(f", while a backup was made {found['copying']}")
-    print(
-        f"  a bad disk after each: {len(disk.costs)} opened as their newest backup, one every {BACKUP_EVERY} s: ",
-        end="",
-    )
-    print(f"at most {max(disk.costs, default=0.0):.2f} s lost, the rest whole")
+    print(f"  a bad disk after each: {len(disk.costs)} opened as a backup, at most {most:.2f} s old, the rest whole")
     print(f"  lost or torn {found['wrong']}")
     return not found["wrong"]
 
