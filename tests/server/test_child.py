@@ -9,6 +9,7 @@ from pathlib import Path
 import aiohttp
 import pytest
 
+from omote.files.goodcopy import backup_paths
 from omote.files.showfile import open_show
 from omote.server.bundle import FOLDER
 from omote.server.child import Pipes, built_in_material, play, report, until_ended
@@ -54,6 +55,9 @@ def test_a_server_plays_and_leaves_its_last_state(tmp_path: Path) -> None:
     left = open_show(tmp_path / "a.omote")
     assert left.journal().epoch == seen.epoch
     assert b"jawOpen" in (left.journal().snapshot or b"")
+    backup = open_show(backup_paths(tmp_path / "a.omote")[0])
+    assert backup.journal() == left.journal()
+    backup.close()
     left.close()
     for descriptor in (control, far, pulse):
         os.close(descriptor)

@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 
 from omote.files.changes import PutLayout
+from omote.files.goodcopy import backup_paths
+from omote.files.showfile import ShowFile, open_show
 from omote.server.closed import closed_show, wall_clock
 from omote.server.lock import ShowLockedError, lock_show
 
@@ -17,6 +19,32 @@ def test_what_is_written_stays_and_the_file_is_free_again(tmp_path: Path) -> Non
     with closed_show(path) as file:
         assert file.stored().layouts == {"console": b"{}"}
     os.close(lock_show(path))
+
+
+def test_what_is_written_is_backed_up_and_what_is_only_read_is_not(tmp_path: Path) -> None:
+    path = tmp_path / "a.omote"
+    with closed_show(path, new=True) as file:
+        file.apply([PutLayout("console", b"{}")])
+        written = file.stored()
+    with closed_show(path):
+        pass
+    newest, *older = backup_paths(path)
+    backup = open_show(newest)
+    assert backup.stored() == written
+    backup.close()
+    assert not any(each.exists() for each in older)
+
+
+def test_a_disk_that_takes_no_backup_keeps_what_was_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(_: ShowFile) -> bool:
+        raise OSError("No space left on device")
+
+    monkeypatch.setattr("omote.server.closed.back_up", full)
+    path = tmp_path / "a.omote"
+    with closed_show(path, new=True) as file:
+        file.apply([PutLayout("console", b"{}")])
+    with closed_show(path) as file:
+        assert file.stored().layouts == {"console": b"{}"}
 
 
 def test_a_file_that_is_not_there_is_not_made(tmp_path: Path) -> None:
