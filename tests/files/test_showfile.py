@@ -9,10 +9,9 @@ from hypothesis import strategies as st
 
 from omote.files.changes import PutLayout
 from omote.files.rescue import move_aside
+from omote.files.schema import APPLICATION_ID, SCHEMA_VERSION
 from omote.files.showfile import (
-    APPLICATION_ID,
     ASIDE_LIMIT,
-    SCHEMA_VERSION,
     CorruptShowFileError,
     JournalEntry,
     ShowFileError,

@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 
 from omote.files.changes import PutLayout
 from omote.files.goodcopy import back_up, backup_paths
-from omote.files.showfile import SCHEMA_VERSION, JournalEntry, ShowFile, open_show
+from omote.files.schema import SCHEMA_VERSION
+from omote.files.showfile import JournalEntry, ShowFile, open_show
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
 from omote.server.orders import Order

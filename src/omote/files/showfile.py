@@ -16,24 +16,9 @@ from pathlib import Path
 from omote.files.authored import apply_changes, read_all, read_contents, seal
 from omote.files.changes import Change, Stored
 from omote.files.proof import verify_integrity
-from omote.files.schema import (
-    APPLICATION_ID,
-    SCHEMA_VERSION,
-    CorruptShowFileError,
-    ShowFileError,
-    migrate,
-)
+from omote.files.schema import CorruptShowFileError, ShowFileError, migrate
 
-__all__ = [
-    "APPLICATION_ID",
-    "SCHEMA_VERSION",
-    "CorruptShowFileError",
-    "JournalEntry",
-    "ShowFile",
-    "ShowFileError",
-    "default_path",
-    "open_show",
-]
+__all__ = ["CorruptShowFileError", "JournalEntry", "ShowFile", "ShowFileError", "default_path", "open_show"]
 
 ASIDE_LIMIT = 20
 """Snapshots kept that no server could start from; older ones go."""
