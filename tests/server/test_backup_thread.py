@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from omote.files.changes import PutLayout
-from omote.files.goodcopy import back_up, backup_paths
-from omote.files.proof import reading, verify_integrity
-from omote.files.showfile import JournalEntry, ShowFile, open_show
+from omote.showfile.changes import PutLayout
+from omote.showfile.backup import back_up, backup_paths
+from omote.showfile.integrity import reading, verify_integrity
+from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 from omote.server.backup_thread import BACKUP_SECONDS, FIRST_SECONDS, BackupThread
 
 OFTEN = 1e-3

@@ -6,9 +6,9 @@ import sqlite3
 import threading
 from collections.abc import Callable
 
-from omote.files.goodcopy import back_up
-from omote.files.schema import CorruptShowFileError, ShowFileError
-from omote.files.showfile import ShowFile
+from omote.showfile.backup import back_up
+from omote.showfile.schema import CorruptShowFileError, ShowFileError
+from omote.showfile.show_file import ShowFile
 
 FIRST_SECONDS = 5.0
 """How long after the start the first backup is made: however often a server is replaced, most get as far."""

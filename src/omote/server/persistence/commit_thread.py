@@ -1,0 +1,125 @@
+"""Writes authored work beside the show, in order: what is told to be committed is on the disk."""
+
+from __future__ import annotations
+
+import sqlite3
+import threading
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from omote.showfile.changes import Change
+from omote.showfile.show_file import ShowFile
+from omote.server.backup_thread import BackupThread
+
+RETRY_SECONDS = 1.0
+"""How long the scribe waits for a disk that failed."""
+
+
+@dataclass(frozen=True)
+class Fate:
+    """What became of a list of changes.
+
+    "committed": on the disk, for good. "waiting": the disk failed; the changes are kept and tried again, in order, and
+    another fate follows. "refused": they will never be made, none of them. sentence: why, where not committed.
+    """
+
+    state: Literal["committed", "waiting", "refused"]
+    sentence: str = ""
+
+
+Told = Callable[[Fate], None]
+
+
+@dataclass(frozen=True)
+class _Job:
+    changes: tuple[Change, ...]
+    told: Told
+
+
+class Scribe:
+    """A thread that commits lists of changes one after the other.
+
+    show: the scribe's own (`ShowFile.again`); it closes it. backup: of the same file; nothing is committed to a file
+    that it found damaged. Fates are told on the scribe's thread.
+    """
+
+    def __init__(
+        self,
+        show: ShowFile,
+        report: Callable[[str], None],
+        backup: BackupThread | None = None,
+        *,
+        retry_seconds: float = RETRY_SECONDS,
+    ) -> None:
+        self._show, self._report, self._backup = show, report, backup
+        self._retry_seconds = retry_seconds
+        self._queue: deque[_Job] = deque()
+        self._waiting = threading.Condition()
+        self._closing = self._failing = False
+        self._thread = threading.Thread(target=self._run, name="scribe", daemon=True)
+        self._thread.start()
+
+    def commit(self, changes: Sequence[Change], told: Told) -> None:
+        """Hands over changes that belong together; returns at once."""
+        with self._waiting:
+            if not self._closing:
+                self._queue.append(_Job(tuple(changes), told))
+                self._waiting.notify()
+                return
+        told(Fate("refused", f"{self._show.path} is being closed; start the show again and repeat it."))
+
+    def close(self) -> None:
+        """Commits what is left and closes the file; waits five seconds at most."""
+        with self._waiting:
+            self._closing = True
+            self._waiting.notify()
+        self._thread.join(timeout=5.0)
+
+    def _run(self) -> None:
+        while True:
+            with self._waiting:
+                self._waiting.wait_for(lambda: self._queue or self._closing)
+                if not self._queue:
+                    break
+                job = self._queue[0]
+            self._carry_out(job)
+            self._queue.popleft()
+        self._show.close()
+
+    def _carry_out(self, job: _Job) -> None:
+        fate = self._tried(job)
+        if fate.state == "waiting":
+            self._tell(job, fate)
+        while fate.state == "waiting":
+            with self._waiting:
+                last = self._waiting.wait_for(lambda: self._closing, timeout=self._retry_seconds)
+            fate = self._tried(job)
+            if last and fate.state == "waiting":
+                fate = Fate("refused", fate.sentence)
+        self._tell(job, fate)
+
+    def _tried(self, job: _Job) -> Fate:
+        if self._backup and self._backup.damage:
+            return Fate("refused", f"{self._backup.damage} This is not kept: start the show again, and repeat it.")
+        try:
+            self._show.apply(job.changes)
+        except sqlite3.OperationalError as error:
+            sentence = f"{self._show.path} cannot be written ({error}); your work is kept in memory and tried again."
+            if not self._failing:
+                self._report(sentence)
+            self._failing = True
+            return Fate("waiting", sentence)
+        except (sqlite3.Error, ValueError, TypeError, OverflowError) as error:
+            return Fate("refused", f"{self._show.path} cannot keep this ({error}); undo it, or do it again.")
+        self._failing = False
+        return Fate("committed")
+
+    def _tell(self, job: _Job, fate: Fate) -> None:
+        try:
+            job.told(fate)
+        except RuntimeError:
+            pass  # a loop that has ended hears nothing any more
+        except Exception as error:  # whatever it is, later changes are still to be kept
+            self._report(f"what became of a change ({fate.state}) could not be told: {error!r}.")

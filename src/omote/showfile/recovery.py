@@ -1,0 +1,87 @@
+"""What becomes of a corrupt or lost show file: it is kept, and its newest whole backup takes its place.
+
+The backup is copied and verified under another name before anything is renamed; a recovery that is cut off leaves no
+show file, or the corrupt one, and is begun again by the next start.
+"""
+
+from __future__ import annotations
+
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+from omote.showfile.backup import backup_paths, put_in_place, remove
+from omote.showfile.integrity import verify_integrity
+from omote.showfile.schema import CorruptShowFileError
+
+
+@dataclass(frozen=True)
+class Recovery:
+    """How a show file was recovered.
+
+    kept: where the corrupt file lies now, None where there was none; copied: when the backup in its place was made
+    (seconds since 1970), None where there was no whole one.
+    """
+
+    kept: Path | None
+    copied: float | None
+
+
+def is_lost(path: Path, /) -> bool:
+    """Whether a show file is missing or empty that was more before: a backup or its log is there."""
+    if path.exists() and path.stat().st_size > 0:
+        return False
+    log = path.with_name(path.name + "-wal")
+    return any(backup.exists() for backup in backup_paths(path)) or (log.exists() and log.stat().st_size > 0)
+
+
+def recover_show(path: Path, /) -> Recovery:
+    """Puts the newest whole backup in the place of a corrupt or lost show file; no file is removed.
+
+    Where no backup is whole there is no show file afterwards. ShowFileError where a backup is of a newer Omote, OSError
+    where the disk fails: all is as it was, or another call does the rest.
+    """
+    draft = path.with_name(path.name + ".recovered")
+    try:
+        backup, broken = _copy_newest(path, draft)
+        for each in broken:
+            move_aside(each)  # later backups would take its place
+        kept = move_aside(path)
+        if backup is None:
+            return Recovery(kept, None)
+        put_in_place(draft, path)
+        return Recovery(kept, backup.stat().st_mtime)
+    finally:
+        remove(draft)
+
+
+def _copy_newest(path: Path, draft: Path) -> tuple[Path | None, list[Path]]:
+    """Copies the newest backup that is whole, if any; also those before it, which are not."""
+    broken: list[Path] = []
+    for backup in backup_paths(path):
+        if not backup.exists():
+            continue
+        remove(draft)
+        shutil.copyfile(backup, draft)
+        try:
+            if verify_integrity(draft):
+                return backup, broken
+        except CorruptShowFileError:
+            pass
+        broken.append(backup)
+    return None, broken
+
+
+def move_aside(path: Path, /) -> Path | None:
+    """Renames a corrupt show file, and its log, to the first free `<name>.corrupt-<n>`; gives the new path.
+
+    None where there is no file; a log without one is moved all the same.
+    """
+    names = [name for name in ("", "-wal", "-shm") if path.with_name(path.name + name).exists()]
+    number = 1
+    while any(path.with_name(f"{path.name}.corrupt-{number}{name}").exists() for name in names):
+        number += 1
+    kept = path.with_name(f"{path.name}.corrupt-{number}")
+    for name in names:
+        path.with_name(path.name + name).rename(kept.with_name(kept.name + name))
+    return kept if "" in names else None
