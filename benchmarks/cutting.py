@@ -20,12 +20,12 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.saving import STEPS, Reference, changes, counted
-from omote.showfile.changes import Stored
+from benchmarks.saving import STEPS, Reference, changes, count_lists
+from omote.server.persistence.restore import open_newest
 from omote.showfile.backup import back_up, backup_paths
+from omote.showfile.changes import Stored
 from omote.showfile.inspection import verdicts
 from omote.showfile.show_file import JournalEntry, open_show
-from omote.server.persistence.restore import open_newest
 
 NAME = "show.omote"
 OLDER, COPIED, FLUSHED, MADE = STEPS, 2 * STEPS, 4 * STEPS - 3, 4 * STEPS
@@ -37,7 +37,7 @@ Damaged = tuple[str, dict[str, bytes]]
 
 
 @dataclass(frozen=True)
-class Populated:
+class CutFiles:
     """Files by name, as a killed server leaves them and closed, and what each number of lists makes."""
 
     killed: dict[str, bytes]
@@ -45,7 +45,7 @@ class Populated:
     states: list[State]
 
 
-def populated(folder: Path, page: int) -> Populated:
+def populate(folder: Path, page: int) -> CutFiles:
     """A show file with that many bytes in a page."""
     connection = sqlite3.connect(folder / NAME)
     connection.execute(f"PRAGMA page_size = {page}")
@@ -64,10 +64,10 @@ def populated(folder: Path, page: int) -> Populated:
     show.write_journal(JournalEntry(1234, 5.0, b"state"))
     killed = {file.name: file.read_bytes() for file in folder.iterdir() if not file.name.endswith("-shm")}
     show.close()
-    return Populated(killed, {file.name: file.read_bytes() for file in folder.iterdir()}, states)
+    return CutFiles(killed, {file.name: file.read_bytes() for file in folder.iterdir()}, states)
 
 
-def opened(folder: Path, files: dict[str, bytes], states: list[State], whole: int, backup: int) -> str:
+def reopen(folder: Path, files: dict[str, bytes], states: list[State], whole: int, backup: int) -> str:
     """How these files open: "whole" with at least so many lists, "restored" with as many as a backup has, or what is
     wrong."""
     shutil.rmtree(folder, ignore_errors=True)
@@ -79,7 +79,7 @@ def opened(folder: Path, files: dict[str, bytes], states: list[State], whole: in
     for _ in range(2):
         show = open_newest(folder / NAME, said.append)
         found.append((show.stored(), show.contents()))
-        there = counted(show)
+        there = count_lists(show)
         show.close()
     if found[0] != found[1] or len(said) > 1:
         return "the second start differs from the first"
@@ -118,7 +118,7 @@ def tried(folder: Path, kind: str, damaged: Iterable[Damaged], states: list[Stat
     found = Counter[str]()
     for what, files in damaged:
         try:
-            how = opened(folder, files, states, whole, backup)
+            how = reopen(folder, files, states, whole, backup)
         except Exception as error:  # whatever it is, it is what this looks for
             how = f"{type(error).__name__}: {error}"
         if how not in ("whole", "restored"):
@@ -129,7 +129,7 @@ def tried(folder: Path, kind: str, damaged: Iterable[Damaged], states: list[Stat
     return not found["wrong"]
 
 
-def holds(folder: Path, made: Populated, page: int, stride: int) -> bool:
+def holds(folder: Path, made: CutFiles, page: int, stride: int) -> bool:
     """Damages one populated file in every way; whether the claim holds."""
     newest, log = backup_paths(Path(NAME))[0].name, f"{NAME}-wal"
     lengths = lengths_of(made.closed[NAME], page, stride)
@@ -155,7 +155,7 @@ def main() -> int:
     for page, every in ((512, stride), (4096, 97 * stride)):
         with tempfile.TemporaryDirectory(dir=memory if memory.is_dir() else None) as folder:
             (Path(folder) / "made").mkdir()
-            made = populated(Path(folder) / "made", page)
+            made = populate(Path(folder) / "made", page)
             print(f"a show file of {MADE} lists of changes in pages of {page} bytes, backups of {COPIED} and {OLDER}")
             good = holds(Path(folder) / "cut", made, page, every) and good
     print("holds" if good else "DOES NOT HOLD")

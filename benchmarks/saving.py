@@ -28,6 +28,12 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from omote.model.recipes.recipe import Recipe
+from omote.model.space.expression import Expression
+from omote.server.backup_thread import BACKUP_SECONDS, BackupThread
+from omote.server.persistence.commit_thread import CommitOutcome, CommitThread
+from omote.server.persistence.journal import JournalWriter
+from omote.server.persistence.restore import open_newest
 from omote.showfile.changes import (
     Change,
     Draft,
@@ -46,12 +52,6 @@ from omote.showfile.contents import content_key, pack_expression
 from omote.showfile.inspection import verdicts
 from omote.showfile.schema import migrate
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
-from omote.model.space.expression import Expression
-from omote.model.recipes.recipe import Recipe
-from omote.server.backup_thread import BACKUP_SECONDS, BackupThread
-from omote.server.persistence.journal import JournalWriter
-from omote.server.persistence.restore import open_newest
-from omote.server.persistence.commit_thread import Fate, Scribe
 
 ITEMS, STEPS = 7, 4
 """Items that are edited in turn, and lists of changes that make one save of one."""
@@ -94,7 +94,7 @@ def _item(number: int, head: int) -> Item:
     return Item(number, "expression", f"own-{number}", f"Own {number}", head=head)
 
 
-def counted(show: ShowFile) -> int:
+def count_lists(show: ShowFile) -> int:
     """How many lists of changes a file holds."""
     return int(show.stored().layouts.get(COUNT, b"0"))
 
@@ -108,12 +108,12 @@ def write_for_ever(path: Path, pipe: int) -> None:
     """Edits and saves until somebody kills it; the number and time of every commit told of go into the pipe."""
     show = open_newest(path, say)
     backup = BackupThread(show.again(), say, first_seconds=BACKUP_EVERY, backup_seconds=BACKUP_EVERY)
-    scribe = Scribe(show.again(), say, backup)
+    scribe = CommitThread(show.again(), say, backup)
     journal = JournalWriter(show.again(), say, flush_seconds=0.002)
     free = threading.Semaphore(IN_FLIGHT)
-    number = counted(show)
+    number = count_lists(show)
 
-    def told(number: int, fate: Fate) -> None:
+    def told(number: int, fate: CommitOutcome) -> None:
         if fate.state != "committed":
             say(f"list {number}: {fate}")
             return
@@ -209,7 +209,7 @@ def check(path: Path, kill: Kill, reference: Reference) -> str:
         return "; ".join(wrong)
     show = open_show(path)
     try:
-        there = counted(show)
+        there = count_lists(show)
         if not kill.acknowledged <= there <= kill.acknowledged + IN_FLIGHT:
             return f"{kill.acknowledged} were acknowledged, {there} are there"
         return "" if reference.equals(show, there) else f"it holds something else than {there} lists make"
@@ -249,7 +249,7 @@ class BadDisk:
         how, said = damaged_copy(path, self.folder, self.random), list[str]()
         show = open_newest(self.folder / path.name, said.append)
         try:
-            there = counted(show)
+            there = count_lists(show)
             if not said:
                 return "" if there == whole else f"{how}: opened as if nothing were wrong, with {there} lists"
             if not self.reference.equals(show, there):

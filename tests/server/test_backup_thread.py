@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from omote.showfile.changes import PutLayout
-from omote.showfile.backup import back_up, backup_paths
-from omote.showfile.integrity import reading, verify_integrity
-from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 from omote.server.backup_thread import BACKUP_SECONDS, FIRST_SECONDS, BackupThread
+from omote.showfile.backup import back_up, backup_paths
+from omote.showfile.changes import PutLayout
+from omote.showfile.integrity import open_read_only, verify_integrity
+from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
 OFTEN = 1e-3
 
@@ -33,7 +33,7 @@ def layouts_in(path: Path) -> set[str]:
     if not path.exists():
         return set()
     verify_integrity(path)
-    with closing(reading(path)) as connection:
+    with closing(open_read_only(path)) as connection:
         return {name for (name,) in connection.execute("SELECT name FROM layout")}
 
 
@@ -86,7 +86,7 @@ def test_a_state_that_the_journal_keeps_is_backed_up_too(tmp_path: Path, said: l
     show.write_journal(JournalEntry(77, 1.0, b"state"))
 
     def epoch() -> int:
-        with closing(reading(newest)) as connection:
+        with closing(open_read_only(newest)) as connection:
             row = connection.execute("SELECT epoch FROM journal").fetchone()
             return int(row[0]) if row else 0
 

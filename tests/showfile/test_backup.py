@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from omote.showfile.backup import back_up, backup_paths, put_in_place
 from omote.showfile.changes import PutContent, PutLayout
 from omote.showfile.contents import content_key
-from omote.showfile.backup import back_up, backup_paths, put_in_place
-from omote.showfile.integrity import reading, verify_integrity
+from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.schema import CorruptShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
@@ -123,7 +123,7 @@ def forbid_links(monkeypatch: pytest.MonkeyPatch) -> None:
 def layouts_in(path: Path) -> set[str]:
     """The names of the layouts in a whole backup, which stays as it is."""
     verify_integrity(path)
-    with closing(reading(path)) as connection:
+    with closing(open_read_only(path)) as connection:
         return {name for (name,) in connection.execute("SELECT name FROM layout")}
 
 

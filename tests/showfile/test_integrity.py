@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from omote.showfile.changes import PutLayout
-from omote.showfile.integrity import SHORTEST, reading, verify_integrity
+from omote.showfile.integrity import SHORTEST, open_read_only, verify_integrity
 from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError
 from omote.showfile.show_file import ShowFile, open_show
 
@@ -37,7 +37,7 @@ def test_a_file_that_a_killed_server_left_is_proved_and_keeps_its_log(tmp_path: 
     before = {file.name: file.read_bytes() for file in (tmp_path / "killed").iterdir()}
     path = tmp_path / "killed" / "a.omote"
     verify_integrity(path)
-    connection = reading(path)
+    connection = open_read_only(path)
     assert connection.execute("SELECT name FROM layout").fetchall() == [("console",)]
     connection.close()
     assert {name: (tmp_path / "killed" / name).read_bytes() for name in before} == before
@@ -92,7 +92,7 @@ def test_what_cannot_be_opened_is_said(tmp_path: Path) -> None:
 
 def test_reading_writes_nothing_and_sees_what_is_committed(tmp_path: Path) -> None:
     show = filled(tmp_path / "a #1?.omote")
-    connection = reading(show.path)
+    connection = open_read_only(show.path)
     assert connection.execute("SELECT name FROM layout").fetchall() == [("console",)]
     show.apply([PutLayout("other", b"{}")])
     assert len(connection.execute("SELECT name FROM layout").fetchall()) == 2

@@ -81,7 +81,7 @@ def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> 
 
 def read_all(connection: sqlite3.Connection) -> Stored:
     """All authored rows, each proved by its sum; sqlite3.DatabaseError names the first that is not what was written."""
-    rows = {table.name: [_proved(table, row) for row in _rows(connection, table)] for table in TABLES}
+    rows = {table.name: [_prove_row(table, row) for row in _rows(connection, table)] for table in TABLES}
     return Stored(
         items=tuple(rows["item"]),
         revisions=tuple(rows["revision"]),
@@ -99,7 +99,7 @@ def read_contents(connection: sqlite3.Connection) -> Iterator[tuple[str, bytes]]
         yield key, data
 
 
-def seal(values: Sequence[Any]) -> str:
+def row_checksum(values: Sequence[Any]) -> str:
     """The sum of a row's columns, as SQLite gives them back: 16 hexadecimal digits."""
     return hashlib.blake2b(msgspec.msgpack.encode(values), digest_size=8).hexdigest()
 
@@ -109,11 +109,11 @@ def _rows(connection: sqlite3.Connection, table: Table, where: str = "", *values
     return connection.execute(f"SELECT {columns} FROM {table.name} {where} ORDER BY {key}", values)
 
 
-def _proved(table: Table, columns: Sequence[Any]) -> Any:
+def _prove_row(table: Table, columns: Sequence[Any]) -> Any:
     """The struct of columns and their sum; sqlite3.DatabaseError where they are not what was written."""
     *values, sealed = columns
     with contextlib.suppress(msgspec.MsgspecError, RecursionError):  # another program knows our sums
-        if seal(values) == sealed:
+        if row_checksum(values) == sealed:
             return _row(table, values)
     place = ", ".join(map(str, columns[: len(table.key)]))
     raise sqlite3.DatabaseError(f"its {table.name} {place} is damaged")
@@ -153,7 +153,7 @@ def _add_revision(connection: sqlite3.Connection, revision: Revision) -> None:
     found = _rows(connection, REVISIONS, "WHERE item = ? AND number = ?", revision.item, revision.number).fetchone()
     if found is None:
         _put(connection, REVISIONS, revision)
-    elif _proved(REVISIONS, found) != revision:
+    elif _prove_row(REVISIONS, found) != revision:
         raise sqlite3.IntegrityError(
             f"revision {revision.number} of item {revision.item} is there and is another; revisions are never changed"
         )
@@ -168,7 +168,7 @@ def _put(connection: sqlite3.Connection, table: Table, row: msgspec.Struct) -> N
     connection.execute(
         f"INSERT INTO {table.name} ({', '.join(columns)}) VALUES ({', '.join('?' * len(columns))}) "
         f"ON CONFLICT ({', '.join(table.key)}) DO UPDATE SET {changed}",
-        (*values, seal(values)),
+        (*values, row_checksum(values)),
     )
 
 

@@ -9,13 +9,13 @@ from pathlib import Path
 
 import msgspec
 
+from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.showfile.authored_rows import read_all, read_contents
+from omote.showfile.backup import backup_paths
 from omote.showfile.changes import Draft, Item, Kind, Revision, Stored
 from omote.showfile.contents import ContentError, content_kind
-from omote.showfile.backup import backup_paths
-from omote.showfile.integrity import reading, verify_integrity
+from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.schema import SCHEMA_VERSION, ShowFileError
-from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 
 AUTHORED_SINCE = 2
 """The first schema with authored work."""
@@ -36,7 +36,7 @@ def inspect_show(path: Path, /) -> Inspection:
     version = verify_integrity(path)
     if version == 0:
         raise ShowFileError(f"there is no show file {path}; omote show makes one.")
-    with contextlib.closing(reading(path)) as connection:
+    with contextlib.closing(open_read_only(path)) as connection:
         connection.execute("BEGIN")  # one state, whatever is committed meanwhile
         row = connection.execute("SELECT epoch FROM journal").fetchone()
         epoch = int(row[0]) if row else 0
@@ -74,11 +74,11 @@ def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
     yield True, "it holds no state of a show yet" if not found.epoch else f"it holds the state of epoch {found.epoch}"
     size = sum(map(len, found.contents.values())) / 1e6
     yield True, f"{len(found.contents)} contents, {size:.1f} MB, and each is what its key says"
-    yield from _authored(found)
+    yield from _check_authored(found)
     yield from _copies(path)
 
 
-def _authored(found: Inspection) -> Iterator[tuple[bool, str]]:
+def _check_authored(found: Inspection) -> Iterator[tuple[bool, str]]:
     stored = found.stored
     wrong = [*_wrong_revisions(found), *_wrong_steps(found)]
     counts = (

@@ -6,14 +6,14 @@ import contextlib
 import sqlite3
 from pathlib import Path
 
-from omote.showfile.authored_rows import read_all, read_contents, seal
+from omote.showfile.authored_rows import read_all, read_contents, row_checksum
 from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError, version_of
 
 SHORTEST = 512
 """Bytes of the smallest database; SQLite takes what is shorter for a new one and writes over it."""
 
 
-def reading(path: Path, /) -> sqlite3.Connection:
+def open_read_only(path: Path, /) -> sqlite3.Connection:
     """A connection that reads a show file and writes nothing, also while a show has it open; sqlite3.Error where there
     is none."""
     # Without a log nobody has it open; SQLite would make an empty one to read, and leave it.
@@ -30,7 +30,7 @@ def verify_integrity(path: Path, /) -> int:
     if not path.exists() or path.stat().st_size == 0:
         return 0
     try:
-        with contextlib.closing(reading(path)) as connection:
+        with contextlib.closing(open_read_only(path)) as connection:
             return _verified_version(connection, path)
     except sqlite3.DatabaseError as error:
         if not is_damage(error):
@@ -72,7 +72,7 @@ def _verify_rows(connection: sqlite3.Connection) -> None:
         raise sqlite3.DatabaseError(f"row {stray[1]} of {stray[0]} belongs to no {stray[2]}")
     connection.execute("SELECT epoch, reason, snapshot FROM journal_aside LIMIT 0")
     for epoch, snapshot, sealed, *_ in connection.execute("SELECT epoch, snapshot, sum, slot, written FROM journal"):
-        if sealed is not None and seal([epoch, snapshot]) != sealed:  # None: as the first schema left it
+        if sealed is not None and row_checksum([epoch, snapshot]) != sealed:  # None: as the first schema left it
             raise sqlite3.DatabaseError("its last state is damaged")
     read_all(connection)
     for _ in read_contents(connection):

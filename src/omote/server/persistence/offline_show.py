@@ -9,13 +9,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from omote.server.persistence.lock import lock_show
 from omote.showfile.backup import back_up
 from omote.showfile.show_file import ShowFile, ShowFileError, open_show
-from omote.server.persistence.lock import lock_show
 
 
 @contextmanager
-def closed_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
+def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
     """The show file, ours alone until the end; new: made where there is none, and backed up at the end.
 
     FileNotFoundError where there is none, ShowLockedError where a show plays it, ShowFileError where it cannot be used.

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import msgspec
 
-from omote.showfile.recovery import Recovery, is_lost, recover_show
-from omote.showfile.show_file import CorruptShowFileError, JournalEntry, ShowFile, ShowFileError, open_show
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Playable
 from omote.server.process.process_messages import Order
 from omote.show.session import SessionSnapshot, ShowSession
+from omote.showfile.recovery import Recovery, is_lost, recover_show
+from omote.showfile.show_file import CorruptShowFileError, JournalEntry, ShowFile, ShowFileError, open_show
 
 Report = Callable[[str], None]
 
@@ -39,13 +39,13 @@ def open_newest(path: Path, report: Report) -> ShowFile:
                 raise CorruptShowFileError(f"{path} is {'empty' if path.exists() else 'not there'}.")
             return open_show(path)
         except CorruptShowFileError as error:
-            report(f"{error} {_said(recover_show(path))}")
+            report(f"{error} {_sentence_of(recover_show(path))}")
             return open_show(path)
     except (sqlite3.Error, OSError) as error:
         raise ShowFileError(f"{path} cannot be used ({error}); free the disk or name another file.") from error
 
 
-def _said(recovery: Recovery) -> str:
+def _sentence_of(recovery: Recovery) -> str:
     kept = "" if recovery.kept is None else f"it is kept as {recovery.kept}; "
     if recovery.copied is None:
         return _sentence(f"{kept}there is no good copy of it: the show starts neutral.")
@@ -61,7 +61,7 @@ def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report)
     """The session of the journal's last state, under a new epoch; a neutral one when none can be played."""
     last = _last_entry(show, report)
     epoch = next_epoch(last.epoch, order.epoch)
-    session = None if order.neutral else _played_on(cast, last, epoch, report)
+    session = None if order.neutral else _try_restore(cast, last, epoch, report)
     if session is not None:
         _record(show, session, None, report)
         return session
@@ -100,7 +100,7 @@ def _record(show: ShowFile | None, session: ShowSession, aside: JournalEntry | N
         report(f"the journal cannot be written ({error}); the show goes on.")
 
 
-def _played_on(cast: Playable, entry: JournalEntry, epoch: int, report: Report) -> ShowSession | None:
+def _try_restore(cast: Playable, entry: JournalEntry, epoch: int, report: Report) -> ShowSession | None:
     if entry.snapshot is None:
         return None
     try:
