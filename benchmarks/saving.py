@@ -30,7 +30,7 @@ import numpy as np
 
 from omote.model.recipes.recipe import Recipe
 from omote.model.space.expression import Expression
-from omote.server.backup_thread import BACKUP_SECONDS, BackupThread
+from omote.server.persistence.backup_thread import BACKUP_SECONDS, BackupThread
 from omote.server.persistence.commit_thread import CommitOutcome, CommitThread
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import open_newest

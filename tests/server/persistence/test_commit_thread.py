@@ -9,7 +9,7 @@ from queue import SimpleQueue
 import pytest
 
 from benchmarks.saving import Reference, check, kill_writer
-from omote.server.backup_thread import BackupThread
+from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitOutcome, CommitThread
 from omote.showfile.changes import Change, PutLayout
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show

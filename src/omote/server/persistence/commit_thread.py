@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from omote.server.backup_thread import BackupThread
+from omote.server.persistence.backup_thread import BackupThread
 from omote.showfile.changes import Change
 from omote.showfile.show_file import ShowFile
 

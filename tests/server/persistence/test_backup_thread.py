@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from omote.server.backup_thread import BACKUP_SECONDS, FIRST_SECONDS, BackupThread
+from omote.server.persistence.backup_thread import BACKUP_SECONDS, FIRST_SECONDS, BackupThread
 from omote.showfile.backup import back_up, backup_paths
 from omote.showfile.changes import PutLayout
 from omote.showfile.integrity import open_read_only, verify_integrity
@@ -54,7 +54,7 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[Path]:
         made.append(show.path)
         return back_up(show)
 
-    monkeypatch.setattr("omote.server.backup_thread.back_up", counting)
+    monkeypatch.setattr("omote.server.persistence.backup_thread.back_up", counting)
     return made
 
 
@@ -167,7 +167,7 @@ def test_a_disk_that_takes_no_backup_is_said_once(
         tries.append(show)
         raise OSError("No space left on device")
 
-    monkeypatch.setattr("omote.server.backup_thread.back_up", full)
+    monkeypatch.setattr("omote.server.persistence.backup_thread.back_up", full)
     show = open_show(tmp_path / "a.omote")
     thread = BackupThread(show.again(), said.append, first_seconds=OFTEN, backup_seconds=OFTEN)
     until(lambda: len(tries) > 2)
@@ -186,7 +186,7 @@ def test_a_backup_that_another_process_makes_is_made_again_without_a_word(
         tries.append(show)
         return len(tries) > 2
 
-    monkeypatch.setattr("omote.server.backup_thread.back_up", taken_twice)
+    monkeypatch.setattr("omote.server.persistence.backup_thread.back_up", taken_twice)
     show = open_show(tmp_path / "a.omote")
     thread = BackupThread(show.again(), said.append, first_seconds=OFTEN, backup_seconds=OFTEN)
     until(lambda: len(tries) > 2)
