@@ -25,7 +25,7 @@ help:
 	@echo "make setup   .venv, pages and cast      make check   format, lint, types, imports, pages; no tests"
 	@echo "make web     the pages                  make bench   every figure of the README and the docs"
 	@echo "make bake    the cast                   make wheel   dist/*.whl with pages and cast inside"
-	@echo "make format  rewrite in house style     make gallery the pictures of docs/gallery.md"
+	@echo "make format  rewrite in house style     make gallery the pictures of docs/gallery.md and docs/method.md"
 	@echo "make docs    the documentation site, build/site"
 	@echo "make clean   remove everything that was made here"
 
@@ -102,6 +102,7 @@ bench: setup
 
 gallery: setup
 	@$(RUN) -m tools.pictures.gallery
+	@$(RUN) -m tools.pictures.draw_method
 
 $(SITE_PACKAGES): pyproject.toml constraints.txt | $(PACKAGES)
 	@echo "== Packages of the documentation site"

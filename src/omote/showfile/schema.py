@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sqlite3
-from functools import cache
 from pathlib import Path
 
 APPLICATION_ID = 0x4F4D4F54  # "OMOT"
@@ -132,32 +131,3 @@ def migrate(connection: sqlite3.Connection, version: int) -> None:
         if "no such" in str(error) or "already exists" in str(error):  # its tables are not those of its version
             raise sqlite3.DatabaseError(str(error)) from error
         raise
-
-
-def refuse_without_tables(connection: sqlite3.Connection) -> None:
-    """sqlite3.DatabaseError where a table or a column is missing."""
-    there = _columns(connection)
-    for table, columns in _expected_columns().items():
-        missing = columns - there.get(table, set())
-        if missing:
-            what = f"column: {table}.{min(missing)}" if table in there else f"table: {table}"
-            raise sqlite3.DatabaseError(f"no such {what}")
-
-
-@cache
-def _expected_columns() -> dict[str, set[str]]:
-    made = sqlite3.connect(":memory:")
-    made.executescript("".join(MIGRATIONS))
-    wanted = _columns(made)
-    made.close()
-    return wanted
-
-
-def _columns(connection: sqlite3.Connection) -> dict[str, set[str]]:
-    rows = connection.execute(
-        "SELECT t.name, c.name FROM sqlite_schema AS t JOIN pragma_table_xinfo(t.name) AS c WHERE t.type = 'table'"
-    )
-    found: dict[str, set[str]] = {}
-    for table, column in rows:
-        found.setdefault(table, set()).add(column)
-    return found

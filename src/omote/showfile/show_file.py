@@ -15,26 +15,10 @@ from pathlib import Path
 
 from omote.showfile.authored_rows import apply_changes, read_all, read_contents, row_checksum
 from omote.showfile.changes import Change, Stored
-from omote.showfile.integrity import check_integrity
-from omote.showfile.schema import (
-    APPLICATION_ID,
-    SCHEMA_VERSION,
-    CorruptShowFileError,
-    ShowFileError,
-    migrate,
-)
+from omote.showfile.integrity import verify_integrity
+from omote.showfile.schema import CorruptShowFileError, ShowFileError, migrate
 
-__all__ = [
-    "APPLICATION_ID",
-    "SCHEMA_VERSION",
-    "CorruptShowFileError",
-    "JournalEntry",
-    "ShowFile",
-    "ShowFileError",
-    "default_path",
-    "move_aside",
-    "open_show",
-]
+__all__ = ["CorruptShowFileError", "JournalEntry", "ShowFile", "ShowFileError", "default_path", "open_show"]
 
 ASIDE_LIMIT = 20
 """Snapshots kept that no server could start from; older ones go."""
@@ -125,10 +109,15 @@ class ShowFile:
         Only where another connection has committed since the last time: a checkpoint that has nothing to do, while a
         commit begins the log anew, can lose that commit (SQLite before 3.51.3, "the WAL-reset bug").
         """
-        if self._version() == self._flushed:
+        if self.data_version() == self._flushed:
             return
         self._connection.execute("PRAGMA wal_checkpoint(PASSIVE)").fetchone()
-        self._flushed = self._version()
+        self._flushed = self.data_version()
+
+    def data_version(self) -> int:
+        """A number that is another one after another connection has committed (SQLite's `data_version`)."""
+        (version,) = self._connection.execute("PRAGMA data_version").fetchone()
+        return int(version)
 
     def copy_into(self, path: Path) -> None:
         """Copies the file as it is now, log and all, into a new file without a log; others may write meanwhile."""
@@ -144,16 +133,12 @@ class ShowFile:
         """Closes the file; its write-ahead log is merged."""
         self._connection.close()
 
-    def _version(self) -> int:
-        (version,) = self._connection.execute("PRAGMA data_version").fetchone()
-        return int(version)
-
 
 def open_show(path: Path) -> ShowFile:
     """The show file at `path`, made when there is none; ShowFileError when it cannot be used."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        version = check_integrity(path)
+        version = verify_integrity(path)
         connection = _connect(path)
     except (OSError, sqlite3.Error) as error:
         raise ShowFileError(f"{path} cannot be opened ({error}); name another file.") from error
@@ -168,21 +153,6 @@ def open_show(path: Path) -> ShowFile:
         connection.close()
         raise CorruptShowFileError(f"{path} is no readable show file ({error}).") from error
     return ShowFile(connection, path)
-
-
-def move_aside(path: Path) -> Path | None:
-    """Renames a corrupt show file, and its log, to the first free `<name>.corrupt-<n>`; gives the new path.
-
-    None where there is no file; a log without one is moved all the same.
-    """
-    names = [name for name in ("", "-wal", "-shm") if path.with_name(path.name + name).exists()]
-    number = 1
-    while any(path.with_name(f"{path.name}.corrupt-{number}{name}").exists() for name in names):
-        number += 1
-    kept = path.with_name(f"{path.name}.corrupt-{number}")
-    for name in names:
-        path.with_name(path.name + name).rename(kept.with_name(kept.name + name))
-    return kept if "" in names else None
 
 
 def default_path(environment: Mapping[str, str] = os.environ) -> Path:

@@ -19,6 +19,7 @@ from omote.server.http.cast_reload import gather_cast
 from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
+from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitThread
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry, open_journal, restore
@@ -78,7 +79,8 @@ def start_workshop(documents: CastDocuments) -> None:
 async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
     """Plays until the supervisor's pipe ends or SIGTERM comes; raises what a tick raises."""
     file, documents = open_journal(show, report), material.documents
-    authored_work, reopen = open_reopenable_work(file, documents, report)
+    backup = BackupThread(file.again(), report) if file else None
+    authored_work, reopen = open_reopenable_work(file, documents, report, backup)
     server = ShowServer(restore(documents.playing, file, order, report), documents, material.pages)
     server.enable_editing(authored_work, reopen, report)
     journal = JournalWriter(file, report) if file else None
@@ -96,15 +98,17 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
         if journal:
             journal.offer(journal_entry(server.session))
             journal.close()
+        if backup:
+            backup.close()
 
 
 def open_reopenable_work(
-    file: ShowFile | None, documents: CastDocuments, report: Callable[[str], None]
+    file: ShowFile | None, documents: CastDocuments, report: Callable[[str], None], backup: BackupThread | None = None
 ) -> tuple[AuthoredWork | None, Callable[[], AuthoredWork | None]]:
     """The desk of a show file, its own things in the cast already, and what gives the desk anew."""
     if file is None:
         return None, lambda: None
-    committer = CommitThread(file.again(), report)
+    committer = CommitThread(file.again(), report, backup)
 
     def reopened() -> AuthoredWork | None:
         with closing(file.again()) as own:  # the journal's thread writes with the other connection
