@@ -1,4 +1,4 @@
-"""The parameter space S: the generic face unrolled (method.md, section 2; paper, section 2.1)."""
+"""The parameter space S: the generic face unrolled (docs/method.md, "The parameter space"; paper, section 2.1)."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ class ParameterSpace:
 
         points (V, 3) metres, triangles (F, 3) counter-clockwise from outside, axis (x, z) where it is known. Raises
         ValueError on arrays that are no mesh, on triangles without area, on an axis outside the head and where no sheet
-        is found (method.md, section 2).
+        is found (docs/method.md, "The parameter space").
         """
         _refuse_unknown(radius, RADIUS_RULES, "radius")
         _refuse_unknown(transfer, TRANSFERS, "transfer")
@@ -224,8 +224,8 @@ def _thin_anchors(points: NDArray[np.float64], anchors: NDArray[np.int32]) -> ND
 def smoothed_scale(
     space: ParameterSpace, positions: NDArray[np.float64], /, *, rounds: int = 30
 ) -> NDArray[np.float64]:
-    """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings (method.md,
-    section 3)."""
+    """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings
+    (docs/method.md, "Inner skin and parts")."""
     average = smoothing_matrix(space.triangles, space.vertex_count)
     here, there = np.zeros(space.vertex_count), np.zeros(space.vertex_count)
     for corner in range(3):

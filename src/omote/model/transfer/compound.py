@@ -25,8 +25,8 @@ def compound(space: ParameterSpace, face: Face, expression: Expression, /, weigh
     """A face wearing an expression: positions (V, 3) float32, metres (paper, sections 2.2 and 2.4).
 
     weight scales the field. With transfer="paper" by the paper's map; with transfer="smooth" the generic face wears it
-    by the paper's map, and what it does there is carried over: lids and lips meet, nothing folds (method.md,
-    section 3).
+    by the paper's map, and what it does there is carried over: lids and lips meet, nothing folds
+    (docs/method.md, "The smooth map").
     Raises ValueError where face or expression does not belong to the space.
     """
     return apply_expression(space, face, compile_expression(space, expression, weight))
