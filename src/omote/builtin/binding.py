@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import Part, bind_to_head, bind_to_jaw, bind_to_skin
 
-AXIS = (0.0, 0.02)  # x and z of the cylinder axis, metres (method.md, section 2)
+AXIS = (0.0, 0.02)  # x and z of the cylinder axis, metres (docs/method.md, "The cylinder")
 EYES = {"eye_left": "left", "eye_right": "right"}
 STILL = (*EYES, "teeth_upper")
 JAW = ("teeth_lower", "tongue")

@@ -18,7 +18,8 @@ def wrap(angle: Values, /) -> Values:
 
 @dataclass(frozen=True, slots=True)
 class Cylinder:
-    """A vertical axis through (x, z), metres; theta = atan2(dx, dz), 0 straight ahead (method.md, section 2)."""
+    """A vertical axis through (x, z), metres; theta = atan2(dx, dz), 0 straight ahead
+    (docs/method.md, "The cylinder")."""
 
     x: float
     z: float

@@ -1,4 +1,5 @@
-"""How a weight moves in time: easings, the decay of a velocity, the glide of a hand (method.md, section 5).
+"""How a weight moves in time: easings, the decay of a velocity, the glide of a hand
+(docs/method.md, "Interrupted calls").
 
 Everything is a polynomial of time since its start, so one large step lands exactly where many small ones do.
 """

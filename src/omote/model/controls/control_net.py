@@ -1,4 +1,4 @@
-"""The control net: how artists write expressions (paper, section 2.3; method.md, section 4)."""
+"""The control net: how artists write expressions (paper, section 2.3; docs/method.md, "The control net")."""
 
 from __future__ import annotations
 

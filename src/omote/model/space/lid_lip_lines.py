@@ -1,4 +1,5 @@
-"""Lines: where two lids, or two lips, meet; named once on the generic face (method.md, section 3)."""
+"""Lines: where two lids, or two lips, meet; named once on the generic face
+(docs/method.md, "Lines of lids and lips")."""
 
 from __future__ import annotations
 

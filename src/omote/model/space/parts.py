@@ -1,4 +1,5 @@
-"""Parts: eyeballs, teeth, tongue, lashes; placed on a face and moved by bindings to the skin (method.md, section 2)."""
+"""Parts: eyeballs, teeth, tongue, lashes; placed on a face and moved by bindings to the skin
+(docs/method.md, "Inner skin and parts")."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Finds the axis of a head, its one-layered skin sheet and the membranes over the sheet's holes (method.md, section
-2)."""
+"""Finds the axis of a head, its one-layered skin sheet and the membranes over the sheet's holes
+(docs/method.md, "The skin sheet")."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where everything is: the positions of a frame (method.md, section 5). The head's direction is left to the stage."""
+"""The positions of a frame (docs/method.md, "Bilinear and exact"). The head's direction is left to the stage."""
 
 from __future__ import annotations
 
