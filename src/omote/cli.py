@@ -1,4 +1,4 @@
-"""The commands; each wires, and decides nothing. What is heavy is imported where it is used, so that help is quick."""
+"""The command line (`omote`): each command only wires other modules, and imports heavy ones where they are used."""
 
 from __future__ import annotations
 
@@ -176,7 +176,7 @@ def check() -> None:
 
 
 def draw(output: Path, sheet_of: Callable[[Cast], PictureGrid], size: str, **setting: Any) -> None:
-    """Draws a sheet into a file, or ends the command with a sentence and leaves no file behind."""
+    """Renders a picture grid into a file, or ends the command with an error message and leaves no file behind."""
     from omote.interchange.formats.atomic_file import check_writable, write_whole
     from omote.interchange.formats.picture_names import picture_kind
     from omote.server.headless.devtools import BrowserError
@@ -194,7 +194,7 @@ def draw(output: Path, sheet_of: Callable[[Cast], PictureGrid], size: str, **set
 
 
 def announce(host: str, port: int, *, browser: bool) -> None:
-    """Says where the pages are, and opens stage and console where there is a screen."""
+    """Prints the addresses of the pages, and opens stage and console where there is a screen."""
     from omote.server.http.address import local_address, reachable_addresses
 
     for url in reachable_addresses(host, port):
@@ -208,12 +208,12 @@ def announce(host: str, port: int, *, browser: bool) -> None:
 
 
 def has_screen() -> bool:
-    """Whether a browser would have somewhere to open."""
+    """Whether there is a screen on which a browser can open."""
     return sys.platform == "darwin" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def load_cast() -> Cast:
-    """The built-in cast; ends the command with a sentence when it is not there."""
+    """Loads the built-in cast; ends the command with an error message when it is missing."""
     from omote import builtin
 
     try:
@@ -223,7 +223,7 @@ def load_cast() -> Cast:
 
 
 def load_full_cast(path: Path) -> Cast:
-    """The built-in cast with the own faces and expressions of a show file."""
+    """Loads the built-in cast with the own faces and expressions of a show file."""
     from omote.showfile.inspection import inspect_show
     from omote.stage_data.full_cast import build_full_cast
 
@@ -232,7 +232,7 @@ def load_full_cast(path: Path) -> Cast:
 
 
 def print_json(cast: Cast) -> None:
-    """The cast as JSON."""
+    """Prints the cast as JSON."""
     import msgspec
 
     faces = [{"name": name, "vertices": len(face.positions)} for name, face in cast.faces.items()]
@@ -243,7 +243,7 @@ def print_json(cast: Cast) -> None:
 
 
 def print_table(cast: Cast) -> None:
-    """The cast as a table, expressions grouped by kind."""
+    """Prints the cast as a table, expressions grouped by kind."""
     from rich.console import Console
     from rich.table import Table
 
@@ -256,11 +256,11 @@ def print_table(cast: Cast) -> None:
 
 
 def say(sentence: str) -> None:
-    """Says a sentence to the operator's terminal."""
+    """Prints a sentence on the operator's terminal."""
     typer.echo(f"omote: {sentence}", err=True)
 
 
 def fail(sentence: str) -> NoReturn:
-    """Ends the command with a sentence and exit status 1."""
+    """Ends the command with an error message and exit status 1."""
     say(sentence)
     raise typer.Exit(1)

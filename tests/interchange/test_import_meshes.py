@@ -80,7 +80,7 @@ def test_what_cannot_be_an_expression_is_refused() -> None:
         list(import_expressions(CAST, meshes(), {"long": shape("long", "neutral")}))
     with pytest.raises(ValueError, match="there is no face 'nobody' in this cast"):
         list(import_expressions(CAST, meshes(), {"long": shape("long", "smile")}, face="nobody"))
-    with pytest.raises(ValueError, match="ball: there is no head of ours"):
+    with pytest.raises(ValueError, match="ball: no head of this topology"):
         list(import_expressions(CAST, meshes(), {"ball": [Piece("ball", np.zeros((4, 3)))]}))
 
 

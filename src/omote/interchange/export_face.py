@@ -1,4 +1,4 @@
-"""A face with chosen expressions as a scene for other programs: skin, parts and hair with named morph targets."""
+"""Exports a face with chosen expressions as a glTF scene: skin, parts and hair with named morph targets."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ Meshes = dict[str, Points]
 SKIN, LASHES, TONGUE = "skin", "lashes", "tongue"
 ALL = "all"
 REST, STRAIGHT = 5e-7, 1e-4
-"""What a vertex moves (metres) or its normal changes at most where a target leaves it out."""
+"""A target leaves out vertices that move less (metres) and whose normal changes less."""
 NOTICE = (
     "Made with Omote. The built-in heads, units and pictures come from MakeHuman's CC0 assets and from Omote itself "
     "and are free for any use (CC0); what an artist added is the artist's."
@@ -40,7 +40,7 @@ NOTICE = (
 
 @dataclass(frozen=True, eq=False)
 class ExportContext:
-    """What all exports of a cast share: its meshes and the skin's layers (a PNG), painted once."""
+    """What all exports of a cast share: its meshes, and the skin's layers (a PNG), decoded once."""
 
     cast: Cast
     meshes: Sequence[BakedMesh]
@@ -54,7 +54,7 @@ class ExportContext:
 
 
 def choose_expressions(cast: Cast, text: str, /) -> list[str]:
-    """The expressions that a text names: kinds (`arkit`, `performed`), `all`, or names, by commas; neutral is the rest.
+    """Parses a list of expressions: kinds (`arkit`, `performed`), `all`, or names, by commas; without neutral.
 
     ValueError for a name that is neither.
     """
@@ -77,7 +77,7 @@ def named_compound_meshes(cast: Cast, face: str, expression: str, /) -> Meshes:
 
 
 def compound_meshes(space: ParameterSpace, face: Face, expression: Expression, /) -> Meshes:
-    """What `named_compound_meshes` gives, of a face and an expression of any cast."""
+    """The vertices of skin and parts of any face wearing any expression: {mesh: (n, 3)} metres, eyeballs turned."""
     compiled, fitted = compile_expression(space, expression), fit(space, face)
     skin = worn(space, face, compiled)
     parts = turned_eyes(space, moved_parts(space, fitted, skin, compiled.parts), fitted.centres, expression.eyes)
@@ -87,9 +87,9 @@ def compound_meshes(space: ParameterSpace, face: Face, expression: Expression, /
 def build_scene(
     context: ExportContext, face: str, poses: Iterable[tuple[str, Meshes]], /, *, hair: bool = True
 ) -> Scene:
-    """The scene of a face of the cast: poses give each expression's name and what `named_compound_meshes` makes of it.
+    """Builds the scene of a face of the cast; poses: `named_compound_meshes` of each expression, by its name.
 
-    ValueError for a face that is not in the cast, and for names that programs keep for themselves.
+    ValueError for a face that is not in the cast, and for reserved names.
     """
     cast = context.cast
     check_known(face, cast.faces, "face")
@@ -113,7 +113,7 @@ def build_scene(
 
 
 def _corners(cast: Cast, name: str) -> NDArray[np.int32]:
-    """The triangles of a mesh over its own vertices, doubled ones joined, so that no seam shows in the light."""
+    """The triangles of a mesh with doubled vertices welded, so that normals are smooth across texture seams."""
     if name != SKIN:
         return cast.space.parts[name].triangles
     return cast.space.welded[cast.space.triangles]
@@ -172,7 +172,7 @@ def _uv(context: ExportContext, part: BakedMesh) -> NDArray[np.float32]:
 
 
 def _materials(context: ExportContext, look: Look) -> dict[str, Material]:
-    """What each mesh wears."""
+    """The material of each mesh."""
     lashes = _lashes(look)
     eye = _textured_material("eye", part_pictures.paint_eye(look), roughness=0.15)
     return {

@@ -1,4 +1,4 @@
-"""The performer: it takes commands at any moment and says at any later time what is on air. It owns no clock."""
+"""The performer: takes commands at any moment and returns frames at any later time. It owns no clock."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Performer:
 
     @classmethod
     def restored(cls, cast: Playable, snapshot: Snapshot) -> Performer:
-        """The performer that continues from a snapshot, frame by frame the same. Refuses what this cast cannot play."""
+        """The performer that continues from a snapshot, frame by frame the same. Rejects what this cast cannot play."""
         performer = cls(cast)
         performer._now = check_snapshot(snapshot, cast)
         return performer
@@ -37,7 +37,7 @@ class Performer:
         return self._now
 
     def recast(self, cast: Playable) -> None:
-        """Plays another cast from now on; what is on air stays. Refuses (ValueError) one without what is on air."""
+        """Plays another cast from now on; what is on air stays. ValueError for a cast without what is on air."""
         self._now = check_snapshot(self._now, cast)
         self._cast = cast
 
@@ -76,7 +76,7 @@ class Performer:
         self._now = replace(self._now, expression=axis.released(self._now.expression))
 
     def set_channel(self, name: str, value: float) -> None:
-        """Adds an expression to the mix at once, at a weight from -0.5 to 1.5; 0 takes it out."""
+        """Sets a blendshape weight (any expression) beside the mix at once, from -0.5 to 1.5; 0 removes it."""
         self._now = replace(self._now, channels=with_channel(self._now.channels, self._cast.expressions, name, value))
 
     def set_head(self, yaw: float, pitch: float, roll: float) -> None:
@@ -94,7 +94,7 @@ class Performer:
         self._now = Snapshot(axis.released(now.face), expression, time=now.time, light=now.light)
 
     def advance(self, dt: float) -> Frame:
-        """What is on air `dt` seconds later (0 or more); one long step lands where many short ones do."""
+        """Advances by `dt` seconds (0 or more) and returns the frame; one long step lands where many short ones do."""
         dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
         now = self._now
         self._now = replace(

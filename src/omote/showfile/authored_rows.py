@@ -1,7 +1,7 @@
-"""Authored work as rows of the show file: written in one transaction, each row with its checksum, read and proved.
+"""Writes and reads authored work as rows of the show file: in one transaction, each row with a checksum.
 
-SQLite proves its log, not what lies in the file. So every row carries the sum of its own columns, and contents are
-named by the hash of their bytes: a row that is not what was written is known, and one that is can be rescued alone.
+SQLite has checksums for its log, not for the database file. So every row carries the checksum of its own columns, and
+contents are named by the hash of their bytes: a damaged row is detected, and an intact one can be recovered alone.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ TABLES = (ITEMS, REVISIONS, DRAFTS, EDITS, LAYOUTS)
 
 
 def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> None:
-    """Makes the changes in one transaction; returns when they are committed, raises with none of them made.
+    """Commits the changes in one transaction; on an error none of them is made.
 
     sqlite3.IntegrityError: they can never be made (a revision that is there and is another, a content that is missing);
     sqlite3.OperationalError: not now (a full disk, a lock).
@@ -79,12 +79,12 @@ def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> 
 
 
 def read_all(connection: sqlite3.Connection) -> Stored:
-    """All authored rows, each proved by its sum; sqlite3.DatabaseError names the first that is not what was written."""
+    """Reads all authored rows and verifies their checksums; sqlite3.DatabaseError names the first damaged one."""
     return as_stored({table.name: [_prove_row(table, row) for row in _rows(connection, table)] for table in TABLES})
 
 
 def read_contents(connection: sqlite3.Connection) -> Iterator[tuple[str, bytes]]:
-    """Every content, proved by its key; sqlite3.DatabaseError names the first that is not what was written."""
+    """Reads every content and verifies its key; sqlite3.DatabaseError names the first damaged one."""
     for key, data in connection.execute("SELECT key, data FROM content ORDER BY key"):
         if not is_content(key, data):
             raise sqlite3.DatabaseError(f"its content {key} is damaged")
@@ -92,13 +92,12 @@ def read_contents(connection: sqlite3.Connection) -> Iterator[tuple[str, bytes]]
 
 
 def is_content(key: object, data: object, /) -> bool:
-    """Whether these are a content and its key; a damaged row can hold anything."""
+    """Whether data matches its key; a damaged row can hold anything."""
     return isinstance(data, bytes) and content_key(data) == key
 
 
 def refuse_damaged(connection: sqlite3.Connection) -> None:
-    """sqlite3.DatabaseError where the last state or anything authored is not what was written, or belongs to
-    nothing."""
+    """Raises sqlite3.DatabaseError where the last state or an authored row is damaged or orphaned."""
     for (verdict,) in connection.execute("PRAGMA integrity_check(1)"):
         if verdict != "ok":
             raise sqlite3.DatabaseError(verdict.splitlines()[-1])  # SQLite's heading stands on a line above it
@@ -134,7 +133,7 @@ def as_stored(rows: dict[str, list[Any]]) -> Stored:
 
 
 def row_of(table: Table, columns: Sequence[Any]) -> Any | None:
-    """The struct of columns and their sum; None where they are not what was written, or not by us."""
+    """The struct of a row's columns and checksum; None where they do not match, or are invalid."""
     *values, sealed = columns
     if row_checksum(values) != sealed:
         return None
@@ -150,12 +149,12 @@ def row_of(table: Table, columns: Sequence[Any]) -> Any | None:
 
 
 def row_checksum(values: Sequence[Any]) -> str:
-    """The sum of a row's columns, as SQLite gives them back: 16 hexadecimal digits."""
+    """The checksum of a row's columns as SQLite returns them: 16 hexadecimal digits."""
     return hashlib.blake2b(msgspec.msgpack.encode(values), digest_size=8).hexdigest()
 
 
 def selection(table: Table) -> str:
-    """The SQL that reads a table's columns and sums."""
+    """The SQL that selects a table's columns and checksums."""
     return f"SELECT {', '.join((*table.columns, 'sum'))} FROM {table.name}"
 
 
@@ -192,7 +191,7 @@ def _make(connection: sqlite3.Connection, change: Change) -> None:
 
 
 def _add_revision(connection: sqlite3.Connection, revision: Revision) -> None:
-    """Adds it; the very same there already: a change that is made again, and nothing to do."""
+    """Adds a revision; an equal one that is there already is a repeated change and ignored."""
     found = connection.execute(
         f"{selection(REVISIONS)} WHERE item = ? AND number = ?", (revision.item, revision.number)
     ).fetchone()
@@ -205,7 +204,7 @@ def _add_revision(connection: sqlite3.Connection, revision: Revision) -> None:
 
 
 def _put(connection: sqlite3.Connection, table: Table, row: msgspec.Struct) -> None:
-    """Adds or replaces a row; ValueError where it holds what its columns would give back as something else."""
+    """Adds or replaces a row; ValueError where its columns would not return the same values."""
     checked = msgspec.convert(msgspec.structs.asdict(row), table.type)
     columns = (*table.columns, "sum")
     values = [_column(getattr(checked, name)) for name in table.columns]

@@ -65,7 +65,7 @@ def _followers(cast: Cast, settling: Settling, starts: dict[str, int]) -> tuple[
 def allowance_document(
     space: ParameterSpace, face: Face, expression: Expression, skin: Floats
 ) -> AllowanceDocument | None:
-    """What the compound of a face and an expression, skin (V, 3), uses up by itself."""
+    """What the compound of a face and an expression, skin (V, 3), alone uses up of the correctives' limits."""
     settling = settling_of(space)
     if settling is None:
         return None

@@ -1,4 +1,5 @@
-"""The control net: how artists write expressions (paper, section 2.3; method.md, section 4)."""
+"""The control net (control cage) on S with which artists shape expressions (paper, section 2.3; method.md, section
+4)."""
 
 from __future__ import annotations
 
@@ -57,8 +58,7 @@ class ControlNet:
         """The net of the points (theta, h) (n,), radians and metres, with a still ring at neck and crown.
 
         Raises ValueError on values that are not finite, fewer than three points, points off the sheet's heights and
-        points
-        at the same place.
+        points at the same place.
         """
         theta, h = _validate_points(space, theta, h)
         low, high = _heights(space)
@@ -78,7 +78,7 @@ class ControlNet:
         return ControlNet(space, all_theta, all_h, triangles, corners, weights, len(theta))
 
     def expression(self, values: ArrayLike, /) -> Expression:
-        """The expression that these vectors at the control points give: eq. 2.
+        """Interpolates vectors at the control points to an expression (eq. 2).
 
         values (own, 3) or, the rings moving too, (n, 3): dtheta (radians), dh (metres), R. Raises ValueError on other
         shapes, values that are not finite and ratios that are not positive.

@@ -1,4 +1,4 @@
-"""The control points that every expression begins with: where the face moves, the same left and right."""
+"""The default control points of a new expression, placed by facial landmarks (lids, lips, brows, nose), symmetric."""
 
 from __future__ import annotations
 

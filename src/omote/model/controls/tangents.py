@@ -1,4 +1,4 @@
-"""Tangents: how a face answers to a small field, so that pages can show a drag before it is let go."""
+"""Tangents: the derivative of a face by the field, with which pages preview a drag (linearisation)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def generic_tangents(space: ParameterSpace, /) -> Values:
 
 
 def tangents(space: ParameterSpace, face: Face, /) -> Values:
-    """How each vertex of a face's sheet answers to the field there, (3, V, 3): metres per radian of dtheta, metre of dh
-    and unit of R - 1; ValueError where the face does not belong to the space."""
+    """The derivative of each vertex of a face's sheet by the field there, (3, V, 3): metres per radian of dtheta, metre
+    of dh and unit of R - 1; ValueError where the face does not belong to the space."""
     ready = carrier(space, face)
     return generic_tangents(space) * ready.growth[:, None]

@@ -1,4 +1,4 @@
-"""Sculpts: a face made by moving a few points of the generic head; everything between follows smoothly."""
+"""Sculpts: faces made by moving a few control points of the generic head; the rest follows a radial-basis warp."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Faces: global deformation data (paper, section 2.1)."""
+"""Faces: identities, shapes with the topology of the generic face (the paper's global deformation data, section
+2.1)."""
 
 from __future__ import annotations
 
@@ -18,7 +19,7 @@ LONGEST_NAME = 80
 
 @dataclass(frozen=True, eq=False)
 class Face:
-    """One shape with the topology of the generic face.
+    """A face (identity): one shape with the topology of the generic face.
 
     positions (V, 3) metres, skin and inner skin, kept as float32; parts: positions (n, 3) by part name, where the face
     knows better than the bindings. Raises ValueError on other shapes and on values that are not finite; that it fits a

@@ -1,4 +1,4 @@
-"""Lines: where two lids, or two lips, meet; named once on the generic face (method.md, section 3)."""
+"""Lines where two lids, or the lips, meet: landmark contours, found once on the generic face (method.md, section 3)."""
 
 from __future__ import annotations
 
@@ -25,8 +25,7 @@ class Line:
     """A closed line on the sheet around an opening, and the rungs across it.
 
     loop (n,): its vertices; vertices (RUNGS, 4), weights (RUNGS, 4): rung i is the weighted sum of its four
-    vertices, the
-    upper point minus the lower one, both at the same share of the arc from corner to corner.
+    vertices, the upper point minus the lower one, both at the same share of the arc from corner to corner.
     """
 
     name: str
@@ -44,7 +43,7 @@ class Line:
 def find_line(
     name: str, kind: Kind, points: Values, sheet: Indices, membranes: Indices, cylinder: Cylinder, near: Values, /
 ) -> Line:
-    """The line around the opening of the sheet whose membrane is nearest to a point.
+    """Finds the line around the opening of the sheet whose membrane is nearest to a point.
 
     points (V, 3) generic, sheet (F, 3), membranes (m, 3), near (3,) metres. The line is the shortest closed path along
     edges of the sheet that goes once around the opening. Raises ValueError where there is no such path.

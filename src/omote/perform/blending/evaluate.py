@@ -1,4 +1,4 @@
-"""Where everything is: the positions of a frame (method.md, section 5). The head's direction is left to the stage."""
+"""Evaluates the positions of a frame by blending compounds (method.md, section 5). The stage turns the head."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def _bilinear(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats
 
 
 def _apply_correctives(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
-    """The mix put right where compounds together fold or pierce what none does alone."""
+    """Applies the correctives: repairs folds and piercing that the compounds cause together and none alone."""
     settling = settling_of(cast.space)
     pairs = {key: abs(weight) for key, weight in _pairs(frame, channels).items() if key[1] != NEUTRAL and weight}
     if settling is None or not pairs:
@@ -114,7 +114,7 @@ def _apply_correctives(cast: Cast, frame: Frame, channels: Mapping[str, float], 
 def _move_stuck_parts(
     cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats, moved: Mapping[str, Floats]
 ) -> dict[str, Floats]:  # fmt: skip
-    """The parts that stick to the skin, gone with it where it settled."""
+    """Moves the parts that stick to the skin with what the correctives moved."""
     settling = settling_of(cast.space)
     if settling is None:
         return {}
@@ -146,7 +146,7 @@ def _nonlinear_part(cast: Cast, weights: Mapping[str, float], worn: Compiled) ->
 
 
 def _mix_faces(cast: Cast, weights: Mapping[str, float]) -> FittedFace:
-    """The face sum s_i M_i, ready to wear; sizes of residuals and parts mix like the positions."""
+    """The fitted face sum s_i M_i; sizes of residuals and parts mix like the positions."""
     fitted = [fit(cast.space, cast.faces[face]) for face in weights]
     factors = list(weights.values())
     positions = weighted_sum([face.positions for face in fitted], factors)

@@ -1,4 +1,4 @@
-"""Show files that no show plays, opened for a command."""
+"""Opens a show file that no show plays, for a command."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from omote.showfile.show_file import ShowFile, open_show
 
 @contextmanager
 def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
-    """The show file, ours alone until the end; new: made where there is none.
+    """Opens and locks a show file until the block ends; new: it is made where there is none.
 
     FileNotFoundError where there is none, ShowLockedError where a show plays it, ShowFileError where it cannot be used.
     """
@@ -32,5 +32,5 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
 
 
 def wall_clock() -> float:
-    """Seconds since 1970, for people who read a history."""
+    """Seconds since 1970, shown in histories."""
     return time.time_ns() / 1e9

@@ -1,4 +1,4 @@
-"""What comes from outside into a show file: files by their kinds, what they bring, and how well it was taken."""
+"""Imports expressions and faces from files (JSON, GLB, OBJ) and reports how well each one fits."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from omote.server.sandbox.child_reader import read_in_sandbox
 
 DOCUMENT = ".json"
 FAR = 5e-5
-"""Metres; what an expression misses the shape it came from by is told from here on."""
+"""Metres; a larger error of an imported expression against its source shape is reported."""
 
 Brought = tuple[ImportedItem, str]
 
 
 def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> Iterator[Brought]:
-    """Each expression in the files, with a sentence about it; face: the face of the cast that shapes start from.
+    """Yields each expression in the files with a sentence about it; face: the face of the cast that shapes start from.
 
-    ValueError, in a sentence, for files that hold none; OSError where one cannot be read.
+    ValueError for files without expressions; OSError where one cannot be read.
     """
     _refuse_missing(paths)
     documents = [path for path in paths if path.suffix.lower() == DOCUMENT]
@@ -45,7 +45,7 @@ def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> It
 
 
 def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator[Brought]:
-    """Each head at rest in the files as a face; look: the face of the cast whose colours it wears, "" for its own.
+    """Yields each head at rest in the files as a face; look: the cast's face whose colours it gets, "" for its own.
 
     Errors as `expressions_from`.
     """

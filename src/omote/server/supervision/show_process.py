@@ -1,4 +1,4 @@
-"""The process that plays: until its supervisor closes the pipe."""
+"""The process that plays the show, until its supervisor closes the pipe."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from omote.showfile.show_file import ShowFile
 
 @dataclass(frozen=True)
 class Pipes:
-    """Descriptors from the supervisor: the listening socket, the pipe from it (its end is our end), the pulse."""
+    """Descriptors from the supervisor: the listening socket, the control pipe (closed: end), the heartbeat pipe."""
 
     listen: int
     control: int
@@ -39,24 +39,24 @@ class Pipes:
 
 @dataclass(frozen=True)
 class ShowMaterial:
-    """What a server serves: the cast's documents and the pages."""
+    """What a show process serves: the cast's documents and the built pages."""
 
     documents: CastDocuments
     pages: Mapping[str, Page]
 
 
 def load_material() -> ShowMaterial:
-    """The baked cast and the built pages; FileNotFoundError, with what to do, when they are missing."""
+    """Loads the baked cast and the built pages; FileNotFoundError, with what to do, when they are missing."""
     return ShowMaterial(built_in_documents(), read_pages())
 
 
 def report(sentence: str) -> None:
-    """Says a sentence to the operator's terminal."""
+    """Prints a sentence on the operator's terminal."""
     sys.stderr.write(f"omote: {sentence}\n")
 
 
 def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
-    """Plays to the end, on the fastest event loop there is."""
+    """Plays the show to its end, on uvloop where it is available."""
     start_workshop(material.documents)  # while there is neither thread nor loop, which no copy may have
     playing = play(material, order, show=show, pipes=pipes)
     try:
@@ -68,7 +68,7 @@ def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> No
 
 
 def start_workshop(documents: CastDocuments) -> None:
-    """Has everything computed beside the server; where no process can be made, in a thread of it."""
+    """Starts the workshop process that computes orders; where that fails, a thread of the server computes them."""
     try:
         documents.use_workshop(open_workshop(documents.compute), report)
     except OSError as error:
@@ -76,7 +76,7 @@ def start_workshop(documents: CastDocuments) -> None:
 
 
 async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
-    """Plays until the supervisor's pipe ends or SIGTERM comes; raises what a tick raises."""
+    """Plays until the control pipe ends or SIGTERM comes; raises what a tick raises."""
     file, documents = open_journal(show, report), material.documents
     authored_work, reopen = open_reopenable_work(file, documents, report)
     server = ShowServer(restore(documents.playing, file, order, report), documents, material.pages)
@@ -101,7 +101,7 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
 def open_reopenable_work(
     file: ShowFile | None, documents: CastDocuments, report: Callable[[str], None]
 ) -> tuple[AuthoredWork | None, Callable[[], AuthoredWork | None]]:
-    """The desk of a show file, its own things in the cast already, and what gives the desk anew."""
+    """Opens the authored work of a show file and adds it to the cast; also returns the function that reopens it."""
     if file is None:
         return None, lambda: None
     committer = CommitThread(file.again(), report)
