@@ -102,14 +102,14 @@ def say(sentence: str) -> None:
 def write_for_ever(path: Path, pipe: int) -> None:
     """Edits and saves until somebody kills it; the number of every list told to be committed goes into the pipe."""
     show = open_newest(path, say)
-    scribe = CommitThread(show.again(), say, quiet_seconds=0.0)
+    commit_thread = CommitThread(show.again(), say, quiet_seconds=0.0)
     journal = JournalWriter(show.again(), say, flush_seconds=0.002)
     free = threading.Semaphore(IN_FLIGHT)
     number = count_lists(show)
 
-    def told(number: int, fate: CommitOutcome) -> None:
-        if fate.state != "committed":
-            say(f"list {number}: {fate}")
+    def told(number: int, outcome: CommitOutcome) -> None:
+        if outcome.state != "committed":
+            say(f"list {number}: {outcome}")
             return
         try:
             os.write(pipe, struct.pack("<i", number))
@@ -121,7 +121,7 @@ def write_for_ever(path: Path, pipe: int) -> None:
         number += 1
         free.acquire()
         journal.offer(JournalEntry(number, float(number), bytes(2000)))
-        scribe.commit(changes(number), lambda fate, number=number: told(number, fate))  # type: ignore[misc]
+        commit_thread.commit(changes(number), lambda outcome, number=number: told(number, outcome))  # type: ignore[misc]
         if number % 16 == 0:
             for _ in range(IN_FLIGHT):
                 free.acquire()

@@ -50,7 +50,7 @@ def show(
     """Opens a show: serves stage and console, and keeps them alive."""
     if sys.platform == "win32":
         fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
-    from omote.server.http import static_pages as bundle
+    from omote.server.http.static_pages import read_pages
     from omote.server.persistence.lock import ShowLockedError, lock_show
     from omote.server.persistence.restore import open_newest
     from omote.server.supervision.supervisor import Supervisor, listen_on
@@ -58,7 +58,7 @@ def show(
 
     path = (file or default_path()).absolute()
     try:
-        bundle.read_pages()
+        read_pages()
         lock = lock_show(path)
         listening = listen_on(host, port)  # before the file is made: a refused port leaves none
         open_newest(path, say).close()
@@ -123,9 +123,9 @@ def grid(
     """Draws pictures in rows and columns: faces by expressions, and by turns."""
 
     def sheet(cast: Cast) -> PictureGrid:
-        from omote.stage_data import picture_grid as sheet
+        from omote.stage_data.picture_grid import build_grid
 
-        return sheet.build_grid(cast, faces=faces, expressions=expressions, turns=turns, light=light, labels=labels)
+        return build_grid(cast, faces=faces, expressions=expressions, turns=turns, light=light, labels=labels)
 
     draw(output, sheet, size, background=background, transparent=transparent, quality=quality)
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
 from omote.geometry import mesh
-from omote.interchange import part_textures as part_pictures
+from omote.interchange import part_textures
 from omote.interchange.formats.glb_writer import Material, Scene, Shape, Target
 from omote.interchange.formats.png import Picture, png_bytes, read_png
 from omote.interchange.hair_mesh import hair_shape
@@ -161,20 +161,20 @@ def _uv(context: ExportContext, part: BakedMesh) -> NDArray[np.float32]:
     space = context.cast.space
     points = space.parts[part.name].points
     if space.parts[part.name].eye:
-        return part_pictures.eye_uv(points - points.mean(axis=0))[part.source]
+        return part_textures.eye_uv(points - points.mean(axis=0))[part.source]
     if part.name == LASHES:
         balls = {ball.eye: ball.points.mean(axis=0) for ball in space.parts.values() if ball.eye}
-        sides = [part_pictures.lash_uv(points, balls[side]) for side in ("left", "right")]
+        sides = [part_textures.lash_uv(points, balls[side]) for side in ("left", "right")]
         return np.where(points[:, :1] > 0.0, *sides)[part.source]
     if part.name == TONGUE:
-        return part_pictures.tongue_uv(points)[part.source]
-    return part_pictures.arch_uv(points, upper=part.name == "teeth_upper")[part.source]
+        return part_textures.tongue_uv(points)[part.source]
+    return part_textures.arch_uv(points, upper=part.name == "teeth_upper")[part.source]
 
 
 def _materials(context: ExportContext, look: Look) -> dict[str, Material]:
     """The material of each mesh."""
     lashes = _lashes(look)
-    eye = _textured_material("eye", part_pictures.paint_eye(look), roughness=0.15)
+    eye = _textured_material("eye", part_textures.paint_eye(look), roughness=0.15)
     return {
         SKIN: _textured_material(
             "skin", paint_skin(context.canvas, look), roughness=0.62 - 0.3 * look.lacquer + 0.3 * look.fur
@@ -183,7 +183,7 @@ def _materials(context: ExportContext, look: Look) -> dict[str, Material]:
         "eye_right": eye,
         "teeth_upper": _teeth("teeth_upper", look),
         "teeth_lower": _teeth("teeth_lower", look),
-        TONGUE: replace(_textured_material(TONGUE, part_pictures.paint_tongue(), roughness=0.35), both=True),
+        TONGUE: replace(_textured_material(TONGUE, part_textures.paint_tongue(), roughness=0.35), both=True),
         LASHES: replace(_textured_material(LASHES, lashes, roughness=0.8), both=True, cut=0.0),
     }
 
@@ -192,11 +192,11 @@ def _lashes(look: Look) -> Picture:
     """Lashes all around the eyeball, as many and as dense as a look has."""
     strands = 30 + round(70 * look.lashes)
     cover = 0.1 + 0.08 * look.lashes
-    return part_pictures.paint_strands(decode_srgb(look.brow) * 0.3, strands, columns=2048, rows=64, cover=cover)
+    return part_textures.paint_strands(decode_srgb(look.brow) * 0.3, strands, columns=2048, rows=64, cover=cover)
 
 
 def _teeth(name: str, look: Look) -> Material:
-    picture = part_pictures.paint_teeth(look, upper=name == "teeth_upper")
+    picture = part_textures.paint_teeth(look, upper=name == "teeth_upper")
     return replace(_textured_material(name, picture, roughness=0.25), both=True, cut=0.5)
 
 

@@ -12,7 +12,7 @@ import msgspec
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, names_held
 from omote.show import messages as wire
-from omote.show import validation as door
+from omote.show import validation
 from omote.show.state import state_of
 from omote.show.validation import Refusal, validate_number
 from omote.show.wire import decode
@@ -142,21 +142,23 @@ class ShowSession:
             case wire.Hello():
                 return [Outgoing(who, self._welcome(who, message))]
             case wire.Ping():
-                return [Outgoing(who, wire.Pong(sent=validate_number(message.sent, door.SENT), time=self.clock(now)))]
+                return [
+                    Outgoing(who, wire.Pong(sent=validate_number(message.sent, validation.SENT), time=self.clock(now)))
+                ]
             case wire.Drawing():
-                report = wire.StageReport(validate_number(message.fps, door.FPS), message.level)
+                report = wire.StageReport(validate_number(message.fps, validation.FPS), message.level)
                 self.crew[who] = Member(self._member(who).role, report, heard=now)
             case (
                 wire.CallFace() | wire.CallExpression() | wire.CallLight() | wire.KeepFace() | wire.KeepExpression()
             ) if message.id in self._calls:
                 pass  # a retry or a bouncing key: each call executes once
             case wire.KeepFace() | wire.KeepExpression() | wire.SetLayout():
-                self._wish(KeepRequest(who, message))
+                self._add_keep_request(KeepRequest(who, message))
             case _:
                 self._obey(who, message)
         return []
 
-    def _wish(self, request: KeepRequest) -> None:
+    def _add_keep_request(self, request: KeepRequest) -> None:
         self._refuse_a_stage(request.who, request.message)
         self.wishes.append(request)
         if not isinstance(request.message, wire.SetLayout):
@@ -209,35 +211,35 @@ def _call_expression(performer: Performer, call: wire.CallExpression) -> None:
 
 
 def _call_light(performer: Performer, call: wire.CallLight) -> None:
-    performer.call_light(call.name, seconds=validate_number(call.seconds, door.SECONDS), easing=call.easing)
+    performer.call_light(call.name, seconds=validate_number(call.seconds, validation.SECONDS), easing=call.easing)
 
 
 def _set_head(performer: Performer, head: wire.SetHead) -> None:
     performer.set_head(
-        validate_number(head.yaw, door.HEAD),
-        validate_number(head.pitch, door.HEAD),
-        validate_number(head.roll, door.HEAD),
+        validate_number(head.yaw, validation.HEAD),
+        validate_number(head.pitch, validation.HEAD),
+        validate_number(head.roll, validation.HEAD),
     )
 
 
 def _set_gaze(performer: Performer, gaze: wire.SetGaze) -> None:
-    performer.set_gaze(validate_number(gaze.yaw, door.GAZE), validate_number(gaze.pitch, door.GAZE))
+    performer.set_gaze(validate_number(gaze.yaw, validation.GAZE), validate_number(gaze.pitch, validation.GAZE))
 
 
 def _seconds(seconds: float | None) -> float:
-    return math.inf if seconds is None else validate_number(seconds, door.SECONDS)
+    return math.inf if seconds is None else validate_number(seconds, validation.SECONDS)
 
 
 OBEY: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
     wire.CallFace: _call_face,
     wire.CallExpression: _call_expression,
     wire.CallLight: _call_light,
-    wire.FadeFace: lambda performer, bar: performer.fade_face(validate_number(bar.value, door.FADER)),
+    wire.FadeFace: lambda performer, bar: performer.fade_face(validate_number(bar.value, validation.FADER)),
     wire.ReleaseFace: lambda performer, _: performer.release_face(),
-    wire.FadeExpression: lambda performer, bar: performer.fade_expression(validate_number(bar.value, door.FADER)),
+    wire.FadeExpression: lambda performer, bar: performer.fade_expression(validate_number(bar.value, validation.FADER)),
     wire.ReleaseExpression: lambda performer, _: performer.release_expression(),
     wire.SetChannel: lambda performer, fader: performer.set_channel(
-        fader.name, validate_number(fader.value, door.CHANNEL)
+        fader.name, validate_number(fader.value, validation.CHANNEL)
     ),
     wire.SetHead: _set_head,
     wire.SetGaze: _set_gaze,

@@ -43,9 +43,9 @@ async def test_the_house_serves_the_pages_on_loopback_and_closes(cast: Cast) -> 
 @pytest.mark.asyncio
 async def test_a_studio_draws_what_the_page_gives(tmp_path: Path) -> None:
     async with open_chromium(false_browser(tmp_path)) as tools:
-        studio = await open_picture_page(tools, "http://127.0.0.1:1", Setting(100, 200))
-        assert await studio.draw(SHEET) == b"picture"
-        await studio.close()
+        page = await open_picture_page(tools, "http://127.0.0.1:1", Setting(100, 200))
+        assert await page.draw(SHEET) == b"picture"
+        await page.close()
 
 
 @pytest.mark.asyncio

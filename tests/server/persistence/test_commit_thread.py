@@ -51,18 +51,18 @@ class Author:
     """A scribe on a disk, and what it told and said."""
 
     def __init__(self, disk: Disk | ShowFile, **seconds: float) -> None:
-        self.fates: SimpleQueue[tuple[object, CommitOutcome]] = SimpleQueue()
+        self.outcomes: SimpleQueue[tuple[object, CommitOutcome]] = SimpleQueue()
         self.said: list[str] = []
-        self.scribe = CommitThread(disk, self.said.append, **seconds)  # type: ignore[arg-type]
+        self.commit_thread = CommitThread(disk, self.said.append, **seconds)  # type: ignore[arg-type]
 
     def commit(self, name: object) -> None:
-        self.scribe.commit(layout(name), self.told(name))
+        self.commit_thread.commit(layout(name), self.told(name))
 
     def told(self, name: object) -> Callable[[CommitOutcome], None]:
-        return lambda fate: self.fates.put((name, fate))
+        return lambda outcome: self.outcomes.put((name, outcome))
 
     def next(self) -> tuple[object, CommitOutcome]:
-        return self.fates.get(timeout=30.0)
+        return self.outcomes.get(timeout=30.0)
 
 
 def test_what_is_told_to_be_committed_is_there_for_others(tmp_path: Path) -> None:
@@ -72,7 +72,7 @@ def test_what_is_told_to_be_committed_is_there_for_others(tmp_path: Path) -> Non
         author.commit(number)
         assert author.next() == (number, COMMITTED)
         assert str(number) in show.stored().layouts
-    author.scribe.close()
+    author.commit_thread.close()
     show.close()
     assert author.said == []
 
@@ -83,9 +83,9 @@ def test_nobody_waits_for_a_stuck_disk_and_the_order_is_kept() -> None:
     author = Author(disk)
     for number in range(50):
         author.commit(number)  # returns although the disk does not
-    assert author.fates.empty()
+    assert author.outcomes.empty()
     disk.free.set()
-    author.scribe.close()
+    author.commit_thread.close()
     assert disk.written == [*map(str, range(50)), "closed"]
     assert [author.next() for _ in range(50)] == [(number, COMMITTED) for number in range(50)]
 
@@ -96,17 +96,17 @@ def test_a_failing_disk_is_told_once_and_tried_again_in_order() -> None:
     author = Author(disk, retry_seconds=1e-3)
     author.commit("a")
     author.commit("b")
-    name, fate = author.next()
-    assert (name, fate.state) == ("a", "waiting")
-    assert "show.omote cannot be written (database or disk is full); your work is kept in memory" in fate.sentence
+    name, outcome = author.next()
+    assert (name, outcome.state) == ("a", "waiting")
+    assert "show.omote cannot be written (database or disk is full); your work is kept in memory" in outcome.sentence
     for _ in range(3):
         disk.reached.clear()
         assert disk.reached.wait(30.0)
     disk.broken = None
     assert [author.next(), author.next()] == [("a", COMMITTED), ("b", COMMITTED)]
-    author.scribe.close()
+    author.commit_thread.close()
     assert disk.written == ["a", "b", "closed"]
-    assert author.said[0] == fate.sentence
+    assert author.said[0] == outcome.sentence
     assert len([said for said in author.said if "cannot be written" in said]) == 1
 
 
@@ -117,9 +117,9 @@ def test_a_disk_that_fails_to_the_end_loses_nothing_without_a_word() -> None:
     author.commit("a")
     author.commit("b")
     assert author.next()[1].state == "waiting"
-    author.scribe.close()
-    fates = {"a": [author.next()[1].state], "b": [author.next()[1].state, author.next()[1].state]}
-    assert fates == {"a": ["refused"], "b": ["waiting", "refused"]}
+    author.commit_thread.close()
+    outcomes = {"a": [author.next()[1].state], "b": [author.next()[1].state, author.next()[1].state]}
+    assert outcomes == {"a": ["refused"], "b": ["waiting", "refused"]}
     assert disk.written == ["closed"]
 
 
@@ -129,36 +129,36 @@ def test_what_can_never_be_made_is_refused_and_stops_nothing(error: Exception) -
     disk.broken = error
     author = Author(disk)
     author.commit("a")
-    name, fate = author.next()
-    assert (name, fate.state) == ("a", "refused")
-    assert "show.omote cannot keep this (no)" in fate.sentence
+    name, outcome = author.next()
+    assert (name, outcome.state) == ("a", "refused")
+    assert "show.omote cannot keep this (no)" in outcome.sentence
     disk.broken = None
     author.commit("b")
     assert author.next() == ("b", COMMITTED)
-    author.scribe.close()
+    author.commit_thread.close()
 
 
 def test_after_the_end_changes_are_refused() -> None:
     author = Author(Disk())
-    author.scribe.close()
+    author.commit_thread.close()
     author.commit("late")
     assert author.next()[1].state == "refused"
 
 
 def test_whoever_no_longer_listens_stops_nothing() -> None:
-    def ended(fate: CommitOutcome) -> None:
+    def ended(outcome: CommitOutcome) -> None:
         raise RuntimeError("Event loop is closed")
 
-    def broken(fate: CommitOutcome) -> None:
+    def broken(outcome: CommitOutcome) -> None:
         raise BrokenPipeError("nobody")
 
     disk = Disk()
     author = Author(disk)
-    author.scribe.commit(layout("a"), ended)
-    author.scribe.commit(layout("b"), broken)
+    author.commit_thread.commit(layout("a"), ended)
+    author.commit_thread.commit(layout("b"), broken)
     author.commit("c")
     assert author.next() == ("c", COMMITTED)
-    author.scribe.close()
+    author.commit_thread.close()
     assert disk.written == ["a", "b", "c", "closed"]
     assert author.said[0] == "what became of a change (committed) could not be told: BrokenPipeError('nobody')."
 
@@ -169,13 +169,13 @@ def test_a_good_copy_is_made_when_it_is_quiet_and_at_the_end(tmp_path: Path) -> 
     quiet = Author(show.again(), quiet_seconds=0.0)
     quiet.commit("early")
     assert quiet.next() == ("early", COMMITTED)
-    quiet.scribe.close()
+    quiet.commit_thread.close()
     busy = Author(show.again(), quiet_seconds=3600.0)
     busy.commit("late")
     assert busy.next() == ("late", COMMITTED)
     prove(good_path(path))
     assert "late" not in stored_in(good_path(path))
-    busy.scribe.close()
+    busy.commit_thread.close()
     assert stored_in(good_path(path)) == {"early", "late"}
     show.close()
     assert quiet.said == busy.said == []
@@ -184,7 +184,7 @@ def test_a_good_copy_is_made_when_it_is_quiet_and_at_the_end(tmp_path: Path) -> 
 def test_a_good_copy_that_cannot_be_made_is_said(tmp_path: Path) -> None:
     disk = Disk(tmp_path / "show.omote")
     author = Author(disk)
-    author.scribe.close()
+    author.commit_thread.close()
     assert author.said == [
         f"no good copy of {disk.path} could be made (this disk holds no copies); the one of before stays."
     ]
@@ -206,7 +206,7 @@ def test_a_good_copy_that_another_process_makes_is_made_again_without_a_word(
         if tries.qsize() > 2:
             break
         threading.Event().wait(1e-3)
-    author.scribe.close()
+    author.commit_thread.close()
     show.close()
     assert (tries.qsize(), author.said) == (3, [])
 
@@ -220,7 +220,7 @@ def test_the_journal_and_the_scribe_share_the_file(tmp_path: Path) -> None:
         show.write_journal(JournalEntry(number + 1, 0.0, bytes(2000)))
         flusher.flush()
     assert [author.next() for _ in range(150)] == [(number, COMMITTED) for number in range(150)]
-    author.scribe.close()
+    author.commit_thread.close()
     flusher.close()
     show.close()
     again = open_show(tmp_path / "a.omote")

@@ -145,10 +145,10 @@ def test_hand_and_keeper_end_with_the_server() -> None:
         finally:
             os._exit(0)  # as if it were killed: it closes nothing
     os.close(held)
-    keeper = int(os.read(end, 20))
+    supervisor_pid = int(os.read(end, 20))
     assert os.read(end, 1) == b""
     os.waitpid(pid, 0)
-    ended(keeper)
+    ended(supervisor_pid)
     os.close(end)
 
 

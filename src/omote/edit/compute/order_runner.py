@@ -50,7 +50,7 @@ class OrderRunner:
             return self._bake_face(order.recipe, order.contents)
         return self._bake(order.recipe, order.contents, with_net=order.with_net)
 
-    def with_net(self, net: tuple[int, ...], /) -> NetDocument:
+    def net_document(self, net: tuple[int, ...], /) -> NetDocument:
         """The document of a control net; ValueError for rows that make none."""
         return net_document(self._net_field(tuple(net)))
 
@@ -121,15 +121,15 @@ class OrderRunner:
         raise ValueError(f"there is no face {source!r}; expected one of {', '.join(self._cast.faces)}, or an own one")
 
 
-def net_document(with_net: NetField, /) -> NetDocument:
+def net_document(net_field: NetField, /) -> NetDocument:
     """Serializes a control net for pages."""
-    net = with_net.net
+    net = net_field.net
     return NetDocument(
-        net=list(with_net.rows),
+        net=list(net_field.rows),
         triangles=le_bytes(net.triangles, "<u2"),
         corners=le_bytes(net.corners, "<u2"),
         weights=le_bytes(net.weights, "<f4"),
-        mirror=list(with_net.mirror),
+        mirror=list(net_field.mirror),
     )
 
 

@@ -44,7 +44,7 @@ class DraftQueues:
         waiting.append(task)
         return False
 
-    def order(self, task: Task, plan: Plan) -> tuple[int, EditOrder]:
+    def start_order(self, task: Task, plan: Plan) -> tuple[int, EditOrder]:
         """Numbers a plan's order; its queue is busy until `finish_order`."""
         self._ordered += 1
         self._under_way[self._ordered] = task, plan

@@ -42,7 +42,7 @@ def begin(authored: Authored, item: Item, editor: str, recipe: Shown, what: str,
     def finish(baked: Baked) -> Result:
         number = authored.state.drafts[key].cursor + 1 if key in authored.state.drafts else 0
         changes = (
-            *authored.kept(baked.recipe),
+            *authored.changes_to_keep(baked.recipe),
             PutDraft(Draft(item.id, editor, base, number)),
             PutEdit(Edit(item.id, editor, number, write_recipe(baked.recipe), what)),
         )
@@ -120,7 +120,7 @@ def _add_step(authored: Authored, key: DraftKey, baked: Baked, what: str) -> Res
     whole = _net(read_recipe(shown.recipe)) != _net(baked.recipe)
     number = draft.cursor + 1
     changes = (
-        *authored.kept(baked.recipe),
+        *authored.changes_to_keep(baked.recipe),
         PutEdit(Edit(*key, number, data, what)),
         PutDraft(replace(draft, cursor=number)),
     )

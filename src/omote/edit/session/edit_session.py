@@ -196,7 +196,7 @@ class EditSession:
             if isinstance(plan, Plan):
                 known = self.authored.store.recall(plan.order)
                 if known is None:
-                    answer.orders.append(self._queues.order(task, plan))
+                    answer.orders.append(self._queues.start_order(task, plan))
                     return False
                 plan = plan.finish(known)
             self._carry_out(answer, task, plan)

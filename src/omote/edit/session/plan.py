@@ -42,7 +42,7 @@ class Authored:
         """The order that makes a recipe's expression or face."""
         return Bake(recipe, self.sources.contents(recipe), with_net and isinstance(recipe, Recipe))
 
-    def kept(self, recipe: Recipe | FaceRecipe) -> tuple[Change, ...]:
+    def changes_to_keep(self, recipe: Recipe | FaceRecipe) -> tuple[Change, ...]:
         """The changes that store every content that the recipe refers to."""
         keys = sorted(source.removeprefix(KEY) for source in sources(recipe) if source.startswith(KEY))
         return tuple(change for key in keys for change in self.store.changes_to_keep(key))

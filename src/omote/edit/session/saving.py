@@ -42,7 +42,7 @@ def create(authored: Authored, kind: Kind, label: str, recipe: Recipe | FaceReci
     def finish(baked: Baked) -> Result:
         item = _new_item(authored, kind, label)
         changes = (
-            *authored.kept(baked.recipe),
+            *authored.changes_to_keep(baked.recipe),
             PutItem(item),
             PutDraft(Draft(item.id, editor, base=0, cursor=0)),
             PutEdit(Edit(item.id, editor, 0, write_recipe(baked.recipe), "new")),
@@ -126,7 +126,7 @@ def _nothing_new_reply(authored: Authored, item: Item, key: DraftKey, request: i
 
 
 def _content_changes(authored: Authored, baked: Baked) -> tuple[Change, ...]:
-    return (*authored.kept(baked.recipe), *authored.store.changes_to_keep(baked.key))
+    return (*authored.changes_to_keep(baked.recipe), *authored.store.changes_to_keep(baked.key))
 
 
 def _new_item(authored: Authored, kind: Kind, label: str) -> Item:

@@ -92,7 +92,7 @@ def _shortest_around(points: Values, sheet: Indices, plane: Values, centre: Valu
     starts = np.unique(one[crosses])
     distance, before = dijkstra(graph, directed=False, indices=starts, return_predecessors=True)
     best = int(distance[np.arange(len(starts)), starts + count].argmin())
-    return [int(near[v % count]) for v in _back(before[best], starts[best] + count, starts[best])]
+    return [int(near[v % count]) for v in _trace_back(before[best], starts[best] + count, starts[best])]
 
 
 def _crossing(ends: Values) -> NDArray[np.bool_]:
@@ -104,7 +104,7 @@ def _crossing(ends: Values) -> NDArray[np.bool_]:
     return result
 
 
-def _back(before: Indices, end: int, start: int) -> list[int]:
+def _trace_back(before: Indices, end: int, start: int) -> list[int]:
     path, here = list[int](), end
     while here != start and here >= 0:
         path.append(here)

@@ -43,8 +43,8 @@ class PicturePage:
     async def draw(self, sheet: PictureGrid) -> bytes:
         """Renders a grid and returns the image file's bytes; BrowserError where the browser cannot."""
         words = msgspec.json.encode(sheet).decode()
-        drawn = await self._tools.evaluate(self._session, f"window.omoteStage.sheet({words})")
-        return base64.b64decode(drawn)
+        render = await self._tools.evaluate(self._session, f"window.omoteStage.sheet({words})")
+        return base64.b64decode(render)
 
     async def close(self) -> None:
         """Closes the page."""
@@ -58,11 +58,11 @@ def draw_grid(sheet: PictureGrid, setting: Setting) -> bytes:
     """
     browser = find_chromium()
 
-    async def drawn() -> bytes:
+    async def render() -> bytes:
         async with serve_pages(built_in_documents(), read_pages()) as address, open_chromium(browser) as tools:
             return await (await open_picture_page(tools, address, setting)).draw(sheet)
 
-    return asyncio.run(drawn())
+    return asyncio.run(render())
 
 
 @asynccontextmanager

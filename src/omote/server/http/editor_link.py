@@ -198,16 +198,16 @@ class EditorLinks:
         """Waits until changes are committed; returns why they never will be, or None."""
         if not changes:
             return None
-        loop, fates = asyncio.get_running_loop(), asyncio.Queue[CommitOutcome]()
+        loop, outcomes = asyncio.get_running_loop(), asyncio.Queue[CommitOutcome]()
 
-        def told(fate: CommitOutcome) -> None:
-            loop.call_soon_threadsafe(fates.put_nowait, fate)
+        def report_outcome(outcome: CommitOutcome) -> None:
+            loop.call_soon_threadsafe(outcomes.put_nowait, outcome)
 
-        authored_work.committer.commit(changes, told)
-        while (fate := await fates.get()).state == "waiting":
+        authored_work.committer.commit(changes, report_outcome)
+        while (outcome := await outcomes.get()).state == "waiting":
             for who in self._pages:
-                self._send(who, EditRefused(-1, fate.sentence))
-        return None if fate.state == "committed" else fate.sentence
+                self._send(who, EditRefused(-1, outcome.sentence))
+        return None if outcome.state == "committed" else outcome.sentence
 
     def _restart(self, why: str) -> None:
         """Reads the authored work from the file again, for the session is ahead of it; every page reconnects."""

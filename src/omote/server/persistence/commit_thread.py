@@ -61,7 +61,7 @@ class CommitThread:
         self._waiting = threading.Condition()
         self._closing = self._failing = False
         self._stale = True  # the good copy is older than the file: a file that opened well deserves one
-        self._thread = threading.Thread(target=self._run, name="scribe", daemon=True)
+        self._thread = threading.Thread(target=self._run, name="commits", daemon=True)
         self._thread.start()
 
     def commit(self, changes: Sequence[Change], told: OnOutcome) -> None:
@@ -98,16 +98,16 @@ class CommitThread:
         self._show.close()
 
     def _carry_out(self, job: _Job) -> None:
-        fate = self._try_commit(job)
-        if fate.state == "waiting":
-            self._tell(job, fate)
-        while fate.state == "waiting":
+        outcome = self._try_commit(job)
+        if outcome.state == "waiting":
+            self._tell(job, outcome)
+        while outcome.state == "waiting":
             with self._waiting:
                 last = self._waiting.wait_for(lambda: self._closing, timeout=self._retry_seconds)
-            fate = self._try_commit(job)
-            if last and fate.state == "waiting":
-                fate = CommitOutcome("refused", fate.sentence)
-        self._tell(job, fate)
+            outcome = self._try_commit(job)
+            if last and outcome.state == "waiting":
+                outcome = CommitOutcome("refused", outcome.sentence)
+        self._tell(job, outcome)
 
     def _try_commit(self, job: _Job) -> CommitOutcome:
         try:
@@ -123,13 +123,13 @@ class CommitThread:
         self._failing, self._stale = False, True
         return CommitOutcome("committed")
 
-    def _tell(self, job: _Job, fate: CommitOutcome) -> None:
+    def _tell(self, job: _Job, outcome: CommitOutcome) -> None:
         try:
-            job.told(fate)
+            job.told(outcome)
         except RuntimeError:
             pass  # a loop that has ended hears nothing any more
         except Exception as error:  # whatever it is, later changes are still to be kept
-            self._report(f"what became of a change ({fate.state}) could not be told: {error!r}.")
+            self._report(f"what became of a change ({outcome.state}) could not be told: {error!r}.")
 
     def _make_backup(self) -> None:
         self._stale = False

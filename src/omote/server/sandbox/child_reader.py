@@ -16,16 +16,15 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.interchange.formats import glb_reader as glbread
-from omote.interchange.formats import obj_reader as objfile
+from omote.interchange.formats import glb_reader, obj_reader
 from omote.interchange.formats.glb_reader import Piece
 
 SECONDS, MEMORY, FILES = 60, 2 * 2**30, 16
 """Limits of the child: CPU seconds, bytes of memory beyond what it starts with, open files."""
 
 READERS: Mapping[str, Callable[[bytes], tuple[Piece, ...]]] = {
-    ".glb": glbread.read_glb,
-    ".obj": lambda data: (Piece("skin", objfile.read_obj(data)),),
+    ".glb": glb_reader.read_glb,
+    ".obj": lambda data: (Piece("skin", obj_reader.read_obj(data)),),
 }
 """Parsers by file name suffix."""
 
@@ -47,8 +46,8 @@ def read_in_sandbox(path: Path, /) -> tuple[Piece, ...]:
     reader = READERS.get(path.suffix.lower())
     if reader is None:
         raise ValueError(f"{path.name!r} is no file with a head; expected {', '.join(READERS)} or .json")
-    if path.stat().st_size > glbread.LARGEST:
-        raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {glbread.LARGEST} at most")
+    if path.stat().st_size > glb_reader.LARGEST:
+        raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {glb_reader.LARGEST} at most")
     data = path.read_bytes()
     answer = _run_in_child(lambda: _Answer([_plain(piece) for piece in reader(data)]))
     if answer.refused:

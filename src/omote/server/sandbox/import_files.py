@@ -7,7 +7,7 @@ from pathlib import Path
 
 from omote.builtin import load_meshes
 from omote.edit.store.import_items import ImportedItem, import_document
-from omote.interchange.formats import expression_json as exchange
+from omote.interchange.formats import expression_json
 from omote.interchange.import_meshes import import_expressions, import_face
 from omote.model.cast import Cast
 from omote.perform.limits import check_known
@@ -28,10 +28,10 @@ def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> It
     _refuse_missing(paths)
     documents = [path for path in paths if path.suffix.lower() == DOCUMENT]
     for path in documents:
-        if path.stat().st_size > exchange.LARGEST:
-            raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {exchange.LARGEST} at most")
+        if path.stat().st_size > expression_json.LARGEST:
+            raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {expression_json.LARGEST} at most")
         try:
-            arrival = import_document(cast.space, exchange.decode(path.read_bytes()), note=path.name)
+            arrival = import_document(cast.space, expression_json.decode(path.read_bytes()), note=path.name)
         except ValueError as error:
             raise ValueError(f"{path.name}: {error}") from error
         yield arrival, f"{arrival.label}, from {path.name}"

@@ -106,26 +106,26 @@ def open_reopenable_work(
         return None, lambda: None
     committer = CommitThread(file.again(), report)
 
-    def reopened() -> AuthoredWork | None:
+    def reopen() -> AuthoredWork | None:
         with closing(file.again()) as own:  # the journal's thread writes with the other connection
             return open_authored_work(own, committer, documents.worker, report)
 
-    authored_work = reopened()
+    authored_work = reopen()
     if authored_work is None:
         committer.close()
         return None, lambda: None
     documents.contents = authored_work.session.contents
     documents.play(gather_cast(documents.cast, authored_work.session.own(), documents.contents, report))
-    return authored_work, reopened
+    return authored_work, reopen
 
 
-async def run_until_ended(beating: Coroutine[object, object, None], control: int) -> None:
+async def run_until_ended(ticking: Coroutine[object, object, None], control: int) -> None:
     """Runs `beating` until the control pipe or SIGTERM ends it; raises what it raises."""
     ended = asyncio.Event()
     loop = asyncio.get_running_loop()
     loop.add_reader(control, ended.set)
     loop.add_signal_handler(signal.SIGTERM, ended.set)
-    tasks = {asyncio.create_task(beating), asyncio.ensure_future(ended.wait())}
+    tasks = {asyncio.create_task(ticking), asyncio.ensure_future(ended.wait())}
     done, rest = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
     loop.remove_reader(control)
     for task in rest:

@@ -110,11 +110,11 @@ def wait_for_servers(servers: set[int], wake: int) -> None:
 def fork_server(line: socket.socket, play: Callable[[], None]) -> int:
     """Forks a child that plays and exits; returns its process id. The child closes its copy of the line."""
 
-    def played() -> None:
+    def play_in_child() -> None:
         line.close()
         play()
 
-    return fork_process(played)
+    return fork_process(play_in_child)
 
 
 def reap_servers() -> list[Ended]:
