@@ -1,4 +1,4 @@
-"""Faces as GLB files: every face of the cast with its 52 ARKit shapes, judged by Khronos, read again, taken back.
+"""Faces as GLB files: every face of the cast with its 52 ARKit blendshapes, validated, read again, imported again.
 
 validator: errors and warnings. three: how many targets three.js finds by name on every mesh. read: how far what is read
 lies from our compounds. taken: how far the same face, wearing what was taken in from the file, lies from them. strange:

@@ -1,8 +1,8 @@
 """What is acknowledged is kept: `kill -9` while authored work is saved.
 
-A process edits and saves through the scribe as a server does, beside a journal that is written and flushed all the
-while and good copies that are made again and again, and says on a pipe what was told to be committed. It is killed at a
-random moment. Then the file must be right in every part (`omote file check`), hold all that was acknowledged, and
+A process edits and saves through the commit thread as a server does, beside a journal that is written and flushed all
+the while and good copies that are made again and again, and says on a pipe what was told to be committed. It is killed
+at a random moment. Then the file must be right in every part (`omote file check`), hold all that was acknowledged, and
 exactly what so many lists of changes make, no half of one. The next process goes on with the same file. `--kills N`.
 """
 
@@ -53,7 +53,7 @@ from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 ITEMS, STEPS = 7, 4
 """Items that are edited in turn, and lists of changes that make one save of one."""
 IN_FLIGHT = 3
-"""Lists that wait for the scribe at once; every so often none, and a good copy is made."""
+"""Lists that wait for the commit thread at once; every so often none, and a good copy is made."""
 VERTICES = 300
 COUNT = "count"
 

@@ -1,4 +1,4 @@
-"""How well four maps carry 86 units from the generic face to every face of the cast (method.md, section 3).
+"""How well four maps retarget 86 units from the generic face to every face of the cast (method.md, section 3).
 
 Added deltas, deformation transfer, the paper's map and ours: folds, of units and of 200 sums of three, and what these
 cross and pierce; closure of lids and lips at five levels; eyes in lids and teeth in lips; roughness; time. All against

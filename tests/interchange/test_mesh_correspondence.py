@@ -1,4 +1,4 @@
-"""Whose vertices a file's are: by what it says, by order, by place; and what is no head of ours."""
+"""Mesh correspondence: vertices matched by attribute, by order, by position; and heads of another topology."""
 
 import numpy as np
 import pytest

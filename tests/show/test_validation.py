@@ -1,4 +1,4 @@
-"""Nothing but numbers in their range comes through the door."""
+"""Validation: only numbers in their range pass."""
 
 import math
 

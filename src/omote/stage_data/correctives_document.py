@@ -21,7 +21,7 @@ Ints = NDArray[np.int32]
 
 
 def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | None:
-    """The settling of a cast's space, its rows those of all positions; starts: the first row of each part."""
+    """The corrective regions of a cast's space, with rows of all positions; starts: the first row of each part."""
     settling = settling_of(cast.space)
     if settling is None:
         return None
@@ -45,7 +45,7 @@ def _crossing(crossing: Crossing) -> CrossingDocument:
 
 
 def _followers(cast: Cast, settling: Settling, starts: dict[str, int]) -> tuple[Ints, Ints, Floats]:
-    """Rows, anchors and weights of inner skin and of the parts that stick, the anchors in places of the settling."""
+    """Rows, anchors and weights of inner skin and of the parts that stick; anchors index the corrective region."""
     place = np.full(cast.space.vertex_count, -1)
     place[settling.rows] = np.arange(len(settling.rows))
     rows, anchors, weights = [settling.followers], [settling.anchors], [settling.weights]

@@ -1,4 +1,4 @@
-"""Orders performed: bakes, solves, other nets, flattening; and every refusal."""
+"""Orders: baking, solving, other control nets, flattening; and every rejection."""
 
 from __future__ import annotations
 

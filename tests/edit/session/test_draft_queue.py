@@ -12,11 +12,11 @@ PLAN = Plan(Bake(Recipe((), ()), {}), lambda baked: Result())
 
 
 def task(queue: tuple[int, str] | None, request: int = 0) -> Task:
-    """A task in a lane."""
+    """A task in a queue."""
     return Task(queue, lambda: PLAN, "ann", request)
 
 
-def test_tasks_of_one_lane_take_turns_in_order() -> None:
+def test_tasks_of_one_queue_take_turns_in_order() -> None:
     queues, first = DraftQueues(), task((1, "ann"))
     assert queues.try_start(first)
     number, order = queues.start_order(first, PLAN)
@@ -25,10 +25,10 @@ def test_tasks_of_one_lane_take_turns_in_order() -> None:
     assert [queues.try_start(each) for each in waiting] == [False] * 5
     assert queues.finish_order(number) == (first, PLAN)
     assert [queues.next_task(first) for _ in range(6)] == [*waiting, None]
-    assert queues.try_start(task((1, "ann"))), "the lane is free again"
+    assert queues.try_start(task((1, "ann"))), "the queue is free again"
 
 
-def test_lanes_do_not_wait_for_each_other() -> None:
+def test_queues_do_not_wait_for_each_other() -> None:
     queues = DraftQueues()
     for queue in ((1, "ann"), (1, "bob"), (2, "ann"), None):
         assert queues.try_start(task(queue))

@@ -108,7 +108,7 @@ def test_the_rest_of_the_head_never_moves() -> None:
     assert mixed[others] == pytest.approx(summed("kaori", *names)[others], abs=1e-6)
 
 
-def test_lashes_go_with_the_lids_that_settled() -> None:
+def test_lashes_go_with_the_lids_that_correctives_moved() -> None:
     paper = Frame({"kaori": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(LIDS, 1.0))
     lashes = evaluate_parts(CAST, paper)["lashes"]
     part, skin = CAST.space.parts["lashes"], evaluate(CAST, paper)

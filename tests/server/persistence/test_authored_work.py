@@ -1,4 +1,4 @@
-"""The desk of a show file: the session that knows its authored work, or a sentence."""
+"""The authored work of a show file: opened as an edit session, or reported as unreadable."""
 
 import sqlite3
 from pathlib import Path
@@ -23,7 +23,7 @@ class FakeCommitter:
         """Has nothing to close."""
 
 
-def test_a_desk_knows_what_the_file_has(cast: Cast, tmp_path: Path) -> None:
+def test_the_authored_work_is_what_the_file_has(cast: Cast, tmp_path: Path) -> None:
     show, data = open_show(tmp_path / "a.omote"), pack_expression(cast.expressions["smile"])
     revision = Revision(1, 1, 0, b'{"kind":"expression","net":[],"vectors":[]}', content_key(data), 1.0, "Ada")
     item = Item(1, "expression", "grin", "Grin", place=1.0, head=1)

@@ -48,7 +48,7 @@ def layout(name: object) -> list[Change]:
 
 
 class Author:
-    """A scribe on a disk, and what it told and said."""
+    """A commit thread on a disk, and the outcomes and sentences that it reported."""
 
     def __init__(self, disk: Disk | ShowFile, **seconds: float) -> None:
         self.outcomes: SimpleQueue[tuple[object, CommitOutcome]] = SimpleQueue()
@@ -211,7 +211,7 @@ def test_a_good_copy_that_another_process_makes_is_made_again_without_a_word(
     assert (tries.qsize(), author.said) == (3, [])
 
 
-def test_the_journal_and_the_scribe_share_the_file(tmp_path: Path) -> None:
+def test_the_journal_and_the_commit_thread_share_the_file(tmp_path: Path) -> None:
     """Both write as fast as they can, and a third flushes: nothing of either is lost."""
     show = open_show(tmp_path / "a.omote")
     author, flusher = Author(show.again()), show.again()

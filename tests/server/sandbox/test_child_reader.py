@@ -1,4 +1,4 @@
-"""Files read in a process of their own: what is right comes back, what is wrong or too much is a sentence."""
+"""Files parsed in a sandboxed process: valid ones come back, invalid or too large ones are rejected with a message."""
 
 import os
 from pathlib import Path

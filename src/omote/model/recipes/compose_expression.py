@@ -179,10 +179,10 @@ def change_net(
     vectors = before[list(net_field.rows)] + [0.0, 0.0, 1.0]
     left = before - net_field.field(vectors)
     rows = tuple((float(a), float(b), float(c)) for a, b, c in vectors)
-    woven_anew = _replace_net(recipe, net_field.rows, rows)
+    refitted = _replace_net(recipe, net_field.rows, rows)
     if not np.abs(left).max(initial=0.0) > 1e-12:
-        return woven_anew, net_field, ground
-    return woven_anew, net_field, add_field(space, ground, left)
+        return refitted, net_field, ground
+    return refitted, net_field, add_field(space, ground, left)
 
 
 def _replace_net(recipe: Recipe, net: tuple[int, ...], vectors: tuple[tuple[float, float, float], ...]) -> Recipe:

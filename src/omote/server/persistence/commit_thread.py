@@ -15,7 +15,7 @@ from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import ShowFile
 
 RETRY_SECONDS = 1.0
-"""How long the scribe waits for a disk that failed."""
+"""Seconds between two tries while the disk fails."""
 QUIET_SECONDS = 5.0
 """How long nothing must have been committed before the good copy is made."""
 
@@ -44,7 +44,7 @@ class _Job:
 class CommitThread:
     """A thread that commits lists of changes one after the other, and keeps the good copy.
 
-    show: the scribe's own (`ShowFile.again`); it closes it. Fates are told on the scribe's thread.
+    show: the thread's own (`ShowFile.again`); it closes it. Outcomes are reported on this thread.
     """
 
     def __init__(

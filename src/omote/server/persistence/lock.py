@@ -15,7 +15,7 @@ def lock_show(path: Path) -> int:
     """Locks a show file; returns the descriptor that holds the lock, in children too. ShowLockedError when it is taken.
 
     The lock is on a file beside the show file, so that it stays where it is when a corrupt show file is moved aside. It
-    ends with the last process that holds the descriptor, however that process ends. OSError, in a sentence, where no
+    ends with the last process that holds the descriptor, however that process ends. OSError with a message where no
     show file can be.
     """
     try:

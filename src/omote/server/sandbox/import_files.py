@@ -21,7 +21,7 @@ Brought = tuple[ImportedItem, str]
 
 
 def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> Iterator[Brought]:
-    """Yields each expression in the files with a sentence about it; face: the face of the cast that shapes start from.
+    """Yields each expression in the files with a report about it; face: the face of the cast that shapes start from.
 
     ValueError for files without expressions; OSError where one cannot be read.
     """

@@ -251,7 +251,8 @@ class Supervisor:
 
 
 def listen_on(host: str, port: int) -> socket.socket:
-    """The listening socket of a show; OSError, in a sentence, when the port is taken or the address is not ours."""
+    """Opens the listening socket of a show; OSError with a message when the port is taken or the address is not
+    ours."""
     if not host:
         raise OSError("--host is empty: give 127.0.0.1 for this machine alone, 0.0.0.0 for the whole network.")
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
