@@ -14,7 +14,7 @@ class Layer(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A weighted expression (a blendshape) under the control points.
 
     source: a name of the built-in cast, or `#` and a content key; label: what people read; region: one of
-    `model.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged.
+    `sculpting.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged.
     """
 
     source: str
