@@ -140,7 +140,7 @@ def _unpack_once(
     if source not in known:
         key = source.removeprefix(KEY)
         if content_key(contents[key]) != key:
-            raise ValueError(f"the content under {source!r} does not match its key; expected bytes that hash to it")
+            raise ValueError(f"the content under {source!r} does not match it; expected bytes that hash to their key")
         known[source] = unpack(contents[key])
         if len(known) > _CACHED:
             known.popitem(last=False)
