@@ -1,4 +1,5 @@
-"""How the parts of the baked head hang on its skin; the bake and the loader bind by the same rule."""
+"""Binds the parts of the baked head (eyes, teeth, lashes, tongue) to its skin; the bake and the loader share the
+rule."""
 
 from __future__ import annotations
 

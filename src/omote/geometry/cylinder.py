@@ -1,4 +1,4 @@
-"""The cylinder about a vertical axis: theta, h, r and back."""
+"""Cylindrical coordinates (theta, h, r) about a vertical axis, and back."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Values = NDArray[np.float64]
 
 
 def wrap(angle: Values, /) -> Values:
-    """Angles brought into [-pi, pi)."""
+    """Wraps angles into [-pi, pi)."""
     result: Values = (angle + np.pi) % (2 * np.pi) - np.pi
     return result
 

@@ -1,8 +1,7 @@
-"""Finds points in a triangulation by walking from triangle to triangle.
+"""Point location in a triangulation by a visibility walk from triangle to triangle.
 
-Two pictures of the same triangulation are walked: the flat one (S itself) and the one a horizontal ray sees from the
-axis
-(a face in space). In both a walk leaves a triangle across the edge that the point lies farthest behind.
+Two views of the same triangulation are walked: the flat one (S itself) and the one that a horizontal ray from the axis
+sees (a face in space). In both a walk leaves a triangle across the edge that the point lies farthest behind.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The head cut out of the base mesh: the skin above the neck and the parts, each a mesh with its own vertices."""
+"""Cuts the head out of the base mesh: the skin above the neck and the parts, each a mesh of its own."""
 
 from __future__ import annotations
 

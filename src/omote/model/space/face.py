@@ -1,4 +1,5 @@
-"""Faces: global deformation data (paper, section 2.1)."""
+"""Faces: identities, shapes with the topology of the generic face (the paper's global deformation data, section
+2.1)."""
 
 from __future__ import annotations
 
