@@ -45,7 +45,7 @@ def layout(name: object) -> list[Change]:
 
 
 class Author:
-    """A commit thread on a disk, and the outcomes and sentences that it reported."""
+    """A scribe on a disk, and what it told and said."""
 
     def __init__(self, disk: Disk | ShowFile, **options: object) -> None:
         self.fates: SimpleQueue[tuple[object, CommitOutcome]] = SimpleQueue()
@@ -53,13 +53,13 @@ class Author:
         self.scribe = CommitThread(disk, self.said.append, **options)  # type: ignore[arg-type]
 
     def commit(self, name: object) -> None:
-        self.commit_thread.commit(layout(name), self.told(name))
+        self.scribe.commit(layout(name), self.told(name))
 
     def told(self, name: object) -> Callable[[CommitOutcome], None]:
-        return lambda outcome: self.outcomes.put((name, outcome))
+        return lambda fate: self.fates.put((name, fate))
 
     def next(self) -> tuple[object, CommitOutcome]:
-        return self.outcomes.get(timeout=30.0)
+        return self.fates.get(timeout=30.0)
 
 
 def test_what_is_told_to_be_committed_is_there_for_others(tmp_path: Path) -> None:
@@ -69,7 +69,7 @@ def test_what_is_told_to_be_committed_is_there_for_others(tmp_path: Path) -> Non
         author.commit(number)
         assert author.next() == (number, COMMITTED)
         assert str(number) in show.stored().layouts
-    author.commit_thread.close()
+    author.scribe.close()
     show.close()
     assert author.said == []
 
@@ -80,9 +80,9 @@ def test_nobody_waits_for_a_stuck_disk_and_the_order_is_kept() -> None:
     author = Author(disk)
     for number in range(50):
         author.commit(number)  # returns although the disk does not
-    assert author.outcomes.empty()
+    assert author.fates.empty()
     disk.free.set()
-    author.commit_thread.close()
+    author.scribe.close()
     assert disk.written == [*map(str, range(50)), "closed"]
     assert [author.next() for _ in range(50)] == [(number, COMMITTED) for number in range(50)]
 
@@ -93,15 +93,15 @@ def test_a_failing_disk_is_told_once_and_tried_again_in_order() -> None:
     author = Author(disk, retry_seconds=1e-3)
     author.commit("a")
     author.commit("b")
-    name, outcome = author.next()
-    assert (name, outcome.state) == ("a", "waiting")
-    assert "show.omote cannot be written (database or disk is full); your work is kept in memory" in outcome.sentence
+    name, fate = author.next()
+    assert (name, fate.state) == ("a", "waiting")
+    assert "show.omote cannot be written (database or disk is full); your work is kept in memory" in fate.sentence
     for _ in range(3):
         disk.reached.clear()
         assert disk.reached.wait(30.0)
     disk.broken = None
     assert [author.next(), author.next()] == [("a", COMMITTED), ("b", COMMITTED)]
-    author.commit_thread.close()
+    author.scribe.close()
     assert disk.written == ["a", "b", "closed"]
     assert author.said == [fate.sentence]
 
@@ -113,9 +113,9 @@ def test_a_disk_that_fails_to_the_end_loses_nothing_without_a_word() -> None:
     author.commit("a")
     author.commit("b")
     assert author.next()[1].state == "waiting"
-    author.commit_thread.close()
-    outcomes = {"a": [author.next()[1].state], "b": [author.next()[1].state, author.next()[1].state]}
-    assert outcomes == {"a": ["refused"], "b": ["waiting", "refused"]}
+    author.scribe.close()
+    fates = {"a": [author.next()[1].state], "b": [author.next()[1].state, author.next()[1].state]}
+    assert fates == {"a": ["refused"], "b": ["waiting", "refused"]}
     assert disk.written == ["closed"]
 
 
@@ -125,36 +125,36 @@ def test_what_can_never_be_made_is_refused_and_stops_nothing(error: Exception) -
     disk.broken = error
     author = Author(disk)
     author.commit("a")
-    name, outcome = author.next()
-    assert (name, outcome.state) == ("a", "refused")
-    assert "show.omote cannot keep this (no)" in outcome.sentence
+    name, fate = author.next()
+    assert (name, fate.state) == ("a", "refused")
+    assert "show.omote cannot keep this (no)" in fate.sentence
     disk.broken = None
     author.commit("b")
     assert author.next() == ("b", COMMITTED)
-    author.commit_thread.close()
+    author.scribe.close()
 
 
 def test_after_the_end_changes_are_refused() -> None:
     author = Author(Disk())
-    author.commit_thread.close()
+    author.scribe.close()
     author.commit("late")
     assert author.next()[1].state == "refused"
 
 
 def test_whoever_no_longer_listens_stops_nothing() -> None:
-    def ended(outcome: CommitOutcome) -> None:
+    def ended(fate: CommitOutcome) -> None:
         raise RuntimeError("Event loop is closed")
 
-    def broken(outcome: CommitOutcome) -> None:
+    def broken(fate: CommitOutcome) -> None:
         raise BrokenPipeError("nobody")
 
     disk = Disk()
     author = Author(disk)
-    author.commit_thread.commit(layout("a"), ended)
-    author.commit_thread.commit(layout("b"), broken)
+    author.scribe.commit(layout("a"), ended)
+    author.scribe.commit(layout("b"), broken)
     author.commit("c")
     assert author.next() == ("c", COMMITTED)
-    author.commit_thread.close()
+    author.scribe.close()
     assert disk.written == ["a", "b", "c", "closed"]
     assert author.said[-1] == "what became of a change (committed) could not be told: BrokenPipeError('nobody')."
 
@@ -181,7 +181,7 @@ def test_nothing_is_committed_to_a_file_that_a_backup_found_damaged(tmp_path: Pa
     assert len(said) == 1
 
 
-def test_the_journal_and_the_commit_thread_share_the_file(tmp_path: Path) -> None:
+def test_the_journal_and_the_scribe_share_the_file(tmp_path: Path) -> None:
     """Both write as fast as they can, and a third flushes: nothing of either is lost."""
     show = open_show(tmp_path / "a.omote")
     author, flusher = Author(show.again()), show.again()
@@ -190,7 +190,7 @@ def test_the_journal_and_the_commit_thread_share_the_file(tmp_path: Path) -> Non
         show.write_journal(JournalEntry(number + 1, 0.0, bytes(2000)))
         flusher.flush()
     assert [author.next() for _ in range(150)] == [(number, COMMITTED) for number in range(150)]
-    author.commit_thread.close()
+    author.scribe.close()
     flusher.close()
     show.close()
     again = open_show(tmp_path / "a.omote")

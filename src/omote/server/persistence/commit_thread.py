@@ -124,4 +124,4 @@ class CommitThread:
         except RuntimeError:
             pass  # a loop that has ended hears nothing any more
         except Exception as error:  # whatever it is, later changes are still to be kept
-            self._report(f"what became of a change ({fate.state}) could not be told: {error!r}.")
+            self._report(f"what became of a change ({outcome.state}) could not be told: {error!r}.")
