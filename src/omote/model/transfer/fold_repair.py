@@ -1,8 +1,7 @@
 """Turns back the triangles that a displacement has turned over (docs/method.md, "Fold repair").
 
-Gradient-domain editing of small patches, as rigid as the generic face's triangles are: weighted least squares on
-deformation gradients (Sumner & Popovic 2004), solved by conjugate gradients. A patch changes with every compound, so
-nothing is factorised.
+Gradient-domain editing of small patches: weighted least squares on deformation gradients (Sumner & Popovic 2004),
+solved by conjugate gradients. A patch changes with every compound, so nothing is factorised.
 """
 
 from __future__ import annotations
