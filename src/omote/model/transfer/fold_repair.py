@@ -151,16 +151,9 @@ def mark_folds(positions: Values, triangles: Indices, rest: Values, out: Mask) -
     count = 0
     for t in range(len(triangles)):
         i, j, k = triangles[t]
-        ax, ay, az = (
-            positions[j, 0] - positions[i, 0],
-            positions[j, 1] - positions[i, 1],
-            positions[j, 2] - positions[i, 2],
-        )
-        bx, by, bz = (
-            positions[k, 0] - positions[i, 0],
-            positions[k, 1] - positions[i, 1],
-            positions[k, 2] - positions[i, 2],
-        )
+        a, b, c = positions[i], positions[j], positions[k]
+        ax, ay, az = b[0] - a[0], b[1] - a[1], b[2] - a[2]
+        bx, by, bz = c[0] - a[0], c[1] - a[1], c[2] - a[2]
         along = (ay * bz - az * by) * rest[t, 0] + (az * bx - ax * bz) * rest[t, 1] + (ax * by - ay * bx) * rest[t, 2]
         out[t] = along < 0.0
         count += out[t]
