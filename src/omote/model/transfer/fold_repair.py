@@ -90,8 +90,7 @@ def find_folds(geometry: SheetGeometry, positions: Values, source: Values, /) ->
     here, there = np.empty(len(geometry.triangles), np.bool_), np.empty(len(geometry.triangles), np.bool_)
     mark_folds(positions, geometry.triangles, geometry.normals, here)
     mark_folds(source, geometry.triangles, geometry.generic_normals, there)
-    result: Mask = here & ~there
-    return result
+    return here & ~there
 
 
 def relax_patches(
@@ -146,9 +145,8 @@ def _gradients(positions: Values, triangles: Indices) -> tuple[Values, Values]:
 
 
 @njit(cache=True)
-def mark_folds(positions: Values, triangles: Indices, rest: Values, out: Mask) -> int:
-    """Marks in out (T,) the triangles whose normal points against that at rest (T, 3); returns how many."""
-    count = 0
+def mark_folds(positions: Values, triangles: Indices, rest: Values, out: Mask) -> None:
+    """Marks in out (T,) the triangles whose normal points against that at rest (T, 3)."""
     for t in range(len(triangles)):
         i, j, k = triangles[t]
         a, b, c = positions[i], positions[j], positions[k]
@@ -156,8 +154,6 @@ def mark_folds(positions: Values, triangles: Indices, rest: Values, out: Mask) -
         bx, by, bz = c[0] - a[0], c[1] - a[1], c[2] - a[2]
         along = (ay * bz - az * by) * rest[t, 0] + (az * bx - ax * bz) * rest[t, 1] + (ax * by - ay * bx) * rest[t, 2]
         out[t] = along < 0.0
-        count += out[t]
-    return count
 
 
 @njit(cache=True)
@@ -199,11 +195,10 @@ def _target_gradient(
     size = np.sqrt(np.sqrt((normal * normal).sum()))
     frame[:, 2] = normal / max(size, 1e-12)
     gradient = rotations[t] @ (frame @ inverse_frames[t]) @ np.ascontiguousarray(rotations[t].T)
+    p = plane[t]
     for k in range(2):
         for c in range(3):
-            out[k, c] = (
-                gradient[c, 0] * plane[t, 0, k] + gradient[c, 1] * plane[t, 1, k] + gradient[c, 2] * plane[t, 2, k]
-            )
+            out[k, c] = gradient[c, 0] * p[0, k] + gradient[c, 1] * p[1, k] + gradient[c, 2] * p[2, k]
 
 
 @njit(cache=True)
