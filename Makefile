@@ -8,6 +8,7 @@ export OPENBLAS_NUM_THREADS := 1
 MAKEFLAGS += --no-print-directory
 
 PACKAGES := .venv/installed.stamp
+SITE_PACKAGES := .venv/website.stamp
 MODULES := web/node_modules/installed.stamp
 PAGES := src/omote/server/web/stage.html
 CAST := src/omote/builtin/cast.npz
@@ -15,7 +16,7 @@ CAST := src/omote/builtin/cast.npz
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
 CAST_FROM := tools/bake.py src/omote/interchange/formats/sculpt_toml.py $(shell find tools/baking src/omote/geometry src/omote/model src/omote/builtin -name "*.py" -o -name "*.toml")
 
-.PHONY: help demo test setup bake web check check-python check-web tests browser-tests wheel-test format bench gallery wheel clean
+.PHONY: help demo test setup bake web check check-python check-web tests browser-tests wheel-test format bench gallery docs wheel clean
 .DELETE_ON_ERROR:
 
 help:
@@ -24,7 +25,8 @@ help:
 	@echo "make setup   .venv, pages and cast      make check   format, lint, types, imports, pages; no tests"
 	@echo "make web     the pages                  make bench   every figure of the README and the docs"
 	@echo "make bake    the cast                   make wheel   dist/*.whl with pages and cast inside"
-	@echo "make format  rewrite in house style     make gallery the pictures of docs/gallery.md"
+	@echo "make format  rewrite in house style     make gallery the pictures of docs/gallery.md and docs/method.md"
+	@echo "make docs    the documentation site, build/site"
 	@echo "make clean   remove everything that was made here"
 
 demo: setup
@@ -100,6 +102,17 @@ bench: setup
 
 gallery: setup
 	@$(RUN) -m tools.pictures.gallery
+	@$(RUN) -m tools.pictures.draw_method
+
+$(SITE_PACKAGES): pyproject.toml constraints.txt | $(PACKAGES)
+	@echo "== Packages of the documentation site"
+	@$(RUN) -m pip install -qq --disable-pip-version-check --constraint constraints.txt \
+		--no-build-isolation --editable ".[docs]"
+	@touch $@
+
+docs: setup $(SITE_PACKAGES)
+	@echo "== Documentation site (build/site)"
+	@$(RUN) -m tools.website.build
 
 wheel: setup
 	@echo "== Wheel (dist)"

@@ -23,6 +23,9 @@ LONG_MODULES: dict[str, str] = {
     "web/src/link/editing.ts": "written by tools/messages.py from the one file above",
     "web/src/link/messages.ts": "written by tools/messages.py from show/messages.py",
     "benchmarks/interruptions.py": "one claim with its bound, its search for the maximum and its picture",
+    "src/omote/model/controls/control_net.py": "public: parameters, errors and an example of each method",
+    "src/omote/model/space/parameter_space.py": "public: parameters, errors and an example of each method",
+    "src/omote/perform/performer.py": "public: parameters, errors and an example of each method",
     "web/src/editor/canvas/hands.ts": "what mouse, touch, pen and keys mean, in one place",
 }
 LONG_BODIES: dict[str, str] = {}

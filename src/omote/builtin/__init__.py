@@ -25,9 +25,31 @@ _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 @functools.cache
 def load_cast() -> Cast:
-    """The built-in cast, read once.
+    """The built-in cast: twelve people, five sculpted faces and all they can do, read once.
 
-    FileNotFoundError where it was not baked, ValueError where the file is no cast of this version; both say what to do.
+    Returns
+    -------
+    Cast
+        The same object for every caller; it is frozen. 4278 vertices of skin, 17 faces, 109 expressions.
+
+    Raises
+    ------
+    FileNotFoundError
+        Where the cast was not baked; the message says how to.
+    ValueError
+        Where the file is no cast of this version.
+
+    Examples
+    --------
+    >>> cast = omote.load_cast()
+    >>> [*cast.faces][:3]
+    ['generic', 'kaori', 'round']
+    >>> cast.expressions["smile"].dtheta.shape
+    (4278,)
+
+    References
+    ----------
+    docs/conventions.md for units and axes; the meshes are CC0, see the notice beside the cast.
     """
     return read_cast(CAST)
 

@@ -125,8 +125,32 @@ def _refuse_strange_looks(cast: Cast) -> None:
 class Cast:
     """Faces and expressions by name, on one space; "generic" is M0 itself and "neutral" the field at rest.
 
-    looks and titles by name; faces and expressions without one get a plain one. hair: styles by name. Raises ValueError
-    where a face or an expression does not belong to the space, or a look names a style that is not there.
+    Parameters
+    ----------
+    space : ParameterSpace
+        What all of them belong to.
+    faces, expressions : mappings of Face and of Expression, by name
+        What can be called.
+    looks : mapping of Look, by the name of a face
+        Colours and traits; a face without one gets a plain one.
+    titles : mapping of Title, by the name of an expression
+        What people read of it; an expression without one gets a plain one.
+    hair : mapping of HairStyle, by name
+        The styles that looks may name.
+
+    Raises
+    ------
+    ValueError
+        Where a face or an expression does not belong to the space, or a look names a style that is not there.
+
+    Examples
+    --------
+    >>> omote.Cast(cast.space, {"generic": cast.faces["generic"]}, {"neutral": cast.expressions["neutral"]}).titles
+    mappingproxy({'neutral': Title(label='neutral', kind='own', region='whole')})
+
+    References
+    ----------
+    K. Arai (1993), section 2.1; docs/method.md.
     """
 
     space: ParameterSpace
@@ -159,7 +183,31 @@ class Cast:
             object.__setattr__(self, attribute, MappingProxyType(dict(value)))
 
     def with_faces(self, *faces: Face, looks: Mapping[str, Look] | None = None) -> Cast:
-        """A new cast with these faces added (or, by name, replaced)."""
+        """A new cast with these faces added (or, by name, replaced).
+
+        Parameters
+        ----------
+        *faces : Face
+            Each with the topology of the space.
+        looks : mapping of Look, by the name of a face, optional
+            Their colours and traits.
+
+        Returns
+        -------
+        Cast
+            The other faces and all expressions are the same objects as before.
+
+        Raises
+        ------
+        ValueError
+            Where a face does not belong to the space.
+
+        Examples
+        --------
+        >>> half = omote.Face("half", (cast.faces["kaori"].positions + cast.faces["old"].positions) / 2)
+        >>> [*cast.with_faces(half).faces][-1]
+        'half'
+        """
         for face in faces:
             fit(self.space, face)
         return replace(
@@ -167,13 +215,55 @@ class Cast:
         )
 
     def with_expressions(self, **expressions: Expression) -> Cast:
-        """A new cast with these expressions added (or, by name, replaced)."""
+        """A new cast with these expressions added (or, by name, replaced).
+
+        Parameters
+        ----------
+        **expressions : Expression
+            Each under its name.
+
+        Returns
+        -------
+        Cast
+            The other expressions and all faces are the same objects as before.
+
+        Raises
+        ------
+        ValueError
+            Where an expression does not belong to the space.
+
+        Examples
+        --------
+        >>> [*cast.with_expressions(beam=cast.expressions["joy"]).expressions][-1]
+        'beam'
+        """
         for expression in expressions.values():
             compile_expression(self.space, expression)
         return replace(self, expressions={**self.expressions, **expressions})
 
     def under(self, transfer: Transfer, /) -> Cast:
-        """This cast with another transfer rule: the fields stay, the map from S to the faces changes."""
+        """This cast with another transfer rule: the fields stay, the map from S to the faces changes.
+
+        Parameters
+        ----------
+        transfer : {"smooth", "paper"}
+            The rule.
+
+        Returns
+        -------
+        Cast
+            On a space of its own.
+
+        Raises
+        ------
+        ValueError
+            Where there is no such rule.
+
+        Examples
+        --------
+        >>> cast.under("paper").space.transfer
+        'paper'
+        """
         fields = {name: replace(expression, transfer=transfer) for name, expression in self.expressions.items()}
         return replace(self, space=self.space.under(transfer), expressions=fields)
 

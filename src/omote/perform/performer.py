@@ -18,7 +18,32 @@ from omote.perform.snapshot import Playable, Snapshot, check_snapshot
 
 
 class Performer:
-    """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out."""
+    """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out.
+
+    It owns no clock and no thread; the same commands and steps give the same frames.
+
+    Parameters
+    ----------
+    cast : Cast
+        The faces and expressions that can be called; a face "generic" is among them.
+
+    Raises
+    ------
+    ValueError
+        Where the cast has no face "generic".
+
+    Examples
+    --------
+    >>> performer = omote.Performer(cast)
+    >>> performer.call_expression("smile", seconds=0.5)
+    >>> frame = performer.advance(0.25)
+    >>> round(frame.expressions["smile"], 3), frame.expression_call.remaining
+    (0.5, 0.25)
+
+    References
+    ----------
+    docs/method.md, "The mix"; inertialised calls after D. Bollo (2018).
+    """
 
     def __init__(self, cast: Playable) -> None:
         check_known(GENERIC, cast.faces, "face")
@@ -27,74 +52,356 @@ class Performer:
 
     @classmethod
     def restored(cls, cast: Playable, snapshot: Snapshot) -> Performer:
-        """The performer that continues from a snapshot, frame by frame the same. Refuses what this cast cannot play."""
+        """The performer that continues from a snapshot, frame by frame the same.
+
+        Parameters
+        ----------
+        cast : Cast
+            What it plays.
+        snapshot : Snapshot
+            What another one's `snapshot` gave.
+
+        Returns
+        -------
+        Performer
+            Independent of the first.
+
+        Raises
+        ------
+        ValueError
+            Where this cast cannot play the snapshot, or no performer can have written it.
+
+        Examples
+        --------
+        >>> first = omote.Performer(cast)
+        >>> first.call_face("dog", seconds=2)
+        >>> second = omote.Performer.restored(cast, first.snapshot())
+        >>> first.advance(0.7) == second.advance(0.7)
+        True
+        """
         performer = cls(cast)
         performer._now = check_snapshot(snapshot, cast)
         return performer
 
     def snapshot(self) -> Snapshot:
-        """Everything needed to continue later, or elsewhere."""
+        """Everything needed to continue later, or elsewhere.
+
+        Returns
+        -------
+        Snapshot
+            Plain values, frozen.
+
+        Examples
+        --------
+        >>> omote.Performer(cast).snapshot().face.on_air
+        'generic'
+        """
         return self._now
 
     def recast(self, cast: Playable) -> None:
-        """Plays another cast from now on; what is on air stays. Refuses (ValueError) one without what is on air."""
+        """Plays another cast from now on; what is on air stays.
+
+        Parameters
+        ----------
+        cast : Cast
+            One that has everything that is on air.
+
+        Raises
+        ------
+        ValueError
+            Where it has not.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.recast(cast.with_expressions(beam=cast.expressions["joy"]))
+        >>> performer.call_expression("beam")
+        """
         self._now = check_snapshot(self._now, cast)
         self._cast = cast
 
     def call_face(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
-        """Brings a face on air from whatever is showing; 0 seconds cut, `math.inf` waits for `fade_face`."""
+        """Brings a face on air from whatever is showing.
+
+        Parameters
+        ----------
+        name : str
+            One of the cast's faces.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts, `math.inf` waits for `fade_face`.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+
+        Raises
+        ------
+        ValueError
+            On a name or an easing that there is not, and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_face("old", seconds=0)
+        >>> dict(performer.advance(0.0).faces)
+        {'old': 1.0}
+        """
         self._now = replace(
             self._now, face=_start_call(self._now.face, self._cast.faces, name, "face", seconds, easing)
         )
 
     def call_expression(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
-        """Brings an expression on air from whatever shows; 0 seconds cut, `math.inf` waits for `fade_expression`."""
+        """Brings an expression on air from whatever is showing.
+
+        Parameters
+        ----------
+        name : str
+            One of the cast's expressions.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts, `math.inf` waits for `fade_expression`.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+
+        Raises
+        ------
+        ValueError
+            On a name or an easing that there is not, and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_expression("smile", seconds=0)
+        >>> dict(performer.advance(0.0).expressions)
+        {'smile': 1.0}
+        """
         called = _start_call(self._now.expression, self._cast.expressions, name, "expression", seconds, easing)
         self._now = replace(self._now, expression=called)
 
     def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
-        """Brings a light on air from whatever light shows; 0 seconds cut."""
+        """Brings a light on air from whatever light shows.
+
+        Parameters
+        ----------
+        name : {"theatre", "portrait", "flat"}
+            The light.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+
+        Raises
+        ------
+        ValueError
+            On a name or an easing that there is not, and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_light("flat", seconds=2)
+        >>> sorted(performer.advance(1.0).light)
+        ['flat', 'theatre']
+        """
         check_light(name)
         find_easing(easing)
         self._now = replace(self._now, light=axis.called(self._now.light, name, _length(seconds), easing))
 
     def fade_face(self, x: float) -> None:
-        """Moves the T-bar of the faces to `x`, 0..1; it takes over the call once it has passed its progress."""
+        """Moves the T-bar of the faces; it takes over the call once it has passed its progress (pick-up).
+
+        Parameters
+        ----------
+        x : float
+            Where it stands, 0 to 1.
+
+        Raises
+        ------
+        ValueError
+            Where it cannot stand.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_face("old", seconds=math.inf)
+        >>> performer.fade_face(0.5)
+        >>> round(performer.advance(1.0).faces["old"], 3)
+        0.5
+        """
         self._now = replace(self._now, face=axis.faded(self._now.face, check_within(x, 0.0, 1.0, "the face T-bar")))
 
     def fade_expression(self, x: float) -> None:
-        """Moves the T-bar of the expressions to `x`, 0..1; it takes over the call once it has passed its progress."""
+        """Moves the T-bar of the expressions; it takes over the call once it has passed its progress (pick-up).
+
+        Parameters
+        ----------
+        x : float
+            Where it stands, 0 to 1.
+
+        Raises
+        ------
+        ValueError
+            Where it cannot stand.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_expression("smile", seconds=math.inf)
+        >>> performer.fade_expression(0.5)
+        >>> round(performer.advance(1.0).expressions["smile"], 3)
+        0.5
+        """
         hand = check_within(x, 0.0, 1.0, "the expression T-bar")
         self._now = replace(self._now, expression=axis.faded(self._now.expression, hand))
 
     def release_face(self) -> None:
-        """Lets go of the T-bar of the faces: a timed call goes on from where it is, a call by hand stays."""
+        """Lets go of the T-bar of the faces: a timed call goes on from where it is, a call by hand stays.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_face("old", seconds=1.0)
+        >>> performer.release_face()
+        >>> performer.advance(1.0).faces["old"]
+        1.0
+        """
         self._now = replace(self._now, face=axis.released(self._now.face))
 
     def release_expression(self) -> None:
-        """Lets go of the T-bar of the expressions: a timed call goes on from where it is, a call by hand stays."""
+        """Lets go of the T-bar of the expressions: a timed call goes on from where it is, a call by hand stays.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_expression("smile", seconds=1.0)
+        >>> performer.release_expression()
+        >>> performer.advance(1.0).expressions["smile"]
+        1.0
+        """
         self._now = replace(self._now, expression=axis.released(self._now.expression))
 
     def set_channel(self, name: str, value: float) -> None:
-        """Adds an expression to the mix at once, at a weight from -0.5 to 1.5; 0 takes it out."""
+        """Adds an expression to the mix at once, beside the calls.
+
+        Parameters
+        ----------
+        name : str
+            Any expression but "neutral"; the 52 ARKit units are what trackers send.
+        value : float
+            Its weight, -0.5 to 1.5; 0 takes it out.
+
+        Raises
+        ------
+        ValueError
+            On a name that there is not and on a weight out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.set_channel("jawOpen", 0.4)
+        >>> dict(performer.advance(0.0).channels)
+        {'jawOpen': 0.4}
+        """
         self._now = replace(self._now, channels=with_channel(self._now.channels, self._cast.expressions, name, value))
 
     def set_head(self, yaw: float, pitch: float, roll: float) -> None:
-        """Turns the head, in radians: + is the character's left, up, tilt to its left."""
+        """Turns the head.
+
+        Parameters
+        ----------
+        yaw, pitch, roll : float
+            Radians, -pi/2 to pi/2; + is the character's left, up, tilt to its left.
+
+        Raises
+        ------
+        ValueError
+            On angles out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.set_head(yaw=0.2, pitch=0.0, roll=0.0)
+        >>> performer.advance(0.0).head.yaw
+        0.2
+        """
         self._now = replace(self._now, head=Head(yaw, pitch, roll))
 
     def set_gaze(self, yaw: float, pitch: float) -> None:
-        """Turns the eyes relative to the head, in radians: + is the character's left, up."""
+        """Turns the eyes relative to the head.
+
+        Parameters
+        ----------
+        yaw, pitch : float
+            Radians, -pi/2 to pi/2; + is the character's left, up.
+
+        Raises
+        ------
+        ValueError
+            On angles out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.set_gaze(yaw=0.3, pitch=-0.1)
+        >>> performer.advance(0.0).gaze.pitch
+        -0.1
+        """
         self._now = replace(self._now, gaze=Gaze(yaw, pitch))
 
     def panic(self) -> None:
-        """Neutral, now: no expression, channel, head turn, gaze or T-bar is left; face and light stay."""
+        """Neutral, now: no expression, channel, head turn, gaze or T-bar is left; face and light stay.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_face("dog", seconds=0)
+        >>> performer.set_channel("jawOpen", 1.0)
+        >>> performer.panic()
+        >>> frame = performer.advance(0.0)
+        >>> dict(frame.faces), dict(frame.channels)
+        ({'dog': 1.0}, {})
+        """
         expression = Axis(NEUTRAL, hand=self._now.expression.hand)
         now = self._now
         self._now = Snapshot(axis.released(now.face), expression, time=now.time, light=now.light)
 
     def advance(self, dt: float) -> Frame:
-        """What is on air `dt` seconds later (0 or more); one long step lands where many short ones do."""
+        """What is on air some time later; one long step lands where many short ones do.
+
+        Parameters
+        ----------
+        dt : float
+            Seconds since the last step, 0 or more.
+
+        Returns
+        -------
+        Frame
+            The mixes of faces, expressions and lights (each sums to one), channels, head and gaze.
+
+        Raises
+        ------
+        ValueError
+            On a step that is negative or endless.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> omote.Performer(cast).advance(1 / 60).expressions
+        {'neutral': 1.0}
+        """
         dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
         now = self._now
         self._now = replace(

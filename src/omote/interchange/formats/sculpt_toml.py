@@ -28,7 +28,34 @@ class SculptFileError(ValueError):
 
 
 def read_sculpt(path: Path) -> Sculpt:
-    """The sculpt in a file; SculptFileError names the file, what is wrong in it and what to do."""
+    """The sculpt in a text file (TOML).
+
+    Parameters
+    ----------
+    path : Path
+        The file; lengths in it are in the unit that it names, millimetres without one.
+
+    Returns
+    -------
+    Sculpt
+        Its control points and moves, in metres.
+
+    Raises
+    ------
+    ValueError
+        SculptFileError: names the file, what is wrong in it and what to do.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> noh = omote.read_sculpt(Path(omote.__file__).parent / "builtin" / "sculpts" / "noh.toml")
+    >>> noh.name, noh.kernel, noh.points.shape[1]
+    ('noh', 'triharmonic', 3)
+
+    References
+    ----------
+    docs/sculpts.md has the format, key by key.
+    """
     try:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:

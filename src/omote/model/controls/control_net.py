@@ -30,11 +30,35 @@ _LEAN = 1e-5
 
 @dataclass(frozen=True, eq=False)
 class ControlNet:
-    """Points on S joined by a Delaunay net that is periodic in theta, and each vertex's place in it; made by `build`.
+    """Points on S joined by a Delaunay net that is periodic in theta (a control cage); made by `build`.
 
-    theta, h (n,) radians and metres, the artist's points first, then the two rings; triangles (t, 3); corners, weights
-    (V, 3): the points around each vertex and its barycentric weights (eq. 1), all zero off the sheet. No vertex has its
-    weights from across an opening of lids or lips.
+    No vertex has its weights from across an opening of lids or lips.
+
+    Attributes
+    ----------
+    space : ParameterSpace
+        Where the points are.
+    theta, h : ndarray, (n,)
+        Radians and metres: the artist's points first, then the two still rings.
+    triangles : ndarray of int32, (t, 3)
+        The net.
+    corners : ndarray of int32, (V, 3)
+        The points around each vertex of the skin.
+    weights : ndarray, (V, 3)
+        Its barycentric weights (eq. 1), all zero off the sheet.
+    own : int
+        How many points are the artist's.
+
+    Examples
+    --------
+    >>> theta, h = np.meshgrid(np.arange(-3, 4) * 0.8, [-0.1, -0.05, 0.0, 0.05, 0.1])
+    >>> net = omote.ControlNet.build(cast.space, theta.ravel(), h.ravel())
+    >>> net.own, net.basis.shape[0]
+    (35, 4278)
+
+    References
+    ----------
+    K. Arai (1993), section 2.3; docs/method.md, "Writing expressions".
     """
 
     space: ParameterSpace
@@ -54,11 +78,31 @@ class ControlNet:
 
     @staticmethod
     def build(space: ParameterSpace, theta: ArrayLike, h: ArrayLike) -> ControlNet:
-        """The net of the points (theta, h) (n,), radians and metres, with a still ring at neck and crown.
+        """The net of some points of S, with a still ring at neck and crown.
 
-        Raises ValueError on values that are not finite, fewer than three points, points off the sheet's heights and
-        points
-        at the same place.
+        Parameters
+        ----------
+        space : ParameterSpace
+            Where the points are.
+        theta, h : array_like, (n,)
+            Radians and metres; at least three points.
+
+        Returns
+        -------
+        ControlNet
+            With the barycentric weights of every vertex.
+
+        Raises
+        ------
+        ValueError
+            On values that are not finite, fewer than three points, points off the sheet's heights and points at the
+            same place.
+
+        Examples
+        --------
+        >>> rows = np.flatnonzero(cast.space.on_sheet)[::40]
+        >>> omote.ControlNet.build(cast.space, cast.space.theta[rows], cast.space.h[rows]).weights.shape
+        (4278, 3)
         """
         theta, h = _validate_points(space, theta, h)
         low, high = _heights(space)
@@ -80,8 +124,30 @@ class ControlNet:
     def expression(self, values: ArrayLike, /) -> Expression:
         """The expression that these vectors at the control points give: eq. 2.
 
-        values (own, 3) or, the rings moving too, (n, 3): dtheta (radians), dh (metres), R. Raises ValueError on other
-        shapes, values that are not finite and ratios that are not positive.
+        Parameters
+        ----------
+        values : array_like, (own, 3) or, the rings moving too, (n, 3)
+            dtheta (radians), dh (metres) and R at each point.
+
+        Returns
+        -------
+        Expression
+            The barycentric mean at each vertex; nothing moves that no moved point is a corner of.
+
+        Raises
+        ------
+        ValueError
+            On other shapes, values that are not finite and ratios that are not positive.
+
+        Examples
+        --------
+        >>> rows = np.flatnonzero(cast.space.on_sheet)[::40]
+        >>> net = omote.ControlNet.build(cast.space, cast.space.theta[rows], cast.space.h[rows])
+        >>> values = np.tile([0.0, 0.0, 1.0], (net.own, 1))
+        >>> values[20] = 0.1, 0.002, 1.05
+        >>> moved = net.expression(values)
+        >>> bool(np.isclose(moved.dtheta.max(), 0.1)), bool(np.isclose(moved.ratio.max(), 1.05))
+        (True, True)
         """
         given = np.asarray(values, dtype=np.float64)
         if given.ndim != 2 or given.shape not in ((self.own, 3), (len(self.theta), 3)):
@@ -98,16 +164,66 @@ class ControlNet:
         return Expression(dtheta, dh, 1.0 + over, inner, radius=self.space.radius, transfer=self.space.transfer)
 
     def points_on(self, face: Face, /) -> Values:
-        """Where the artist's control points lie on a face: (own, 3) metres (paper, figure 6: the needles)."""
+        """Where the artist's control points lie on a face: the needles of figure 6.
+
+        Parameters
+        ----------
+        face : Face
+            Any face of the space.
+
+        Returns
+        -------
+        ndarray, (own, 3)
+            Metres.
+
+        Raises
+        ------
+        ValueError
+            Where the face does not belong to the space.
+
+        Examples
+        --------
+        >>> rows = np.flatnonzero(cast.space.on_sheet)[::40]
+        >>> net = omote.ControlNet.build(cast.space, cast.space.theta[rows], cast.space.h[rows])
+        >>> needles = net.points_on(cast.faces["dog"])
+        >>> bool(np.allclose(needles[0], cast.faces["dog"].positions[rows[0]], atol=1e-6))
+        True
+        """
         triangles, weights = self._landing()
         result: Values = (weights[..., None] * fit(self.space, face).positions[triangles]).sum(axis=1)
         return result
 
     def drag(self, face: Face, point: int, target: ArrayLike, /) -> tuple[float, float]:
-        """The vector (dtheta, dh) that carries a control point to where target (3,), metres, lies on a face.
+        """The vector that carries a control point to where a target lies on a face.
 
-        The target is slid onto the face along its cylinder radius. Raises ValueError on a point that is not in the net
-        and on a target that is not finite.
+        The target is slid onto the face along its cylinder radius.
+
+        Parameters
+        ----------
+        face : Face
+            The face that is worked on.
+        point : int
+            The control point, 0 to own - 1.
+        target : array_like, (3,)
+            Where it is to go, metres.
+
+        Returns
+        -------
+        tuple of float
+            dtheta (radians) and dh (metres).
+
+        Raises
+        ------
+        ValueError
+            On a point that is not in the net and on a target that is not finite.
+
+        Examples
+        --------
+        >>> rows = np.flatnonzero(cast.space.on_sheet)[::40]
+        >>> net = omote.ControlNet.build(cast.space, cast.space.theta[rows], cast.space.h[rows])
+        >>> stays = net.drag(cast.faces["dog"], 3, net.points_on(cast.faces["dog"])[3])
+        >>> bool(np.allclose(stays, 0, atol=1e-6))
+        True
         """
         if not 0 <= point < self.own:
             raise ValueError(f"control point {point} does not exist; expected 0 to {self.own - 1}")

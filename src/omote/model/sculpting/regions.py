@@ -73,10 +73,42 @@ def region_weights(space: ParameterSpace, where: Values | None = None, /) -> dic
 def regional(
     space: ParameterSpace, name: str, faces: Mapping[Region, Face], /, *, rest: Face | None = None
 ) -> Face:  # fmt: skip
-    """A face with each region from another face, smooth at the borders; regions that are not named come from `rest`
-    (without it from the generic face). Each face is first turned, scaled and moved so that its borders lie on those of
-    the rest (of the face around the skull, where every region is named), so faces of all sizes mix. One face everywhere
-    gives that face. ValueError on a region that is none."""
+    """A face with each region from another face, smooth at the borders.
+
+    Each face is first turned, scaled and moved so that its borders lie on those of the rest (of the face around the
+    skull, where every region is named), so faces of all sizes mix. One face everywhere gives that face.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        The space of all of them.
+    name : str
+        The new face's.
+    faces : mapping of Face, by region
+        Regions: brows, eyes, nose, cheeks, mouth, jaw, ears, skull.
+    rest : Face, optional
+        Where the other regions come from; without it the generic face.
+
+    Returns
+    -------
+    Face
+        Its lids lie on its eyeballs as those of the faces that it has its eyes from.
+
+    Raises
+    ------
+    ValueError
+        On a region that is none, and on a face that does not belong to the space.
+
+    Examples
+    --------
+    >>> faces = {"eyes": cast.faces["doll"], "jaw": cast.faces["heavy"]}
+    >>> omote.regional(cast.space, "hers", faces, rest=cast.faces["old"]).positions.shape
+    (4278, 3)
+
+    References
+    ----------
+    docs/sculpts.md, "Mixes and caricature"; the borders are laid on each other by Umeyama's similarity (1991).
+    """
     strange = [region for region in faces if region not in REGIONS]
     if strange:
         raise ValueError(f"there is no region {strange[0]!r}; expected some of {', '.join(REGIONS)}")
@@ -117,8 +149,35 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     """What distinguishes a face from the generic one, times amount: 0 the generic face, 1 the face, 2 twice itself.
 
     Up to one it is the linear mix; beyond, only the smooth form grows, by its turns and stretches, so that wrinkles and
-    lids stay what they are and nothing folds. It is named after face and amount ("kaori_150"). Raises ValueError on an
-    amount that is not finite or that tears the face.
+    lids stay what they are and nothing folds.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        The space of the face.
+    face : Face
+        Who is drawn.
+    amount : float
+        How much of it.
+
+    Returns
+    -------
+    Face
+        Named after face and amount: "kaori_150".
+
+    Raises
+    ------
+    ValueError
+        On an amount that is not finite or that tears the face.
+
+    Examples
+    --------
+    >>> omote.caricature(cast.space, cast.faces["kaori"], 1.5).name
+    'kaori_150'
+
+    References
+    ----------
+    docs/sculpts.md, "Mixes and caricature".
     """
     if not np.isfinite(amount):
         raise ValueError(f"a caricature's amount is {amount!r}; expected a finite number such as 1.5")

@@ -37,11 +37,39 @@ _UNIT = 0.05
 class Sculpt:
     """Control points of the generic head and where they go.
 
-    points, moves (n, 3) metres; symmetric: a point beside the midline stands for its mirror image too, one on it stays
-    on it; kernel: "biharmonic" (|r|: lively, a little pointed at the points) or "triharmonic" (|r|^3: smooth); look:
-    the face's colours; base: other faces by weight, whose difference from the generic one is added; teeth: the scale of
-    teeth and tongue about their middle, so that they stay behind the lips; brushes: where the skin is smoothed. Raises
-    ValueError on points that decide no shape or contradict each other.
+    Parameters
+    ----------
+    name : str
+        The face's.
+    points, moves : array_like, (n, 3)
+        Where the points are and how far they go, metres.
+    symmetric : bool
+        A point beside the midline stands for its mirror image too, one on it stays on it.
+    kernel : {"triharmonic", "biharmonic"}
+        |r|^3: smooth; |r|: lively, a little pointed at the points.
+    look : Look
+        The face's colours and traits.
+    base : mapping of float, by the name of a face
+        Faces whose difference from the generic one is added first, by weight.
+    teeth : float
+        The scale of teeth and tongue about their middle, so that they stay behind the lips; 0.5 to 1.5.
+    brushes : tuple of Brush
+        Where the skin is smoothed.
+
+    Raises
+    ------
+    ValueError
+        On points that decide no shape or contradict each other.
+
+    Examples
+    --------
+    >>> points = np.array([[0, -0.035, 0.168], [0.08, 0, 0.04], [0, 0.12, 0.04], [0, -0.13, -0.02]])  # nose, ear, ...
+    >>> omote.Sculpt("long_nose", points, [[0, 0, 0.03], [0, 0, 0], [0, 0, 0], [0, 0, 0]]).kernel
+    'triharmonic'
+
+    References
+    ----------
+    docs/sculpts.md; Duchon (1977); Carr et al. (2001).
     """
 
     name: str
@@ -115,8 +143,35 @@ def warp_basis(points: Values, where: Values, /, *, kernel: Kernel = "triharmoni
 def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | None = None, /) -> Face:
     """The face that a sculpt makes: skin and parts are carried by its map, eyeballs stay round, lids stay on them.
 
-    faces: those that its base may name. Raises ValueError where a control point is far from the head, the base is
-    unknown or the result is no face of this space.
+    Parameters
+    ----------
+    space : ParameterSpace
+        The generic head that the points are given on.
+    sculpt : Sculpt
+        The points and moves.
+    faces : mapping of Face, by name, optional
+        Those that its base may name.
+
+    Returns
+    -------
+    Face
+        Exact at the control points (to 1e-7 m, before lids are laid on the eyeballs).
+
+    Raises
+    ------
+    ValueError
+        Where a control point is far from the head, the base is unknown or the result is no face of this space.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> noh = omote.read_sculpt(Path(omote.__file__).parent / "builtin" / "sculpts" / "noh.toml")
+    >>> omote.sculpted(cast.space, noh, cast.faces).name
+    'noh'
+
+    References
+    ----------
+    docs/sculpts.md, "What happens"; Duchon (1977): thin-plate splines in space.
     """
     _refuse_far(space, sculpt)
     move = warp(sculpt)

@@ -18,11 +18,34 @@ LONGEST_NAME = 80
 
 @dataclass(frozen=True, eq=False)
 class Face:
-    """One shape with the topology of the generic face.
+    """One shape with the topology of the generic face (an identity).
 
-    positions (V, 3) metres, skin and inner skin, kept as float32; parts: positions (n, 3) by part name, where the face
-    knows better than the bindings. Raises ValueError on other shapes and on values that are not finite; that it fits a
-    space is checked where it is used.
+    Parameters
+    ----------
+    name : str
+        1 to 80 printable characters.
+    positions : array_like, (V, 3)
+        Skin and inner skin, metres; kept as float32, read-only.
+    parts : mapping of array_like (n, 3), by the name of a part
+        Where the face knows better than the bindings where its eyeballs, teeth, tongue and lashes are.
+
+    Raises
+    ------
+    ValueError
+        On other shapes, values that are not finite and names that nobody could call. That a face fits a space is
+        checked where it is used.
+    TypeError
+        Where parts is no mapping.
+
+    Examples
+    --------
+    >>> wide = omote.Face("wide", cast.faces["kaori"].positions * [1.1, 1.0, 1.0])
+    >>> wide.positions.dtype, wide.positions.flags.writeable
+    (dtype('float32'), False)
+
+    References
+    ----------
+    K. Arai (1993), section 2.1: global deformation data.
     """
 
     name: str

@@ -50,9 +50,39 @@ class Fans:
 class ParameterSpace:
     """The generic face, its cylinder and the one-layered sheet on which expressions live; made by `build`.
 
-    points (V, 3) metres and triangles (F, 3) of the generic face; skin_triangles: the sheet; membranes: triangles
-    over its holes, for location only; theta, h (V,) radians and metres; radius: which rule gives a moved point its
-    radius; transfer: which map carries expressions to other faces; lines: where lids and lips meet.
+    Attributes
+    ----------
+    points : ndarray, (V, 3)
+        The generic face M0, metres.
+    triangles, skin_triangles, membranes : ndarray of int32, (F, 3)
+        All triangles; those of the sheet; those over its holes, for location only.
+    cylinder : Cylinder
+        Around which the head is unrolled.
+    radius : {"origin", "surface"}
+        Which rule gives a moved point its radius.
+    theta, h : ndarray, (V,)
+        Where each vertex lies on S, radians and metres.
+    strip, fans : Strip, Fans
+        What points are located with.
+    inner : InnerSkin
+        The vertices that are not on the sheet, and how they follow it.
+    on_sheet : ndarray of bool, (V,)
+        Which vertices are.
+    parts : mapping of Part, by name
+        Eyeballs, teeth, tongue, lashes.
+    transfer : {"smooth", "paper"}
+        Which map carries expressions to other faces.
+    lines : tuple of Line
+        Where lids and lips meet.
+
+    Examples
+    --------
+    >>> cast.space.points.shape, cast.space.rules
+    ((4278, 3), ('origin', 'smooth'))
+
+    References
+    ----------
+    K. Arai (1993), section 2.1; docs/method.md, "The parameter space".
     """
 
     points: NDArray[np.float64]
@@ -84,9 +114,38 @@ class ParameterSpace:
     ) -> ParameterSpace:  # fmt: skip
         """The parameter space of any head, y up, +z forward: axis, skin sheet and membranes are found here.
 
-        points (V, 3) metres, triangles (F, 3) counter-clockwise from outside, axis (x, z) where it is known. Raises
-        ValueError on arrays that are no mesh, on triangles without area, on an axis outside the head and where no sheet
-        is found (method.md, section 2).
+        Parameters
+        ----------
+        points : array_like, (V, 3)
+            Metres.
+        triangles : array_like, (F, 3)
+            Counter-clockwise from outside.
+        radius : {"origin", "surface"}
+            The rule for a moved point's radius.
+        axis : tuple of float, optional
+            x and z of the cylinder, metres, where it is known.
+        transfer : {"smooth", "paper"}
+            The map that carries expressions to other faces.
+
+        Returns
+        -------
+        ParameterSpace
+            Without parts and lines; `with_parts` and `with_line` add them.
+
+        Raises
+        ------
+        ValueError
+            On arrays that are no mesh, triangles without area, an axis outside the head, and where no sheet is found.
+
+        Examples
+        --------
+        >>> space = omote.ParameterSpace.build(cast.faces["old"].positions, cast.space.triangles)
+        >>> space.vertex_count
+        4278
+
+        References
+        ----------
+        docs/method.md, "The parameter space".
         """
         _refuse_unknown(radius, RADIUS_RULES, "radius")
         _refuse_unknown(transfer, TRANSFERS, "transfer")
@@ -133,23 +192,107 @@ class ParameterSpace:
         return _read_only(np.concatenate([self.sheet_triangles, self.membranes]))
 
     def with_parts(self, *parts: Part) -> ParameterSpace:
-        """This space with these parts bound to it."""
+        """This space with these parts bound to it.
+
+        Parameters
+        ----------
+        *parts : Part
+            Each with its own name; one of a name that is there replaces it.
+
+        Returns
+        -------
+        ParameterSpace
+            All else is shared.
+
+        Examples
+        --------
+        >>> space = omote.ParameterSpace.build(cast.space.points, cast.space.triangles)
+        >>> [*space.with_parts(cast.space.parts["tongue"]).parts]
+        ['tongue']
+        """
         return replace(self, parts=MappingProxyType({**self.parts, **{part.name: part for part in parts}}))
 
     def with_line(self, name: str, kind: Kind, near: ArrayLike, /) -> ParameterSpace:
-        """This space with a line of lids or lips named: the one around the opening nearest to a point (3,), metres."""
+        """This space with a line of lids or lips named: the one around the opening nearest to a point.
+
+        Parameters
+        ----------
+        name : str
+            The line's; one of that name that is there is replaced.
+        kind : {"lids", "lips"}
+            What meets there.
+        near : array_like, (3,)
+            A point, metres.
+
+        Returns
+        -------
+        ParameterSpace
+            All else is shared.
+
+        Raises
+        ------
+        ValueError
+            On a point that is none, and where there is no such opening.
+
+        Examples
+        --------
+        >>> space = omote.ParameterSpace.build(cast.space.points, cast.space.triangles)
+        >>> lips = cast.space.points[cast.space.lines[-1].loop].mean(axis=0)
+        >>> [line.name for line in space.with_line("lips", "lips", lips).lines]
+        ['lips']
+        """
         (goal,) = mesh.validate_points(np.reshape(near, (1, -1)), name="near")
         line = find_line(name, kind, self.points, self.sheet_triangles, self.membranes, self.cylinder, goal)
         return replace(self, lines=(*(known for known in self.lines if known.name != name), line))
 
     def under(self, transfer: Transfer, /) -> ParameterSpace:
-        """This space with another transfer rule; expressions are taken anew in it."""
+        """This space with another transfer rule; expressions are taken anew in it.
+
+        Parameters
+        ----------
+        transfer : {"smooth", "paper"}
+            The rule.
+
+        Returns
+        -------
+        ParameterSpace
+            All else is shared.
+
+        Raises
+        ------
+        ValueError
+            Where there is no such rule.
+
+        Examples
+        --------
+        >>> cast.space.under("paper").transfer
+        'paper'
+        """
         _refuse_unknown(transfer, TRANSFERS, "transfer")
         return replace(self, transfer=transfer)
 
     def locate(self, theta: NDArray[np.float64], h: NDArray[np.float64], vertices: NDArray[np.int32], /) -> Landing:
-        """The triangles of S that hold the points (theta, h) (N,), walking from the fans of vertices (N,) on the
-        sheet."""
+        """The triangles of S that hold some points, walking from vertices near them (a visibility walk).
+
+        Parameters
+        ----------
+        theta, h : ndarray, (N,)
+            The points, radians and metres.
+        vertices : ndarray of int32, (N,)
+            A vertex on the sheet near each.
+
+        Returns
+        -------
+        Landing
+            For each point the row in `location_triangles` and its barycentric weights (N, 3).
+
+        Examples
+        --------
+        >>> rows = np.flatnonzero(cast.space.on_sheet)[:3]
+        >>> landing = cast.space.locate(cast.space.theta[rows], cast.space.h[rows], rows)
+        >>> bool(np.allclose(landing.weights.max(axis=1), 1))  # each is a corner of its triangle
+        True
+        """
         return self.strip.locate(theta, h, self.fans.triangles[self.fans.starts[vertices]])
 
 

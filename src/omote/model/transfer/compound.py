@@ -22,12 +22,44 @@ Floats = NDArray[np.float32]
 
 
 def compound(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> Floats:
-    """A face wearing an expression: positions (V, 3) float32, metres (paper, sections 2.2 and 2.4).
+    """A face wearing an expression (a blendshape of this face, retargeted from the field on S).
 
-    weight scales the field. With transfer="paper" by the paper's map; with transfer="smooth" the generic face wears it
-    by the paper's map, and what it does there is carried over: lids and lips meet, nothing folds (method.md,
-    section 3).
-    Raises ValueError where face or expression does not belong to the space.
+    With transfer="paper" by the paper's map; with transfer="smooth" the generic face wears it by the paper's map, and
+    what it does there is carried over: lids and lips meet, nothing folds.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        The space of both.
+    face : Face
+        Who wears it.
+    expression : Expression
+        What is worn.
+    weight : float
+        Scales the field; 1 is as it was made.
+
+    Returns
+    -------
+    ndarray of float32, (V, 3)
+        Positions of skin and inner skin, metres.
+
+    Raises
+    ------
+    ValueError
+        Where face or expression does not belong to the space.
+
+    Examples
+    --------
+    >>> smiling = omote.compound(cast.space, cast.faces["old"], cast.expressions["smile"], weight=0.7)
+    >>> smiling.shape, smiling.dtype
+    ((4278, 3), dtype('float32'))
+    >>> at_rest = omote.compound(cast.space, cast.faces["old"], cast.expressions["smile"], weight=0.0)
+    >>> bool(np.abs(at_rest - cast.faces["old"].positions).max() < 1e-7)
+    True
+
+    References
+    ----------
+    K. Arai (1993), sections 2.2 and 2.4; docs/method.md, "The smooth map".
     """
     return apply_expression(space, face, compile_expression(space, expression, weight))
 

@@ -43,12 +43,45 @@ _POLISHING_STEPS, _CLOSE = 60, 2e-6
 def extract(
     space: ParameterSpace, face: Face, displacement: ArrayLike, /, *, parts: Mapping[str, ArrayLike] | None = None
 ) -> Expression:
-    """The expression that moves a face by a displacement (paper, section 2.2, steps 1a-1d).
+    """The expression that moves a face by a displacement; the way back of `compound`.
 
     In a space with transfer="smooth" the displacement is first brought to the generic face and measured there.
 
-    displacement (V, 3) metres on the face; parts: displacements (n, 3) of parts by name (an eyeball's is read as a turn
-    about its centre and a rest). Raises ValueError on other shapes and on values that are not finite.
+    Parameters
+    ----------
+    space : ParameterSpace
+        The space of the face.
+    face : Face
+        The face at rest.
+    displacement : array_like, (V, 3)
+        Where each vertex goes from there, metres.
+    parts : mapping of array_like (n, 3), by the name of a part, optional
+        Displacements of eyeballs, teeth, tongue and lashes, metres; an eyeball's is read as a turn about its centre and
+        a rest.
+
+    Returns
+    -------
+    Expression
+        A field on S: any face of the space wears it.
+
+    Raises
+    ------
+    ValueError
+        On other shapes and on values that are not finite.
+    TypeError
+        Where the space is none, or parts is no mapping.
+
+    Examples
+    --------
+    >>> kaori, old = cast.faces["kaori"], cast.faces["old"]
+    >>> smiling = omote.compound(cast.space, kaori, cast.expressions["smile"])
+    >>> smile = omote.extract(cast.space, kaori, smiling - kaori.positions)
+    >>> bool(np.abs(omote.compound(cast.space, kaori, smile) - smiling).max() < 1e-5)  # metres
+    True
+
+    References
+    ----------
+    K. Arai (1993), section 2.2, steps 1a to 1d; docs/method.md, "The smooth map".
     """
     refuse_no_space(space)
     fit(space, face)

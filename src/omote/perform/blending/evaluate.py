@@ -32,13 +32,44 @@ ROUNDING = 1e-4
 
 
 def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
-    """The skin and inner skin (V, 3) of a frame, metres.
+    """The skin and inner skin of a frame.
 
-    bilinear (paper, eq. 3, with channels): sum_i s_i [sum_j t_j P_ij + sum_k c_k (P_ik - M_i)];
+    bilinear (eq. 3, with channels): sum_i s_i [sum_j t_j P_ij + sum_k c_k (P_ik - M_i)];
     exact: the face sum_i s_i M_i wears the expression sum_j t_j D_j + sum_k c_k D_k, located anew (transfer="paper");
     with transfer="smooth" the generic face wears it so, and the faces follow by their own compounds.
-    Raises ValueError on an unknown mode, on names that are not in the cast, on weights that are not finite or do not
-    sum to one on an axis, and on channels out of range; TypeError on what is no number.
+
+    Parameters
+    ----------
+    cast : Cast
+        The faces M_i and expressions D_j that the frame names.
+    frame : Frame
+        The weights s, t and c, from `Performer.advance`.
+    mode : {"bilinear", "exact"}
+        The formula; stages draw the first.
+
+    Returns
+    -------
+    ndarray of float32, (V, 3)
+        Metres; the head is not turned.
+
+    Raises
+    ------
+    ValueError
+        On an unknown mode, names that are not in the cast, weights that are not finite or do not sum to one on an axis,
+        and channels out of range.
+    TypeError
+        On weights that are no numbers.
+
+    Examples
+    --------
+    >>> performer = omote.Performer(cast)
+    >>> performer.call_face("old", seconds=2)
+    >>> omote.evaluate(cast, performer.advance(0.5)).shape
+    (4278, 3)
+
+    References
+    ----------
+    K. Arai (1993), equation 3; docs/method.md, "The mix".
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
@@ -46,9 +77,37 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
 
 
 def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
-    """The parts of a frame, {part: (n, 3)} metres, eyeballs turned about their centres.
+    """The parts of a frame, eyeballs turned about their centres.
 
-    Formulas and errors as in `evaluate`.
+    Parameters
+    ----------
+    cast : Cast
+        The faces and expressions that the frame names.
+    frame : Frame
+        The weights.
+    mode : {"bilinear", "exact"}
+        As of `evaluate`.
+
+    Returns
+    -------
+    dict of ndarray of float32 (n, 3), by the name of a part
+        Metres.
+
+    Raises
+    ------
+    ValueError
+        As `evaluate`.
+    TypeError
+        As `evaluate`.
+
+    Examples
+    --------
+    >>> sorted(omote.evaluate_parts(cast, omote.Performer(cast).advance(0.0)))[:3]
+    ['eye_left', 'eye_right', 'lashes']
+
+    References
+    ----------
+    docs/method.md, "The mix".
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)

@@ -1,0 +1,211 @@
+"""Public names of omote are documented in NumPy style, as docs/conventions.md says, with examples that run."""
+
+from __future__ import annotations
+
+import doctest
+import inspect
+import math
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import omote
+
+SECTIONS = ("Parameters", "Attributes", "Returns", "Raises", "Examples", "References")
+SOURCE = re.compile(r"Arai \(1993\)|docs/[a-z]+\.md")
+
+
+def public() -> Iterator[tuple[str, Any]]:
+    """Every public name of omote, and the public methods of its classes."""
+    for name in omote.__all__:
+        value = getattr(omote, name)
+        yield name, value
+        if inspect.isclass(value):
+            methods = inspect.getmembers(value, callable)
+            yield from ((f"{name}.{method}", function) for method, function in methods if not method.startswith("_"))
+
+
+PUBLIC = dict(public())
+
+
+def sections_of(value: object) -> dict[str, str]:
+    """A docstring by section; what comes before the first one is under ""."""
+    parts = re.split(r"^(\w+)\n-+\n", inspect.getdoc(value) or "", flags=re.MULTILINE)
+    return {"": parts[0], **dict(zip(parts[1::2], parts[2::2], strict=True))}
+
+
+def entries(section: str) -> dict[str, tuple[str, str]]:
+    """What a section lists: its type and its description by name; `theta, h : ...` lists two."""
+    found: dict[str, tuple[str, str]] = {}
+    for names, kind, description in re.findall(r"^(\S.*?)(?: : (.*))?\n((?:    .*\n?|\n)+)", section, re.MULTILINE):
+        found |= {name.strip().lstrip("*"): (kind, description.strip()) for name in names.split(",")}
+    return found
+
+
+def parameters_of(value: object) -> dict[str, str]:
+    """The parameters that a caller gives, with their annotations."""
+    assert callable(value)
+    parameters = inspect.signature(value).parameters
+    return {name: str(parameter.annotation) for name, parameter in parameters.items() if name not in ("self", "cls")}
+
+
+def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[[], object]]:
+    """For each error that a docstring announces one call that raises it."""
+    space, kaori, smile = cast.space, cast.faces["kaori"], cast.expressions["smile"]
+    strange = omote.Face("strange", np.eye(3))
+    rows = np.flatnonzero(space.on_sheet)[::40]
+    net = omote.ControlNet.build(space, space.theta[rows], space.h[rows])
+    sculpt = omote.Sculpt("far", np.eye(4, 3) + 1, np.zeros((4, 3)))
+    performer, frame = omote.Performer(cast), omote.Performer(cast).advance(0.0)
+    without = omote.Cast(space, {"kaori": kaori}, {"neutral": cast.expressions["neutral"]})
+    words: Any = "one"  # what no type checker lets through
+    no_parts: Any = 3
+    mixed: Any = replace(frame, faces={"kaori": words})
+    dtheta, dh, ratio, residual = smile.dtheta, smile.dh, smile.ratio, smile.residual
+    nowhere = Path("no such sculpt.toml")
+    performer.call_face("old")
+    return {
+        ("Cast", ValueError): lambda: omote.Cast(space, {"strange": strange}, dict(cast.expressions)),
+        ("Cast.under", ValueError): lambda: cast.under(words),
+        ("Cast.with_expressions", ValueError): lambda: cast.with_expressions(
+            new=omote.Expression(np.zeros(3), np.zeros(3), np.ones(3), np.zeros((0, 3)))
+        ),
+        ("Cast.with_faces", ValueError): lambda: cast.with_faces(strange),
+        ("ControlNet.build", ValueError): lambda: omote.ControlNet.build(space, [0, 0, 0], [9, 9, 9]),
+        ("ControlNet.drag", ValueError): lambda: net.drag(kaori, -1, [0, 0, 0]),
+        ("ControlNet.expression", ValueError): lambda: net.expression(np.zeros((2, 3))),
+        ("ControlNet.points_on", ValueError): lambda: net.points_on(strange),
+        ("Expression", ValueError): lambda: omote.Expression(dtheta, dh, -ratio, residual),
+        ("Expression", TypeError): lambda: omote.Expression(dtheta, dh, ratio, residual, no_parts),
+        ("Face", ValueError): lambda: omote.Face("", kaori.positions),
+        ("Face", TypeError): lambda: omote.Face("one", kaori.positions, no_parts),
+        ("ParameterSpace.build", ValueError): lambda: omote.ParameterSpace.build(np.eye(3), [[0, 1, 2]]),
+        ("ParameterSpace.under", ValueError): lambda: space.under(words),
+        ("ParameterSpace.with_line", ValueError): lambda: space.with_line("lips", "lips", [np.nan, 0, 0]),
+        ("Performer", ValueError): lambda: omote.Performer(without),
+        ("Performer.advance", ValueError): lambda: performer.advance(-1.0),
+        ("Performer.advance", TypeError): lambda: performer.advance(words),
+        ("Performer.call_expression", ValueError): lambda: performer.call_expression("nobody"),
+        ("Performer.call_expression", TypeError): lambda: performer.call_expression("smile", seconds=words),
+        ("Performer.call_face", ValueError): lambda: performer.call_face("old", easing="none"),
+        ("Performer.call_face", TypeError): lambda: performer.call_face("old", seconds=words),
+        ("Performer.call_light", ValueError): lambda: performer.call_light("flat", seconds=-1),
+        ("Performer.call_light", TypeError): lambda: performer.call_light("flat", seconds=words),
+        ("Performer.fade_expression", ValueError): lambda: performer.fade_expression(2),
+        ("Performer.fade_expression", TypeError): lambda: performer.fade_expression(words),
+        ("Performer.fade_face", ValueError): lambda: performer.fade_face(-1),
+        ("Performer.fade_face", TypeError): lambda: performer.fade_face(words),
+        ("Performer.recast", ValueError): lambda: performer.recast(without),
+        ("Performer.restored", ValueError): lambda: omote.Performer.restored(
+            without_face(cast, "old"), performer.snapshot()
+        ),
+        ("Performer.set_channel", ValueError): lambda: performer.set_channel("neutral", 1),
+        ("Performer.set_channel", TypeError): lambda: performer.set_channel("jawOpen", words),
+        ("Performer.set_gaze", ValueError): lambda: performer.set_gaze(4, 0),
+        ("Performer.set_gaze", TypeError): lambda: performer.set_gaze(words, 0),
+        ("Performer.set_head", ValueError): lambda: performer.set_head(0, 0, 4),
+        ("Performer.set_head", TypeError): lambda: performer.set_head(0, 0, words),
+        ("Sculpt", ValueError): lambda: omote.Sculpt("same", np.zeros((4, 3)), np.zeros((4, 3))),
+        ("caricature", ValueError): lambda: omote.caricature(space, kaori, math.nan),
+        ("compound", ValueError): lambda: omote.compound(space, strange, smile),
+        ("evaluate", ValueError): lambda: omote.evaluate(cast, frame, words),
+        ("evaluate", TypeError): lambda: omote.evaluate(cast, mixed),
+        ("evaluate_parts", ValueError): lambda: omote.evaluate_parts(cast, frame, words),
+        ("evaluate_parts", TypeError): lambda: omote.evaluate_parts(cast, mixed),
+        ("extract", ValueError): lambda: omote.extract(space, kaori, np.zeros((2, 3))),
+        ("extract", TypeError): lambda: omote.extract(space, kaori, kaori.positions, parts=no_parts),
+        ("read_sculpt", ValueError): lambda: omote.read_sculpt(nowhere),
+        ("regional", ValueError): lambda: omote.regional(space, "new", {words: kaori}),
+        ("sculpted", ValueError): lambda: omote.sculpted(space, sculpt),
+    }
+
+
+def raised_by(call: Callable[[], object]) -> Exception | None:
+    """The error that a call raises."""
+    try:
+        call()
+    except Exception as error:
+        return error
+    return None
+
+
+def without_face(cast: omote.Cast, gone: str) -> omote.Cast:
+    """The cast without one of its faces."""
+    looks = {name: look for name, look in cast.looks.items() if name != gone}
+    return replace(cast, faces={name: face for name, face in cast.faces.items() if name != gone}, looks=looks)
+
+
+@pytest.fixture(scope="module")
+def cast() -> omote.Cast:
+    """The built-in cast, loaded once for all examples."""
+    built_in: omote.Cast = omote.load_cast()
+    return built_in
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_sections_are_known_and_in_order(name: str) -> None:
+    found = [section for section in sections_of(PUBLIC[name]) if section]
+    assert found == [section for section in SECTIONS if section in found]
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_a_docstring_begins_with_one_sentence_on_one_line(name: str) -> None:
+    first = sections_of(PUBLIC[name])[""].strip().split("\n\n")[0]
+    assert re.fullmatch(r"\S.*\.", first), first
+    assert not re.search(r"\. [A-Z]", first), f"{name} begins with more than one sentence: {first}"
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_parameters_are_those_of_the_signature_in_its_order(name: str) -> None:
+    sections, given = sections_of(PUBLIC[name]), parameters_of(PUBLIC[name])
+    listed = entries(sections.get("Parameters", "") + sections.get("Attributes", ""))
+    inherits_order = inspect.isclass(PUBLIC[name])  # fields of one meaning are listed together
+    assert sorted(listed) == sorted(given) if inherits_order else [*listed] == [*given]
+    assert [parameter for parameter, (kind, text) in listed.items() if not kind or not text] == []
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_arrays_are_given_with_their_shapes(name: str) -> None:
+    sections = sections_of(PUBLIC[name])
+    listed = entries(sections.get("Parameters", "") + sections.get("Attributes", ""))
+    arrays = [
+        p for p, kind in parameters_of(PUBLIC[name]).items() if re.search("ArrayLike|NDArray|Values|Indices", kind)
+    ]
+    assert [parameter for parameter in arrays if not re.search(r"\(\w+,?.*\)", listed[parameter][0])] == []
+
+
+@pytest.mark.parametrize("name", [name for name, value in PUBLIC.items() if not inspect.isclass(value)])
+def test_what_is_returned_is_documented_where_something_is(name: str) -> None:
+    gives = inspect.signature(PUBLIC[name]).return_annotation not in (None, "None")
+    assert ("Returns" in sections_of(PUBLIC[name])) == gives
+
+
+@pytest.mark.parametrize("name", omote.__all__)
+def test_public_names_say_where_they_come_from(name: str) -> None:
+    assert SOURCE.search(sections_of(PUBLIC[name]).get("References", ""))
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_examples_run(name: str, cast: omote.Cast) -> None:
+    text = sections_of(PUBLIC[name]).get("Examples", "")
+    names = {"omote": omote, "cast": cast, "np": np, "math": math}
+    example = doctest.DocTestParser().get_doctest(text, names, name, None, None)
+    assert example.examples
+    said: list[str] = []
+    assert doctest.DocTestRunner().run(example, out=said.append).failed == 0, "".join(said)
+
+
+def test_every_announced_error_is_raised_and_no_other_is_listed(cast: omote.Cast) -> None:
+    announced = {
+        (name, error) for name, value in PUBLIC.items() for error in entries(sections_of(value).get("Raises", ""))
+    }
+    announced -= {("load_cast", "FileNotFoundError"), ("load_cast", "ValueError")}  # tests/builtin/test_cast.py
+    calls = wrong_calls(cast)
+    assert announced == {(name, error.__name__) for name, error in calls}
+    for (name, error), call in calls.items():
+        assert type(raised_by(call)) in {error, *error.__subclasses__()}, name

@@ -1,0 +1,1 @@
+"""The figures of docs/method.md, drawn from the code's own numbers."""

@@ -1,0 +1,145 @@
+"""Draws the pictures of the tutorials with the real pages: `python -m tools.website.screenshots`, or some by name.
+
+A show of its own starts on a free port; Chromium opens its pages as people do. docs/pictures/tutorial-*.jpg.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from tools.browser import SENTENCE, find_browser
+from tools.website.pages import ROOT
+
+PICTURES = ROOT / "docs" / "pictures"
+MOST_BYTES = 200_000
+RENDERER = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-gpu-watchdog"]
+PATIENCE = 120_000
+"""Milliseconds that a busy machine may take for one state."""
+CORNER = """() => {
+    const bench = document.querySelector("omote-editor").rig.bench;
+    const rows = window.omoteEditor.positions(bench.work);
+    const lips = [...bench.library.lines.get("lips")];
+    const corner = lips.reduce((best, row) => (rows[3 * row] > rows[3 * best] ? row : best));
+    const place = [0, 1, 2].map((axis) => rows[3 * corner + axis]);
+    const away = (one) => Math.hypot(...place.map((value, axis) => rows[3 * one.row + axis] - value));
+    return window.omoteEditor.needles().sort((a, b) => away(a) - away(b))[0];
+}"""
+"""The needle at the left corner of the mouth."""
+
+
+def wait_for(page: Page, condition: str) -> None:
+    """Waits until a condition holds in a page, looking in every frame; its rules forbid Playwright's own wait."""
+    page.set_default_timeout(PATIENCE)
+    page.evaluate(f"""() => new Promise((done, fail) => {{
+        const tooLate = performance.now() + {PATIENCE};
+        const look = () => {{
+            if ({condition}) done();
+            else if (performance.now() < tooLate) requestAnimationFrame(look);
+            else fail(new Error("never came: " + {condition!r}));
+        }};
+        look();
+    }})""")
+
+
+def console(browser: Browser, address: str) -> Page:
+    """The console half-way from one face to another, with a smile, all portraits drawn."""
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.goto(f"{address}/console")
+    desk = "document.querySelector('omote-console')?.rig?.desk"
+    wait_for(page, f"{desk}?.online && {desk}.faces.length > 0")
+    page.locator(".tile[data-name='smile']").click()
+    page.locator(".tile[data-name='old']").click()
+    wait_for(page, f"{desk}.state.faces.old === 1 && {desk}.state.expressions.smile === 1")
+    page.locator(".faces omote-timing [data-seconds='4']").click()
+    page.get_by_role("slider", name="face T-bar").scroll_into_view_if_needed()
+    page.locator(".tile[data-name='child']").click()
+    page.get_by_role("slider", name="face T-bar").focus()
+    wait_for(page, f"{desk}.state.faces.child > 0.2")
+    return page
+
+
+def editor(browser: Browser, address: str) -> Page:
+    """The editor with a crooked smile dragged at one corner of the mouth, worn by all others."""
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.goto(f"{address}/editor")
+    bench = "document.querySelector('omote-editor')?.rig?.bench"
+    settled = f"{bench}.draft !== null && window.omoteEditor.settled()"
+    wait_for(page, f"{bench}?.online && {bench}.library !== null && window.omoteEditor !== undefined")
+    page.locator("[data-new]").click()
+    form = page.get_by_role("form", name="New expression")
+    form.get_by_label("Name").fill("Crooked smile")
+    form.get_by_role("button", name="Create").click()
+    wait_for(page, f"{settled} && window.omoteEditor.needles().length > 50")
+    box = page.locator("omote-editor main .work canvas").first.bounding_box()
+    assert box is not None
+    x, y = np.add((box["x"], box["y"]), page.evaluate(CORNER)["head"])
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 12, y - 22, steps=8)
+    page.mouse.up()
+    wait_for(page, f"{bench}.draft.undo === 1 && {settled}")
+    return page
+
+
+def green(browser: Browser, address: str) -> Page:
+    """A stage for a keyer: lit from everywhere, before a green that is the same in every pixel."""
+    page = browser.new_page(viewport={"width": 960, "height": 540})
+    page.goto(f"{address}/stage?light=flat&quality=medium")
+    wait_for(page, "window.omoteStage !== undefined")
+    wait_for(page, "document.querySelector('canvas') !== null")
+    page.wait_for_load_state("networkidle")
+    return page
+
+
+PAGES: dict[str, Callable[[Browser, str], Page]] = {"console": console, "green": green, "editor": editor}
+
+
+@contextmanager
+def show(folder: Path) -> Iterator[str]:
+    """The address of a show that ends with this block."""
+    command = [str(Path(sys.executable).with_name("omote")), "show", str(folder / "tutorial.omote"), "--port", "0"]
+    with subprocess.Popen([*command, "--no-open"], stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        try:
+            yield next(found[0] for line in process.stdout if (found := re.search(r"http://127\.0\.0\.1:\d+", line)))
+        finally:
+            process.terminate()
+
+
+def keep(page: Page, name: str) -> Path:
+    """The picture of a page in docs/pictures, as good as its size allows."""
+    target = PICTURES / f"tutorial-{name}.jpg"
+    for quality in (85, 70, 55, 40):
+        page.screenshot(path=target, type="jpeg", quality=quality)
+        if target.stat().st_size <= MOST_BYTES:
+            break
+    return target
+
+
+def main(names: list[str]) -> int:
+    """Draws the pictures, or those of the names given; the exit status."""
+    path = find_browser()
+    if path is None or not set(names) <= PAGES.keys():
+        print(SENTENCE if path is None else f"expected some of {', '.join(PAGES)}")
+        return 1
+    with tempfile.TemporaryDirectory() as folder, show(Path(folder)) as address, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=str(path), chromium_sandbox=False, args=RENDERER)
+        for name in names or PAGES:
+            page = PAGES[name](browser, address)
+            target = keep(page, name)
+            page.close()
+            print(f"docs/pictures/{target.name}: {target.stat().st_size // 1000} kB")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
