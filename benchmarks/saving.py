@@ -113,9 +113,9 @@ def write_for_ever(path: Path, pipe: int) -> None:
     free = threading.Semaphore(IN_FLIGHT)
     number = count_lists(show)
 
-    def told(number: int, fate: CommitOutcome) -> None:
-        if fate.state != "committed":
-            say(f"list {number}: {fate}")
+    def told(number: int, outcome: CommitOutcome) -> None:
+        if outcome.state != "committed":
+            say(f"list {number}: {outcome}")
             return
         try:
             os.write(pipe, TOLD.pack(number, time.monotonic()))

@@ -130,5 +130,5 @@ def test_the_search_for_clamps_finds_one(text: str) -> None:
     [p for folder in ("show", "server") for p in sorted((SOURCE / folder).rglob("*.py")) if p.name != "validation.py"],
     ids=name_of,
 )
-def test_only_the_door_clamps_what_comes_in(path: Path) -> None:
+def test_only_validation_clamps_what_comes_in(path: Path) -> None:
     assert clamps(ast.parse(path.read_text())) == []

@@ -125,7 +125,7 @@ class EditHarness(ShowHarness):
 
 @asynccontextmanager
 async def open_edit_harness(cast: Cast, path: Path | None) -> AsyncIterator[EditHarness]:
-    """A show with or without a file, put together as `child.play` does; ticks come from the test."""
+    """A show with or without a file, put together as `show_process.play` does; ticks come from the test."""
     clock, said, file = Clock(), list[str](), None if path is None else open_show(path)
     documents = CastDocuments(cast, meshes(cast), MASK)
     authored_work, reopen = open_reopenable_work(file, documents, said.append)

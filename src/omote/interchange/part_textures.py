@@ -1,4 +1,4 @@
-"""Pictures of what hangs on a head for programs that know no shaders of ours: eyeballs, teeth, tongue, lashes, hair.
+"""Paints textures of eyeballs, teeth, tongue, lashes and hair for programs that lack our shaders.
 
 Each comes with the texture coordinates that it is painted for, from the generic face alone. Colours and measures are
 those of web/src/stage (eye_shaders, mouth_shaders, lashes), without their light.

@@ -1,4 +1,4 @@
-"""Authored work as rows of the show file: written in one transaction, each row with its checksum, read and proved.
+"""Writes and reads authored work as rows of the show file: in one transaction, each row with a checksum.
 
 SQLite proves its log, not what lies in the file. So every row carries the sum of its own columns, and contents are
 named by the hash of their bytes: a row that is not what was written is known.
@@ -63,7 +63,7 @@ TABLES = (ITEMS, REVISIONS, DRAFTS, EDITS, LAYOUTS)
 
 
 def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> None:
-    """Makes the changes in one transaction; returns when they are committed, raises with none of them made.
+    """Commits the changes in one transaction; on an error none of them is made.
 
     sqlite3.IntegrityError: they can never be made (a revision that is there and is another, a content that is missing);
     sqlite3.OperationalError: not now (a full disk, a lock).
@@ -100,7 +100,7 @@ def read_contents(connection: sqlite3.Connection) -> Iterator[tuple[str, bytes]]
 
 
 def row_checksum(values: Sequence[Any]) -> str:
-    """The sum of a row's columns, as SQLite gives them back: 16 hexadecimal digits."""
+    """The checksum of a row's columns as SQLite returns them: 16 hexadecimal digits."""
     return hashlib.blake2b(msgspec.msgpack.encode(values), digest_size=8).hexdigest()
 
 
@@ -160,7 +160,7 @@ def _add_revision(connection: sqlite3.Connection, revision: Revision) -> None:
 
 
 def _put(connection: sqlite3.Connection, table: Table, row: msgspec.Struct) -> None:
-    """Adds or replaces a row; ValueError where it holds what its columns would give back as something else."""
+    """Adds or replaces a row; ValueError where its columns would not return the same values."""
     checked = msgspec.convert(msgspec.structs.asdict(row), table.type)
     columns = (*table.columns, "sum")
     values = [_column(getattr(checked, name)) for name in table.columns]

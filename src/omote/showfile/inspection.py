@@ -1,4 +1,4 @@
-"""What is in a show file, and whether all of it is right; read only, also while a show plays it."""
+"""Inspects a show file: its contents and their integrity; only reads, also while a show plays it."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def revisions_of(stored: Stored, item: Item, /) -> list[Revision]:
 
 
 def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
-    """Whether each thing about a show file is right, each in a sentence; the first that is not may be the last."""
+    """Yields the result of each integrity check with a sentence; the first failure may be the last."""
     try:
         found = inspect_show(path)
     except ShowFileError as error:

@@ -1,7 +1,7 @@
 """The show file: one SQLite file (`.omote`) with the journal of the live state and all authored work.
 
-The journal is one row that is written over and over, so the file stays small. In WAL mode a commit survives the death
-of the process at once; the loss of power, authored work at once too, the journal from the next `flush` on.
+The journal is one row that is overwritten, so the file stays small. In WAL mode every commit survives the death of the
+process; authored work survives a loss of power at once, the journal from the next `flush` on.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from omote.showfile.schema import CorruptShowFileError, ShowFileError, migrate
 __all__ = ["CorruptShowFileError", "JournalEntry", "ShowFile", "ShowFileError", "default_path", "open_show"]
 
 ASIDE_LIMIT = 20
-"""Snapshots kept that no server could start from; older ones go."""
+"""Snapshots kept that no server could start from; older ones are deleted."""
 
 HIGHEST_EPOCH = 2**53
 """Epochs are numbers in the browser too; beyond this they would not be told apart."""
@@ -49,7 +49,7 @@ class ShowFile:
         return read_all(self._connection)
 
     def contents(self) -> dict[str, bytes]:
-        """Every content's bytes (`files.contents`) by key; sqlite3.Error where they cannot be read."""
+        """Every content's bytes (`showfile.contents`) by key; sqlite3.Error where they cannot be read."""
         return dict(read_contents(self._connection))
 
     def apply(self, changes: Iterable[Change]) -> None:
@@ -94,7 +94,7 @@ class ShowFile:
             self._connection.execute("UPDATE journal SET snapshot = NULL")
 
     def again(self) -> ShowFile:
-        """The same file opened a second time, for another thread."""
+        """Opens the same file a second time, for another thread."""
         connection = _connect(self.path)
         try:
             _configure(connection)
@@ -104,7 +104,7 @@ class ShowFile:
         return ShowFile(connection, self.path)
 
     def flush(self) -> None:
-        """Makes all that is committed survive a loss of power.
+        """Flushes to the disk, so that all commits survive a loss of power.
 
         Only where another connection has committed since the last time: a checkpoint that has nothing to do, while a
         commit begins the log anew, can lose that commit (SQLite before 3.51.3, "the WAL-reset bug").
@@ -135,7 +135,7 @@ class ShowFile:
 
 
 def open_show(path: Path) -> ShowFile:
-    """The show file at `path`, made when there is none; ShowFileError when it cannot be used."""
+    """Opens the show file at `path`, or makes it; ShowFileError when it cannot be used."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         version = verify_integrity(path)
@@ -156,7 +156,7 @@ def open_show(path: Path) -> ShowFile:
 
 
 def default_path(environment: Mapping[str, str] = os.environ) -> Path:
-    """Where a show without a file keeps its journal: the user's state directory."""
+    """The path of the show file where none is named: in the user's state directory."""
     state = environment.get("XDG_STATE_HOME") or environment.get("LOCALAPPDATA")
     folder = Path(state) if state else Path.home() / ".local" / "state"
     return folder / "omote" / "show.omote"

@@ -8,9 +8,10 @@ import pytest
 from omote.model.transfer.fold_repair import (
     NEAR,
     build_sheet_geometry,
-    mark_folds,
+    find_folds,
     nearest_rotations,
     relax_patches,
+    repair,
     triangle_frames,
 )
 
@@ -25,13 +26,17 @@ def grid() -> tuple[np.ndarray, np.ndarray]:
     return np.stack([x.ravel(), y.ravel(), np.zeros(SIZE * SIZE)], axis=1), triangles.astype(np.int32)
 
 
+def folds_of(positions: np.ndarray) -> np.ndarray:
+    points, triangles = grid()
+    return find_folds(build_sheet_geometry(points, points, triangles), positions, points)
+
+
 def relaxed(positions: np.ndarray, held: np.ndarray) -> np.ndarray:
     points, triangles = grid()
     sheet = build_sheet_geometry(points, points, triangles)
-    bad = np.empty(len(triangles), np.bool_)
     result = positions.copy()
     for _ in range(6):
-        if mark_folds(result, triangles, sheet.normals, bad) == 0:
+        if not (bad := folds_of(result)).any():
             break
         relax_patches(sheet, result, points, bad, held, 2, NEAR)
     return result
@@ -44,13 +49,23 @@ def folded() -> np.ndarray:
 
 
 def test_a_vertex_pulled_over_its_neighbour_is_brought_back() -> None:
-    points, triangles = grid()
-    bad = np.empty(len(triangles), np.bool_)
-    assert mark_folds(folded(), triangles, build_sheet_geometry(points, points, triangles).normals, bad) > 0
+    points, _ = grid()
+    assert folds_of(folded()).any()
     result = relaxed(folded(), np.zeros(len(points), np.bool_))
-    assert mark_folds(result, triangles, build_sheet_geometry(points, points, triangles).normals, bad) == 0
+    assert not folds_of(result).any()
     far = np.linalg.norm(points - points[5 * SIZE + 5], axis=1) > 5
     assert np.array_equal(result[far], points[far])
+
+
+def test_repair_gives_back_what_folds_nowhere_and_closes_the_lines_only_once_they_move() -> None:
+    points, triangles = grid()
+    sheet, closed = build_sheet_geometry(points, points, triangles), list[int]()
+    on_line = np.zeros(len(points), np.bool_)
+    assert repair(sheet, points, points, on_line, lambda sheet: closed.append(1)) is points
+    on_line[:] = True  # nothing may move until the lines are free
+    result = repair(sheet, folded(), points, on_line, lambda sheet: closed.append(1))
+    assert closed
+    assert not folds_of(result).any()
 
 
 def test_held_vertices_do_not_move() -> None:

@@ -37,7 +37,6 @@ def begin(face: str, unit: str) -> State:
     return start(CAST.space, CAST.faces[face], displace_generic(CAST.space, compiled), compiled.residual)
 
 
-@pytest.mark.skipif(not METHOD.exists(), reason="docs/method.md is not written yet")
 def test_the_theory_names_the_stages_in_the_order_in_which_they_run() -> None:
     section = re.search(r"^## The smooth map\n(.*?)(?=^## |\Z)", METHOD.read_text(), re.MULTILINE | re.DOTALL)
     assert section is not None
@@ -90,11 +89,13 @@ def test_a_sheet_that_was_repaired_and_not_pushed_since_is_left_alone(face: str,
 
 
 def test_repair_leaves_no_fold_where_the_continuous_stages_leave_some() -> None:
+    folds = list[int]()
     for face, unit in CASES:
         before = run(CONTINUOUS_STAGES, begin(face, unit))
         geometry = before.smooth_map.geometry
-        after = repair_folds(before)
-        assert find_folds(geometry, after.sheet, before.source).sum() == 0
+        folds.append(int(find_folds(geometry, before.sheet, before.source).sum()))
+        assert find_folds(geometry, repair_folds(before).sheet, before.source).sum() == 0
+    assert sum(folds) > 0
 
 
 def test_the_inner_skin_is_linear_in_the_residual_before_the_mouth_bag_is_fitted() -> None:

@@ -1,4 +1,4 @@
-"""Editors at a real socket, a real show file and the real craft: what is acknowledged is kept and plays."""
+"""Editors on a real socket, show file and order runner: what is acknowledged is stored and plays."""
 
 import sqlite3
 from pathlib import Path
@@ -168,7 +168,7 @@ async def test_two_editors_hear_of_each_other_and_the_second_is_told(edit_harnes
     assert "Ada saved" in second.sentence
 
 
-async def test_what_the_craft_refuses_comes_back_as_a_sentence(
+async def test_what_the_worker_rejects_comes_back_as_a_message(
     edit_harness: EditHarness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     page = await edit_harness.editor()

@@ -72,7 +72,7 @@ def test_a_new_file_starts_neutral(tmp_path: Path, cast: Cast, report: Terminal)
     show.close()
 
 
-def test_a_blamed_state_is_kept_aside(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+def test_a_suspected_state_is_kept_aside(tmp_path: Path, cast: Cast, report: Terminal) -> None:
     show = kept(tmp_path / "a.omote", cast)
     snapshot = show.journal().snapshot
     session = restore(cast, show, Order(epoch=1, neutral=True), report)

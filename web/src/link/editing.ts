@@ -6,7 +6,7 @@ export const EDITING_PATH = "/editing";
 export const EDITING_LIMIT = 65536;
 
 /**
- * A face made from faces (`model.compose`): a mix, regions from others, caricature, then handles.
+ * A face made from faces (`compose_face`): a mix, regions from others, caricature, then handles.
  * base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
  * amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,
  * regions and amount put them.
@@ -21,7 +21,7 @@ export interface FaceRecipe {
 }
 
 /**
- * An expression laid under the control points.
+ * A weighted expression (a blendshape) under the control points.
  * source: a name of the built-in cast, or `#` and a content key; label: what people read; region: one of
  * `model.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged.
  */
@@ -40,7 +40,7 @@ export interface Pull {
 }
 
 /**
- * An expression as an artist made it: what its fields add up to (`model.compose`).
+ * An expression as an artist made it; `compose_expression` adds up its fields.
  * net: rows of the generic face's sheet under the control points; vectors: dtheta (radians), dh (metres), R (1 on the
  * surface) of each; ground: `#` and the key of a field that the net cannot say, or None; eyes: left yaw, pitch, right
  * yaw, pitch, radians, and pupil: what is added to those of ground and layers.
@@ -56,7 +56,10 @@ export interface Recipe {
   pupil: number;
 }
 
-/** Opens the link; nothing else is heard before it. `editor` is kept by the browser, so a reload finds its draft. */
+/**
+ * Opens the link; other messages before it are rejected. `editor` is stored by the browser, so a reload finds its
+ * draft.
+ */
 export interface Greet {
   type: "greet";
   editor: string;
@@ -100,7 +103,7 @@ export interface CloseItem {
 }
 
 /**
- * Control points (places in the net) let go at targets (metres, on this face): solved until they lie there.
+ * Control points (indices in the net) dropped at targets (metres, on this face): solved until they lie there.
  * `vectors`: where the page's linearisation puts all points of the net, the start of the solve.
  */
 export interface DragPoints {
@@ -122,7 +125,7 @@ export interface SetVectors {
   what: string;
 }
 
-/** Other control points (rows of the sheet): the field stays, the net is woven anew. */
+/** Other control points (rows of the sheet): the field stays, the net is built anew. */
 export interface SetNet {
   type: "set_net";
   request: number;
@@ -130,7 +133,7 @@ export interface SetNet {
   net: number[];
 }
 
-/** The layers under the control points. */
+/** The layers (weighted expressions, as of blendshapes) under the control points. */
 export interface SetLayers {
   type: "set_layers";
   request: number;
@@ -204,7 +207,7 @@ export interface BringBack {
   revision: number;
 }
 
-/** What people read of an item, and where it stands. */
+/** The label, tags and place of an item. */
 export interface Describe {
   type: "describe";
   request: number;
@@ -369,7 +372,7 @@ export interface Done {
   request: number;
 }
 
-/** A request was not carried out, and why, in one sentence; request -1: what came was no request. */
+/** A request was rejected, and why, in one sentence; request -1: what came was no valid request. */
 export interface EditRefused {
   type: "refused";
   request: number;
@@ -377,8 +380,9 @@ export interface EditRefused {
 }
 
 /**
- * How a face answers to a field, `/tangents/FACE-CONTENT`: (3, V, 3) f32 little-endian, metres on the face per
- * radian of dtheta, per metre of dh and per unit of R - 1, at each vertex of the sheet (zero off it).
+ * The tangents of a face, its derivative by the field, `/tangents/FACE-CONTENT`: (3, V, 3) f32 little-endian,
+ * metres on the face per radian of dtheta, per metre of dh and per unit of R - 1, at each vertex of the sheet (zero
+ * off it).
  */
 export interface TangentsAsset {
   tangents: Uint8Array;

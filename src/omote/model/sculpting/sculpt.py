@@ -1,4 +1,4 @@
-"""Sculpts: a face made by moving a few points of the generic head; everything between follows smoothly."""
+"""Sculpts: faces made by moving a few control points of the generic head; the rest follows a radial-basis warp."""
 
 from __future__ import annotations
 
@@ -115,16 +115,16 @@ def warp(sculpt: Sculpt, /) -> Callable[[Values], Values]:
         )
     answer = np.linalg.solve(_system(points, sculpt.kernel), np.concatenate([moves, np.zeros((4, 3))]))
 
-    def moved(where: Values) -> Values:
+    def move(where: Values) -> Values:
         result: Values = where + _columns(points, sculpt.kernel, where) @ answer
         return result
 
-    if not np.abs(moved(points) - points - moves).max() < _EXACT:
+    if not np.abs(move(points) - points - moves).max() < _EXACT:
         raise ValueError(
             f"the control points of sculpt {sculpt.name!r} could not be met to {_EXACT} m; "
             "expected points that are apart: join those that nearly touch"
         )
-    return moved
+    return move
 
 
 def warp_basis(points: Values, where: Values, /, *, kernel: Kernel = "triharmonic") -> Values:

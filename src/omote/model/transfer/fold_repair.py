@@ -1,8 +1,7 @@
 """Turns back the triangles that a displacement has turned over (docs/method.md, "Fold repair").
 
-Gradient-domain editing of small patches, as rigid as the generic face's triangles are: weighted least squares on
-deformation gradients (Sumner & Popovic 2004), solved by conjugate gradients. A patch changes with every compound, so
-nothing is factorised.
+Gradient-domain editing of small patches: weighted least squares on deformation gradients (Sumner & Popovic 2004),
+solved by conjugate gradients. A patch changes with every compound, so nothing is factorised.
 """
 
 from __future__ import annotations
@@ -91,8 +90,7 @@ def find_folds(geometry: SheetGeometry, positions: Values, source: Values, /) ->
     here, there = np.empty(len(geometry.triangles), np.bool_), np.empty(len(geometry.triangles), np.bool_)
     mark_folds(positions, geometry.triangles, geometry.normals, here)
     mark_folds(source, geometry.triangles, geometry.generic_normals, there)
-    result: Mask = here & ~there
-    return result
+    return here & ~there
 
 
 def relax_patches(
@@ -147,25 +145,15 @@ def _gradients(positions: Values, triangles: Indices) -> tuple[Values, Values]:
 
 
 @njit(cache=True)
-def mark_folds(positions: Values, triangles: Indices, rest: Values, out: Mask) -> int:
-    """Marks in out (T,) the triangles whose normal points against that at rest (T, 3); returns how many."""
-    count = 0
+def mark_folds(positions: Values, triangles: Indices, rest: Values, out: Mask) -> None:
+    """Marks in out (T,) the triangles whose normal points against that at rest (T, 3)."""
     for t in range(len(triangles)):
         i, j, k = triangles[t]
-        ax, ay, az = (
-            positions[j, 0] - positions[i, 0],
-            positions[j, 1] - positions[i, 1],
-            positions[j, 2] - positions[i, 2],
-        )
-        bx, by, bz = (
-            positions[k, 0] - positions[i, 0],
-            positions[k, 1] - positions[i, 1],
-            positions[k, 2] - positions[i, 2],
-        )
+        a, b, c = positions[i], positions[j], positions[k]
+        ax, ay, az = b[0] - a[0], b[1] - a[1], b[2] - a[2]
+        bx, by, bz = c[0] - a[0], c[1] - a[1], c[2] - a[2]
         along = (ay * bz - az * by) * rest[t, 0] + (az * bx - ax * bz) * rest[t, 1] + (ax * by - ay * bx) * rest[t, 2]
         out[t] = along < 0.0
-        count += out[t]
-    return count
 
 
 @njit(cache=True)
@@ -207,11 +195,10 @@ def _target_gradient(
     size = np.sqrt(np.sqrt((normal * normal).sum()))
     frame[:, 2] = normal / max(size, 1e-12)
     gradient = rotations[t] @ (frame @ inverse_frames[t]) @ np.ascontiguousarray(rotations[t].T)
+    p = plane[t]
     for k in range(2):
         for c in range(3):
-            out[k, c] = (
-                gradient[c, 0] * plane[t, 0, k] + gradient[c, 1] * plane[t, 1, k] + gradient[c, 2] * plane[t, 2, k]
-            )
+            out[k, c] = gradient[c, 0] * p[0, k] + gradient[c, 1] * p[1, k] + gradient[c, 2] * p[2, k]
 
 
 @njit(cache=True)

@@ -3,9 +3,9 @@
 Each frame, after the blend (docs/method.md, "Correctives of combinations"). Artists sculpt such fixes by hand and call
 them correctives or combination shapes; here they are computed. One compound on one face is never changed: each has an
 allowance of what it uses up by itself (`measure_allowance`), weighted like the mix. The GPU of a stage does the same
-(web/src/stage/settle_shaders.ts). All of it is continuous in the weights: lids and lips that cross move apart by half
-each; lids are pushed out of the eyeball, whose cornea bulges where it looks; triangles about to turn over are projected
-(`omote.perform.blending.orientation`). Rejected: smoothing displacements folded more triangles than it mended.
+(web/src/face/blend/corrective_shaders.ts). All of it is continuous in the weights: lids and lips that cross move apart
+by half each; lids are pushed out of the eyeball, whose cornea bulges where it looks; triangles about to turn over are
+projected (`omote.perform.blending.orientation`). Rejected: smoothing displacements folded more than it mended.
 """
 
 from __future__ import annotations

@@ -89,16 +89,16 @@ class CommitThread:
         self._show.close()
 
     def _carry_out(self, job: _Job) -> None:
-        fate = self._try_commit(job)
-        if fate.state == "waiting":
-            self._tell(job, fate)
-        while fate.state == "waiting":
+        outcome = self._try_commit(job)
+        if outcome.state == "waiting":
+            self._tell(job, outcome)
+        while outcome.state == "waiting":
             with self._waiting:
                 last = self._waiting.wait_for(lambda: self._closing, timeout=self._retry_seconds)
-            fate = self._try_commit(job)
-            if last and fate.state == "waiting":
-                fate = CommitOutcome("refused", fate.sentence)
-        self._tell(job, fate)
+            outcome = self._try_commit(job)
+            if last and outcome.state == "waiting":
+                outcome = CommitOutcome("refused", outcome.sentence)
+        self._tell(job, outcome)
 
     def _try_commit(self, job: _Job) -> CommitOutcome:
         if self._backup and self._backup.damage:
@@ -118,10 +118,10 @@ class CommitThread:
         self._failing = False
         return CommitOutcome("committed")
 
-    def _tell(self, job: _Job, fate: CommitOutcome) -> None:
+    def _tell(self, job: _Job, outcome: CommitOutcome) -> None:
         try:
-            job.told(fate)
+            job.told(outcome)
         except RuntimeError:
             pass  # a loop that has ended hears nothing any more
         except Exception as error:  # whatever it is, later changes are still to be kept
-            self._report(f"what became of a change ({fate.state}) could not be told: {error!r}.")
+            self._report(f"what became of a change ({outcome.state}) could not be told: {error!r}.")

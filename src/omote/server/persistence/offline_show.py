@@ -1,4 +1,4 @@
-"""Show files that no show plays, opened for a command."""
+"""Opens a show file that no show plays, for a command."""
 
 from __future__ import annotations
 
@@ -37,5 +37,5 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
 
 
 def wall_clock() -> float:
-    """Seconds since 1970, for people who read a history."""
+    """Seconds since 1970, shown in histories."""
     return time.time_ns() / 1e9

@@ -50,7 +50,7 @@ const HERE = `
   int row = ((at.y - vBlock * lines) << ${ROW_SHIFT}) | at.x;
 `;
 
-/** The linearised displacement of a vertex of the sheet: its tangents times the field (method.md, section 3). */
+/** A linearised displacement: tangents times field (docs/method.md, "Drags: tangents and the solve"). */
 export const MOVE_FRAGMENT = `${FRAGMENT}
 uniform sampler2DArray tangents;
 uniform sampler2D fields;
