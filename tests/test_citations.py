@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parent.parent
-PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "src").rglob("*.md")])
+PAGES = sorted((ROOT / "src").rglob("*.md"))  # those of docs/ and the root: test_documentation.py
 FOLDERS = ("src", "web/src", "tools", "benchmarks", "tests", "examples")
 CODE = sorted(path for folder in FOLDERS for ending in ("py", "ts") for path in (ROOT / folder).rglob(f"*.{ending}"))
 LINK = re.compile(r"\]\((?!\w+:)([^)#\s]*)(?:#([^)\s]+))?\)")

@@ -16,8 +16,9 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Expression:
-    """An expression: a blendshape as a field (dtheta, dh, R) on S, independent of identity, with inner skin, parts and
-    eyes.
+    """An expression: a blendshape as a field (dtheta, dh, R) on S, independent of identity.
+
+    Beside the field it has what the sheet cannot say: inner skin, parts, eyes.
 
     Parameters
     ----------

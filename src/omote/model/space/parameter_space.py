@@ -1,4 +1,5 @@
-"""The parameter space S: the generic face unrolled onto a cylinder (method.md, section 2; paper, section 2.1)."""
+"""The parameter space S: the generic face unrolled onto a cylinder (docs/method.md, "The cylinder";
+paper, section 2.1)."""
 
 from __future__ import annotations
 
@@ -367,8 +368,8 @@ def _thin_anchors(points: NDArray[np.float64], anchors: NDArray[np.int32]) -> ND
 def smoothed_scale(
     space: ParameterSpace, positions: NDArray[np.float64], /, *, rounds: int = 30
 ) -> NDArray[np.float64]:
-    """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings (method.md,
-    section 3)."""
+    """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings (docs/method.md,
+    "Detail transfer")."""
     average = smoothing_matrix(space.triangles, space.vertex_count)
     here, there = np.zeros(space.vertex_count), np.zeros(space.vertex_count)
     for corner in range(3):
