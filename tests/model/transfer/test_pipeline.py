@@ -37,7 +37,6 @@ def begin(face: str, unit: str) -> State:
     return start(CAST.space, CAST.faces[face], displace_generic(CAST.space, compiled), compiled.residual)
 
 
-@pytest.mark.skipif(not METHOD.exists(), reason="docs/method.md is not written yet")
 def test_the_theory_names_the_stages_in_the_order_in_which_they_run() -> None:
     section = re.search(r"^## The smooth map\n(.*?)(?=^## |\Z)", METHOD.read_text(), re.MULTILINE | re.DOTALL)
     assert section is not None
