@@ -20,10 +20,10 @@ LONG_MODULES: dict[str, str] = {
     "src/omote/show/messages.py": "every message and document once, in one file",
     "tools/baking/people.py": "one recipe for each person, line by line",
     "src/omote/edit/messages.py": "every message of an editor's link once, in one file",
-    "web/src/link/editing.ts": "written by tools/messages.py from the one file above",
+    "web/src/link/editing_messages.ts": "written by tools/messages.py from the one file above",
     "web/src/link/messages.ts": "written by tools/messages.py from show/messages.py",
     "benchmarks/interruptions.py": "one claim with its bound, its search for the maximum and its picture",
-    "web/src/editor/canvas/hands.ts": "what mouse, touch, pen and keys mean, in one place",
+    "web/src/editor/canvas/input/input.ts": "what mouse, touch, pen and keys mean, in one place",
 }
 LONG_BODIES: dict[str, str] = {}
 

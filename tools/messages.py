@@ -1,4 +1,4 @@
-"""Writes `web/src/link/messages.ts` and `editing.ts` from the Python messages: `python tools/messages.py [--check]`."""
+"""Writes `web/src/link/messages.ts` and `editing_messages.ts` from the Python messages: `python tools/messages.py [--check]`."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def editing_module() -> str:
     return _module("edit", constants, structs_of(editing), unions)
 
 
-MODULES = {"messages.ts": show_module, "editing.ts": editing_module}
+MODULES = {"messages.ts": show_module, "editing_messages.ts": editing_module}
 
 
 def structs_of(module: ModuleType) -> list[type[msgspec.Struct]]:

@@ -7,7 +7,7 @@ import pytest
 
 from omote.perform.lights import FIRST_LIGHT, LIGHTS, light_named
 
-STAGE = Path(__file__).parents[2] / "web" / "src" / "stage" / "light.ts"
+STAGE = Path(__file__).parents[2] / "web" / "src" / "face" / "light" / "lights.ts"
 
 
 @pytest.mark.parametrize("name", LIGHTS)

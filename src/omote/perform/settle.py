@@ -1,7 +1,7 @@
 """Sums settle: what several compounds together fold or pierce, and none alone, is put right on the way out.
 
 One compound on one face is never changed: each brings along how much it uses up by itself (`allowance`), weighted like
-the mix. The stage's GPU does the same, pass by pass (web/src/stage/settle_shaders.ts). All of it is continuous in
+the mix. The stage's GPU does the same, pass by pass (web/src/face/blend/corrective_shaders.ts). All of it is continuous in
 the weights: lids and lips that cross give way by half each; lids leave the eyeball, whose cornea bulges where it looks;
 triangles about to turn over are kept from it by projecting their vertices (position based dynamics: Mueller et al.
 2007, section 3.3, all constraints at once).

@@ -1,7 +1,7 @@
 """Pictures of what hangs on a head for programs that know no shaders of ours: eyeballs, teeth, tongue, lashes, hair.
 
 Each comes with the texture coordinates that it is painted for, from the generic face alone. Colours and measures are
-those of web/src/stage (eye_shaders, mouth_shaders, lashes), without their light.
+those of web/src/face (eye_shaders, mouth_shaders, lashes), without their light.
 """
 
 from __future__ import annotations

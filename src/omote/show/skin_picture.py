@@ -1,4 +1,4 @@
-"""The skin's own colour as a picture: what web/src/stage/skin_colours.ts computes for each pixel, without light."""
+"""The skin's own colour as a picture: what web/src/face/skin/skin_colour_shaders.ts computes for each pixel, without light."""
 
 from __future__ import annotations
 

@@ -1,26 +1,26 @@
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";
+import { base, palette } from "../ui/theme";
 import { style } from "./console_page_style";
-import type { Topic } from "./desk";
-import { RigElement } from "./element";
-import { type Command, commandOf } from "./keys";
-import type { LightRow } from "./light_row";
-import type { Monitor } from "./monitor";
-import type { Pad } from "./pad";
-import type { Palette } from "./palette";
-import type { TBar } from "./t_bar";
-import { base, palette } from "./theme";
-import { neighbour } from "./timing";
-import "./bank";
+import { RigElement } from "./controls/console_element";
+import type { LightRow } from "./controls/light_row";
+import type { Pad } from "./controls/pad";
+import type { TBar } from "./controls/t_bar";
+import type { Monitor } from "./panels/monitor";
+import type { Palette } from "./panels/palette";
+import type { Topic } from "./store/console_store";
+import { type Command, commandOf } from "./store/keys";
+import { neighbour } from "./store/timing";
+import "./panels/bank";
 import "./help";
-import "./light_row";
-import "./mix";
-import "./monitor";
-import "./pad";
-import "./palette";
-import "./status_bar";
-import "./t_bar";
+import "./controls/light_row";
+import "./panels/on_air_mix";
+import "./panels/monitor";
+import "./controls/pad";
+import "./panels/palette";
+import "./panels/status_bar";
+import "./controls/t_bar";
 
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")

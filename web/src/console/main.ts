@@ -1,16 +1,16 @@
 /** The console page: links the show to a desk, and a desk to the instrument. */
 
+import { FaceView } from "../face/face_view";
+import type { Shot } from "../face/framing";
+import { resting } from "../face/pose/pose";
 import { Library } from "../link/assets";
-import { Link } from "../link/socket";
-import { FaceView } from "../stage/face_view";
-import type { Shot } from "../stage/framing";
-import { resting } from "../stage/pose";
+import { Link } from "../link/show_link";
+import { Painter } from "../ui/frame_painter";
+import { PICTURE, Portraits, type Studio } from "../ui/thumbnails";
 import { ConsolePage } from "./console_page";
-import { Desk } from "./desk";
-import type { Rig } from "./element";
-import { LayoutKeeper, layoutName } from "./layout_keeper";
-import { Painter } from "./painter";
-import { PICTURE, Portraits, type Studio } from "./portraits";
+import type { Rig } from "./controls/console_element";
+import { Desk } from "./store/console_store";
+import { LayoutKeeper, layoutName } from "./store/layout_sync";
 
 /** Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. */
 const THUMB: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };

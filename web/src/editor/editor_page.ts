@@ -1,22 +1,22 @@
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import { base, palette } from "../console/theme";
+import { base, palette } from "../ui/theme";
 import { EditorCanvas } from "./canvas/editor_canvas";
-import { controls } from "./controls_style";
-import { type Kind, redo, undo } from "./deeds";
+import { controls } from "./controls/controls_style";
+import { BenchElement } from "./controls/editor_element";
 import { style } from "./editor_page_style";
-import { BenchElement } from "./element";
-import type { Heading } from "./heading";
-import { hintOf } from "./hints";
-import { type Command, commandOf, type View } from "./keys";
-import type { LibraryPanel } from "./panels/library";
-import type { Topic } from "./workbench";
-import "./heading";
-import "./help";
-import "./notices_view";
-import "./panels/all";
-import "./panels/library";
-import "./tools";
+import type { Heading } from "./page/heading";
+import { hintOf } from "./page/hints";
+import { type Command, commandOf, type View } from "./page/keys";
+import type { LibraryPanel } from "./page/library";
+import type { Topic } from "./session/draft_store";
+import { type Kind, redo, undo } from "./session/item_commands";
+import "./page/heading";
+import "./page/help";
+import "./page/notices_view";
+import "./panels/item_panels";
+import "./page/library";
+import "./page/tools";
 
 /** The editor: what there is on the left, the face under work and its company between, what it is made of on the right. */
 @customElement("omote-editor")

@@ -1,17 +1,17 @@
 /** The editor page: authored once, played on every face. */
 
-import { PICTURE, Portraits } from "../console/portraits";
 import { Library } from "../link/assets";
 import { askedItem, editorAddress } from "../link/editor_address";
-import { openItem } from "./deeds";
-import { EditingLink } from "./editing_link";
+import { PICTURE, Portraits } from "../ui/thumbnails";
+import type { EditorRig } from "./controls/editor_element";
 import { EditorPage } from "./editor_page";
-import type { EditorRig } from "./element";
-import { idle } from "./idle";
-import { keepView } from "./kept_view";
-import { Studio } from "./studio";
-import { keepName, whoIsHere } from "./who";
-import { Workbench } from "./workbench";
+import { EditingLink } from "./link/editor_link";
+import { keepName, whoIsHere } from "./link/identity";
+import { Workbench } from "./session/draft_store";
+import { idle } from "./session/idle_queue";
+import { openItem } from "./session/item_commands";
+import { Studio } from "./session/thumbnail_renderer";
+import { keepView } from "./session/view_settings";
 
 /** Pixels of a thumbnail as it is drawn, somewhat less than it is shown at: what is shown first is usable first. */
 const SMALL = { width: Math.round(0.75 * PICTURE.width), height: Math.round(0.75 * PICTURE.height) };

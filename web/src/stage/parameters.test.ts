@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { tileView } from "./framing";
+import { tileView } from "../face/framing";
+import { encoded } from "../face/light/tone";
 import { ParameterError, readParameters } from "./parameters";
-import { encoded } from "./tone";
 
 describe("a stage's address", () => {
   it("needs no parameter", () => {

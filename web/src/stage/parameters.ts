@@ -1,6 +1,6 @@
-import { LIGHTS, type Triple } from "./light";
-import { LEVELS, type Level } from "./quality";
-import { decoded } from "./tone";
+import { LIGHTS, type Triple } from "../face/light/lights";
+import { decoded } from "../face/light/tone";
+import { LEVELS, type Level } from "../face/quality/quality_levels";
 
 /** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */
 export interface Tile {

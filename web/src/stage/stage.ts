@@ -1,17 +1,17 @@
+import { FaceView } from "../face/face_view";
+import { Breath } from "../face/pose/breath";
+import { Lateness } from "../face/pose/jitter_buffer";
+import { type Pose, poseKey } from "../face/pose/pose";
+import { Timeline } from "../face/pose/timeline";
+import { HeadRoom } from "../face/quality/frame_headroom";
+import { Rate } from "../face/quality/frame_rate";
+import { LevelChooser } from "../face/quality/quality_controller";
+import type { Level } from "../face/quality/quality_levels";
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import { STATE_RATE, type State } from "../link/messages";
-import { Link } from "../link/socket";
-import { Breath } from "./breath";
-import { LevelChooser } from "./chooser";
-import { FaceView } from "./face_view";
-import { HeadRoom } from "./head_room";
-import { Lateness } from "./lateness";
+import { Link } from "../link/show_link";
 import type { StageParameters } from "./parameters";
-import { type Pose, poseKey } from "./pose";
-import type { Level } from "./quality";
-import { Rate } from "./rate";
-import { Timeline } from "./timeline";
 
 /** Seconds behind the server at most; a stage alone draws as soon as there is a state on either side of its frame. */
 const LONGEST_DELAY = 0.06;

@@ -1,29 +1,29 @@
 /** The editor's canvas: the face under work large, the others beside it, all wearing the draft; and hands on it. */
 
+import { type Anatomy, study } from "../../face/anatomy/anatomy";
+import { fenced } from "../../face/gpu/fence";
+import { drawsInSoftware } from "../../face/quality/software_rendering";
 import { now } from "../../link/clock";
 import type { Manifest } from "../../link/messages";
-import { type Anatomy, study } from "../../stage/anatomy";
-import { drawsInSoftware } from "../../stage/machine";
-import { flat } from "../net";
-import type { Workbench } from "../workbench";
-import { Aspect } from "./aspect";
-import type { Camera, ViewName } from "./camera";
-import { coarseMeshes } from "./coarse";
-import { Company, type Member } from "./company";
-import { Complexions } from "./complexion";
-import { ballFrames, ballsOf, gazeOf, shows } from "./eyes";
-import { fenced } from "./fence";
-import { Grounds } from "./grounds";
-import { HandleHands } from "./handle_hands";
-import { Hands } from "./hands";
-import { HEAD, NeedleMarks } from "./needle_marks";
-import { Overlay } from "./overlay";
-import { Pace } from "./pace";
-import { Painter } from "./painter";
+import type { Workbench } from "../session/draft_store";
+import { flat } from "../session/net";
+import { Grounds } from "./draw/backgrounds";
+import { Company, type Member } from "./draw/expression_scene";
+import { Painter } from "./draw/face_painter";
+import { Sitters } from "./draw/face_scene";
+import { HEAD, NeedleMarks } from "./draw/needle_renderer";
+import { Overlay } from "./draw/overlay";
+import { Pace } from "./draw/pace";
+import { boxOf, type Changed, Repaint, type Tile } from "./draw/repaint";
+import { Complexions } from "./draw/skin_texture";
+import { Aspect } from "./draw/viewports";
+import { HandleHands } from "./input/handle_drag";
+import { Hands } from "./input/input";
+import type { Camera, ViewName } from "./math/camera";
+import { coarseMeshes } from "./math/coarse_mesh";
+import { surfaceOf } from "./math/surface";
+import { ballFrames, ballsOf, gazeOf, shows } from "./model/gaze";
 import { exposeProbe } from "./probe";
-import { boxOf, type Changed, Repaint, type Tile } from "./repaint";
-import { Sitters } from "./sitters";
-import { surfaceOf } from "./surface";
 
 export class EditorCanvas {
   readonly pace = new Pace();

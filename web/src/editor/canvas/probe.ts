@@ -1,7 +1,7 @@
 /** What tests, benchmarks and curious users may ask of the canvas: `window.omoteEditor`. */
 
+import type { Counters } from "./draw/pace";
 import type { EditorCanvas } from "./editor_canvas";
-import type { Counters } from "./pace";
 
 export interface EditorProbe {
   /** Whether all faces wear the draft, and nothing eases. */

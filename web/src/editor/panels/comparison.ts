@@ -1,12 +1,12 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, queryAll, state } from "lit/decorators.js";
-import { curtain } from "../../console/dialog_style";
-import { base } from "../../console/theme";
-import { controls } from "../controls_style";
-import { distances, drawShape, heat, largest, SKIN } from "../difference";
-import { BenchElement } from "../element";
-import { wearing } from "../shapes";
-import { MILLIMETRES, shown } from "../units";
+import { curtain } from "../../ui/dialog_style";
+import { base } from "../../ui/theme";
+import { controls } from "../controls/controls_style";
+import { BenchElement } from "../controls/editor_element";
+import { MILLIMETRES, shown } from "../controls/units";
+import { wearing } from "../session/shape_loading";
+import { distances, drawShape, heat, largest, SKIN } from "./shape_difference";
 
 /** One of two things that are compared: a content, and what people call it. */
 export interface Side {

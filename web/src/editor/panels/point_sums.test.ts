@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { flat, REST, type Vector } from "../net";
+import { flat, REST, type Vector } from "../session/net";
 import { commonOf, mirrored } from "./point_sums";
 
 const vectors: Vector[] = [[0.1, 0.01, 1.1], [...REST], [0.2, 0.02, 0.9], [...REST]];

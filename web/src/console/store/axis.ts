@@ -1,0 +1,14 @@
+import type { CallState, State } from "../../link/messages";
+import type { Axis } from "./keys";
+
+/** The call that runs on an axis. */
+export function callOf(state: State, axis: Axis): CallState | null {
+  return axis === "face" ? state.face_call : state.expression_call;
+}
+
+/** The names on air, heaviest first; weights below a thousandth are not shown. */
+export function onAir(weights: Readonly<Record<string, number>>): [string, number][] {
+  return Object.entries(weights)
+    .filter(([, weight]) => Math.abs(weight) >= 0.001)
+    .sort(([a, x], [b, y]) => y - x || a.localeCompare(b));
+}

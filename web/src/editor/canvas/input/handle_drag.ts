@@ -1,0 +1,201 @@
+/** Hands on the handles of a face: which one a pointer means, and where it takes it. */
+
+import type { Fans } from "../../../face/anatomy/topology";
+import type { Workbench } from "../../session/draft_store";
+import { flat } from "../../session/net";
+import type { Sitters } from "../draw/face_scene";
+import type { NeedleState } from "../draw/needle_renderer";
+import type { Camera } from "../math/camera";
+import { add, type Pair, type Triple, times } from "../math/vectors";
+import { type Handles, movedBy, namesOf, strokeOf, withMoves } from "../model/handles";
+import { type Needle, needlesOn, picked, REACH } from "../model/needles";
+
+/** Metres that a handle's head stands out of the skin. */
+export const STUD = 0.002;
+
+/** What hands must know of the canvas. */
+export interface Place {
+  readonly bench: Workbench;
+  readonly sitters: Sitters;
+  readonly fans: Fans;
+  readonly skin: Uint32Array;
+  camera(): Camera | undefined;
+  redraw(): void;
+}
+
+interface Hold {
+  places: readonly number[];
+  /** Where the pointer was last, whether it went along the view then, and the moves at that time. */
+  from: Pair;
+  along: boolean;
+  moves: Float64Array;
+  foot: Triple;
+  used: boolean;
+  /** The moves when the hand took hold. */
+  first: Float64Array;
+}
+
+export class HandleHands {
+  hovered = -1;
+  private hold: Hold | undefined;
+  private nudged: readonly number[] | undefined;
+  /** The moves as the hand has them now; undefined: as the recipe has them. */
+  private now: Float64Array | undefined;
+
+  constructor(private readonly place: Place) {}
+
+  get dragging(): boolean {
+    return this.hold !== undefined;
+  }
+
+  /** The handles that can be taken now. */
+  get handles(): Handles | undefined {
+    const { bench, sitters } = this.place;
+    return bench.look === null && bench.options.needles ? sitters.handles : undefined;
+  }
+
+  /** Handles as they stand on the face at the front. */
+  studs(): Needle[] {
+    const { sitters, fans } = this.place;
+    const figure = sitters.all[0]?.figure;
+    return figure === undefined || this.handles === undefined
+      ? []
+      : needlesOn(this.handles.rows, fans, figure.base, STUD);
+  }
+
+  states(): NeedleState[] {
+    const { selection, options } = this.place.bench;
+    const { handles, hold } = this;
+    const images = new Set(options.mirror ? [...selection].map((place) => handles?.mirror[place]) : []);
+    return (handles?.rows ?? []).map((_, place): NeedleState => {
+      if (selection.has(place)) return "selected";
+      if (hold !== undefined && images.has(place)) return "taken";
+      return place === this.hovered ? "hovered" : "still";
+    });
+  }
+
+  /** A pointer goes down; whether it took a handle. */
+  press(at: Pair, event: PointerEvent): boolean {
+    const stud = event.button === 0 ? this.pick(at, event.pointerType === "touch") : undefined;
+    if (stud === undefined) return false;
+    const { bench } = this.place;
+    const more = event.shiftKey || event.ctrlKey || event.metaKey;
+    if (more) bench.select([...bench.selection, stud.place]);
+    else if (!bench.selection.has(stud.place)) bench.select([stud.place]);
+    this.take([...bench.selection], stud.foot, at, event.altKey);
+    return true;
+  }
+
+  drag(at: Pair, event: PointerEvent): void {
+    const { hold } = this;
+    const camera = this.place.camera();
+    if (hold === undefined || camera === undefined) return;
+    if (hold.along !== event.altKey) Object.assign(hold, { from: at, along: event.altKey, moves: this.moves });
+    this.put(hold, strokeOf(camera, hold.foot, hold.from, at, hold.along));
+  }
+
+  release(_event?: PointerEvent): void {
+    const { hold, handles } = this;
+    this.hold = undefined;
+    if (hold?.used && handles !== undefined) this.send(handles, hold.places);
+    this.place.redraw();
+  }
+
+  /** The hand never meant it. */
+  cancel(): void {
+    const { hold } = this;
+    this.hold = undefined;
+    if (hold === undefined) return;
+    this.show(hold.first);
+  }
+
+  /** Moves what is chosen by metres on the screen (right, up) or along the view (towards), until `endNudge`. */
+  nudge(right: number, up: number, towards: number): boolean {
+    const { bench } = this.place;
+    const [camera, handles] = [this.place.camera(), this.handles];
+    const places = [...bench.selection].filter((place) => place < (handles?.rows.length ?? 0));
+    if (camera === undefined || handles === undefined || places.length === 0) return false;
+    const by = add(add(times(camera.right, right), times(camera.up, up)), times(camera.back, towards));
+    this.show(movedBy(this.moves, handles, places, by, bench.options.mirror));
+    this.nudged = places;
+    return true;
+  }
+
+  /** The key is up: the server is asked. */
+  endNudge(): void {
+    const { nudged, handles } = this;
+    this.nudged = undefined;
+    if (nudged !== undefined && handles !== undefined) this.send(handles, nudged);
+  }
+
+  /** What is chosen goes back to where the mix of faces has it. */
+  reset(): void {
+    const { bench } = this.place;
+    const { handles } = this;
+    if (handles === undefined || bench.selection.size === 0) return;
+    const chosen = new Set(
+      [...bench.selection].flatMap((place) => (bench.options.mirror ? [place, handles.mirror[place] ?? -1] : [place])),
+    );
+    this.show(this.moves.map((move, at) => (chosen.has(Math.floor(at / 3)) ? 0 : move)));
+    this.send(handles, [...bench.selection], "back at rest");
+  }
+
+  /** Whether the hand is ahead of what the server has answered. */
+  get ahead(): boolean {
+    return this.hold !== undefined || this.nudged !== undefined || this.place.bench.waiting;
+  }
+
+  /** The server has answered, or refused: the hand begins from what it has now, unless it is ahead. */
+  settle(): void {
+    if (this.ahead || this.now === undefined) return;
+    this.now = undefined;
+    this.place.sitters.move(this.moves);
+    this.place.redraw();
+  }
+
+  private get moves(): Float64Array {
+    const { bench, sitters } = this.place;
+    if (this.now !== undefined) return this.now;
+    const told = bench.face === null ? [] : flat(bench.face.moves);
+    return told.length === 3 * (sitters.handles?.rows.length ?? 0)
+      ? Float64Array.from(told)
+      : new Float64Array(3 * (sitters.handles?.rows.length ?? 0));
+  }
+
+  private take(places: readonly number[], foot: Triple, from: Pair, along: boolean): void {
+    const moves = this.moves;
+    this.hold = { places, foot, from, along, moves, used: false, first: moves };
+  }
+
+  private put(hold: Hold, by: Triple): void {
+    const { handles } = this;
+    if (handles === undefined) return;
+    hold.used = true;
+    this.show(movedBy(hold.moves, handles, hold.places, by, this.place.bench.options.mirror));
+  }
+
+  private show(moves: Float64Array): void {
+    this.now = moves;
+    this.place.sitters.move(moves);
+    this.place.redraw();
+  }
+
+  private send(handles: Handles, places: readonly number[], what = "moved"): void {
+    const { bench } = this.place;
+    if (bench.face !== null)
+      bench.setFace(withMoves(bench.face, handles, this.moves), `${namesOf(handles, places)} ${what}`);
+  }
+
+  private pick(at: Pair, touch: boolean): Needle | undefined {
+    const { sitters, skin } = this.place;
+    const [camera, figure] = [this.place.camera(), sitters.all[0]?.figure];
+    if (camera === undefined || figure === undefined) return undefined;
+    return picked(
+      this.studs(),
+      camera,
+      { positions: figure.base, triangles: skin },
+      at,
+      touch ? REACH.touch : REACH.mouse,
+    );
+  }
+}

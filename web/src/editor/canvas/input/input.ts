@@ -1,0 +1,403 @@
+/** Mouse, touch, pen and keys on the canvas. */
+
+import type { Anatomy } from "../../../face/anatomy/anatomy";
+import type { Net } from "../../session/net";
+import type { EditorCanvas } from "../editor_canvas";
+import type { Camera } from "../math/camera";
+import { hit } from "../math/surface";
+import type { Pair, Triple } from "../math/vectors";
+import type { Figure } from "../model/figure";
+import { lipsOf } from "../model/lip_coupling";
+import { NEEDLE, type Needle, needlesOn, picked, REACH, within } from "../model/needles";
+import { freeRow, withoutPlace, withPlaceAt, withRow } from "../model/net_edits";
+import { Sight } from "./camera_control";
+import { Grip, type Ground } from "./needle_drag";
+import { nudgeOf } from "./nudge_keys";
+
+/** Pixels that a pointer may tremble before a press becomes a drag. */
+const TREMBLE = { mouse: 3, touch: 8 } as const;
+
+type Press =
+  | { kind: "needle"; needle: Needle; fresh: boolean }
+  | { kind: "ground" | "beside"; over: number }
+  | { kind: "orbit" | "pan" | "band" | "handle" };
+
+/** A needle that is being set down somewhere else on the skin. */
+export interface Placing {
+  place: number;
+  row: number;
+}
+
+export class Hands {
+  /** The place of the needle under the pointer, and the face (0: the work); -1: none. */
+  hovered = -1;
+  over = -1;
+  grip: Grip | undefined;
+  placing: Placing | undefined;
+  /** The corners of the rubber band, CSS pixels. */
+  band: [number, number, number, number] | undefined;
+  private anatomy: Anatomy | undefined;
+  private surface: { skin: Uint32Array; land: Uint32Array } | undefined;
+  private readonly pointers = new Map<number, Pair>();
+  private press: { what: Press; from: Pair; last: Pair; moved: boolean } | undefined;
+  private readonly sight: Sight;
+  private nudging = false;
+  private readonly ending = new AbortController();
+
+  constructor(private readonly stage: EditorCanvas) {
+    const { canvas } = stage;
+    this.sight = new Sight(stage);
+    const options = { signal: this.ending.signal };
+    canvas.style.touchAction = "none";
+    canvas.tabIndex = 0;
+    canvas.addEventListener("pointerdown", (event) => this.down(event), options);
+    canvas.addEventListener("pointermove", (event) => this.move(event), options);
+    canvas.addEventListener("pointerup", (event) => this.up(event), options);
+    canvas.addEventListener("pointercancel", (event) => this.lose(event), options);
+    canvas.addEventListener("pointerleave", () => this.hover(-1, -1), options);
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault(), options);
+    canvas.addEventListener("dblclick", (event) => this.doubled(event), options);
+    canvas.addEventListener("wheel", (event) => this.sight.wheel(event), { ...options, passive: false });
+    addEventListener("keydown", (event) => this.key(event), options);
+    addEventListener("keyup", () => this.endNudge(), options);
+    addEventListener("blur", () => this.endNudge(), options);
+  }
+
+  know(anatomy: Anatomy, surface: { skin: Uint32Array; land: Uint32Array }): void {
+    [this.anatomy, this.surface] = [anatomy, surface];
+  }
+
+  dispose(): void {
+    this.ending.abort();
+  }
+
+  /** The needles of the face under work, where they can be taken; none while there is nothing to take. */
+  needles(): Needle[] {
+    const { bench, handles } = this.stage;
+    if (this.stage.sitting) return handles?.studs() ?? [];
+    const figure = this.figure;
+    const shown = bench.recipe !== null && bench.look === null && bench.options.needles;
+    if (figure === undefined || this.anatomy === undefined || bench.net === null || !shown) return [];
+    return needlesOn(bench.net.rows, this.anatomy.fans, figure.live, this.needleLength);
+  }
+
+  /** Where the needles point. */
+  directions(): Triple[] {
+    return this.needles().map(({ outward }) => outward);
+  }
+
+  /** Whether needles are shown. */
+  get armed(): boolean {
+    const { recipe, look, options } = this.stage.bench;
+    return recipe !== null && look === null && options.needles;
+  }
+
+  /** Metres; shorter when one looks from near, so that they do not hide what they move. */
+  get needleLength(): number {
+    return NEEDLE / Math.max(1, this.stage.aspect.view.zoom ** 0.75);
+  }
+
+  // --- pointers -------------------------------------------------------------------------------------------------------
+
+  private down(event: PointerEvent): void {
+    const at = placeOf(event);
+    const { canvas, aspect } = this.stage;
+    canvas.focus({ preventScroll: true });
+    canvas.setPointerCapture(event.pointerId);
+    this.pointers.set(event.pointerId, at);
+    this.endNudge();
+    if (this.pointers.size > 1) {
+      this.abandon();
+      this.sight.pinch([...this.pointers.values()]);
+      return;
+    }
+    const over = aspect.at(...at);
+    this.press = { what: this.pressed(event, at, over), from: at, last: at, moved: false };
+  }
+
+  private pressed(event: PointerEvent, at: Pair, over: number): Press {
+    if (event.button === 1) return { kind: "pan" };
+    if (over > 0) return { kind: "beside", over };
+    if (this.stage.sitting && this.stage.handles?.press(at, event)) return { kind: "handle" };
+    const takes = (event.button === 0 || event.pointerType === "pen") && !this.stage.sitting;
+    const needle = takes ? this.pick(event, at) : undefined;
+    if (needle !== undefined) return { kind: "needle", needle, fresh: this.choose(needle.place, event) };
+    if (event.button === 2) return { kind: "orbit" };
+    return event.shiftKey ? { kind: "band" } : { kind: "ground", over };
+  }
+
+  /** Selects the needle that is pressed; whether it was new to the selection. */
+  private choose(place: number, event: PointerEvent): boolean {
+    const { bench } = this.stage;
+    const fresh = !bench.selection.has(place);
+    if (event.shiftKey || event.ctrlKey || event.metaKey) bench.select([...bench.selection, place]);
+    else if (fresh) bench.select([place]);
+    return fresh;
+  }
+
+  private move(event: PointerEvent): void {
+    const at = placeOf(event);
+    if (!this.pointers.has(event.pointerId)) {
+      this.hoverAt(event, at);
+      return;
+    }
+    this.pointers.set(event.pointerId, at);
+    if (this.sight.pinching) {
+      this.sight.pinch([...this.pointers.values()]);
+      return;
+    }
+    const { press } = this;
+    if (press === undefined) return;
+    const far = Math.hypot(at[0] - press.from[0], at[1] - press.from[1]);
+    if (!press.moved && far < TREMBLE[event.pointerType === "touch" ? "touch" : "mouse"]) return;
+    if (!press.moved) this.beginDrag(press.what, press.from);
+    press.moved = true;
+    this.drag(press.what, event, press.last, at);
+    press.last = at;
+  }
+
+  private beginDrag(what: Press, from: Pair): void {
+    if (what.kind !== "needle") return;
+    this.stage.redraw(); // needles that are taken look otherwise
+    const { tool } = this.stage.bench.options;
+    if (tool === "place") this.placing = { place: what.needle.place, row: this.rowOf(what.needle.place) };
+    else if (tool === "drag" || tool === "pull") this.take(what.needle.place, from);
+  }
+
+  private drag(what: Press, event: PointerEvent, from: Pair, to: Pair): void {
+    const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    if (what.kind === "needle") this.dragNeedle(event, to);
+    else if (what.kind === "handle") this.dragHandle(event, to);
+    else if (what.kind === "band") this.stretch(to);
+    else if (what.kind === "pan") this.sight.pan(dx, dy);
+    else this.sight.orbit(dx, dy);
+    if (what.kind !== "needle" || this.placing !== undefined) this.stage.redraw(); // else only what the hand leads
+  }
+
+  private dragNeedle(event: PointerEvent, to: Pair): void {
+    if (this.placing !== undefined) {
+      const row = this.rowUnder(to);
+      if (row !== undefined) this.placing = { ...this.placing, row };
+      return;
+    }
+    if (this.grip === undefined) return;
+    if (!this.stage.bench.dragging) {
+      this.dropGrip();
+      return;
+    } // the net changed under the hand
+    this.stage.pace.moved(event.timeStamp);
+    this.grip.move(to, this.pulls(event));
+  }
+
+  private dragHandle(event: PointerEvent, to: Pair): void {
+    this.stage.pace.moved(event.timeStamp);
+    this.stage.handles?.drag(to, event);
+  }
+
+  private pulls(event: PointerEvent): boolean {
+    const barrel = event.pointerType === "pen" && (event.buttons & 2) !== 0;
+    return (this.stage.bench.options.tool === "pull") !== (event.altKey || barrel);
+  }
+
+  private up(event: PointerEvent): void {
+    const { press } = this;
+    this.pointers.delete(event.pointerId);
+    if (this.sight.pinching) {
+      if (this.pointers.size < 2) this.sight.release();
+      return;
+    }
+    this.press = undefined;
+    if (press === undefined) return;
+    if (press.moved) this.endDrag(press.what);
+    else this.click(press.what, press.from, event);
+    this.stage.redraw();
+  }
+
+  private endDrag(what: Press): void {
+    const { bench } = this.stage;
+    if (what.kind === "band") this.endBand();
+    if (what.kind === "handle") this.stage.handles?.release();
+    if (this.placing !== undefined) this.setDown(this.placing);
+    this.placing = undefined;
+    if (bench.dragging) this.grip?.end();
+    this.dropGrip();
+  }
+
+  private click(what: Press, at: Pair, event: PointerEvent): void {
+    const { bench } = this.stage;
+    const { tool } = bench.options;
+    if (what.kind === "handle") this.stage.handles?.release();
+    else if (what.kind === "beside" && this.stage.sitting) this.stage.sitters?.front(what.over);
+    else if (what.kind === "beside") bench.setWork(bench.neighbours[what.over - 1] as string);
+    else if (what.kind === "needle" && tool === "remove") this.reweave((net) => withoutPlace(net, what.needle.place));
+    else if (what.kind === "needle" && (event.shiftKey || event.ctrlKey || event.metaKey) && !what.fresh)
+      bench.select([...bench.selection].filter((place) => place !== what.needle.place));
+    else if (what.kind === "needle" && !event.shiftKey && !event.ctrlKey && !event.metaKey)
+      bench.select([what.needle.place]);
+    else if (what.kind === "ground" && tool === "add" && !this.stage.sitting) this.add(at);
+    else if (what.kind === "ground") bench.select([]);
+  }
+
+  /** The system took the pointer: nothing was meant. */
+  private lose(event: PointerEvent): void {
+    this.pointers.delete(event.pointerId);
+    this.sight.release();
+    this.abandon();
+  }
+
+  /** What was under way is as if it had not been. */
+  private abandon(): void {
+    this.grip?.cancel();
+    this.stage.handles?.cancel();
+    this.dropGrip();
+    [this.placing, this.band, this.press, this.nudging] = [undefined, undefined, undefined, false];
+    this.stage.redraw();
+  }
+
+  private dropGrip(): void {
+    this.grip = undefined;
+    this.stage.redraw();
+  }
+
+  private doubled(event: MouseEvent): void {
+    const at = placeOf(event);
+    if (this.stage.aspect.at(...at) !== 0 || this.pick(event, at) !== undefined) return;
+    this.sight.reset();
+  }
+
+  private hoverAt(event: PointerEvent, at: Pair): void {
+    const over = this.stage.aspect.at(...at);
+    const needle = over === 0 ? this.pick(event, at) : undefined;
+    if (this.stage.handles !== undefined) this.stage.handles.hovered = needle?.place ?? -1;
+    this.hover(over, needle?.place ?? -1);
+  }
+
+  private hover(over: number, place: number): void {
+    if (over === this.over && place === this.hovered) return;
+    [this.over, this.hovered] = [over, place];
+    this.stage.canvas.style.cursor = over > 0 ? "pointer" : place >= 0 ? "grab" : "default";
+    this.stage.redraw();
+  }
+
+  // --- needles --------------------------------------------------------------------------------------------------------
+
+  private get figure(): Figure | undefined {
+    return this.stage.work?.figure;
+  }
+
+  /** The camera of the work. */
+  camera(): Camera | undefined {
+    return this.sight.camera;
+  }
+
+  private pick(event: MouseEvent, at: Pair): Needle | undefined {
+    const [camera, figure, surface] = [this.camera(), this.figure, this.surface];
+    if (camera === undefined || figure === undefined || surface === undefined) return undefined;
+    const touch = event instanceof PointerEvent && event.pointerType === "touch";
+    const skin = { positions: figure.live, triangles: surface.skin };
+    return picked(this.needles(), camera, skin, at, touch ? REACH.touch : REACH.mouse);
+  }
+
+  private take(place: number, from: Pair): void {
+    const ground = this.groundOf();
+    if (ground === undefined) return;
+    const { bench } = this.stage;
+    const { falloff, mirror, region } = bench.options;
+    const mask = region === null ? null : (bench.masks[bench.regions.indexOf(region)] ?? null);
+    const led = bench.selection.has(place) ? [...bench.selection] : [place];
+    const grip = new Grip(bench, ground, place, led, from, { falloff, mirror, mask });
+    if (grip.party.led.includes(place)) this.grip = grip;
+    else grip.cancel(); // the region does not move it
+  }
+
+  private groundOf(): Ground | undefined {
+    const { figure, anatomy, surface } = this;
+    const { net, muscles } = this.stage.bench;
+    if (figure?.tangents === undefined || anatomy === undefined || surface === undefined || net === null)
+      return undefined;
+    const camera = () => this.camera() as Camera;
+    const { fans } = anatomy;
+    return { figure, net, fans, lips: lipsOf(anatomy), land: surface.land, camera, muscles };
+  }
+
+  private stretch(to: Pair): void {
+    const from = this.press?.from ?? to;
+    this.band = [
+      Math.min(from[0], to[0]),
+      Math.min(from[1], to[1]),
+      Math.max(from[0], to[0]),
+      Math.max(from[1], to[1]),
+    ];
+  }
+
+  private endBand(): void {
+    const [camera, figure, surface, { bench }] = [this.camera(), this.figure, this.surface, this.stage];
+    if (camera === undefined || figure === undefined || surface === undefined || this.band === undefined) return;
+    const skin = { positions: figure.live, triangles: surface.skin };
+    bench.select([...bench.selection, ...within(this.needles(), camera, skin, this.band)]);
+    this.band = undefined;
+  }
+
+  // --- the net --------------------------------------------------------------------------------------------------------
+
+  /** The row under a place of the net, or under a handle. */
+  rowOf(place: number): number {
+    const { bench, handles, sitting } = this.stage;
+    return (sitting ? handles?.handles?.rows[place] : bench.net?.rows[place]) ?? -1;
+  }
+
+  private reweave(rows: (net: Net) => readonly number[]): void {
+    const { bench } = this.stage;
+    if (bench.net !== null) bench.setNet(rows(bench.net));
+  }
+
+  private add(at: Pair): void {
+    const row = this.rowUnder(at);
+    if (row !== undefined) this.reweave((net) => withRow(net, row));
+  }
+
+  private setDown({ place, row }: Placing): void {
+    if (this.rowOf(place) !== row) this.reweave((net) => withPlaceAt(net, place, row));
+  }
+
+  /** The vertex of the sheet under the pointer where no needle stands yet. */
+  private rowUnder([x, y]: Pair): number | undefined {
+    const [camera, figure, { net }] = [this.camera(), this.figure, this.stage.bench];
+    if (camera === undefined || figure === undefined || this.surface === undefined || net === null) return undefined;
+    const met = hit(figure.live, this.surface.skin, camera.eye, camera.ray(x, y));
+    return met === undefined ? undefined : freeRow(net, met, figure.live);
+  }
+
+  // --- keys -----------------------------------------------------------------------------------------------------------
+
+  private key(event: KeyboardEvent): void {
+    const { canvas, pace } = this.stage;
+    if (event.key === "Escape") this.abandon();
+    const step = nudgeOf(event);
+    const focused = (canvas.getRootNode() as Document | ShadowRoot).activeElement === canvas;
+    if (step === undefined || !focused || event.ctrlKey || event.metaKey) return;
+    if (this.stage.sitting ? !this.stage.handles?.nudge(...step) : !this.beginNudge()) return;
+    event.preventDefault();
+    pace.moved(event.timeStamp);
+    this.grip?.nudge(...step);
+  }
+
+  private beginNudge(): boolean {
+    const first = [...this.stage.bench.selection][0];
+    if (this.grip === undefined && first !== undefined) {
+      this.take(first, [0, 0]);
+      this.nudging = this.grip !== undefined;
+    }
+    return this.nudging;
+  }
+
+  private endNudge(): void {
+    this.stage.handles?.endNudge();
+    if (!this.nudging) return;
+    this.nudging = false;
+    if (this.stage.bench.dragging) this.grip?.end();
+    this.dropGrip();
+  }
+}
+
+const placeOf = (event: MouseEvent): Pair => [event.offsetX, event.offsetY];

@@ -1,0 +1,58 @@
+/** What a browser keeps of how somebody likes to work: the faces that are shown, and whether Mirror is on. */
+
+import { MOST_NEIGHBOURS, type Workbench } from "./draft_store";
+
+const KEY = "omote-editor-view";
+
+export interface View {
+  readonly work: string;
+  readonly neighbours: readonly string[];
+  readonly mirror: boolean;
+}
+
+/** Reads and writes text by key; both may throw. */
+type Store = Pick<Storage, "getItem" | "setItem">;
+
+const isName = (name: unknown): name is string => typeof name === "string" && name !== "" && name.length <= 200;
+
+/** What was kept, as far as it makes sense: anything may stand in a browser's storage. */
+export function readView(text: string | null): Partial<View> {
+  let kept: unknown;
+  try {
+    kept = JSON.parse(text ?? "null");
+  } catch {
+    return {};
+  }
+  if (typeof kept !== "object" || kept === null) return {};
+  const { work, neighbours, mirror } = kept as Record<string, unknown>;
+  return {
+    ...(isName(work) ? { work } : {}),
+    ...(Array.isArray(neighbours) ? { neighbours: neighbours.filter(isName).slice(0, MOST_NEIGHBOURS) } : {}),
+    ...(typeof mirror === "boolean" ? { mirror } : {}),
+  };
+}
+
+/** Takes up how it was left, before the cast comes (which drops names that it has not), and keeps each change. */
+export function keepView(bench: Workbench, store: () => Store = () => localStorage): void {
+  const view = readView(attempt(() => store().getItem(KEY)) ?? null);
+  bench.work = view.work ?? bench.work;
+  bench.neighbours = view.neighbours ?? bench.neighbours;
+  bench.setOptions({ mirror: view.mirror ?? bench.options.mirror });
+  const keep = (): void => {
+    if (bench.library === null) return; // nobody has chosen anything yet
+    const { work, neighbours, options } = bench;
+    const text = JSON.stringify({ work, neighbours, mirror: options.mirror } satisfies View);
+    attempt(() => store().setItem(KEY, text));
+  };
+  bench.listen("cast", keep);
+  bench.listen("options", keep);
+}
+
+/** Storage may be shut off or full: then each load begins anew. */
+function attempt<T>(does: () => T): T | undefined {
+  try {
+    return does();
+  } catch {
+    return undefined;
+  }
+}

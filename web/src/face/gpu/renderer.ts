@@ -1,0 +1,22 @@
+import * as THREE from "three";
+import type { Features } from "../quality/quality_levels";
+
+/** A renderer on a canvas, clear to begin with; an Error with a sentence when the browser gives no WebGL2. */
+export function createRenderer(
+  canvas: HTMLCanvasElement | OffscreenCanvas,
+  { multisample }: Features,
+): THREE.WebGLRenderer {
+  const context = canvas.getContext("webgl2", {
+    alpha: true,
+    antialias: multisample,
+    premultipliedAlpha: true,
+    powerPreference: "high-performance",
+  }) as WebGL2RenderingContext | null;
+  if (context === null)
+    throw new Error(
+      "This browser gives no WebGL2, so no face can be drawn; update the graphics driver or use another browser.",
+    );
+  const renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true, premultipliedAlpha: true });
+  renderer.setClearColor(0x000000, 0);
+  return renderer;
+}
