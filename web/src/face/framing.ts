@@ -1,5 +1,14 @@
 import { PerspectiveCamera } from "three";
-import type { Tile } from "../stage/parameters";
+
+/** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */
+export interface Tile {
+  column: number;
+  row: number;
+  columns: number;
+  rows: number;
+  /** Width of the gap between two pictures, as a part of a picture's width and of its height. */
+  bezel: [number, number];
+}
 
 /** What the picture shows: `centre` of the head in metres and the `height` and `width` that must be seen. */
 export interface Shot {

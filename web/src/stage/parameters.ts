@@ -1,16 +1,8 @@
-import { LIGHTS, type Triple } from "../face/light/lights";
+import type { Tile } from "../face/framing";
+import { LIGHTS } from "../face/light/lights";
+import type { Triple } from "../face/light/tone";
 import { decoded } from "../face/light/tone";
 import { LEVELS, type Level } from "../face/quality/quality_levels";
-
-/** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */
-export interface Tile {
-  column: number;
-  row: number;
-  columns: number;
-  rows: number;
-  /** Width of the gap between two pictures, as a part of a picture's width and of its height. */
-  bezel: [number, number];
-}
 
 /** Everything a stage is told by its address. */
 export interface StageParameters {

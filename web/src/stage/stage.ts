@@ -4,7 +4,6 @@ import { Lateness } from "../face/pose/jitter_buffer";
 import { type Pose, poseKey } from "../face/pose/pose";
 import { Timeline } from "../face/pose/timeline";
 import { HeadRoom } from "../face/quality/frame_headroom";
-import { Rate } from "../face/quality/frame_rate";
 import { LevelChooser } from "../face/quality/quality_controller";
 import type { Level } from "../face/quality/quality_levels";
 import { Library } from "../link/assets";
@@ -181,4 +180,19 @@ const loadView = (
 function coming(state: State | undefined): { faces: string[]; expressions: string[] } {
   const names = (call: State["face_call"] | undefined) => (call ? [call.target] : []);
   return { faces: names(state?.face_call), expressions: names(state?.expression_call) };
+}
+
+/** Counts frames: how many in the last second, and how long the last ones took. */
+class Rate {
+  private times: number[] = [];
+
+  tick(time: number): void {
+    this.times.push(time);
+    while ((this.times[0] as number) <= time - 1) this.times.shift();
+  }
+
+  /** Frames in the second before `time`. */
+  at(time: number): number {
+    return this.times.filter((drawn) => drawn > time - 1).length;
+  }
 }

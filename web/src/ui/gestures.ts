@@ -140,3 +140,13 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   PageUp: [0, 10],
   PageDown: [0, -10],
 };
+
+/** What of a keyboard event the tables of keys read. */
+export interface KeyPress {
+  readonly key: string;
+  readonly code: string;
+  readonly ctrlKey: boolean;
+  readonly altKey: boolean;
+  readonly metaKey: boolean;
+  readonly repeat: boolean;
+}

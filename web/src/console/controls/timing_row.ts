@@ -1,8 +1,8 @@
 import { css, html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { base } from "../../ui/theme";
+import type { Axis } from "../store/axis";
 import type { Topic } from "../store/console_store";
-import type { Axis } from "../store/keys";
 import { CHOICES, EASINGS, parseSeconds, type Seconds, secondsLabel } from "../store/timing";
 import { RigElement } from "./console_element";
 

@@ -2,8 +2,7 @@ import { css, html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { PaintedElement, Written } from "../controls/console_element";
-import { onAir } from "../store/axis";
-import type { Axis } from "../store/keys";
+import { type Axis, onAir } from "../store/axis";
 import { remainingLabel } from "../store/timing";
 
 const ROWS = 4;

@@ -7,10 +7,11 @@ import { onRoam } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { PICTURE, type Sitting } from "../../ui/thumbnails";
 import { PaintedElement, Written } from "../controls/console_element";
+import type { Axis } from "../store/axis";
 import { REGIONS, regionOf } from "../store/channels";
 import { KINDS, type PaletteKind } from "../store/console_layout";
 import type { Topic } from "../store/console_store";
-import { type Axis, keyLabel } from "../store/keys";
+import { keyLabel } from "../store/keys";
 import { style } from "./palette_style";
 import "../controls/timing_row";
 

@@ -1,10 +1,10 @@
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { levelsOf } from "../../face/quality/quality_levels";
 import { EDITOR_TAB } from "../../link/editor_address";
 import { base } from "../../ui/theme";
 import { RigElement } from "../controls/console_element";
 import type { Topic } from "../store/console_store";
-import { levelsOf } from "./crew";
 import { style } from "./status_bar_style";
 
 /** Stages that draw fewer frames a second than this are worth a look. */

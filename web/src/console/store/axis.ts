@@ -1,5 +1,7 @@
 import type { CallState, State } from "../../link/messages";
-import type { Axis } from "./keys";
+
+/** What is called and mixed: faces, and expressions. */
+export type Axis = "face" | "expression";
 
 /** The call that runs on an axis. */
 export function callOf(state: State, axis: Axis): CallState | null {

@@ -1,7 +1,7 @@
 /** How an operator has laid out the console, and as a document that another tablet opens the same from. */
 
+import type { Axis } from "./axis";
 import { REGIONS, type Region } from "./channels";
-import type { Axis } from "./keys";
 import { EASINGS, LONGEST, type Timing } from "./timing";
 
 /** Which of the expressions a palette shows. */

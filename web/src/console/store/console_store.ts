@@ -15,11 +15,10 @@ import type {
   Manifest,
   State,
 } from "../../link/messages";
-import { callOf } from "./axis";
+import { type Axis, callOf } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
 import { type Arrangement, FIRST } from "./console_layout";
 import { Holds } from "./held_values";
-import type { Axis } from "./keys";
 import type { Knob } from "./knob";
 import { Outbox } from "./outbox";
 import type { Seconds, Timing } from "./timing";

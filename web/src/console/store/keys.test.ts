@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { commandOf, EXPRESSION_KEYS, FACE_KEYS, type KeyPress, keyLabel } from "./keys";
+import type { KeyPress } from "../../ui/gestures";
+import { commandOf, EXPRESSION_KEYS, FACE_KEYS, keyLabel } from "./keys";
 
 const press = (key: string, code = "", more: Partial<KeyPress> = {}): KeyPress => ({
   key,

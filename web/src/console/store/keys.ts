@@ -1,6 +1,8 @@
 /** The keyboard as one table: what each key does, and how the help shows it. */
 
-export type Axis = "face" | "expression";
+import type { KeyPress } from "../../ui/gestures";
+import type { Axis } from "./axis";
+
 export type Place = "face" | "expression" | "head" | "gaze" | "search" | "light";
 
 export type Command =
@@ -14,15 +16,6 @@ export type Command =
   | { do: "focus"; place: Place }
   | { do: "centre" }
   | { do: "clear" };
-
-export interface KeyPress {
-  readonly key: string;
-  readonly code: string;
-  readonly ctrlKey: boolean;
-  readonly altKey: boolean;
-  readonly metaKey: boolean;
-  readonly repeat: boolean;
-}
 
 /** Physical keys, so that they lie in two rows on every layout. */
 export const FACE_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9"].map((digit) => `Digit${digit}`);

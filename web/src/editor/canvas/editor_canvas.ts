@@ -8,22 +8,24 @@ import type { Manifest } from "../../link/messages";
 import type { Workbench } from "../session/draft_store";
 import { flat } from "../session/net";
 import { Grounds } from "./draw/backgrounds";
-import { Company, type Member } from "./draw/expression_scene";
 import { Painter } from "./draw/face_painter";
-import { Sitters } from "./draw/face_scene";
 import { HEAD, NeedleMarks } from "./draw/needle_renderer";
-import { Overlay } from "./draw/overlay";
-import { Pace } from "./draw/pace";
-import { boxOf, type Changed, Repaint, type Tile } from "./draw/repaint";
+import { type Changed, Repaint, type Tile } from "./draw/repaint";
 import { Complexions } from "./draw/skin_texture";
-import { Aspect } from "./draw/viewports";
 import { HandleHands } from "./input/handle_drag";
 import { Hands } from "./input/input";
 import type { Camera, ViewName } from "./math/camera";
 import { coarseMeshes } from "./math/coarse_mesh";
-import { surfaceOf } from "./math/surface";
+import { surfaceOf } from "./math/hit_test";
 import { ballFrames, ballsOf, gazeOf, shows } from "./model/gaze";
+import type { Member } from "./model/shown_face";
+import { boxOf } from "./model/spread";
 import { exposeProbe } from "./probe";
+import { Company } from "./scene/expression_scene";
+import { Sitters } from "./scene/face_scene";
+import { Pace } from "./scene/frame_pacing";
+import { Overlay } from "./scene/overlay";
+import { Aspect } from "./scene/viewports";
 
 export class EditorCanvas {
   readonly pace = new Pace();
@@ -136,13 +138,13 @@ export class EditorCanvas {
     this.overlay = new Overlay(this, this.painter, this.marks);
     this.frames = ballFrames(this.anatomy);
     const surface = surfaceOf(library.meshes, this.anatomy);
-    this.hands.know(this.anatomy, surface);
+    this.hands.picker.know(this.anatomy, surface);
     this.handles = new HandleHands({
       bench,
       sitters: this.sitters,
       fans: this.anatomy.fans,
       skin: surface.skin,
-      camera: () => this.hands.camera(),
+      camera: () => this.hands.picker.camera(),
       redraw: () => this.redraw(),
     });
     for (const topic of ["cast", "items", "draft", "live"] as const) this.hear(topic);
@@ -276,7 +278,7 @@ export class EditorCanvas {
     const { repaint } = this;
     if (repaint === undefined) return undefined;
     const spread = company.spread(member);
-    const needle = n > 0 ? 0 : this.hands.needleLength + 2 * HEAD * camera.metresPerPixel(camera.middle);
+    const needle = n > 0 ? 0 : this.hands.picker.needleLength + 2 * HEAD * camera.metresPerPixel(camera.middle);
     const part = repaint.next(n, boxOf(camera, spread, needle), camera.box);
     return { part, only: () => repaint.triangles(n, part, camera, member.figure.base, spread.reach) };
   }

@@ -1,7 +1,7 @@
 /** What tests, benchmarks and curious users may ask of the canvas: `window.omoteEditor`. */
 
-import type { Counters } from "./draw/pace";
 import type { EditorCanvas } from "./editor_canvas";
+import type { Counters } from "./scene/frame_pacing";
 
 export interface EditorProbe {
   /** Whether all faces wear the draft, and nothing eases. */
@@ -50,12 +50,12 @@ export function exposeProbe(stage: EditorCanvas): void {
       fps: pace.fps,
     }),
     needles: () => {
-      const camera = stage.hands.camera();
+      const camera = stage.hands.picker.camera();
       if (camera === undefined) return [];
-      return stage.hands.needles().map(({ place, head, foot }) => {
+      return stage.hands.picker.needles().map(({ place, head, foot }) => {
         const [a, b] = [camera.project(head), camera.project(foot)];
         const label = (stage.sitting ? stage.handles?.handles?.labels[place] : undefined) ?? "";
-        return { place, row: stage.hands.rowOf(place), label, head: [a[0], a[1]], foot: [b[0], b[1]] };
+        return { place, row: stage.hands.picker.rowOf(place), label, head: [a[0], a[1]], foot: [b[0], b[1]] };
       });
     },
     readPositions: (face) => Array.from(stage.company?.crowd.read(memberOf(face).block) ?? []),

@@ -3,7 +3,8 @@ import { customElement, state } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { BenchElement } from "../controls/editor_element";
-import { MOST_NEIGHBOURS, type Topic } from "../session/draft_store";
+import type { Topic } from "../session/draft_store";
+import { MOST_NEIGHBOURS } from "../session/editor_store";
 
 /** Pixels that the list takes, with its margin. */
 const WIDTH = 280;

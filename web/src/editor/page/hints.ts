@@ -1,6 +1,7 @@
 /** The one line under the faces: what the hand does now, in words for the hand that there is. */
 
-import type { Options, Tool, Workbench } from "../session/draft_store";
+import type { Workbench } from "../session/draft_store";
+import type { Options, Tool } from "../session/editor_store";
 
 /** For each tool what a mouse does, and what a finger does. */
 const TOOLS: Readonly<Record<Tool, readonly [string, string]>> = {

@@ -1,7 +1,7 @@
 /** The keyboard of the editor as one table: what each key does, and how the help shows it. */
 
-import type { KeyPress } from "../../console/store/keys";
-import type { Tool } from "../session/draft_store";
+import type { KeyPress } from "../../ui/gestures";
+import type { Tool } from "../session/editor_store";
 
 export type View = "front" | "left" | "right" | "three-quarter";
 

@@ -3,7 +3,8 @@ import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { BenchElement, textOf } from "../controls/editor_element";
-import type { Options, Topic } from "../session/draft_store";
+import type { Topic } from "../session/draft_store";
+import type { Options } from "../session/editor_store";
 import { TOOLS, VIEWS, type View } from "./keys";
 import "./faces_choice";
 

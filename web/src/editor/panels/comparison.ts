@@ -1,11 +1,15 @@
+import { decode } from "@msgpack/msgpack";
 import { css, html, nothing } from "lit";
 import { customElement, property, queryAll, state } from "lit/decorators.js";
+import { aligned } from "../../link/arrays";
+import { insist } from "../../link/assets";
+import type { ContentAsset } from "../../link/messages";
 import { curtain } from "../../ui/dialog_style";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { BenchElement } from "../controls/editor_element";
 import { MILLIMETRES, shown } from "../controls/units";
-import { wearing } from "../session/shape_loading";
+import type { Workbench } from "../session/draft_store";
 import { distances, drawShape, heat, largest, SKIN } from "./shape_difference";
 
 /** One of two things that are compared: a content, and what people call it. */
@@ -112,4 +116,25 @@ export class Comparison extends BenchElement {
   #close(): void {
     this.dispatchEvent(new CustomEvent("close"));
   }
+}
+
+/** The positions of a face by its source, (vertices, 3) metres. */
+async function facePositions({ library }: Workbench, source: string): Promise<Float32Array> {
+  if (library === null) throw new Error("The cast is not here yet; wait a moment.");
+  if (library.hasFace(source)) return library.positions(source);
+  const asset = decode(await insist(`/contents/${source.slice(1)}`)) as ContentAsset;
+  return new Float32Array(aligned(asset.positions));
+}
+
+/** A face (a source) that wears an expression (a source), (vertices, 3) metres. */
+async function wearing(bench: Workbench, face: string, expression: string): Promise<Float32Array> {
+  const rest = await facePositions(bench, face);
+  if (expression === "neutral" || bench.library === null) return rest;
+  const { scale, indices, deltas } = await bench.library.compound(face, expression);
+  const worn = rest.slice();
+  indices.forEach((row, at) => {
+    for (let axis = 0; axis < 3; axis += 1)
+      worn[3 * row + axis] = (worn[3 * row + axis] as number) + scale * (deltas[3 * at + axis] as number);
+  });
+  return worn;
 }

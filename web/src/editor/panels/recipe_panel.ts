@@ -2,13 +2,13 @@ import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
-import { loadHandles } from "../canvas/model/handles";
 import { amountOf } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
 import { BenchElement } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
 import { MILLIMETRES, PERCENT, shown } from "../controls/units";
 import type { Topic } from "../session/draft_store";
+import { loadHandles } from "../session/face_handles";
 import { normalised } from "../session/item_commands";
 import { labelOf, type Source, sourcesOf } from "../session/sources";
 

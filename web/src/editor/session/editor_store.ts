@@ -3,7 +3,7 @@
 import type { Library } from "../../link/assets";
 import type { Greeted, ItemDocument } from "../../link/editing_messages";
 import type { Manifest } from "../../link/messages";
-import { type Anatomy, type Followers, type Muscle, readAnatomy } from "./net";
+import { type Followers, type HeadControls, type Muscle, readHeadControls } from "./net";
 import { type Notice, Notices } from "./notices";
 
 /** What has changed. "live" is told at the rate of the pointer, all others rarely. */
@@ -34,7 +34,7 @@ const NEIGHBOURS = ["dog", "child", "old"];
 /** Everything that belongs to no item; whoever listens to a topic hears of its changes. */
 export class Surroundings {
   library: Library | null = null;
-  anatomy: Anatomy | null = null;
+  anatomy: HeadControls | null = null;
   items: readonly ItemDocument[] = [];
   /** Of the cast that pages may load now; "" before the server has said. */
   digest = "";
@@ -101,7 +101,7 @@ export class Surroundings {
   }
 
   setAnatomy(greeted: Greeted): void {
-    this.anatomy = readAnatomy(greeted);
+    this.anatomy = readHeadControls(greeted);
     this.setItems(greeted.items, greeted.digest);
   }
 

@@ -35,7 +35,7 @@ export interface Followers {
 }
 
 /** What a greeting tells that does not change while the page is open. */
-export interface Anatomy {
+export interface HeadControls {
   readonly muscles: readonly Muscle[];
   readonly regions: readonly string[];
   /** How much each region owns of each vertex, 255 all; one array for each region, in their order. */
@@ -53,7 +53,7 @@ export function readNet(document: NetDocument): Net {
   };
 }
 
-export function readAnatomy(greeted: Greeted): Anatomy {
+export function readHeadControls(greeted: Greeted): HeadControls {
   const rows = new Uint32Array(aligned(greeted.followers));
   const anchors = new Uint32Array(aligned(greeted.anchors));
   const size = greeted.regions.length === 0 ? 0 : greeted.masks.length / greeted.regions.length;

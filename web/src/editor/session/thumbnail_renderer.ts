@@ -2,6 +2,7 @@
 
 import { FaceView } from "../../face/face_view";
 import type { Shot } from "../../face/framing";
+import { fenced } from "../../face/gpu/fence";
 import { resting } from "../../face/pose/pose";
 import { KEY, type Library } from "../../link/assets";
 import type { Sitting } from "../../ui/thumbnails";
@@ -56,10 +57,6 @@ export async function meet(library: Library, face: string, load = loadFace): Pro
 
 /** Waits without blocking until the graphics processor has drawn: on slow ones the page stays usable meanwhile. */
 async function finished(gl: WebGL2RenderingContext): Promise<void> {
-  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-  if (fence === null) return;
-  gl.flush();
-  while (!gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED)
-    await new Promise((done) => setTimeout(done, LOOK));
-  gl.deleteSync(fence);
+  const done = fenced(gl);
+  while (!gl.isContextLost() && !done()) await new Promise((done) => setTimeout(done, LOOK));
 }

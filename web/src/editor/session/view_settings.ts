@@ -1,6 +1,7 @@
 /** What a browser keeps of how somebody likes to work: the faces that are shown, and whether Mirror is on. */
 
-import { MOST_NEIGHBOURS, type Workbench } from "./draft_store";
+import type { Workbench } from "./draft_store";
+import { MOST_NEIGHBOURS } from "./editor_store";
 
 const KEY = "omote-editor-view";
 

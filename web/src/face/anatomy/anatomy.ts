@@ -1,6 +1,6 @@
+import { MathUtils } from "three";
 import type { Library, Mesh } from "../../link/assets";
-import { readSettling, type Settling } from "../blend/correctives_data";
-import { smooth } from "../pose/pose";
+import { readSettling, type Settling } from "./correctives_data";
 import { openness } from "./occlusion";
 import { distances, type Fans, fans, lowestBorder, rowTriangles, smoothed } from "./topology";
 
@@ -20,6 +20,9 @@ export interface Anatomy {
   /** How sums are put right, where the cast says so. */
   settling: Settling | undefined;
 }
+
+/** 0..1 to 0..1 with level ends. */
+const smooth = (x: number): number => MathUtils.smoothstep(x, 0, 1);
 
 const NECK = 0.075; // metres along the skin in which the neck comes to turn with the head
 

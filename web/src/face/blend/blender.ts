@@ -1,8 +1,8 @@
+import type { Settling } from "../anatomy/correctives_data";
 import type { Fans } from "../anatomy/topology";
 import { createProgram, dataTexture, targetTexture } from "../gpu/gl";
 import { BLEND_FRAGMENT, NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
 import { Settler } from "./corrective_passes";
-import type { Settling } from "./correctives_data";
 import { LayerTable } from "./layer_table";
 
 /** One summand for the GPU: a layer of the texture array and its weight. */

@@ -1,3 +1,4 @@
+import { DATA_WIDTH, RUNGS, rolesOf, type Settling } from "../anatomy/correctives_data";
 import { createProgram, dataTexture, floatTexture, targetTexture, wholeTexture } from "../gpu/gl";
 import { PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
 import {
@@ -8,7 +9,6 @@ import {
   SPREAD_FRAGMENT,
   UPRIGHT_FRAGMENT,
 } from "./corrective_shaders";
-import { DATA_WIDTH, RUNGS, rolesOf, type Settling } from "./correctives_data";
 
 /** The eyeballs as lids meet them: centres (6) and radii (2) metres, and where they look (6), unit vectors. */
 export interface Sockets {

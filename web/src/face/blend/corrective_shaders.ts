@@ -1,5 +1,5 @@
+import { DATA_WIDTH, RUNGS } from "../anatomy/correctives_data";
 import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
-import { DATA_WIDTH, RUNGS } from "./correctives_data";
 
 /*
  * All passes but the first and the last draw one texel per place (settling.ts), not one point per row: software

@@ -20,3 +20,19 @@ export function createRenderer(
   renderer.setClearColor(0x000000, 0);
   return renderer;
 }
+
+export type Uniforms = Record<string, THREE.IUniform>;
+
+/** A material of the head from its two shaders; its colours are premultiplied. */
+export function material(vertexShader: string, fragmentShader: string, uniforms: Uniforms): THREE.RawShaderMaterial {
+  return new THREE.RawShaderMaterial({
+    glslVersion: THREE.GLSL3,
+    vertexShader,
+    fragmentShader,
+    uniforms,
+    blending: THREE.CustomBlending,
+    blendSrc: THREE.OneFactor,
+    blendDst: THREE.OneMinusSrcAlphaFactor,
+    transparent: false,
+  });
+}

@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import type { Library } from "../../link/assets";
 import type { HairStrands } from "../../link/strands";
-import { material } from "../gpu/material";
+import { material } from "../gpu/renderer";
 import type { HeadUniforms } from "../head/head";
 import { definesOf, type Features } from "../quality/quality_levels";
 import { Wardrobe, type Worn } from "./hair_assignment";

@@ -1,4 +1,4 @@
-import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../head/shader_prelude";
+import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
 
 /** Light on hair (Kajiya and Kay 1989): a soft shade around the strand, a white sheen and a coloured one beside it. */
 const HAIR_LIGHT = `

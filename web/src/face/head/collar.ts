@@ -1,5 +1,6 @@
 import * as THREE from "three";
 import type { Anatomy } from "../anatomy/anatomy";
+import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
 
 /** The collar's profile from the neck outwards: metres out, metres up, light. */
 const PROFILE: readonly (readonly [number, number, number])[] = [
@@ -71,3 +72,36 @@ function assemble(
   geometry.setAttribute("facing", facing);
   return geometry;
 }
+
+/** The collar: a roll of dark cloth around the neck that widens into shoulders; it stays when the head turns. */
+export const COLLAR_VERTEX = `${VERTEX_HEAD}
+in vec3 offset;
+in vec3 facing;
+in float fade;
+out vec3 vPoint;
+out vec3 vNormal;
+out float vFade;
+
+void main() {
+  vPoint = fetchRow(positions) + offset;
+  vNormal = facing;
+  vFade = fade;
+  gl_Position = project(vPoint);
+}
+`;
+
+export const COLLAR_FRAGMENT = `${FRAGMENT_HEAD}
+in vec3 vPoint;
+in vec3 vNormal;
+in float vFade;
+
+void main() {
+  vec3 view = normalize(cameraPosition - vPoint);
+  vec3 normal = normalize(vNormal);
+  float edge = pow(1.0 - max(dot(normal, view), 0.0), 2.5);
+  vec3 cloth = vec3(0.0055, 0.0055, 0.0075);
+  vec3 light = cloth * (KEY_LIGHT * max(dot(normal, KEY), 0.0) * shadow(vPoint, normal) + FILL_LIGHT + ambient(normal));
+  light += RIM_LIGHT * edge * 0.06 * (max(dot(normal, RIM_LEFT), 0.0) + max(dot(normal, RIM_RIGHT), 0.0));
+  colour = premultiplied(light * vFade, 1.0);
+}
+`;

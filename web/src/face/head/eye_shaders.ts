@@ -1,5 +1,5 @@
+import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
 import { OPENING } from "./opening_shaders";
-import { FRAGMENT_HEAD, VERTEX_HEAD } from "./shader_prelude";
 
 /** How far the middle of the cornea stands out of the ball where no lid covers it, in the ball's radii. */
 export const BULGE = 0.025;

@@ -2,7 +2,7 @@ import * as THREE from "three";
 import type { Anatomy } from "../anatomy/anatomy";
 import { ballFrame, dome } from "../anatomy/eye_mesh";
 import { type Opening, opening, outline } from "../anatomy/openings";
-import { material, type Uniforms } from "../gpu/material";
+import { material, type Uniforms } from "../gpu/renderer";
 import { EYE_FRAGMENT, EYE_VERTEX } from "./eye_shaders";
 
 /** Rings and spokes of a drawn eyeball, near and far from what the machine can do. */

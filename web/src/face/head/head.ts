@@ -1,17 +1,16 @@
 import * as THREE from "three";
 import type { Mesh } from "../../link/assets";
 import type { Anatomy } from "../anatomy/anatomy";
-import { material, type Uniforms } from "../gpu/material";
+import { material, type Uniforms } from "../gpu/renderer";
 import { type LightUniforms, lightUniforms } from "../light/light_uniforms";
 import { type ShadowUniforms, shadowUniforms } from "../light/shadow";
 import { definesOf, type Features } from "../quality/quality_levels";
 import { type SkinUniforms, skinUniforms } from "../skin/skin_layers";
 import * as skins from "../skin/skin_shaders";
-import { collar } from "./collar";
+import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "./collar";
 import { eyeball } from "./eyeballs";
 import { lashes } from "./lashes";
 import { mouthPart } from "./mouth";
-import * as setting from "./setting_shaders";
 
 /** Colours in linear light and the eyeballs' size: what of a face's look the shaders take. */
 export interface BlendedLook {
@@ -100,7 +99,7 @@ export function buildHead(from: HeadParts): THREE.Group {
   const grown = lashes(from.anatomy, from.shared);
   if (grown !== undefined) head.add(grown);
   if (from.anatomy.rim.length > 0) {
-    const cloth = material(setting.COLLAR_VERTEX, setting.COLLAR_FRAGMENT, from.shared);
+    const cloth = material(COLLAR_VERTEX, COLLAR_FRAGMENT, from.shared);
     head.add(new THREE.Mesh(collar(from.anatomy), cloth));
   }
   for (const child of head.children) {

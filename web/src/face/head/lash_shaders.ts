@@ -1,6 +1,6 @@
 import { EDGE_POINTS } from "../anatomy/openings";
 import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
-import { FRAGMENT_HEAD, VERTEX_HEAD } from "./shader_prelude";
+import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
 
 /**
  * Lashes: tapered ribbons that grow from the blended lids' edges, away from the eyeball, and bend: up on an open upper

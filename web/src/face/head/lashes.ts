@@ -2,7 +2,7 @@ import * as THREE from "three";
 import type { Anatomy } from "../anatomy/anatomy";
 import { ballFrame } from "../anatomy/eye_mesh";
 import { EDGE_POINTS, opening } from "../anatomy/openings";
-import { material, type Uniforms } from "../gpu/material";
+import { material, type Uniforms } from "../gpu/renderer";
 import { LASH_FRAGMENT, LASH_VERTEX } from "./lash_shaders";
 
 /** How lashes grow on a lid: how many, in clumps of how many, how long at most (metres on an eye of 15 mm). */

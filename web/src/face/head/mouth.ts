@@ -3,7 +3,7 @@ import type { Mesh } from "../../link/assets";
 import type { Anatomy } from "../anatomy/anatomy";
 import { type Opening, opening, outline } from "../anatomy/openings";
 import { extent } from "../anatomy/topology";
-import { material, type Uniforms } from "../gpu/material";
+import { material, type Uniforms } from "../gpu/renderer";
 import { edgeUniforms } from "./eyeballs";
 import { MOUTH_VERTEX, TEETH_FRAGMENT, TONGUE_FRAGMENT } from "./mouth_shaders";
 

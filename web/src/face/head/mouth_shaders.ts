@@ -1,6 +1,6 @@
 import { EDGE_POINTS } from "../anatomy/openings";
+import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
 import { OPENING } from "./opening_shaders";
-import { FRAGMENT_HEAD, VERTEX_HEAD } from "./shader_prelude";
 
 /** In an open mouth lower teeth and tongue lie in front of the lining that is so many metres before them: it wraps around them. */
 const AHEAD = "0.002";

@@ -1,5 +1,6 @@
 import * as THREE from "three";
-import type { Light, Triple } from "./lights";
+import type { Light } from "./lights";
+import type { Triple } from "./tone";
 
 const vector = (): THREE.IUniform<THREE.Vector3> => ({ value: new THREE.Vector3() });
 const number = (value = 0): THREE.IUniform<number> => ({ value });

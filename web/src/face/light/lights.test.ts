@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { FIRST_LIGHT, LIGHTS, type Light, mixLights, type Triple } from "./lights";
+import { FIRST_LIGHT, LIGHTS, type Light, mixLights } from "./lights";
+import type { Triple } from "./tone";
 
 const names = Object.keys(LIGHTS);
 const directions = ({ key, fill, rims }: Light) => [key.from, fill.from, rims.left, rims.right];

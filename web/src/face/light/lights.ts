@@ -1,7 +1,4 @@
-import { decoded } from "./tone";
-
-/** A direction or a colour in linear light. */
-export type Triple = readonly [number, number, number];
+import { decoded, type Triple } from "./tone";
 
 /** Light from one direction: where it comes from (a unit vector) and how much of each colour. */
 export interface Lamp {

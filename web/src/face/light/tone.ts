@@ -1,4 +1,5 @@
-import type { Triple } from "./lights";
+/** A direction or a colour in linear light. */
+export type Triple = readonly [number, number, number];
 
 /** The film's curve x (x + a) / (x (b x + c) + d): a short toe, grey where it was, a long shoulder up to 1 / b. */
 const FILM = { a: 0.266, b: 0.97, c: 0.456, d: 0.3327 };

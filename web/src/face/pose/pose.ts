@@ -46,12 +46,6 @@ export function mixPoses(from: Pose, to: Pose, part: number): Pose {
   };
 }
 
-/** 0..1 to 0..1 with level ends. */
-export const smooth = (x: number): number => {
-  const t = Math.min(1, Math.max(0, x));
-  return t * t * (3 - 2 * t);
-};
-
 /** The rotation that turns a gaze straight ahead to yaw (+ = +x) and pitch (+ = up), column by column. */
 export function writeTurn(yaw: number, pitch: number, into: Float32Array, at: number): void {
   const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];

@@ -1,4 +1,5 @@
-import { type Pose, smooth } from "./pose";
+import { MathUtils } from "three";
+import type { Pose } from "./pose";
 
 type Kind = "faces" | "expressions";
 type Weights = Record<string, number>;
@@ -106,7 +107,7 @@ function advance(change: Change, seconds: number, arrival: "away" | "here" | "sh
 }
 
 function sharesOf({ from, to, progress }: Change): ReadonlyMap<string, number> {
-  const share = progress === 0 ? 0 : progress === 1 ? 1 : Math.max(FIRST, smooth(progress));
+  const share = progress === 0 ? 0 : progress === 1 ? 1 : Math.max(FIRST, MathUtils.smoothstep(progress, 0, 1));
   const shares = new Map([...from].map(([source, old]) => [source, old * (1 - share)]));
   if (share > 0) shares.set(to, (shares.get(to) ?? 0) + share);
   return new Map([...shares].filter(([, part]) => part > 0));

@@ -1,4 +1,5 @@
-import { mixPoses, type Pose, smooth } from "./pose";
+import { MathUtils } from "three";
+import { mixPoses, type Pose } from "./pose";
 
 /** A pose and when it is due, in server seconds. */
 export interface Timed extends Pose {
@@ -54,7 +55,7 @@ export class Timeline {
   private eased(pose: Pose, local: number): Pose {
     if (this.easing === undefined) return pose;
     const part = (local - this.easing.since) / EASE;
-    if (part < 1) return mixPoses(this.easing.from, pose, smooth(part));
+    if (part < 1) return mixPoses(this.easing.from, pose, MathUtils.smoothstep(part, 0, 1));
     this.easing = undefined;
     return pose;
   }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { definesOf, FEATURES, firstLevel, LEVELS, pixelRatio } from "./quality_levels";
+import { definesOf, FEATURES, firstLevel, LEVELS, type Level, levelsOf, pixelRatio } from "./quality_levels";
 
 describe("the levels", () => {
   it("cost more from one to the next, in no feature less", () => {
@@ -33,4 +33,19 @@ describe("the pixels of a picture", () => {
       expect(3840 * ratio * 2160 * ratio).toBeLessThanOrEqual(FEATURES[level].pixels * (1 + 1e-9));
     }
   });
+});
+
+const at = (level: Level): { fps: number; level: Level } => ({ fps: 60, level });
+
+it("says nothing while no stage does", () => {
+  expect(levelsOf([])).toBe("");
+  expect(levelsOf([null])).toBe("");
+});
+
+it("names the level once when all draw at it", () => {
+  expect(levelsOf([at("high"), null, at("high")])).toBe("high");
+});
+
+it("names the lowest and the highest of several", () => {
+  expect(levelsOf([at("high"), at("lowest"), at("medium")])).toBe("lowest to high");
 });

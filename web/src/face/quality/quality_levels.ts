@@ -51,3 +51,11 @@ export function pixelRatio(features: Features, width: number, height: number, ra
 
 /** Where a machine starts. */
 export const firstLevel = (software: boolean): Level => (software ? "lowest" : "medium");
+
+/** The quality that the stages draw at: one level, or from the lowest to the highest of theirs; empty: none says. */
+export function levelsOf(stages: readonly ({ readonly level: Level } | null)[]): string {
+  const used = LEVELS.filter((level) => stages.some((stage) => stage?.level === level));
+  const [lowest, highest] = [used[0], used.at(-1)];
+  if (lowest === undefined) return "";
+  return lowest === highest ? lowest : `${lowest} to ${highest}`;
+}

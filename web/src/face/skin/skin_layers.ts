@@ -1,6 +1,6 @@
 import * as THREE from "three";
 import type { Look } from "../../link/messages";
-import type { Uniforms } from "../gpu/material";
+import type { Uniforms } from "../gpu/renderer";
 
 /** The layers of the skin in the order in which they lie in the cast's picture, each with what stands for it until it is there. */
 const LAYERS = {

@@ -1,4 +1,4 @@
-import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../head/shader_prelude";
+import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
 import { SKIN_COLOURS } from "./skin_colour_shaders";
 
 /** The slope that 0 and 1 of the layer `relief` stand for (tools/baking/skin_relief.py: STEEPEST). */

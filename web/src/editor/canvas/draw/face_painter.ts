@@ -8,14 +8,9 @@ import type { Look } from "../../../link/messages";
 import type { Camera } from "../math/camera";
 import { FINENESS } from "../math/coarse_mesh";
 import type { Surface } from "../math/triangle_cut";
+import type { Ball } from "../model/gaze";
 import type { Crowd } from "./face_atlas";
 import * as shaders from "./face_shaders";
-
-/** An eyeball as it stands: its centre, and its axes times its radius, turned, column by column. */
-export interface Ball {
-  centre: Float32Array;
-  axes: Float32Array;
-}
 
 /** What of one face is drawn. */
 export interface Portrait {

@@ -1,7 +1,9 @@
 import { describe, expect, it, vi } from "vitest";
+import { overlap } from "../math/boxes";
 import { Camera, FIRST_VIEW } from "../math/camera";
 import type { Triple } from "../math/vectors";
-import { boxOf, Repaint, spreadOf, within } from "./repaint";
+import { boxOf, spreadOf } from "../model/spread";
+import { Repaint } from "./repaint";
 
 const TILE = { left: 100, top: 50, width: 300, height: 400 };
 const CAMERA = new Camera(FIRST_VIEW, TILE, { centre: [0, 0, 0], radius: 0.13 });
@@ -38,12 +40,12 @@ describe("spreadOf", () => {
           const point = [0, 1, 2].map((n) => (POINTS[3 * row + n] as number) + (n === axis ? way : 0)) as Triple;
           const [x, y] = CAMERA.project(point);
           const spot = { left: x, top: y, width: 0, height: 0 };
-          expect(within(spot, box)).toEqual(spot);
+          expect(overlap(spot, box)).toEqual(spot);
         }
   });
 
   it("is nothing within a tile when no row moves", () => {
-    const { width, height } = within(boxOf(CAMERA, spreadOf(figure, new Uint32Array(), field), 0), TILE);
+    const { width, height } = overlap(boxOf(CAMERA, spreadOf(figure, new Uint32Array(), field), 0), TILE);
     expect(width > 0 && height > 0).toBe(false);
   });
 });

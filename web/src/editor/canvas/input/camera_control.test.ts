@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { Aspect } from "../draw/viewports";
 import type { Triple } from "../math/vectors";
+import { Aspect } from "../scene/viewports";
 import { Sight } from "./camera_control";
 
 describe("Sight", () => {

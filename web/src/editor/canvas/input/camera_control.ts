@@ -1,8 +1,8 @@
 /** Hands that turn, shift and enlarge what is seen: two fingers, wheel, drags beside the needles. */
 
-import type { Aspect } from "../draw/viewports";
 import type { Bounds, Camera } from "../math/camera";
 import type { Pair } from "../math/vectors";
+import type { Aspect } from "../scene/viewports";
 
 /** What two fingers span. */
 interface Span {

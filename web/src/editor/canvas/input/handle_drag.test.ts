@@ -3,10 +3,10 @@ import { fans } from "../../../face/anatomy/topology";
 import type { DraftState, FaceRecipe } from "../../../link/editing_messages";
 import type { Request } from "../../link/requests";
 import { Workbench } from "../../session/draft_store";
-import type { Sitters } from "../draw/face_scene";
+import { handlesOf } from "../../session/face_handles";
 import { boundsOf, Camera, FIRST_VIEW } from "../math/camera";
 import type { Pair } from "../math/vectors";
-import { handlesOf } from "../model/handles";
+import type { Sitters } from "../scene/face_scene";
 import { HandleHands } from "./handle_drag";
 
 const ASSET = { points: [0, 1, 2], labels: ["left ear", "right ear", "chin"], mirror: [1, 0, 2] };

@@ -2,16 +2,13 @@
 
 import type { Fans } from "../../../face/anatomy/topology";
 import type { Workbench } from "../../session/draft_store";
+import { type Handles, movedBy, namesOf, withMoves } from "../../session/face_handles";
 import { flat } from "../../session/net";
-import type { Sitters } from "../draw/face_scene";
 import type { NeedleState } from "../draw/needle_renderer";
 import type { Camera } from "../math/camera";
 import { add, type Pair, type Triple, times } from "../math/vectors";
-import { type Handles, movedBy, namesOf, strokeOf, withMoves } from "../model/handles";
-import { type Needle, needlesOn, picked, REACH } from "../model/needles";
-
-/** Metres that a handle's head stands out of the skin. */
-export const STUD = 0.002;
+import { type Needle, needlesOn, picked, REACH, STUD } from "../model/needles";
+import type { Sitters } from "../scene/face_scene";
 
 /** What hands must know of the canvas. */
 export interface Place {
@@ -198,4 +195,12 @@ export class HandleHands {
       touch ? REACH.touch : REACH.mouse,
     );
   }
+}
+
+/** Metres by which a pointer that goes from one place of the canvas to another moves what lies at `point`: in the plane
+ * of the screen, or along the view (down: nearer). */
+export function strokeOf(camera: Camera, point: Readonly<Triple>, from: Pair, to: Pair, along: boolean): Triple {
+  const each = camera.metresPerPixel(point);
+  const [right, down] = [(to[0] - from[0]) * each, (to[1] - from[1]) * each];
+  return along ? times(camera.back, down) : add(times(camera.right, right), times(camera.up, -down));
 }

@@ -1,17 +1,11 @@
-/** Mouse, touch, pen and keys on the canvas. */
-
-import type { Anatomy } from "../../../face/anatomy/anatomy";
-import type { Net } from "../../session/net";
-import type { EditorCanvas } from "../editor_canvas";
-import type { Camera } from "../math/camera";
-import { hit } from "../math/surface";
-import type { Pair, Triple } from "../math/vectors";
-import type { Figure } from "../model/figure";
-import { lipsOf } from "../model/lip_coupling";
-import { NEEDLE, type Needle, needlesOn, picked, REACH, within } from "../model/needles";
-import { freeRow, withoutPlace, withPlaceAt, withRow } from "../model/net_edits";
+import type { Pair } from "../math/vectors";
+import type { Needle } from "../model/needles";
+import { withoutPlace } from "../model/net_edits";
+import type { Sitters } from "../scene/face_scene";
+import type { Pace } from "../scene/frame_pacing";
 import { Sight } from "./camera_control";
-import { Grip, type Ground } from "./needle_drag";
+import type { Grip } from "./needle_drag";
+import { NeedlePicker, type PickerCanvas, type Placing } from "./needle_picker";
 import { nudgeOf } from "./nudge_keys";
 
 /** Pixels that a pointer may tremble before a press becomes a drag. */
@@ -22,10 +16,12 @@ type Press =
   | { kind: "ground" | "beside"; over: number }
   | { kind: "orbit" | "pan" | "band" | "handle" };
 
-/** A needle that is being set down somewhere else on the skin. */
-export interface Placing {
-  place: number;
-  row: number;
+/** What mouse, touch, pen and keys act on. */
+export interface InputCanvas extends PickerCanvas {
+  readonly canvas: HTMLCanvasElement;
+  readonly pace: Pace;
+  readonly sitters: Sitters | undefined;
+  redraw(): void;
 }
 
 export class Hands {
@@ -36,17 +32,17 @@ export class Hands {
   placing: Placing | undefined;
   /** The corners of the rubber band, CSS pixels. */
   band: [number, number, number, number] | undefined;
-  private anatomy: Anatomy | undefined;
-  private surface: { skin: Uint32Array; land: Uint32Array } | undefined;
+  readonly picker: NeedlePicker;
   private readonly pointers = new Map<number, Pair>();
   private press: { what: Press; from: Pair; last: Pair; moved: boolean } | undefined;
   private readonly sight: Sight;
   private nudging = false;
   private readonly ending = new AbortController();
 
-  constructor(private readonly stage: EditorCanvas) {
+  constructor(private readonly stage: InputCanvas) {
     const { canvas } = stage;
     this.sight = new Sight(stage);
+    this.picker = new NeedlePicker(stage, this.sight);
     const options = { signal: this.ending.signal };
     canvas.style.touchAction = "none";
     canvas.tabIndex = 0;
@@ -63,38 +59,8 @@ export class Hands {
     addEventListener("blur", () => this.endNudge(), options);
   }
 
-  know(anatomy: Anatomy, surface: { skin: Uint32Array; land: Uint32Array }): void {
-    [this.anatomy, this.surface] = [anatomy, surface];
-  }
-
   dispose(): void {
     this.ending.abort();
-  }
-
-  /** The needles of the face under work, where they can be taken; none while there is nothing to take. */
-  needles(): Needle[] {
-    const { bench, handles } = this.stage;
-    if (this.stage.sitting) return handles?.studs() ?? [];
-    const figure = this.figure;
-    const shown = bench.recipe !== null && bench.look === null && bench.options.needles;
-    if (figure === undefined || this.anatomy === undefined || bench.net === null || !shown) return [];
-    return needlesOn(bench.net.rows, this.anatomy.fans, figure.live, this.needleLength);
-  }
-
-  /** Where the needles point. */
-  directions(): Triple[] {
-    return this.needles().map(({ outward }) => outward);
-  }
-
-  /** Whether needles are shown. */
-  get armed(): boolean {
-    const { recipe, look, options } = this.stage.bench;
-    return recipe !== null && look === null && options.needles;
-  }
-
-  /** Metres; shorter when one looks from near, so that they do not hide what they move. */
-  get needleLength(): number {
-    return NEEDLE / Math.max(1, this.stage.aspect.view.zoom ** 0.75);
   }
 
   // --- pointers -------------------------------------------------------------------------------------------------------
@@ -120,7 +86,7 @@ export class Hands {
     if (over > 0) return { kind: "beside", over };
     if (this.stage.sitting && this.stage.handles?.press(at, event)) return { kind: "handle" };
     const takes = (event.button === 0 || event.pointerType === "pen") && !this.stage.sitting;
-    const needle = takes ? this.pick(event, at) : undefined;
+    const needle = takes ? this.picker.pick(event, at) : undefined;
     if (needle !== undefined) return { kind: "needle", needle, fresh: this.choose(needle.place, event) };
     if (event.button === 2) return { kind: "orbit" };
     return event.shiftKey ? { kind: "band" } : { kind: "ground", over };
@@ -160,8 +126,8 @@ export class Hands {
     if (what.kind !== "needle") return;
     this.stage.redraw(); // needles that are taken look otherwise
     const { tool } = this.stage.bench.options;
-    if (tool === "place") this.placing = { place: what.needle.place, row: this.rowOf(what.needle.place) };
-    else if (tool === "drag" || tool === "pull") this.take(what.needle.place, from);
+    if (tool === "place") this.placing = { place: what.needle.place, row: this.picker.rowOf(what.needle.place) };
+    else if (tool === "drag" || tool === "pull") this.grip = this.picker.grab(what.needle.place, from);
   }
 
   private drag(what: Press, event: PointerEvent, from: Pair, to: Pair): void {
@@ -176,7 +142,7 @@ export class Hands {
 
   private dragNeedle(event: PointerEvent, to: Pair): void {
     if (this.placing !== undefined) {
-      const row = this.rowUnder(to);
+      const row = this.picker.rowUnder(to);
       if (row !== undefined) this.placing = { ...this.placing, row };
       return;
     }
@@ -215,9 +181,10 @@ export class Hands {
 
   private endDrag(what: Press): void {
     const { bench } = this.stage;
-    if (what.kind === "band") this.endBand();
+    if (this.band !== undefined) this.picker.selectWithin(this.band);
+    this.band = undefined;
     if (what.kind === "handle") this.stage.handles?.release();
-    if (this.placing !== undefined) this.setDown(this.placing);
+    if (this.placing !== undefined) this.picker.setDown(this.placing);
     this.placing = undefined;
     if (bench.dragging) this.grip?.end();
     this.dropGrip();
@@ -229,12 +196,13 @@ export class Hands {
     if (what.kind === "handle") this.stage.handles?.release();
     else if (what.kind === "beside" && this.stage.sitting) this.stage.sitters?.front(what.over);
     else if (what.kind === "beside") bench.setWork(bench.neighbours[what.over - 1] as string);
-    else if (what.kind === "needle" && tool === "remove") this.reweave((net) => withoutPlace(net, what.needle.place));
+    else if (what.kind === "needle" && tool === "remove")
+      this.picker.reweave((net) => withoutPlace(net, what.needle.place));
     else if (what.kind === "needle" && (event.shiftKey || event.ctrlKey || event.metaKey) && !what.fresh)
       bench.select([...bench.selection].filter((place) => place !== what.needle.place));
     else if (what.kind === "needle" && !event.shiftKey && !event.ctrlKey && !event.metaKey)
       bench.select([what.needle.place]);
-    else if (what.kind === "ground" && tool === "add" && !this.stage.sitting) this.add(at);
+    else if (what.kind === "ground" && tool === "add" && !this.stage.sitting) this.picker.add(at);
     else if (what.kind === "ground") bench.select([]);
   }
 
@@ -261,13 +229,13 @@ export class Hands {
 
   private doubled(event: MouseEvent): void {
     const at = placeOf(event);
-    if (this.stage.aspect.at(...at) !== 0 || this.pick(event, at) !== undefined) return;
+    if (this.stage.aspect.at(...at) !== 0 || this.picker.pick(event, at) !== undefined) return;
     this.sight.reset();
   }
 
   private hoverAt(event: PointerEvent, at: Pair): void {
     const over = this.stage.aspect.at(...at);
-    const needle = over === 0 ? this.pick(event, at) : undefined;
+    const needle = over === 0 ? this.picker.pick(event, at) : undefined;
     if (this.stage.handles !== undefined) this.stage.handles.hovered = needle?.place ?? -1;
     this.hover(over, needle?.place ?? -1);
   }
@@ -281,45 +249,6 @@ export class Hands {
 
   // --- needles --------------------------------------------------------------------------------------------------------
 
-  private get figure(): Figure | undefined {
-    return this.stage.work?.figure;
-  }
-
-  /** The camera of the work. */
-  camera(): Camera | undefined {
-    return this.sight.camera;
-  }
-
-  private pick(event: MouseEvent, at: Pair): Needle | undefined {
-    const [camera, figure, surface] = [this.camera(), this.figure, this.surface];
-    if (camera === undefined || figure === undefined || surface === undefined) return undefined;
-    const touch = event instanceof PointerEvent && event.pointerType === "touch";
-    const skin = { positions: figure.live, triangles: surface.skin };
-    return picked(this.needles(), camera, skin, at, touch ? REACH.touch : REACH.mouse);
-  }
-
-  private take(place: number, from: Pair): void {
-    const ground = this.groundOf();
-    if (ground === undefined) return;
-    const { bench } = this.stage;
-    const { falloff, mirror, region } = bench.options;
-    const mask = region === null ? null : (bench.masks[bench.regions.indexOf(region)] ?? null);
-    const led = bench.selection.has(place) ? [...bench.selection] : [place];
-    const grip = new Grip(bench, ground, place, led, from, { falloff, mirror, mask });
-    if (grip.party.led.includes(place)) this.grip = grip;
-    else grip.cancel(); // the region does not move it
-  }
-
-  private groundOf(): Ground | undefined {
-    const { figure, anatomy, surface } = this;
-    const { net, muscles } = this.stage.bench;
-    if (figure?.tangents === undefined || anatomy === undefined || surface === undefined || net === null)
-      return undefined;
-    const camera = () => this.camera() as Camera;
-    const { fans } = anatomy;
-    return { figure, net, fans, lips: lipsOf(anatomy), land: surface.land, camera, muscles };
-  }
-
   private stretch(to: Pair): void {
     const from = this.press?.from ?? to;
     this.band = [
@@ -328,44 +257,6 @@ export class Hands {
       Math.max(from[0], to[0]),
       Math.max(from[1], to[1]),
     ];
-  }
-
-  private endBand(): void {
-    const [camera, figure, surface, { bench }] = [this.camera(), this.figure, this.surface, this.stage];
-    if (camera === undefined || figure === undefined || surface === undefined || this.band === undefined) return;
-    const skin = { positions: figure.live, triangles: surface.skin };
-    bench.select([...bench.selection, ...within(this.needles(), camera, skin, this.band)]);
-    this.band = undefined;
-  }
-
-  // --- the net --------------------------------------------------------------------------------------------------------
-
-  /** The row under a place of the net, or under a handle. */
-  rowOf(place: number): number {
-    const { bench, handles, sitting } = this.stage;
-    return (sitting ? handles?.handles?.rows[place] : bench.net?.rows[place]) ?? -1;
-  }
-
-  private reweave(rows: (net: Net) => readonly number[]): void {
-    const { bench } = this.stage;
-    if (bench.net !== null) bench.setNet(rows(bench.net));
-  }
-
-  private add(at: Pair): void {
-    const row = this.rowUnder(at);
-    if (row !== undefined) this.reweave((net) => withRow(net, row));
-  }
-
-  private setDown({ place, row }: Placing): void {
-    if (this.rowOf(place) !== row) this.reweave((net) => withPlaceAt(net, place, row));
-  }
-
-  /** The vertex of the sheet under the pointer where no needle stands yet. */
-  private rowUnder([x, y]: Pair): number | undefined {
-    const [camera, figure, { net }] = [this.camera(), this.figure, this.stage.bench];
-    if (camera === undefined || figure === undefined || this.surface === undefined || net === null) return undefined;
-    const met = hit(figure.live, this.surface.skin, camera.eye, camera.ray(x, y));
-    return met === undefined ? undefined : freeRow(net, met, figure.live);
   }
 
   // --- keys -----------------------------------------------------------------------------------------------------------
@@ -385,7 +276,7 @@ export class Hands {
   private beginNudge(): boolean {
     const first = [...this.stage.bench.selection][0];
     if (this.grip === undefined && first !== undefined) {
-      this.take(first, [0, 0]);
+      this.grip = this.picker.grab(first, [0, 0]);
       this.nudging = this.grip !== undefined;
     }
     return this.nudging;

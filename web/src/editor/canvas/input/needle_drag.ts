@@ -3,7 +3,7 @@
 import type { Fans } from "../../../face/anatomy/topology";
 import type { Muscle, Net, Vector } from "../../session/net";
 import type { Camera } from "../math/camera";
-import { hit } from "../math/surface";
+import { hit } from "../math/hit_test";
 import { add, dot, minus, type Pair, rowOf, size, type Triple, times, unit } from "../math/vectors";
 import { answered, answeredPlaces, moved, type Party, party, type Reins } from "../model/drag_vectors";
 import type { Figure } from "../model/figure";

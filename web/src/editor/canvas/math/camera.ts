@@ -1,5 +1,6 @@
 /** The camera that goes around a head: where it stands, what a pixel sees. */
 
+import type { Box } from "./boxes";
 import { add, cross, minus, type Pair, product, rowOf, type Triple, times, unit } from "./vectors";
 
 /** Where the camera stands: yaw (+: over the character's left) and pitch (+: from above) in radians, `zoom` 1 shows the
@@ -9,14 +10,6 @@ export interface View {
   pitch: number;
   zoom: number;
   pan: Pair;
-}
-
-/** A rectangle of the canvas in CSS pixels, from its upper left corner. */
-export interface Box {
-  left: number;
-  top: number;
-  width: number;
-  height: number;
 }
 
 /** A ball that holds a head. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { Box } from "./camera";
-import { inBox, tiles } from "./layout";
+import { type Box, inBox } from "./boxes";
+import { tiles } from "./layout";
 
 const SIZES = [
   [1280, 720],

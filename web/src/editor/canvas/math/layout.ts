@@ -1,6 +1,6 @@
 /** How the canvas is shared out: the face under work large, the others beside it. */
 
-import type { Box } from "./camera";
+import type { Box } from "./boxes";
 
 export interface Tiles {
   work: Box;
@@ -47,7 +47,3 @@ function lanesOf(room: number, short: number, count: number): number {
   for (let lanes = 2; lanes <= count; lanes++) if (side(lanes) > side(best) + 1e-9) best = lanes;
   return best;
 }
-
-/** Whether a place of the canvas lies in a box. */
-export const inBox = (box: Box, x: number, y: number): boolean =>
-  x >= box.left && y >= box.top && x < box.left + box.width && y < box.top + box.height;

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
+import { contains, expanded } from "./boxes";
 import { Camera, FIRST_VIEW } from "./camera";
-import { ahead, cut, holds } from "./triangle_cut";
+import { cut } from "./triangle_cut";
 import type { Triple } from "./vectors";
 
 const TILE = { left: 20, top: 10, width: 200, height: 200 };
@@ -42,7 +43,7 @@ describe("cut", () => {
     const kept = cut(SURFACE, CAMERA, POINTS, small, 0);
     const inside = (row: number) => {
       const [across, down] = CAMERA.project(point(row));
-      return holds(small, { left: across, top: down, width: 0, height: 0 });
+      return contains(small, { left: across, top: down, width: 0, height: 0 });
     };
     const named = (list: Uint16Array) =>
       new Set(Array.from({ length: list.length / 3 }, (_, n) => list.slice(3 * n, 3 * n + 3).join()));
@@ -61,7 +62,7 @@ describe("cut", () => {
   });
 
   it("reaches ahead of what was asked for", () => {
-    expect(holds(ahead(small), small)).toBe(true);
-    expect(holds(small, ahead(small))).toBe(false);
+    expect(contains(expanded(small), small)).toBe(true);
+    expect(contains(small, expanded(small))).toBe(false);
   });
 });

@@ -1,30 +1,13 @@
 /** The triangles of a head that a part of its picture needs: a drag draws these, not the whole head, again and again. */
 
-import type { Box, Camera } from "./camera";
+import type { Box } from "./boxes";
+import type { Camera } from "./camera";
 
 /** What of a head is drawn: triangles as places in the drawn vertices, and the row of positions of each vertex. */
 export interface Surface {
   rows: Uint16Array;
   triangles: Uint16Array;
 }
-
-/** How much further than asked for a cut reaches, as a share of the asked box: so that the next ones need no new cut. */
-const AHEAD = 0.1;
-
-/** Whether a box lies in another. */
-export const holds = (outer: Box, inner: Box): boolean =>
-  inner.left >= outer.left &&
-  inner.top >= outer.top &&
-  inner.left + inner.width <= outer.left + outer.width &&
-  inner.top + inner.height <= outer.top + outer.height;
-
-/** A box with room around it for what comes next. */
-export const ahead = ({ left, top, width, height }: Box): Box => ({
-  left: left - AHEAD * width,
-  top: top - AHEAD * height,
-  width: (1 + 2 * AHEAD) * width,
-  height: (1 + 2 * AHEAD) * height,
-});
 
 /** The triangles that may show in a box when no row is further than `reach` (metres) from positions (n, 3). */
 export function cut(

@@ -5,10 +5,16 @@ import { type BallFrame, ballFrame } from "../../../face/anatomy/eye_mesh";
 import { writeTurn } from "../../../face/pose/pose";
 import type { Recipe } from "../../../link/editing_messages";
 import type { Manifest } from "../../../link/messages";
-import type { Ball } from "../draw/face_painter";
-import { within } from "../draw/repaint";
-import type { Box, Camera } from "../math/camera";
+import type { Box } from "../math/boxes";
+import { overlap } from "../math/boxes";
+import type { Camera } from "../math/camera";
 import { add, minus, rowOf, type Triple, times } from "../math/vectors";
+
+/** An eyeball as it stands: its centre, and its axes times its radius, turned, column by column. */
+export interface Ball {
+  centre: Float32Array;
+  axes: Float32Array;
+}
 
 /** What the hand sets of the eyes (`Workbench.liveEyes`). */
 interface Gaze {
@@ -41,7 +47,7 @@ export function shows({ centre, axes }: Ball, camera: Camera, part: Box): boolea
   const [x, y] = camera.project(middle);
   const reach =
     (1.1 * Math.hypot(axes[0] as number, axes[1] as number, axes[2] as number)) / camera.metresPerPixel(middle);
-  const { width, height } = within({ left: x - reach, top: y - reach, width: 2 * reach, height: 2 * reach }, part);
+  const { width, height } = overlap({ left: x - reach, top: y - reach, width: 2 * reach, height: 2 * reach }, part);
   return width > 0 && height > 0;
 }
 

@@ -2,8 +2,11 @@
 
 import type { Fans } from "../../../face/anatomy/topology";
 import type { Camera } from "../math/camera";
-import { hit } from "../math/surface";
+import { hit } from "../math/hit_test";
 import { add, cross, dot, minus, rowOf, size, type Triple, times, unit } from "../math/vectors";
+
+/** Metres that a handle's head stands out of the skin. */
+export const STUD = 0.002;
 
 /** Metres that a needle stands out of the skin on a head of ordinary size. */
 export const NEEDLE = 0.0035;

@@ -1,7 +1,7 @@
 /** Control points added, removed and set down elsewhere: the rows of the net that comes of it. */
 
 import type { Net } from "../../session/net";
-import { type Hit, nearestCorner } from "../math/surface";
+import { type Hit, nearestCorner } from "../math/hit_test";
 
 /** The vertex of the sheet nearest to where a pointer met the skin, where no point stands yet; undefined: none. */
 export const freeRow = (net: Net, met: Hit, positions: Float32Array): number | undefined =>

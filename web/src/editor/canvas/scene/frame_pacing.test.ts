@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { Pace } from "./pace";
+import { Pace } from "./frame_pacing";
 
 it("counts a hand's wait until the frame in which the others followed is finished", () => {
   const pace = new Pace();

@@ -1,8 +1,9 @@
 import { expect, test } from "vitest";
-import type { FaceRecipe, HandlesAsset } from "../../../link/editing_messages";
-import { boundsOf, Camera, FIRST_VIEW } from "../math/camera";
-import { size } from "../math/vectors";
-import { handlesOf, movedBy, namesOf, strokeOf, withMoves } from "./handles";
+import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
+import { strokeOf } from "../canvas/input/handle_drag";
+import { boundsOf, Camera, FIRST_VIEW } from "../canvas/math/camera";
+import { size } from "../canvas/math/vectors";
+import { handlesOf, movedBy, namesOf, withMoves } from "./face_handles";
 
 const ASSET: HandlesAsset = {
   points: [7, 20, 30, 41],

@@ -1,6 +1,6 @@
 import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
-import { NO_SHADOW, SHADOW } from "../light/shadow_shaders";
-import { TONE } from "../light/tone";
+import { NO_SHADOW, SHADOW } from "./shadow_shaders";
+import { TONE } from "./tone";
 
 /** What every vertex shader of the head shares: its row's blended position and normal, turned with the head. */
 export const VERTEX_HEAD = `

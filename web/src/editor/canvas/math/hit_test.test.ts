@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { patch } from "../model/skin_patch";
-import { filled, hit, nearestCorner } from "./surface";
+import { filled, hit, nearestCorner } from "./hit_test";
 import { cross, minus, rowOf, type Triple } from "./vectors";
 
 describe("hit", () => {

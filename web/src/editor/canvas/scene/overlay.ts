@@ -1,14 +1,17 @@
 /** What lies over the faces: needles, the mesh's edges, muscles; and, as elements of the page, names and the rubber band. */
 
 import { rowTriangles } from "../../../face/anatomy/topology";
-import type { EditorCanvas } from "../editor_canvas";
-import { STUD } from "../input/handle_drag";
-import type { Box, Camera } from "../math/camera";
+import type { Workbench } from "../../session/draft_store";
+import { type Handles, namesOf } from "../../session/face_handles";
+import type { Lines, Painter } from "../draw/face_painter";
+import { HEAD, type NeedleMarks, type NeedleState } from "../draw/needle_renderer";
+import type { Box } from "../math/boxes";
+import type { Camera } from "../math/camera";
 import type { Triple } from "../math/vectors";
-import { namesOf } from "../model/handles";
-import { spacing } from "../model/needles";
-import type { Lines, Painter } from "./face_painter";
-import { HEAD, type NeedleMarks, type NeedleState } from "./needle_renderer";
+import type { Party } from "../model/drag_vectors";
+import { type Needle, STUD, spacing } from "../model/needles";
+import type { Member } from "../model/shown_face";
+import type { Aspect } from "./viewports";
 
 const EDGE = [1, 1, 1, 0.16];
 const MUSCLE = [0.93, 0.36, 0.3, 0.9];
@@ -18,6 +21,34 @@ const LEAST = 0.42;
 /** Metres that lines lie off the skin. */
 const EDGE_LIFT = 0.0002;
 const MUSCLE_LIFT = 0.0012;
+
+/** What the overlay reads of the canvas. */
+export interface OverlaidCanvas {
+  readonly canvas: HTMLCanvasElement;
+  readonly bench: Workbench;
+  readonly aspect: Pick<Aspect, "ratio">;
+  readonly work: Pick<Member, "figure"> | undefined;
+  readonly sitting: boolean;
+  readonly hands: ShownNeedles;
+  readonly handles: ShownHandles | undefined;
+}
+
+/** The needles of an expression, and what the hand does to them. */
+interface ShownNeedles {
+  readonly picker: { readonly armed: boolean; readonly needleLength: number; directions(): Triple[] };
+  readonly hovered: number;
+  readonly placing: { readonly place: number; readonly row: number } | undefined;
+  readonly band: readonly [number, number, number, number] | undefined;
+  readonly grip: { readonly party: Party } | undefined;
+}
+
+/** The handles of a face. */
+interface ShownHandles {
+  readonly hovered: number;
+  readonly handles: Handles | undefined;
+  studs(): Needle[];
+  states(): NeedleState[];
+}
 
 export class Overlay {
   private readonly layer: HTMLElement;
@@ -32,7 +63,7 @@ export class Overlay {
   private spaced: { rows: readonly number[]; far: number[] } | undefined;
 
   constructor(
-    private readonly stage: EditorCanvas,
+    private readonly stage: OverlaidCanvas,
     private readonly painter: Painter,
     private readonly marks: NeedleMarks,
   ) {
@@ -85,10 +116,10 @@ export class Overlay {
       this.painter.lines(this.muscles, block, camera, MUSCLE_LIFT);
     }
     this.drawHandles(block, camera);
-    if (bench.net === null || !hands.armed) return;
+    if (bench.net === null || !hands.picker.armed) return;
     const rows = bench.net.rows.map((row, place) => (hands.placing?.place === place ? hands.placing.row : row));
-    this.marks.set(rows, this.states(), this.scales(camera), hands.directions());
-    this.marks.draw(block, camera, hands.needleLength, aspect.ratio);
+    this.marks.set(rows, this.states(), this.scales(camera), hands.picker.directions());
+    this.marks.draw(block, camera, hands.picker.needleLength, aspect.ratio);
   }
 
   /** How large the needles' heads are: as they stand close, so that what they are on is seen between them. */

@@ -4,14 +4,14 @@ import type { Anatomy } from "../../../face/anatomy/anatomy";
 import type { FaceRecipe, HandlesAsset } from "../../../link/editing_messages";
 import type { FaceDocument, Look, Manifest } from "../../../link/messages";
 import { loadFace, loadWorn } from "../../session/asset_loading";
+import { type Handles, handlesOf, loadHandles } from "../../session/face_handles";
+import { MOST_BLOCKS } from "../draw/atlas_shaders";
+import type { Crowd } from "../draw/face_atlas";
+import type { Complexions } from "../draw/skin_texture";
 import { type Bounds, boundsOf } from "../math/camera";
 import { Touched } from "../model/changed_rows";
 import { type Difference, Figure } from "../model/figure";
 import { type Shape, shapeOf } from "../model/handle_deform";
-import { type Handles, handlesOf, loadHandles } from "../model/handles";
-import { MOST_BLOCKS } from "./atlas_shaders";
-import type { Crowd } from "./face_atlas";
-import type { Complexions } from "./skin_texture";
 
 /** What the face wears, the first at rest: the sum of expressions, and what people read. */
 const WORN: readonly { label: string; expressions: readonly string[] }[] = [

@@ -1,7 +1,8 @@
 /** How the canvas is shared out and from where each face is seen. */
 
-import { type Bounds, type Box, bounded, Camera, FIRST_VIEW, VIEWS, type View, type ViewName } from "../math/camera";
-import { inBox, tiles } from "../math/layout";
+import { type Box, inBox } from "../math/boxes";
+import { type Bounds, bounded, Camera, FIRST_VIEW, VIEWS, type View, type ViewName } from "../math/camera";
+import { tiles } from "../math/layout";
 
 const MOST_RATIO = 2; // pixels of the canvas per CSS pixel: more costs and is not seen
 const PAN_REACH = 0.14; // metres

@@ -2,27 +2,18 @@
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
 import type { Library } from "../../../link/assets";
-import type { FaceDocument, Manifest } from "../../../link/messages";
+import type { Manifest } from "../../../link/messages";
 import { loadFace, loadTangents, loadWorn } from "../../session/asset_loading";
 import type { Followers, Muscle, Net } from "../../session/net";
-import { type Bounds, boundsOf } from "../math/camera";
+import { MOST_BLOCKS } from "../draw/atlas_shaders";
+import { Crowd } from "../draw/face_atlas";
+import type { Complexions } from "../draw/skin_texture";
+import { boundsOf } from "../math/camera";
 import { Touched } from "../model/changed_rows";
 import { type Difference, Figure } from "../model/figure";
 import { addField, type Moves, type Reach, reachOf } from "../model/influence_field";
-import { MOST_BLOCKS } from "./atlas_shaders";
-import { Crowd } from "./face_atlas";
-import { type Spread, spreadOf } from "./repaint";
-import type { Complexions } from "./skin_texture";
-
-/** A face that is shown, or was. */
-export interface Member {
-  source: string;
-  document: FaceDocument;
-  figure: Figure;
-  bounds: Bounds;
-  complexion: WebGLTexture;
-  block: number;
-}
+import type { Member } from "../model/shown_face";
+import { type Spread, spreadOf } from "../model/spread";
 
 /** What all faces wear: an expression's source, and what of it hand and muscles made. */
 export interface Outfit {

@@ -1,9 +1,9 @@
 import * as THREE from "three";
 import type { FaceDocument } from "../../link/messages";
-import type { EyeUniforms, HeadUniforms } from "../head/head";
 import { faceWeights } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
 import { mixedTraits, SKIN_TRAITS, type SkinTraits } from "../skin/skin_layers";
+import type { EyeUniforms, HeadUniforms } from "./head";
 
 const COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat"] as const;
 

@@ -1,11 +1,9 @@
 /** Handles of a face: what stands where, which move together, and how far a pointer moves them. */
 
 import { decode } from "@msgpack/msgpack";
-import { type Fetch, fetchBytes, insist } from "../../../link/assets";
-import type { FaceRecipe, HandlesAsset } from "../../../link/editing_messages";
-import type { Vector } from "../../session/net";
-import type { Camera } from "../math/camera";
-import { add, type Pair, type Triple, times } from "../math/vectors";
+import { type Fetch, fetchBytes, insist } from "../../link/assets";
+import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
+import type { Vector } from "./net";
 
 /** The handles of a face under work; all lists by place. */
 export interface Handles {
@@ -47,7 +45,7 @@ export function movedBy(
   before: Float64Array,
   { mirror }: Handles,
   places: readonly number[],
-  by: Readonly<Triple>,
+  by: Readonly<Vector>,
   mirrored: boolean,
 ): Float64Array {
   const after = before.slice();
@@ -61,20 +59,12 @@ export function movedBy(
   return after;
 }
 
-/** Metres by which a pointer that goes from one place of the canvas to another moves what lies at `point`: in the plane
- * of the screen, or along the view (down: nearer). */
-export function strokeOf(camera: Camera, point: Readonly<Triple>, from: Pair, to: Pair, along: boolean): Triple {
-  const each = camera.metresPerPixel(point);
-  const [right, down] = [(to[0] - from[0]) * each, (to[1] - from[1]) * each];
-  return along ? times(camera.back, down) : add(times(camera.right, right), times(camera.up, -down));
-}
-
 /** What a history says of a move of some handles. */
 export function namesOf({ labels }: Handles, places: readonly number[]): string {
   const [first, ...others] = places.map((place) => labels[place] ?? "");
   return others.length === 0 ? `${first}` : `${first} and ${others.length} more`;
 }
 
-function addTo(moves: Float64Array, place: number, by: Readonly<Triple>): void {
+function addTo(moves: Float64Array, place: number, by: Readonly<Vector>): void {
   for (const axis of [0, 1, 2] as const) moves[3 * place + axis] = (moves[3 * place + axis] as number) + by[axis];
 }
