@@ -2,12 +2,12 @@ import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { curtain, keysPage } from "../ui/dialog_style";
 import { base } from "../ui/theme";
-import { RigElement } from "./controls/console_element";
+import { ConsoleElement } from "./controls/console_element";
 import { HELP } from "./store/keys";
 
 /** The keys and the conventions, over everything else but panic. */
 @customElement("omote-help")
-export class Help extends RigElement {
+export class Help extends ConsoleElement {
   static override styles = [
     base,
     curtain,

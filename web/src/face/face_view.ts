@@ -1,26 +1,26 @@
 import * as THREE from "three";
 import type { Library } from "../link/assets";
-import { type Anatomy, study } from "./anatomy/anatomy";
-import { Holdings, namesOf } from "./blend/asset_residency";
+import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
+import { AssetResidency, namesOf } from "./blend/asset_residency";
 import { Blender, type Eyeballs } from "./blend/blender";
 import type { Tile } from "./framing";
 import { frame, portraitCamera, type Shot, tileView } from "./framing";
-import { Crossfade } from "./gpu/picture_crossfade";
+import { PictureCrossfade } from "./gpu/picture_crossfade";
 import { createRenderer } from "./gpu/renderer";
 import { Hair } from "./hair/hair";
-import { traitsOf, writeTraits } from "./head/eye_traits";
-import { Looks } from "./head/face_looks";
+import { eyeTraitsOf, writeEyeTraits } from "./head/eye_traits";
+import { FaceLooks } from "./head/face_looks";
 import { buildHead, type EyeUniforms, eyeUniforms, type HeadUniforms, headUniforms } from "./head/head";
 import { Backdrop } from "./light/backdrop";
 import { writeLight } from "./light/light_uniforms";
 import { before, mixLights } from "./light/lights";
 import { Shadow } from "./light/shadow";
 import type { Triple } from "./light/tone";
-import { type Pose, resting, writeTurn } from "./pose/pose";
-import { type Arrival, Changeover } from "./pose/source_crossfade";
+import { type Pose, restPose, writeTurn } from "./pose/pose";
+import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
 import { FEATURES, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
 import { drawsInSoftware } from "./quality/software_rendering";
-import { wearLayers } from "./skin/skin_layers";
+import { applyLayers } from "./skin/skin_layers";
 
 /** How a view draws; everything may be left out. */
 export interface FaceViewOptions {
@@ -51,22 +51,22 @@ export class FaceView {
   private readonly camera = portraitCamera();
   private readonly eyes: Eyeballs;
   private readonly eyeUniforms: [EyeUniforms, EyeUniforms] = [eyeUniforms(), eyeUniforms()];
-  private readonly looks: Looks;
+  private readonly looks: FaceLooks;
   private readonly hair: Hair;
-  private readonly changeover: Changeover;
+  private readonly sourceCrossfade: SourceCrossfade;
   private readonly size = new THREE.Vector2();
   private readonly point = new THREE.Vector3();
   private scene = new THREE.Scene();
   private backdrop = new Backdrop();
   private shared!: HeadUniforms;
   private blender!: Blender;
-  private holdings!: Holdings;
+  private residency!: AssetResidency;
   private shadow!: Shadow;
   private called: Pose; // by the names of the cast
   private pose: Pose; // by source, as it is drawn
   private blended = "";
   private drawnAt: number | undefined;
-  private readonly crossfade: Crossfade;
+  private readonly crossfade: PictureCrossfade;
   private head = new THREE.Group();
   private nextHead: { level: Level; head: THREE.Group } | undefined;
   private wanted: Level;
@@ -84,17 +84,17 @@ export class FaceView {
   ) {
     this.level = this.wanted = options.level ?? firstLevel(drawsInSoftware());
     this.renderer = createRenderer(canvas, FEATURES[this.level]);
-    this.crossfade = new Crossfade(this.renderer);
+    this.crossfade = new PictureCrossfade(this.renderer);
     this.eyes = {
       rows: anatomy.eyeRows,
       centres: new Float32Array(6),
       radii: new Float32Array(2),
       turns: new Float32Array(18),
     };
-    this.looks = new Looks(library.faces);
+    this.looks = new FaceLooks(library.faces);
     this.hair = new Hair(library, anatomy.positions);
-    this.changeover = new Changeover(library);
-    this.called = this.pose = resting(library.manifest.faces[0]?.name ?? "generic");
+    this.sourceCrossfade = new SourceCrossfade(library);
+    this.called = this.pose = restPose(library.manifest.faces[0]?.name ?? "generic");
     this.build();
     canvas.addEventListener("webglcontextlost", this.contextLost);
     canvas.addEventListener("webglcontextrestored", this.contextRestored);
@@ -106,7 +106,7 @@ export class FaceView {
     library: Library,
     options: FaceViewOptions = {},
   ): Promise<FaceView> {
-    const [anatomy, layers] = await Promise.all([study(library), library.layers().catch(() => [])]);
+    const [anatomy, layers] = await Promise.all([loadAnatomy(library), library.layers().catch(() => [])]);
     return new FaceView(canvas, library, anatomy, layers, options);
   }
 
@@ -114,8 +114,11 @@ export class FaceView {
   show(pose: Pose, coming = NOBODY): void {
     this.called = pose;
     const names = namesOf(pose);
-    const faces = this.changeover.wanted("faces", [...names.faces, ...coming.faces]);
-    this.holdings.want(faces, this.changeover.wanted("expressions", [...names.expressions, ...coming.expressions]));
+    const faces = this.sourceCrossfade.wanted("faces", [...names.faces, ...coming.faces]);
+    this.residency.want(
+      faces,
+      this.sourceCrossfade.wanted("expressions", [...names.expressions, ...coming.expressions]),
+    );
     this.hair.want(faces);
   }
 
@@ -141,10 +144,10 @@ export class FaceView {
     if (!this.alive) return false;
     const seconds = Math.min(0.1, Math.max(0, time - (this.drawnAt ?? time)));
     this.drawnAt = time;
-    const arrival: Arrival = (faces, worn) => this.holdings.arrival(faces, worn, this.blender);
-    this.pose = this.changeover.pose(this.called, seconds, arrival, atOnce);
+    const arrival: Arrival = (faces, worn) => this.residency.arrival(faces, worn, this.blender);
+    this.pose = this.sourceCrossfade.pose(this.called, seconds, arrival, atOnce);
     this.blend(seconds, atOnce);
-    this.hair.dress(this.holdings.faces(this.pose, this.blender), seconds, atOnce);
+    this.hair.dress(this.residency.faces(this.pose, this.blender), seconds, atOnce);
     if (this.nextHead !== undefined) this.exchange(this.nextHead);
     this.paint();
     this.crossfade.paint(seconds);
@@ -154,15 +157,15 @@ export class FaceView {
   /** Fetches all that a pose needs, then draws it in full, as at `time` in seconds. */
   async present(pose: Pose, time?: number): Promise<void> {
     this.show(pose);
-    await Promise.all([this.holdings.complete(), this.hair.complete()]);
+    await Promise.all([this.residency.complete(), this.hair.complete()]);
     this.show(pose); // others may have shown something meanwhile
     this.render(time, true);
   }
 
   /** Whether all of the present pose shows in full. */
   get settled(): boolean {
-    const { alive, changeover, holdings, hair } = this;
-    return alive && changeover.settled(this.called) && holdings.settled(this.pose, this.blender) && hair.settled;
+    const { alive, sourceCrossfade, residency, hair } = this;
+    return alive && sourceCrossfade.settled(this.called) && residency.settled(this.pose, this.blender) && hair.settled;
   }
 
   /** The graphics context that the view draws with. */
@@ -186,12 +189,12 @@ export class FaceView {
   }
 
   private build(): void {
-    const { fans, settling } = this.anatomy;
-    this.blender = new Blender(this.context, this.library.manifest.vertices, fans, settling);
-    this.holdings ??= new Holdings(this.library, settling?.size);
+    const { fans, correctives } = this.anatomy;
+    this.blender = new Blender(this.context, this.library.manifest.vertices, fans, correctives);
+    this.residency ??= new AssetResidency(this.library, correctives?.size);
     this.shared = headUniforms(this.blender.positions, this.blender.normals);
     this.shadow = new Shadow(this.shared);
-    wearLayers(this.shared, this.layers, FEATURES[this.wanted].anisotropy);
+    applyLayers(this.shared, this.layers, FEATURES[this.wanted].anisotropy);
     this.scene = new THREE.Scene();
     this.backdrop = new Backdrop();
     if (!this.options.transparent) this.scene.add(this.backdrop.mesh);
@@ -237,7 +240,7 @@ export class FaceView {
   };
 
   private blend(seconds: number, atOnce: boolean): void {
-    const mix = this.holdings.mix(this.pose, this.blender, seconds, atOnce);
+    const mix = this.residency.mix(this.pose, this.blender, seconds, atOnce);
     if (mix.entries.length === 0) return; // nothing loaded yet: what shows stays
     const key = JSON.stringify([mix.entries, this.pose.eyes]);
     if (key === this.blended) return;
@@ -258,7 +261,7 @@ export class FaceView {
     frame(this.camera, this.options.shot ?? PORTRAIT, this.extremes(), width, height, tile);
     this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
     this.looks.dress(this.pose, this.shared, this.eyeUniforms);
-    writeTraits(traitsOf(this.pose, this.library), this.shared);
+    writeEyeTraits(eyeTraitsOf(this.pose, this.library), this.shared);
     this.lightUp();
     this.renderer.render(this.scene, this.camera);
   }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type Point, portraitCamera, type Shot, standpoint } from "./framing";
+import { cameraPosition, type Point, portraitCamera, type Shot } from "./framing";
 
 const shot: Shot = { centre: [0, -0.01, 0.05], height: 0.3, width: 0.23 };
 const half = Math.tan((portraitCamera().fov * Math.PI) / 360);
@@ -24,9 +24,9 @@ function head(long: number, yaw: number): Point[] {
   return points.map(([x, y, z]) => [c * x + s * z, y, c * z - s * x]);
 }
 
-describe("a standpoint", () => {
+describe("the position of the camera", () => {
   it("is the shot's own where everything fits", () => {
-    const from = standpoint(shot, head(0.13, 0), half, 16 / 9);
+    const from = cameraPosition(shot, head(0.13, 0), half, 16 / 9);
     expect(from).toEqual([0, -0.01, 0.05 + shot.height / 2 / half]);
   });
 
@@ -35,7 +35,7 @@ describe("a standpoint", () => {
       for (const long of [0.12, 0.18, 0.26])
         for (let yaw = -1.6; yaw <= 1.6; yaw += 0.1) {
           const points = head(long, yaw);
-          const from = standpoint(shot, points, half, aspect);
+          const from = cameraPosition(shot, points, half, aspect);
           for (const point of points) {
             const [across, up] = seen(point, from, aspect);
             expect(Math.abs(across)).toBeLessThan(1);
@@ -46,8 +46,8 @@ describe("a standpoint", () => {
 
   it("moves as smoothly as the head turns and grows", () => {
     for (let yaw = -1.6; yaw <= 1.6; yaw += 0.01) {
-      const a = standpoint(shot, head(0.25, yaw), half, 0.9);
-      const b = standpoint(shot, head(0.25, yaw + 1e-4), half, 0.9);
+      const a = cameraPosition(shot, head(0.25, yaw), half, 0.9);
+      const b = cameraPosition(shot, head(0.25, yaw + 1e-4), half, 0.9);
       for (const axis of [0, 1, 2] as const) expect(Math.abs(b[axis] - a[axis])).toBeLessThan(1e-3);
     }
   });

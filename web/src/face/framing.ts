@@ -31,7 +31,7 @@ export function tileView(tile: Tile, width: number, height: number): [number, nu
 const AIR = 0.012;
 
 /** Where the camera stands for a shot that also holds `points`: a little aside first, then farther away. */
-export function standpoint(
+export function cameraPosition(
   shot: Shot,
   points: readonly Point[],
   half: number,
@@ -64,7 +64,7 @@ export function frame(
 ): void {
   const [fullWidth, fullHeight] = tile === undefined ? [width, height] : tileView(tile, width, height);
   camera.aspect = fullWidth / fullHeight;
-  camera.position.set(...standpoint(shot, points, Math.tan((camera.fov * Math.PI) / 360), camera.aspect));
+  camera.position.set(...cameraPosition(shot, points, Math.tan((camera.fov * Math.PI) / 360), camera.aspect));
   if (tile === undefined) camera.clearViewOffset();
   else camera.setViewOffset(...tileView(tile, width, height));
   camera.updateProjectionMatrix();

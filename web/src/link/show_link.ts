@@ -31,7 +31,7 @@ export const linkAddress = (page: Location = location): string =>
   `${page.protocol === "https:" ? "wss" : "ws"}://${page.host}${LINK_PATH}`;
 
 /** The link to the server: says hello, keeps the clock, lets the newest state win, and reconnects for ever. */
-export class Link {
+export class ShowLink {
   readonly clock = new ServerClock();
   readonly newest = new Newest();
   private readonly backoff = new Backoff();

@@ -1,7 +1,7 @@
 import type { Tile } from "../face/framing";
 import { LIGHTS } from "../face/light/lights";
 import type { Triple } from "../face/light/tone";
-import { decoded } from "../face/light/tone";
+import { decodeSrgb } from "../face/light/tone";
 import { LEVELS, type Level } from "../face/quality/quality_levels";
 
 /** Everything a stage is told by its address. */
@@ -54,7 +54,7 @@ function readBackground(given: URLSearchParams): Triple | undefined {
     throw new ParameterError(`background=${value} is no colour; write background=#rrggbb, for example #00b140.`);
   if (readSwitch(given, "transparent"))
     throw new ParameterError(`background=${value} and transparent exclude each other; leave one of them out.`);
-  return decoded(value.startsWith("#") ? value : `#${value}`);
+  return decodeSrgb(value.startsWith("#") ? value : `#${value}`);
 }
 
 function readLight(value: string | null): string | undefined {

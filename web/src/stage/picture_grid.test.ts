@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { layOut, type Sheet } from "./picture_grid";
+import { layOut, type PictureGrid } from "./picture_grid";
 
-const grid = (rows: number, columns: number, changes: Partial<Sheet> = {}): Sheet => ({
+const grid = (rows: number, columns: number, changes: Partial<PictureGrid> = {}): PictureGrid => ({
   poses: Array.from({ length: rows }, () => Array.from({ length: columns }, () => ({}))),
   rows: [],
   columns: [],

@@ -1,8 +1,8 @@
 import type { FaceView } from "../face/face_view";
-import { type Pose, resting } from "../face/pose/pose";
+import { type Pose, restPose } from "../face/pose/pose";
 
 /** Pictures in rows and columns, with or without the names of rows and columns. */
-export interface Sheet {
+export interface PictureGrid {
   /** Row by row; what a pose leaves out is at rest. */
   poses: readonly (readonly Partial<Pose>[])[];
   rows: readonly string[];
@@ -33,7 +33,7 @@ const INK = "#bbb";
 const JPEG_QUALITY = 0.86;
 
 /** The places of a sheet's cells; `widest`: the width of the longest row's name in letters' heights. */
-export function layOut(sheet: Sheet, width: number, height: number, widest: number): Layout {
+export function layOut(sheet: PictureGrid, width: number, height: number, widest: number): Layout {
   const [left, top, wide, high] = sheet.part;
   const [x, y] = [Math.round(left * width), Math.round(top * height)];
   const [w, h] = [Math.max(1, Math.round(wide * width)), Math.max(1, Math.round(high * height))];
@@ -53,7 +53,12 @@ export function layOut(sheet: Sheet, width: number, height: number, widest: numb
 }
 
 /** Draws every pose in full, at one instant of time, so that the same sheet gives the same picture. */
-export async function drawSheet(view: FaceView, sheet: Sheet, width: number, height: number): Promise<Blob> {
+export async function drawPictureGrid(
+  view: FaceView,
+  sheet: PictureGrid,
+  width: number,
+  height: number,
+): Promise<Blob> {
   const measure = new OffscreenCanvas(1, 1).getContext("2d") as OffscreenCanvasRenderingContext2D;
   measure.font = font(100);
   const widest = Math.max(0, ...sheet.rows.map((name) => measure.measureText(name).width / 100));
@@ -65,7 +70,7 @@ export async function drawSheet(view: FaceView, sheet: Sheet, width: number, hei
   write(context, sheet, layout);
   for (const [row, poses] of sheet.poses.entries())
     for (const [column, pose] of poses.entries()) {
-      await view.present({ ...resting("generic"), ...pose }, 0);
+      await view.present({ ...restPose("generic"), ...pose }, 0);
       paste(context, view.canvas, layout, layout.corner(row, column), width, height);
     }
   caption(context, sheet, layout);
@@ -73,7 +78,7 @@ export async function drawSheet(view: FaceView, sheet: Sheet, width: number, hei
 }
 
 /** The paper, and the names of rows and columns. */
-function write(context: OffscreenCanvasRenderingContext2D, sheet: Sheet, layout: Layout): void {
+function write(context: OffscreenCanvasRenderingContext2D, sheet: PictureGrid, layout: Layout): void {
   const { letter, corner } = layout;
   const [, , wide, high] = layout.part;
   if (sheet.paper !== null) {
@@ -89,7 +94,11 @@ function write(context: OffscreenCanvasRenderingContext2D, sheet: Sheet, layout:
     context.fillText(name, corner(0, column)[0] + wide / 2, letter, wide);
 }
 
-function caption(context: OffscreenCanvasRenderingContext2D, sheet: Sheet, { letter, corner, part }: Layout): void {
+function caption(
+  context: OffscreenCanvasRenderingContext2D,
+  sheet: PictureGrid,
+  { letter, corner, part }: Layout,
+): void {
   context.textAlign = "left";
   context.font = font(Math.round(0.7 * letter));
   context.fillStyle = "#fff";

@@ -1,15 +1,15 @@
 import { FaceView } from "../face/face_view";
 import { Breath } from "../face/pose/breath";
-import { Lateness } from "../face/pose/jitter_buffer";
+import { JitterBuffer } from "../face/pose/jitter_buffer";
 import { type Pose, poseKey } from "../face/pose/pose";
 import { Timeline } from "../face/pose/timeline";
-import { HeadRoom } from "../face/quality/frame_headroom";
-import { LevelChooser } from "../face/quality/quality_controller";
+import { FrameHeadroom } from "../face/quality/frame_headroom";
+import { QualityController } from "../face/quality/quality_controller";
 import type { Level } from "../face/quality/quality_levels";
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import { STATE_RATE, type State } from "../link/messages";
-import { Link } from "../link/show_link";
+import { ShowLink } from "../link/show_link";
 import type { StageParameters } from "./parameters";
 
 /** Seconds behind the server at most; a stage alone draws as soon as there is a state on either side of its frame. */
@@ -38,17 +38,17 @@ export interface Counters {
 export class Stage {
   private readonly timeline = new Timeline();
   private readonly breath = new Breath();
-  private readonly lateness = new Lateness(1 / STATE_RATE, LONGEST_DELAY);
-  private readonly rate = new Rate();
-  private readonly link: Link;
+  private readonly jitterBuffer = new JitterBuffer(1 / STATE_RATE, LONGEST_DELAY);
+  private readonly rate = new FrameRate();
+  private readonly link: ShowLink;
   private state: State | undefined;
   private last = now();
   private reported = 0;
   private drawn = 0;
   private received = 0;
   private reloading = false;
-  private readonly chooser: LevelChooser | undefined;
-  private headRoom: HeadRoom;
+  private readonly qualityController: QualityController | undefined;
+  private frameHeadroom: FrameHeadroom;
   private air = "";
   private movedAt = 0;
   /** The pose last drawn. */
@@ -56,16 +56,16 @@ export class Stage {
   /** A pose that is drawn instead of the server's, in full; for tests. */
   held: Pose | undefined;
   /** No frame is drawn; somebody else draws with the view. */
-  resting = false;
+  restPose = false;
 
   private constructor(
     private readonly canvas: HTMLCanvasElement,
     public view: FaceView,
     private readonly parameters: StageParameters,
   ) {
-    if (parameters.quality === "auto") this.chooser = new LevelChooser(view.level);
-    this.headRoom = new HeadRoom(view.context);
-    this.link = new Link("stage", {
+    if (parameters.quality === "auto") this.qualityController = new QualityController(view.level);
+    this.frameHeadroom = new FrameHeadroom(view.context);
+    this.link = new ShowLink("stage", {
       state: (state) => this.receive(state),
       welcome: (welcome) => {
         if (welcome.digest !== this.view.library.manifest.digest) void this.recast();
@@ -83,7 +83,7 @@ export class Stage {
 
   /** Draws the frame of our time `time`, seconds. */
   frame(time: number): void {
-    if (this.resting) return;
+    if (this.restPose) return;
     if (this.held === undefined) this.choose(time - this.last, time);
     this.shown = this.held ?? this.live(time);
     this.last = time;
@@ -91,7 +91,7 @@ export class Stage {
     if (this.view.render(time) && this.shown !== undefined) {
       this.drawn += 1;
       this.rate.tick(time);
-      this.headRoom.drawn();
+      this.frameHeadroom.drawn();
     }
     this.report(time);
   }
@@ -113,12 +113,12 @@ export class Stage {
   private choose(interval: number, time: number): void {
     const calling = this.state !== undefined && (this.state.face_call !== null || this.state.expression_call !== null);
     const calm = !calling && time - this.movedAt > CALM;
-    const level = this.chooser?.after({ interval, early: this.headRoom.take(), calm });
+    const level = this.qualityController?.after({ interval, early: this.frameHeadroom.take(), calm });
     if (level !== undefined) void this.view.change(level);
   }
 
   private live(time: number): Pose | undefined {
-    const delay = this.parameters.tile === undefined ? this.lateness.after(time - this.last) : WALL_DELAY;
+    const delay = this.parameters.tile === undefined ? this.jitterBuffer.after(time - this.last) : WALL_DELAY;
     const pose = this.timeline.at((this.link.clock.at(time) ?? 0) - delay, time);
     const alone = this.timeline.silence(time) > ALONE;
     return pose && this.breath.on(pose, alone, time - this.last);
@@ -132,7 +132,7 @@ export class Stage {
     if (air !== this.air) this.movedAt = time;
     this.air = air;
     this.timeline.push(state, time);
-    this.lateness.arrived((this.link.clock.at(time) ?? state.time) - state.time);
+    this.jitterBuffer.arrived((this.link.clock.at(time) ?? state.time) - state.time);
   }
 
   /** Another cast than ours: takes it in; on another built-in cast with a new view. */
@@ -143,7 +143,7 @@ export class Stage {
       const view = await loadView(this.canvas, await Library.open(), this.parameters, this.view.level);
       this.view.dispose();
       this.view = view;
-      this.headRoom = new HeadRoom(view.context);
+      this.frameHeadroom = new FrameHeadroom(view.context);
       this.fit();
     } finally {
       this.reloading = false;
@@ -152,7 +152,7 @@ export class Stage {
 
   private fit(): void {
     this.view.resize(innerWidth, innerHeight);
-    this.chooser?.forget();
+    this.qualityController?.forget();
   }
 
   private report(time: number): void {
@@ -183,7 +183,7 @@ function coming(state: State | undefined): { faces: string[]; expressions: strin
 }
 
 /** Counts frames: how many in the last second, and how long the last ones took. */
-class Rate {
+class FrameRate {
   private times: number[] = [];
 
   tick(time: number): void {

@@ -1,7 +1,7 @@
 import type { Pose } from "../face/pose/pose";
-import { resting } from "../face/pose/pose";
+import { restPose } from "../face/pose/pose";
 import type { Level } from "../face/quality/quality_levels";
-import { drawSheet, type Sheet } from "./picture_grid";
+import { drawPictureGrid, type PictureGrid } from "./picture_grid";
 import type { Counters, Stage } from "./stage";
 
 /** What tests and curious operators may ask of a stage: `window.omoteStage`. */
@@ -11,7 +11,7 @@ export interface StageProbe {
   /** Like `hold`, for an animation: does not wait, and holds back what is not loaded. */
   set(pose: Partial<Pose>): void;
   /** Draws a sheet of pictures, each of the page's size, as a file in base64; the stage itself rests from then on. */
-  sheet(sheet: Sheet): Promise<string>;
+  sheet(sheet: PictureGrid): Promise<string>;
   /** Draws at a level of quality, from when its shaders are ready on; with `?quality=auto` the stage may choose again. */
   change(level: Level): Promise<void>;
   /** The blended positions (vertices x 3, metres), read back from the GPU. */
@@ -33,15 +33,15 @@ declare global {
 export function exposeProbe(stage: Stage): void {
   window.omoteStage = {
     hold: async (pose) => {
-      stage.held = pose === null ? undefined : { ...resting("generic"), ...pose };
+      stage.held = pose === null ? undefined : { ...restPose("generic"), ...pose };
       if (stage.held !== undefined) await stage.view.present(stage.held);
     },
     set: (pose) => {
-      stage.held = { ...resting("generic"), ...pose };
+      stage.held = { ...restPose("generic"), ...pose };
     },
     sheet: async (sheet) => {
-      stage.resting = true; // every frame of its own would delay a picture
-      return base64(await drawSheet(stage.view, sheet, innerWidth, innerHeight));
+      stage.restPose = true; // every frame of its own would delay a picture
+      return base64(await drawPictureGrid(stage.view, sheet, innerWidth, innerHeight));
     },
     change: (level) => stage.view.change(level),
     readPositions: () => Array.from(stage.view.readPositions()),

@@ -1,18 +1,18 @@
 /** One animation frame for the whole page: what moves at the display's rate is written to CSS transforms here, never rendered. */
 
-export interface Painted {
+export interface Paintable {
   paint(now: number): void;
 }
 
-export class Painter {
-  readonly #painted = new Set<Painted>();
+export class FramePainter {
+  readonly #painted = new Set<Paintable>();
   #running = false;
 
-  add(one: Painted): void {
+  add(one: Paintable): void {
     this.#painted.add(one);
   }
 
-  delete(one: Painted): void {
+  delete(one: Paintable): void {
     this.#painted.delete(one);
   }
 

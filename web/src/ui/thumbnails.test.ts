@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { Portraits, type Sitting } from "./thumbnails";
+import { type ThumbnailSubject, Thumbnails } from "./thumbnails";
 
 /** A canvas as far as a portrait needs one. */
 function canvas(isConnected = true) {
@@ -9,10 +9,10 @@ function canvas(isConnected = true) {
   return { drawn, element: element as unknown as HTMLCanvasElement };
 }
 
-const sitting = (expression: string): Sitting => ({ face: "generic", expression });
+const sitting = (expression: string): ThumbnailSubject => ({ face: "generic", expression });
 const settle = () => new Promise((done) => setTimeout(done));
-const portraits = () => new Portraits(() => Promise.resolve());
-const studio = (asked: string[]) => (wish: Sitting) => {
+const portraits = () => new Thumbnails(() => Promise.resolve());
+const studio = (asked: string[]) => (wish: ThumbnailSubject) => {
   asked.push(wish.expression);
   return Promise.resolve(wish as unknown as CanvasImageSource);
 };

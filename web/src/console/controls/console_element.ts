@@ -2,22 +2,22 @@
 
 import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
-import type { Painted, Painter } from "../../ui/frame_painter";
-import type { Portraits } from "../../ui/thumbnails";
-import type { Desk, Topic } from "../store/console_store";
+import type { FramePainter, Paintable } from "../../ui/frame_painter";
+import type { Thumbnails } from "../../ui/thumbnails";
+import type { ConsoleStore, Topic } from "../store/console_store";
 
-export interface Rig {
-  readonly desk: Desk;
-  readonly painter: Painter;
-  readonly portraits: Portraits;
+export interface ConsoleContext {
+  readonly store: ConsoleStore;
+  readonly painter: FramePainter;
+  readonly thumbnails: Thumbnails;
 }
 
-export abstract class RigElement extends LitElement {
-  @property({ attribute: false }) rig!: Rig;
+export abstract class ConsoleElement extends LitElement {
+  @property({ attribute: false }) context!: ConsoleContext;
   #leave: (() => void)[] = [];
 
-  get desk(): Desk {
-    return this.rig.desk;
+  get store(): ConsoleStore {
+    return this.context.store;
   }
 
   /** What it renders again for. */
@@ -27,7 +27,7 @@ export abstract class RigElement extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#leave = this.topics().map((topic) => this.desk.listen(topic, () => this.requestUpdate()));
+    this.#leave = this.topics().map((topic) => this.store.listen(topic, () => this.requestUpdate()));
   }
 
   override disconnectedCallback(): void {
@@ -37,24 +37,24 @@ export abstract class RigElement extends LitElement {
 }
 
 /** An element that also moves at the display's rate: `paint` writes transforms and nothing else. */
-export abstract class PaintedElement extends RigElement implements Painted {
+export abstract class AnimatedElement extends ConsoleElement implements Paintable {
   abstract paint(now: number): void;
 
   override connectedCallback(): void {
     super.connectedCallback();
     void this.updateComplete.then(() => {
-      if (this.isConnected) this.rig.painter.add(this);
+      if (this.isConnected) this.context.painter.add(this);
     });
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.rig.painter.delete(this);
+    this.context.painter.delete(this);
   }
 }
 
 /** Writes a style only when it differs; reading it back would cost a layout. */
-export class Written {
+export class StyleWriter {
   readonly #last = new WeakMap<Element, Map<string, string>>();
 
   #new(element: Element, key: string, value: string): boolean {

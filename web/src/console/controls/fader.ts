@@ -5,7 +5,7 @@ import { base } from "../../ui/theme";
 import { CHANNEL, fractionOf, stepped, travelOf, weightAt, within } from "../../ui/travel";
 import type { Side } from "../store/channels";
 import type { Knob } from "../store/knob";
-import { PaintedElement, Written } from "./console_element";
+import { AnimatedElement, StyleWriter } from "./console_element";
 import { style } from "./fader_style";
 
 const STEP = 0.05;
@@ -13,7 +13,7 @@ const STOPS = [0, 1];
 
 /** The fader of one channel, -0.5..1.5, with rests at 0 and 1. */
 @customElement("omote-fader")
-export class Fader extends PaintedElement {
+export class Fader extends AnimatedElement {
   @property() channel = "";
   @property() side: Side | null = null;
   @query(".slot") private slotElement!: HTMLElement;
@@ -21,7 +21,7 @@ export class Fader extends PaintedElement {
   @query(".gaze") private gaze!: HTMLElement;
   @query(".carrier") private carrier!: HTMLElement;
   @query(".number") private number!: HTMLElement;
-  readonly #written = new Written();
+  readonly #written = new StyleWriter();
   #shown: Knob | null = null;
   #travel = 0;
   #era = 0;
@@ -57,23 +57,23 @@ export class Fader extends PaintedElement {
     onArrows(
       this.slotElement,
       (dx, dy) => this.#step(dx + dy),
-      () => this.desk.channel(this.channel).nudge(0),
+      () => this.store.channel(this.channel).nudge(0),
     );
   }
 
   #drag(): Drag {
-    const knob = () => this.desk.channel(this.channel);
+    const knob = () => this.store.channel(this.channel);
     const read = () => {
       this.#travel = travelOf(knob().value(performance.now()));
     };
     return {
       start: () => {
-        this.#era = this.desk.era;
+        this.#era = this.store.era;
         read();
       },
       move: (_dx, dy) => {
-        if (this.#era !== this.desk.era || dy === 0) return;
-        if (!this.desk.online) read(); // nothing is pretended: when the link is back the drag goes on from there
+        if (this.#era !== this.store.era || dy === 0) return;
+        if (!this.store.online) read(); // nothing is pretended: when the link is back the drag goes on from there
         this.#travel = within(this.#travel + dy * (CHANNEL.high - CHANNEL.low), CHANNEL);
         knob().grip(weightAt(this.#travel));
       },
@@ -86,18 +86,18 @@ export class Fader extends PaintedElement {
   }
 
   #step(steps: number): void {
-    const knob = this.desk.channel(this.channel);
+    const knob = this.store.channel(this.channel);
     knob.nudge(stepped(knob.value(performance.now()), steps * STEP, CHANNEL, STOPS));
   }
 
   paint(now: number): void {
     const write = this.#written;
-    this.#shown ??= this.desk.channel(this.channel, false);
+    this.#shown ??= this.store.channel(this.channel, false);
     const weight = this.#shown.value(now);
     const text = weight === 0 ? "" : weight.toFixed(2).replace(/^(-?)0\./, "$1.");
     write.style(this.carrier, "transform", `translateY(${-100 * fractionOf(weight, CHANNEL)}%)`);
     write.style(this.fill, "transform", `scaleY(${weight / (CHANNEL.high - CHANNEL.low)})`);
-    const lid = this.desk.state?.lids[this.channel] ?? 0;
+    const lid = this.store.state?.lids[this.channel] ?? 0;
     write.style(this.gaze, "transform", `scaleY(${lid / (CHANNEL.high - CHANNEL.low)})`);
     write.text(this.number, text || (this.side === null ? "" : this.side === "left" ? "L" : "R"));
     write.flag(this.number, "touched", weight !== 0);

@@ -2,13 +2,13 @@ import { css, html } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import type { Topic } from "../store/console_store";
-import { PaintedElement, Written } from "./console_element";
+import { AnimatedElement, StyleWriter } from "./console_element";
 
 /** A key for each light: which are on air and how much, which is coming. A call takes the time of a face's call. */
 @customElement("omote-lights")
-export class LightRow extends PaintedElement {
+export class LightRow extends AnimatedElement {
   @query(".row") private row!: HTMLElement;
-  readonly #written = new Written();
+  readonly #written = new StyleWriter();
 
   static override styles = [
     base,
@@ -68,8 +68,8 @@ export class LightRow extends PaintedElement {
   override render() {
     return html`<div class="row" role="group" aria-label="Light">
       <span>Light</span>
-      ${this.desk.lights.map(
-        ({ name, label }) => html`<button data-light=${name} title=${label} @click=${() => this.desk.callLight(name)}>
+      ${this.store.lights.map(
+        ({ name, label }) => html`<button data-light=${name} title=${label} @click=${() => this.store.callLight(name)}>
           ${label}<i></i>
         </button>`,
       )}
@@ -77,7 +77,7 @@ export class LightRow extends PaintedElement {
   }
 
   paint(): void {
-    const { state } = this.desk;
+    const { state } = this.store;
     for (const button of this.row.querySelectorAll<HTMLElement>("button")) {
       const name = button.dataset.light as string;
       const weight = state?.light[name] ?? 0;

@@ -14,7 +14,7 @@ import {
   within,
 } from "../../ui/travel";
 import type { Knob } from "../store/knob";
-import { PaintedElement, Written } from "./console_element";
+import { AnimatedElement, StyleWriter } from "./console_element";
 import { style } from "./pad_style";
 
 /** A pointer this near to the dot (of the pad's width) takes it along; elsewhere the dot comes to the pointer. */
@@ -28,7 +28,7 @@ const OWED = 3000;
  * (+yaw): the face on screen turns to where the dot goes.
  */
 @customElement("omote-pad")
-export class Pad extends PaintedElement {
+export class Pad extends AnimatedElement {
   @property() what: "head" | "gaze" = "head";
   @state() private springs = true;
   @query(".field") private field!: HTMLElement;
@@ -38,7 +38,7 @@ export class Pad extends PaintedElement {
   @query(".features") private features!: SVGElement;
   @query(".skull") private skull!: SVGElement;
   @query(".read") private read!: HTMLElement;
-  readonly #written = new Written();
+  readonly #written = new StyleWriter();
   #era = 0;
   #at: [number, number] = [0, 0];
   #roll = 0;
@@ -96,11 +96,11 @@ export class Pad extends PaintedElement {
   }
 
   get #yaw(): Knob {
-    return this.what === "head" ? this.desk.head("yaw") : this.desk.gaze("yaw");
+    return this.what === "head" ? this.store.head("yaw") : this.store.gaze("yaw");
   }
 
   get #pitch(): Knob {
-    return this.what === "head" ? this.desk.head("pitch") : this.desk.gaze("pitch");
+    return this.what === "head" ? this.store.head("pitch") : this.store.gaze("pitch");
   }
 
   get #ranges() {
@@ -128,15 +128,15 @@ export class Pad extends PaintedElement {
   #wireField(): void {
     onDrag(this.field, {
       start: (x, y) => {
-        this.#era = this.desk.era;
+        this.#era = this.store.era;
         this.#returning = [];
         this.#at = this.#place(performance.now());
         if (Math.hypot(x - this.#at[0], y - this.#at[1]) > NEAR) this.#at = [x, y];
         this.#grip();
       },
       move: (dx, dy) => {
-        if (this.#era !== this.desk.era) return;
-        if (!this.desk.online) this.#at = this.#place(performance.now()); // nothing is pretended
+        if (this.#era !== this.store.era) return;
+        if (!this.store.online) this.#at = this.#place(performance.now()); // nothing is pretended
         this.#at = [this.#at[0] + dx, this.#at[1] + dy];
         this.#grip();
       },
@@ -152,16 +152,16 @@ export class Pad extends PaintedElement {
   }
 
   #wireTilt(tilt: HTMLElement): void {
-    const knob = () => this.desk.head("roll");
+    const knob = () => this.store.head("roll");
     onDrag(tilt, {
       start: () => {
-        this.#era = this.desk.era;
+        this.#era = this.store.era;
         this.#returning = [];
         this.#roll = knob().value(performance.now());
       },
       move: (dx) => {
-        if (this.#era !== this.desk.era) return;
-        if (!this.desk.online) this.#roll = knob().value(performance.now());
+        if (this.#era !== this.store.era) return;
+        if (!this.store.online) this.#roll = knob().value(performance.now());
         this.#roll = within(this.#roll + dx * (HEAD_ROLL.high - HEAD_ROLL.low), HEAD_ROLL);
         knob().grip(this.#roll);
       },
@@ -190,7 +190,7 @@ export class Pad extends PaintedElement {
     this.#at = [0.5, 0.5];
     this.#yaw.nudge(0);
     this.#pitch.nudge(0);
-    if (this.what === "head") this.desk.head("roll").nudge(0);
+    if (this.what === "head") this.store.head("roll").nudge(0);
   }
 
   #let(...knobs: Knob[]): void {
@@ -202,7 +202,7 @@ export class Pad extends PaintedElement {
   paint(now: number): void {
     const elapsed = now - this.#last;
     this.#last = now;
-    if (!this.desk.online) {
+    if (!this.store.online) {
       if (now - this.#left > OWED) this.#returning = [];
     } else this.#spring(elapsed, now);
     this.#paintPlace(now);
@@ -221,7 +221,7 @@ export class Pad extends PaintedElement {
     const write = this.#written;
     const [x, y] = this.#place(now);
     const [yaw, pitch] = [this.#yaw.value(now), this.#pitch.value(now)];
-    const roll = this.what === "head" ? this.desk.head("roll").value(now) : 0;
+    const roll = this.what === "head" ? this.store.head("roll").value(now) : 0;
     write.style(this.dot, "transform", `translate(${100 * (x - 0.5)}%, ${100 * (0.5 - y)}%)`);
     write.flag(this.dot, "air", yaw !== 0 || pitch !== 0);
     const reach = this.what === "head" ? 22 : 9;

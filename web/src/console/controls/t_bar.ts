@@ -5,13 +5,13 @@ import { base } from "../../ui/theme";
 import { UNIT, within } from "../../ui/travel";
 import { type Axis, onAir } from "../store/axis";
 import { remainingLabel } from "../store/timing";
-import { PaintedElement, Written } from "./console_element";
+import { AnimatedElement, StyleWriter } from "./console_element";
 import { style } from "./t_bar_style";
 import { type BarView, barView } from "./t_bar_view";
 
 /** The T-bar of an axis: the hand's handle, the value of the call beside it, and who is at which end. */
 @customElement("omote-tbar")
-export class TBar extends PaintedElement {
+export class TBar extends AnimatedElement {
   @property() axis: Axis = "face";
   @query(".track") private track!: HTMLElement;
   @query(".hand") private hand!: HTMLElement;
@@ -23,7 +23,7 @@ export class TBar extends PaintedElement {
   @query(".percent") private percent!: HTMLElement;
   @query(".mode") private mode!: HTMLElement;
   @query(".release") private release!: HTMLButtonElement;
-  readonly #written = new Written();
+  readonly #written = new StyleWriter();
   #view: BarView | null = null;
   #from = "";
   #position = 0;
@@ -55,7 +55,7 @@ export class TBar extends PaintedElement {
       </div>
       <div class="end bottom"></div>
       <div><div class="percent">&nbsp;</div><div class="mode"></div></div>
-      <button class="release" title="Take the hand off: a timed call runs on" @click=${() => this.desk.release(this.axis)}>
+      <button class="release" title="Take the hand off: a timed call runs on" @click=${() => this.store.release(this.axis)}>
         Release
       </button>
     `;
@@ -67,24 +67,24 @@ export class TBar extends PaintedElement {
     onArrows(
       this.track,
       (dx, dy) => this.#step((dx + dy) * 0.02),
-      () => this.desk.release(this.axis),
+      () => this.store.release(this.axis),
     );
   }
 
   #drag(): Drag {
-    const knob = () => this.desk.bar(this.axis);
+    const knob = () => this.store.bar(this.axis);
     const read = () => {
       this.#position = knob().value(performance.now());
     };
     return {
       start: () => {
-        this.#era = this.desk.era;
+        this.#era = this.store.era;
         this.#touched = true;
         read();
       },
       move: (_dx, dy) => {
-        if (this.#era !== this.desk.era) return;
-        if (!this.desk.online) read(); // nothing is pretended: when the link is back the drag goes on from there
+        if (this.#era !== this.store.era) return;
+        if (!this.store.online) read(); // nothing is pretended: when the link is back the drag goes on from there
         this.#position = within(this.#position + dy, UNIT);
         knob().grip(this.#position);
       },
@@ -92,12 +92,12 @@ export class TBar extends PaintedElement {
         this.#touched = false;
         knob().leave();
       },
-      double: () => this.desk.release(this.axis),
+      double: () => this.store.release(this.axis),
     };
   }
 
   #step(by: number): void {
-    const knob = this.desk.bar(this.axis);
+    const knob = this.store.bar(this.axis);
     knob.nudge(within(knob.value(performance.now()) + by, UNIT));
   }
 
@@ -106,8 +106,8 @@ export class TBar extends PaintedElement {
   }
 
   paint(now: number): void {
-    const position = this.desk.bar(this.axis).value(now);
-    const view = barView(this.desk.callOf(this.axis), position, this.#touched, this.#view);
+    const position = this.store.bar(this.axis).value(now);
+    const view = barView(this.store.callOf(this.axis), position, this.#touched, this.#view);
     if (view.target !== this.#view?.target) this.#from = this.#strongest(view.target);
     this.#view = view;
     this.#paintTrack(view, position);
@@ -132,9 +132,9 @@ export class TBar extends PaintedElement {
 
   #paintWords(view: BarView): void {
     const write = this.#written;
-    const call = this.desk.callOf(this.axis);
+    const call = this.store.callOf(this.axis);
     const [start, goal] = view.flipped ? [this.top, this.bottom] : [this.bottom, this.top];
-    const label = (name: string) => this.desk.label(this.axis, name);
+    const label = (name: string) => this.store.label(this.axis, name);
     write.text(goal, call === null ? "" : label(call.target));
     write.text(start, label(call === null ? this.#strongest(null) : this.#from));
     for (const end of [this.top, this.bottom]) {
@@ -150,7 +150,7 @@ export class TBar extends PaintedElement {
   }
 
   #strongest(besides: string | null): string {
-    const state = this.desk.state;
+    const state = this.store.state;
     const names = onAir((this.axis === "face" ? state?.faces : state?.expressions) ?? {});
     return names.find(([name]) => name !== besides)?.[0] ?? "";
   }

@@ -4,11 +4,11 @@ import { base } from "../../ui/theme";
 import type { Axis } from "../store/axis";
 import type { Topic } from "../store/console_store";
 import { CHOICES, EASINGS, parseSeconds, type Seconds, secondsLabel } from "../store/timing";
-import { RigElement } from "./console_element";
+import { ConsoleElement } from "./console_element";
 
 /** The seconds and the easing of an axis's next call. */
 @customElement("omote-timing")
-export class TimingRow extends RigElement {
+export class TimingRow extends ConsoleElement {
   @property() axis: Axis = "face";
   @state() private wrong: string | null = null;
 
@@ -74,7 +74,7 @@ export class TimingRow extends RigElement {
 
   #choose(seconds: Seconds): void {
     this.wrong = null;
-    this.desk.setTiming(this.axis, { seconds });
+    this.store.setTiming(this.axis, { seconds });
   }
 
   #type(event: Event): void {
@@ -84,12 +84,12 @@ export class TimingRow extends RigElement {
     else if (input.value.trim() === "") this.wrong = null;
     else {
       this.wrong = seconds;
-      this.desk.say(seconds);
+      this.store.say(seconds);
     }
   }
 
   override render() {
-    const { seconds, easing } = this.desk.timing[this.axis];
+    const { seconds, easing } = this.store.timing[this.axis];
     const free = seconds !== null && !CHOICES.includes(seconds);
     return html`
       <div class="row" role="radiogroup" aria-label="Seconds of a call (${this.axis})">
@@ -123,7 +123,7 @@ export class TimingRow extends RigElement {
             aria-label=${name}
             data-easing=${name}
             aria-checked=${easing === name}
-            @click=${() => this.desk.setTiming(this.axis, { easing: name })}
+            @click=${() => this.store.setTiming(this.axis, { easing: name })}
           >
             <svg viewBox="0 0 20 12" aria-hidden="true"><path d=${way} /></svg>
           </button>`,

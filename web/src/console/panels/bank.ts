@@ -3,7 +3,7 @@ import { customElement, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { ExpressionDocument } from "../../link/messages";
 import { base } from "../../ui/theme";
-import { PaintedElement, Written } from "../controls/console_element";
+import { AnimatedElement, StyleWriter } from "../controls/console_element";
 import { byRegion, type Region, type Strip, stripsOf } from "../store/channels";
 import type { BankTab } from "../store/console_layout";
 import type { Topic } from "../store/console_store";
@@ -20,11 +20,11 @@ const KINDS: Readonly<Record<ExpressionDocument["kind"], string>> = {
 
 /** A fader for every channel, a region at a time; what is touched can be gathered on one tab. */
 @customElement("omote-bank")
-export class Bank extends PaintedElement {
+export class Bank extends AnimatedElement {
   /** The channels gathered when the tab "touched" was opened; a fader brought back to zero stays under the hand. */
   @state() private gathered: readonly string[] = [];
   @query("nav") private nav!: HTMLElement;
-  readonly #written = new Written();
+  readonly #written = new StyleWriter();
 
   static override styles = [base, style];
 
@@ -33,28 +33,28 @@ export class Bank extends PaintedElement {
   }
 
   private get tab(): BankTab {
-    return this.desk.arrangement.tab;
+    return this.store.layout.tab;
   }
 
   /** The channels of the tab now open. */
   #shown(): readonly ExpressionDocument[] {
-    const playable = this.desk.expressions.filter((one) => one.kind !== "neutral");
+    const playable = this.store.expressions.filter((one) => one.kind !== "neutral");
     if (this.tab === "touched") return playable.filter((one) => this.gathered.includes(one.name));
     return byRegion(playable).get(this.tab) ?? [];
   }
 
   #touched(): string[] {
-    const channels = this.desk.state?.channels ?? {};
+    const channels = this.store.state?.channels ?? {};
     return Object.keys(channels).filter((name) => channels[name] !== 0);
   }
 
   #open(tab: BankTab): void {
     this.gathered = this.#touched();
-    this.desk.arrange({ tab });
+    this.store.arrange({ tab });
   }
 
   override render() {
-    const tabs: BankTab[] = ["touched", ...byRegion(this.desk.expressions).keys()];
+    const tabs: BankTab[] = ["touched", ...byRegion(this.store.expressions).keys()];
     const shown = this.#shown();
     return html`
       <header>
@@ -68,18 +68,18 @@ export class Bank extends PaintedElement {
           )}
         </nav>
         <button
-          aria-pressed=${this.desk.linked}
+          aria-pressed=${this.store.linked}
           title="Left and right of a pair move together"
           @click=${() => {
-            this.desk.arrange({ linked: !this.desk.linked });
+            this.store.arrange({ linked: !this.store.linked });
           }}
         >
           Link R L
         </button>
-        <button data-clear="region" @click=${() => this.desk.clearChannels(shown.map((one) => one.name))}>
+        <button data-clear="region" @click=${() => this.store.clearChannels(shown.map((one) => one.name))}>
           Clear ${this.tab}
         </button>
-        <button data-clear="all" @click=${() => this.desk.clearChannels(this.#touched())}>Clear all</button>
+        <button data-clear="all" @click=${() => this.store.clearChannels(this.#touched())}>Clear all</button>
       </header>
       <div class="strips">${this.#strips(stripsOf(shown))}</div>
     `;
@@ -105,7 +105,7 @@ export class Bank extends PaintedElement {
     return html`<div class="strip ${strip.channels.length > 1 ? "pair" : "single"}">
       <div class="faders">
         ${strip.channels.map(
-          ({ name, side }) => html`<omote-fader .rig=${this.rig} .channel=${name} .side=${side}></omote-fader>`,
+          ({ name, side }) => html`<omote-fader .context=${this.context} .channel=${name} .side=${side}></omote-fader>`,
         )}
       </div>
       <div class="label" title=${strip.channels.map(({ name }) => name).join(", ")}>${strip.label}</div>
@@ -114,7 +114,7 @@ export class Bank extends PaintedElement {
 
   paint(): void {
     const touched = new Set(this.#touched());
-    const regions = byRegionCached(this.desk.expressions);
+    const regions = byRegionCached(this.store.expressions);
     for (const button of this.nav.querySelectorAll<HTMLElement>("button")) {
       const tab = button.dataset.tab as BankTab;
       const names = tab === "touched" ? [...touched] : (regions.get(tab) ?? []).filter((name) => touched.has(name));

@@ -4,14 +4,14 @@ import { FaceView } from "../../face/face_view";
 import { poseKey } from "../../face/pose/pose";
 import type { Library } from "../../link/assets";
 import { base } from "../../ui/theme";
-import { PaintedElement } from "../controls/console_element";
+import { AnimatedElement } from "../controls/console_element";
 
 /** Milliseconds between two pictures: the monitor shows what is on air, the stage is what must be smooth. */
 const PACE = 30;
 
 /** What is on air, live. It draws only when something has changed. */
 @customElement("omote-monitor")
-export class Monitor extends PaintedElement {
+export class Monitor extends AnimatedElement {
   @state() private wrong: string | null = null;
   @query("canvas") private canvas!: HTMLCanvasElement;
   #view: FaceView | null = null;
@@ -83,7 +83,7 @@ export class Monitor extends PaintedElement {
   }
 
   paint(now: number): void {
-    const [view, state] = [this.#view, this.desk.state];
+    const [view, state] = [this.#view, this.store.state];
     if (view === null || state === null || now - this.#last < PACE) return;
     const pose = poseKey(state);
     if (pose === this.#drawn && view.settled && !this.#resized) return;

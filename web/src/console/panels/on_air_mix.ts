@@ -1,7 +1,7 @@
 import { css, html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { base } from "../../ui/theme";
-import { PaintedElement, Written } from "../controls/console_element";
+import { AnimatedElement, StyleWriter } from "../controls/console_element";
 import { type Axis, onAir } from "../store/axis";
 import { remainingLabel } from "../store/timing";
 
@@ -9,14 +9,14 @@ const ROWS = 4;
 
 /** What is on air on one axis, heaviest first, and what is coming. */
 @customElement("omote-mix")
-export class Mix extends PaintedElement {
+export class Mix extends AnimatedElement {
   @property() axis: Axis = "face";
   @query(".rows") private rows!: HTMLElement;
   @query(".coming") private coming!: HTMLElement;
   @query(".what") private what!: HTMLElement;
   @query(".left") private left!: HTMLElement;
   @query(".progress") private progress!: HTMLElement;
-  readonly #written = new Written();
+  readonly #written = new StyleWriter();
 
   static override styles = [
     base,
@@ -132,7 +132,7 @@ export class Mix extends PaintedElement {
           data-keep=${this.axis}
           aria-label="Keep ${this.axis}"
           title="Keep what is on air as a new ${this.axis} (${this.axis === "face" ? "N" : "M"})"
-          @click=${() => this.desk.keep(this.axis)}
+          @click=${() => this.store.keep(this.axis)}
         >
           Keep
         </button>
@@ -145,13 +145,13 @@ export class Mix extends PaintedElement {
   }
 
   paint(): void {
-    const state = this.desk.state;
-    const call = this.desk.callOf(this.axis);
+    const state = this.store.state;
+    const call = this.store.callOf(this.axis);
     const names = onAir((this.axis === "face" ? state?.faces : state?.expressions) ?? {});
     const write = this.#written;
     for (const [index, row] of [...this.rows.children].entries()) {
       const [name, weight] = names[index] ?? ["", 0];
-      const [label, more] = [this.desk.label(this.axis, name), names.length - ROWS];
+      const [label, more] = [this.store.label(this.axis, name), names.length - ROWS];
       write.flag(row, "none", name === "");
       write.flag(row, "target", name === call?.target);
       write.style(row.children[0] as HTMLElement, "transform", `scaleX(${Math.abs(weight).toFixed(3)})`);
@@ -159,7 +159,7 @@ export class Mix extends PaintedElement {
       write.text(row.children[2] as Element, name === "" ? "" : String(Math.round(weight * 100)));
     }
     write.flag(this.coming, "shown", call !== null);
-    write.text(this.what, call === null ? "nothing coming" : `▶ ${this.desk.label(this.axis, call.target)}`);
+    write.text(this.what, call === null ? "nothing coming" : `▶ ${this.store.label(this.axis, call.target)}`);
     write.text(
       this.left,
       call === null ? "" : call.remaining === null ? "by hand" : `${remainingLabel(call.remaining)} s`,

@@ -5,8 +5,8 @@ import { EDITOR, EDITOR_TAB, editorAddress } from "../../link/editor_address";
 import type { ExpressionDocument, FaceDocument } from "../../link/messages";
 import { onRoam } from "../../ui/gestures";
 import { base } from "../../ui/theme";
-import { PICTURE, type Sitting } from "../../ui/thumbnails";
-import { PaintedElement, Written } from "../controls/console_element";
+import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
+import { AnimatedElement, StyleWriter } from "../controls/console_element";
 import type { Axis } from "../store/axis";
 import { REGIONS, regionOf } from "../store/channels";
 import { KINDS, type PaletteKind } from "../store/console_layout";
@@ -28,7 +28,7 @@ type Tile = FaceDocument | ExpressionDocument;
 
 /** The faces or the expressions, as pictures: a tap calls one in the chosen time. */
 @customElement("omote-palette")
-export class Palette extends PaintedElement {
+export class Palette extends AnimatedElement {
   @property() axis: Axis = "face";
   @state() private search = "";
   /** The face that the expressions are shown on. */
@@ -36,7 +36,7 @@ export class Palette extends PaintedElement {
   @query(".tiles") private list!: HTMLElement;
   @query("input") private input!: HTMLInputElement | null;
   @queryAll(".tile") private tiles!: NodeListOf<HTMLElement>;
-  readonly #written = new Written();
+  readonly #written = new StyleWriter();
   #candidate: [string, number] = ["", 0];
 
   static override styles = [base, style];
@@ -46,12 +46,12 @@ export class Palette extends PaintedElement {
   }
 
   private get kind(): PaletteKind {
-    return this.desk.arrangement.kind;
+    return this.store.layout.kind;
   }
 
   /** What the palette shows now, in order. */
   get shown(): readonly Tile[] {
-    return this.#sections(this.desk.arrangement.ownFaces).flatMap(([, inside]) => inside);
+    return this.#sections(this.store.layout.ownFaces).flatMap(([, inside]) => inside);
   }
 
   /** The first nine of these have hot keys: what is shown, but a face keeps its key while own faces are shown alone. */
@@ -62,18 +62,18 @@ export class Palette extends PaintedElement {
   /** Tiles under their headings: units by region; what is searched needs none. The crew's own come last, so that the
    * hot keys of all others stay where they are when something is kept during the show. */
   #sections(ownFaces: boolean): [string, Tile[]][] {
-    const all: readonly Tile[] = this.axis === "face" ? this.desk.faces : this.desk.expressions;
+    const all: readonly Tile[] = this.axis === "face" ? this.store.faces : this.store.expressions;
     const words = this.search.toLowerCase().split(/\s+/).filter(Boolean);
     if (words.length > 0) return [["", all.filter((one) => words.every((word) => textOf(one).includes(word)))]];
     const own = all.filter(isOwn).sort((a, b) => a.place - b.place);
     if (this.axis === "face" && ownFaces) return [["", own]];
     if (this.axis === "face")
       return withOwn(
-        this.desk.faces.filter((one) => !isOwn(one)),
+        this.store.faces.filter((one) => !isOwn(one)),
         own,
       );
     if (this.kind === "own") return [["", own]];
-    const inside = this.desk.expressions.filter((one) => !isOwn(one) && this.#inTab(one));
+    const inside = this.store.expressions.filter((one) => !isOwn(one) && this.#inTab(one));
     if (this.kind === "performed") return withOwn(inside, own);
     const regions = REGIONS.map((region): [string, ExpressionDocument[]] => [
       region,
@@ -89,7 +89,7 @@ export class Palette extends PaintedElement {
   /** Calls the tile at an index, as its hot key does. */
   callIndex(index: number): void {
     const name = this.#keyed[index]?.name;
-    if (name !== undefined) this.desk.call(this.axis, name);
+    if (name !== undefined) this.store.call(this.axis, name);
   }
 
   override focus(): void {
@@ -100,7 +100,7 @@ export class Palette extends PaintedElement {
     return html`
       <header>${this.axis === "face" ? this.#ownSwitch() : this.#tabs()} ${this.#searchField()}</header>
       <div class="tiles" @scroll=${this.#hint}>${this.#tiles()}</div>
-      <omote-timing .rig=${this.rig} .axis=${this.axis}></omote-timing>
+      <omote-timing .context=${this.context} .axis=${this.axis}></omote-timing>
     `;
   }
 
@@ -112,7 +112,7 @@ export class Palette extends PaintedElement {
           data-kind=${kind}
           aria-selected=${this.kind === kind && this.search === ""}
           @click=${() => {
-            this.desk.arrange({ kind });
+            this.store.arrange({ kind });
             this.search = "";
           }}
         >
@@ -123,7 +123,7 @@ export class Palette extends PaintedElement {
   }
 
   #ownSwitch() {
-    const { ownFaces } = this.desk.arrangement;
+    const { ownFaces } = this.store.layout;
     return html`<h2>Faces</h2>
       <div class="tabs">
         <button
@@ -131,7 +131,7 @@ export class Palette extends PaintedElement {
           title="Your own faces alone; hot keys stay with their faces"
           aria-pressed=${ownFaces && this.search === ""}
           @click=${() => {
-            this.desk.arrange({ ownFaces: !ownFaces || this.search !== "" });
+            this.store.arrange({ ownFaces: !ownFaces || this.search !== "" });
             this.search = "";
           }}
         >
@@ -160,7 +160,7 @@ export class Palette extends PaintedElement {
       return html`<div class="none">Nothing is called "${this.search}".</div>`;
     if (shown.length === 0)
       return html`<div class="none">Nothing of your own yet: keep what is on air (${this.axis === "face" ? "N" : "M"}), or make one in the <a href=${EDITOR} target=${EDITOR_TAB}>editor</a>.</div>`;
-    return this.#sections(this.desk.arrangement.ownFaces).map(
+    return this.#sections(this.store.layout.ownFaces).map(
       ([heading, inside]) => html`${heading === "" ? nothing : html`<div class="region">${heading}</div>`}
         ${repeat(
           inside,
@@ -193,9 +193,9 @@ export class Palette extends PaintedElement {
       data-source=${one.source}
       aria-label="${one.label}${key === null ? "" : `, key ${key}`}"
       title=${[one.name, ...one.tags].join(", ")}
-      @click=${() => this.desk.call(this.axis, one.name)}
+      @click=${() => this.store.call(this.axis, one.name)}
     >
-      <canvas width="${PICTURE.width}" height="${PICTURE.height}" aria-hidden="true"></canvas>
+      <canvas width="${THUMBNAIL_SIZE.width}" height="${THUMBNAIL_SIZE.height}" aria-hidden="true"></canvas>
       <span class="name">${one.label}</span>
       ${key === null ? nothing : html`<span class="key">${key}</span>`}
       <span class="weight"></span>
@@ -217,23 +217,23 @@ export class Palette extends PaintedElement {
     this.#hint();
     for (const tile of this.tiles) {
       const source = tile.dataset.source ?? "";
-      const sitting: Sitting =
+      const sitting: ThumbnailSubject =
         this.axis === "face"
           ? { face: source, expression: "neutral" }
           : { face: this.#modelSource, expression: source };
-      this.rig.portraits.ask(tile.querySelector("canvas") as HTMLCanvasElement, sitting);
+      this.context.thumbnails.ask(tile.querySelector("canvas") as HTMLCanvasElement, sitting);
     }
   }
 
   /** What the model is now: an own face that was saved again is another picture. */
   get #modelSource(): string {
-    return this.desk.faces.find(({ name }) => name === this.model)?.source ?? this.model;
+    return this.store.faces.find(({ name }) => name === this.model)?.source ?? this.model;
   }
 
   paint(now: number): void {
-    const state = this.desk.state;
+    const state = this.store.state;
     const weights = (this.axis === "face" ? state?.faces : state?.expressions) ?? {};
-    const target = this.desk.callOf(this.axis)?.target;
+    const target = this.store.callOf(this.axis)?.target;
     for (const tile of this.tiles) {
       const name = tile.dataset.name ?? "";
       const weight = weights[name] ?? 0;
@@ -247,8 +247,8 @@ export class Palette extends PaintedElement {
 
   /** The expressions are drawn on the face on air once it stands there alone for a while. */
   #followModel(now: number): void {
-    const faces = Object.entries(this.desk.state?.faces ?? {}).filter(([, weight]) => weight > 0.999);
-    const alone = this.desk.callOf("face") === null ? faces[0]?.[0] : undefined;
+    const faces = Object.entries(this.store.state?.faces ?? {}).filter(([, weight]) => weight > 0.999);
+    const alone = this.store.callOf("face") === null ? faces[0]?.[0] : undefined;
     if (alone === undefined || alone !== this.#candidate[0]) this.#candidate = [alone ?? "", now];
     else if (alone !== this.model && now - this.#candidate[1] > SETTLED) this.model = alone;
   }

@@ -3,7 +3,7 @@ import { customElement, state } from "lit/decorators.js";
 import { levelsOf } from "../../face/quality/quality_levels";
 import { EDITOR_TAB } from "../../link/editor_address";
 import { base } from "../../ui/theme";
-import { RigElement } from "../controls/console_element";
+import { ConsoleElement } from "../controls/console_element";
 import type { Topic } from "../store/console_store";
 import { style } from "./status_bar_style";
 
@@ -14,7 +14,7 @@ const NOTICE = 6000;
 
 /** The head of the page: the link, the crew, what must be read, the help and panic. */
 @customElement("omote-status")
-export class StatusBar extends RigElement {
+export class StatusBar extends ConsoleElement {
   @state() private panicked = false;
   #timers: { notice?: ReturnType<typeof setTimeout>; panic?: ReturnType<typeof setTimeout> } = {};
   #leave: (() => void)[] = [];
@@ -28,13 +28,13 @@ export class StatusBar extends RigElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#leave = [
-      this.desk.listen("notice", () => {
+      this.store.listen("notice", () => {
         clearTimeout(this.#timers.notice);
-        if (this.desk.notice === null || this.desk.offer !== null) return; // an offer waits to be taken
-        this.#timers.notice = setTimeout(() => this.desk.say(null), NOTICE);
+        if (this.store.notice === null || this.store.offer !== null) return; // an offer waits to be taken
+        this.#timers.notice = setTimeout(() => this.store.say(null), NOTICE);
       }),
-      this.desk.listen("panic", () => {
-        if (!this.desk.online) return; // nothing was sent, so nothing lights up
+      this.store.listen("panic", () => {
+        if (!this.store.online) return; // nothing was sent, so nothing lights up
         this.panicked = true;
         clearTimeout(this.#timers.panic);
         this.#timers.panic = setTimeout(() => {
@@ -54,9 +54,9 @@ export class StatusBar extends RigElement {
   override render() {
     return html`
       <div class="mark">OMOTE</div>
-      ${this.desk.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
-      <div class="notice ${this.desk.offer === null ? "" : "done"}" role="status">
-        ${this.desk.notice ?? ""}
+      ${this.store.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
+      <div class="notice ${this.store.offer === null ? "" : "done"}" role="status">
+        ${this.store.notice ?? ""}
         ${this.#offer()}
       </div>
       <button class="help" title="Keys" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
@@ -67,21 +67,21 @@ export class StatusBar extends RigElement {
   }
 
   #offer() {
-    const { offer } = this.desk;
+    const { offer } = this.store;
     return offer === null ? nothing : html`<a href=${offer.address} target=${EDITOR_TAB}>${offer.label}</a>`;
   }
 
   /** On the way down, not on release: panic does not wait for the finger to lift. */
   #press(event: PointerEvent): void {
-    if (event.button === 0) this.desk.panic();
+    if (event.button === 0) this.store.panic();
   }
 
   #click(event: MouseEvent): void {
-    if (event.detail === 0) this.desk.panic(); // by keyboard; a pointer has been heard on its way down
+    if (event.detail === 0) this.store.panic(); // by keyboard; a pointer has been heard on its way down
   }
 
   #crew() {
-    const { crew, latency } = this.desk;
+    const { crew, latency } = this.store;
     const stages = crew?.stages ?? [];
     return html`
       <div class="item link"><span class="lamp"></span><b>live</b> ${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</div>

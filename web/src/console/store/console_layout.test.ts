@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { type Arrangement, FIRST, KINDS, parsed, written } from "./console_layout";
+import { type ConsoleLayout, FIRST, KINDS, parsed, written } from "./console_layout";
 import { LONGEST } from "./timing";
 
-const OTHER: Arrangement = {
+const OTHER: ConsoleLayout = {
   timing: { face: { seconds: null, easing: "late" }, expression: { seconds: 0, easing: "sharp" } },
   kind: "arkit",
   ownFaces: true,
@@ -12,8 +12,8 @@ const OTHER: Arrangement = {
 
 describe("a console's layout", () => {
   it("comes back as it was written", () => {
-    for (const arrangement of [FIRST, OTHER, ...KINDS.map((kind) => ({ ...FIRST, kind }))])
-      expect(parsed(written(arrangement))).toEqual(arrangement);
+    for (const layout of [FIRST, OTHER, ...KINDS.map((kind) => ({ ...FIRST, kind }))])
+      expect(parsed(written(layout))).toEqual(layout);
   });
 
   it("is small enough for a message", () => {
@@ -22,7 +22,7 @@ describe("a console's layout", () => {
 
   it("of before own faces had a palette of their own shows all", () => {
     const { ownFaces: _, ...before } = FIRST;
-    expect(parsed(written(before as Arrangement))).toEqual(FIRST);
+    expect(parsed(written(before as ConsoleLayout))).toEqual(FIRST);
   });
 
   it("brings nothing with it that it does not know", () => {

@@ -10,7 +10,7 @@ export type PaletteKind = (typeof KINDS)[number];
 /** Which faders are open. */
 export type BankTab = Region | "touched";
 
-export interface Arrangement {
+export interface ConsoleLayout {
   readonly timing: Readonly<Record<Axis, Timing>>;
   readonly kind: PaletteKind;
   /** The palette of faces shows the crew's own alone. */
@@ -20,7 +20,7 @@ export interface Arrangement {
   readonly linked: boolean;
 }
 
-export const FIRST: Arrangement = {
+export const FIRST: ConsoleLayout = {
   timing: { face: { seconds: 2, easing: "smooth" }, expression: { seconds: 0.5, easing: "smooth" } },
   kind: "performed",
   ownFaces: false,
@@ -30,10 +30,10 @@ export const FIRST: Arrangement = {
 
 const VERSION = 1;
 
-export const written = (arrangement: Arrangement): string => JSON.stringify({ version: VERSION, ...arrangement });
+export const written = (layout: ConsoleLayout): string => JSON.stringify({ version: VERSION, ...layout });
 
 /** The arrangement in a document, or a sentence why there is none. */
-export function parsed(document: string): Arrangement | string {
+export function parsed(document: string): ConsoleLayout | string {
   let found: unknown;
   try {
     found = JSON.parse(document);

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { FromClient, Manifest, State } from "../../link/messages";
 import { onAir } from "./axis";
-import { Desk } from "./console_store";
+import { ConsoleStore } from "./console_store";
 import { ECHO } from "./held_values";
 
 const REST: State = {
@@ -32,26 +32,26 @@ const MANIFEST = {
 
 let now: number;
 let sent: FromClient[];
-let desk: Desk;
+let store: ConsoleStore;
 
 beforeEach(() => {
   now = 1000;
   sent = [];
-  desk = new Desk(
+  store = new ConsoleStore(
     (message) => sent.push(message),
     () => now,
     "me",
   );
-  desk.setManifest(MANIFEST);
-  desk.receiveState(REST);
-  desk.setOnline(true);
+  store.setManifest(MANIFEST);
+  store.receiveState(REST);
+  store.setOnline(true);
 });
 
 describe("calls", () => {
   it("carry the chosen time and easing, and each its own id", () => {
-    desk.setTiming("face", { seconds: 4, easing: "late" });
-    desk.call("face", "old");
-    desk.call("face", "old");
+    store.setTiming("face", { seconds: 4, easing: "late" });
+    store.call("face", "old");
+    store.call("face", "old");
     expect(sent).toMatchObject([
       { type: "call_face", name: "old", seconds: 4, easing: "late" },
       { type: "call_face", name: "old" },
@@ -60,51 +60,51 @@ describe("calls", () => {
   });
 
   it("keep the time of a face and of an expression apart", () => {
-    desk.setTiming("face", { seconds: null });
-    desk.call("expression", "smile");
+    store.setTiming("face", { seconds: null });
+    store.call("expression", "smile");
     expect(sent).toMatchObject([{ type: "call_expression", seconds: 0.5 }]);
   });
 });
 
 describe("keeping what is on air", () => {
   it("asks for a face or an expression, each time under an id of its own", () => {
-    desk.keep("face");
-    desk.keep("expression");
-    desk.keep("expression");
+    store.keep("face");
+    store.keep("expression");
+    store.keep("expression");
     expect(sent).toMatchObject([{ type: "keep_face" }, { type: "keep_expression" }, { type: "keep_expression" }]);
     expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(3);
   });
 
   it("says under which name it was kept, and where to edit it; the next notice has no such offer", () => {
-    desk.keep("face");
-    desk.keep("expression");
-    desk.flush();
+    store.keep("face");
+    store.keep("expression");
+    store.flush();
     const [face, other] = sent.map((message) => ("id" in message ? message.id : ""));
-    desk.receiveKept({ type: "kept", id: other as string, name: "on_air_3", label: "On air 3" });
-    expect([desk.notice, desk.offer?.address]).toEqual([
+    store.receiveKept({ type: "kept", id: other as string, name: "on_air_3", label: "On air 3" });
+    expect([store.notice, store.offer?.address]).toEqual([
       "Kept as On air 3 under Own.",
       "/editor?kind=expression&name=on_air_3",
     ]);
-    desk.receiveKept({ type: "kept", id: face as string, name: "on_air_4", label: "On air 4" });
-    expect(desk.offer?.address).toBe("/editor?kind=face&name=on_air_4");
-    desk.say("No.");
-    expect(desk.offer).toBeNull();
+    store.receiveKept({ type: "kept", id: face as string, name: "on_air_4", label: "On air 4" });
+    expect(store.offer?.address).toBe("/editor?kind=face&name=on_air_4");
+    store.say("No.");
+    expect(store.offer).toBeNull();
   });
 
   it("asks nothing while the link is lost", () => {
-    desk.setOnline(false);
-    desk.keep("face");
+    store.setOnline(false);
+    store.keep("face");
     expect(sent).toEqual([]);
-    expect(desk.notice).toMatch(/Not sent/);
+    expect(store.notice).toMatch(/Not sent/);
   });
 });
 
 describe("lights", () => {
   it("come in the time of a face, and never by hand", () => {
-    desk.setTiming("face", { seconds: 4, easing: "late" });
-    desk.callLight("flat");
-    desk.setTiming("face", { seconds: null });
-    desk.callLight("portrait");
+    store.setTiming("face", { seconds: 4, easing: "late" });
+    store.callLight("flat");
+    store.setTiming("face", { seconds: null });
+    store.callLight("portrait");
     expect(sent).toMatchObject([
       { type: "call_light", name: "flat", seconds: 4, easing: "late" },
       { type: "call_light", name: "portrait", seconds: 2 },
@@ -115,21 +115,21 @@ describe("lights", () => {
 
 describe("knobs", () => {
   it("show the hand at once, the server after the echo", () => {
-    const jaw = desk.channel("jawOpen");
+    const jaw = store.channel("jawOpen");
     jaw.grip(0.6);
     expect(jaw.value(now)).toBe(0.6);
     jaw.leave();
     expect(jaw.value(now + ECHO - 1)).toBe(0.6);
-    desk.receiveState({ ...REST, number: 2, channels: { jawOpen: 0.2 } });
+    store.receiveState({ ...REST, number: 2, channels: { jawOpen: 0.2 } });
     expect(jaw.value(now + ECHO)).toBe(0.2);
   });
 
   it("send one message for each parameter in a frame", () => {
-    for (const value of [0.1, 0.2, 0.3]) desk.channel("jawOpen").grip(value);
-    desk.head("yaw").grip(0.2);
-    desk.head("pitch").grip(-0.1);
+    for (const value of [0.1, 0.2, 0.3]) store.channel("jawOpen").grip(value);
+    store.head("yaw").grip(0.2);
+    store.head("pitch").grip(-0.1);
     expect(sent).toEqual([]);
-    desk.flush();
+    store.flush();
     expect(sent).toEqual([
       { type: "set_channel", name: "jawOpen", value: 0.3 },
       { type: "set_head", yaw: 0.2, pitch: -0.1, roll: 0 },
@@ -137,10 +137,10 @@ describe("knobs", () => {
   });
 
   it("leave the parts of a direction that another console moves", () => {
-    desk.receiveState({ ...REST, number: 2, head: [0, 0, 0.4], gaze: [0.1, 0] });
-    desk.head("yaw").grip(0.2);
-    desk.gaze("pitch").nudge(0.3);
-    desk.flush();
+    store.receiveState({ ...REST, number: 2, head: [0, 0, 0.4], gaze: [0.1, 0] });
+    store.head("yaw").grip(0.2);
+    store.gaze("pitch").nudge(0.3);
+    store.flush();
     expect(sent).toEqual([
       { type: "set_head", yaw: 0.2, pitch: 0, roll: 0.4 },
       { type: "set_gaze", yaw: 0.1, pitch: 0.3 },
@@ -148,72 +148,72 @@ describe("knobs", () => {
   });
 
   it("move left and right together only while they are linked", () => {
-    desk.channel("mouthSmileLeft").grip(0.5);
-    desk.flush();
+    store.channel("mouthSmileLeft").grip(0.5);
+    store.flush();
     expect(sent.map((message) => "name" in message && message.name)).toEqual(["mouthSmileLeft", "mouthSmileRight"]);
-    expect(desk.channel("mouthSmileRight").value(now)).toBe(0.5);
+    expect(store.channel("mouthSmileRight").value(now)).toBe(0.5);
     sent.length = 0;
-    desk.arrange({ linked: false });
-    desk.channel("mouthSmileLeft").grip(0.7);
-    desk.flush();
+    store.arrange({ linked: false });
+    store.channel("mouthSmileLeft").grip(0.7);
+    store.flush();
     expect(sent).toHaveLength(1);
   });
 
   it("show the T-bar where any hand left it", () => {
-    desk.receiveState({ ...REST, number: 2, face_fader: 0.8 });
-    expect(desk.bar("face").value(now)).toBe(0.8);
-    desk.bar("face").grip(0.9);
-    desk.release("face");
+    store.receiveState({ ...REST, number: 2, face_fader: 0.8 });
+    expect(store.bar("face").value(now)).toBe(0.8);
+    store.bar("face").grip(0.9);
+    store.release("face");
     expect(sent.map(({ type }) => type)).toEqual(["fade_face", "release_face"]);
   });
 
   it("clear only what is on air, and no mirror by accident", () => {
-    desk.receiveState({ ...REST, number: 2, channels: { mouthSmileLeft: 0.4 } });
-    desk.clearChannels(["mouthSmileLeft", "mouthSmileRight", "jawOpen"]);
-    desk.flush();
+    store.receiveState({ ...REST, number: 2, channels: { mouthSmileLeft: 0.4 } });
+    store.clearChannels(["mouthSmileLeft", "mouthSmileRight", "jawOpen"]);
+    store.flush();
     expect(sent).toEqual([{ type: "set_channel", name: "mouthSmileLeft", value: 0 }]);
   });
 });
 
 describe("panic", () => {
   it("goes out at once, alone, and takes every hand off", () => {
-    desk.channel("jawOpen").grip(0.9);
-    const era = desk.era;
-    desk.panic();
+    store.channel("jawOpen").grip(0.9);
+    const era = store.era;
+    store.panic();
     expect(sent).toEqual([{ type: "panic" }]);
-    expect(desk.era).toBeGreaterThan(era);
-    expect(desk.channel("jawOpen").value(now)).toBe(0);
-    desk.flush();
+    expect(store.era).toBeGreaterThan(era);
+    expect(store.channel("jawOpen").value(now)).toBe(0);
+    store.flush();
     expect(sent).toHaveLength(1);
   });
 });
 
 describe("a lost link", () => {
   it("sends nothing, pretends nothing, queues nothing, and says so", () => {
-    desk.channel("jawOpen").grip(0.9);
-    desk.setOnline(false);
-    desk.call("face", "old");
-    desk.channel("jawOpen").grip(0.4);
-    desk.bar("face").nudge(0.4);
-    desk.release("face");
-    desk.clearChannels(["jawOpen"]);
-    desk.panic();
-    desk.flush();
+    store.channel("jawOpen").grip(0.9);
+    store.setOnline(false);
+    store.call("face", "old");
+    store.channel("jawOpen").grip(0.4);
+    store.bar("face").nudge(0.4);
+    store.release("face");
+    store.clearChannels(["jawOpen"]);
+    store.panic();
+    store.flush();
     expect(sent).toEqual([]);
-    expect(desk.channel("jawOpen").value(now)).toBe(0);
-    expect(desk.notice).toContain("Not sent");
-    desk.setOnline(true);
-    desk.flush();
+    expect(store.channel("jawOpen").value(now)).toBe(0);
+    expect(store.notice).toContain("Not sent");
+    store.setOnline(true);
+    store.flush();
     expect(sent).toEqual([]);
   });
 
   it("leaves a drag under way to go on once the link is back", () => {
-    const era = desk.era;
-    desk.setOnline(false);
-    desk.setOnline(true);
-    expect(desk.era).toBe(era);
-    desk.channel("jawOpen").grip(0.4);
-    desk.flush();
+    const era = store.era;
+    store.setOnline(false);
+    store.setOnline(true);
+    expect(store.era).toBe(era);
+    store.channel("jawOpen").grip(0.4);
+    store.flush();
     expect(sent).toHaveLength(1);
   });
 });
@@ -221,22 +221,22 @@ describe("a lost link", () => {
 describe("listeners", () => {
   it("hear a new call once, not every state", () => {
     let heard = 0;
-    const leave = desk.listen("call", () => {
+    const leave = store.listen("call", () => {
       heard += 1;
     });
     const call = { target: "old", progress: 0, remaining: 1, by_hand: false, fader: 0, pickup: 0 };
-    desk.receiveState({ ...REST, number: 2, face_call: call });
-    desk.receiveState({ ...REST, number: 3, face_call: { ...call, progress: 0.1 } });
+    store.receiveState({ ...REST, number: 2, face_call: call });
+    store.receiveState({ ...REST, number: 3, face_call: { ...call, progress: 0.1 } });
     expect(heard).toBe(1);
     leave();
-    desk.receiveState({ ...REST, number: 4 });
+    store.receiveState({ ...REST, number: 4 });
     expect(heard).toBe(1);
   });
 });
 
 it("reads names by their labels, and unknown ones as they are", () => {
-  expect(desk.label("face", "generic")).toBe("Generic");
-  expect(desk.label("face", "stranger")).toBe("stranger");
+  expect(store.label("face", "generic")).toBe("Generic");
+  expect(store.label("face", "stranger")).toBe("stranger");
 });
 
 it("lists what is on air, heaviest first, without dust", () => {

@@ -17,8 +17,8 @@ import type {
 } from "../../link/messages";
 import { type Axis, callOf } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
-import { type Arrangement, FIRST } from "./console_layout";
-import { Holds } from "./held_values";
+import { type ConsoleLayout, FIRST } from "./console_layout";
+import { HeldValues } from "./held_values";
 import type { Knob } from "./knob";
 import { Outbox } from "./outbox";
 import type { Seconds, Timing } from "./timing";
@@ -33,7 +33,7 @@ const GAZE: readonly GazePart[] = ["yaw", "pitch"];
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
 
-export class Desk {
+export class ConsoleStore {
   manifest: Manifest | null = null;
   state: State | null = null;
   crew: Crew | null = null;
@@ -45,12 +45,12 @@ export class Desk {
   offer: { readonly label: string; readonly address: string } | null = null;
   /** Rises with each panic: a drag begun before it is over. */
   era = 0;
-  arrangement: Arrangement = FIRST;
+  layout: ConsoleLayout = FIRST;
 
   #strips: Strip[] = [];
   #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
   #calls = 0;
-  readonly #holds = new Holds<number>();
+  readonly #holds = new HeldValues<number>();
   readonly #outbox: Outbox;
   readonly #listeners = new Map<Topic, Set<() => void>>();
 
@@ -128,7 +128,7 @@ export class Desk {
     this.#tell("link");
   }
 
-  say(notice: string | null, offer: Desk["offer"] = null): void {
+  say(notice: string | null, offer: ConsoleStore["offer"] = null): void {
     [this.notice, this.offer] = [notice, offer];
     this.#tell("notice");
   }
@@ -145,13 +145,13 @@ export class Desk {
     return this.online;
   }
 
-  get timing(): Arrangement["timing"] {
-    return this.arrangement.timing;
+  get timing(): ConsoleLayout["timing"] {
+    return this.layout.timing;
   }
 
   /** Left and right of a pair move together. */
   get linked(): boolean {
-    return this.arrangement.linked;
+    return this.layout.linked;
   }
 
   setTiming(axis: Axis, change: Partial<Timing>): void {
@@ -159,8 +159,8 @@ export class Desk {
   }
 
   /** Lays the console out. */
-  arrange(change: Partial<Arrangement>): void {
-    this.arrangement = { ...this.arrangement, ...change };
+  arrange(change: Partial<ConsoleLayout>): void {
+    this.layout = { ...this.layout, ...change };
     if (change.timing !== undefined) this.#tell("timing");
     this.#tell("layout");
   }

@@ -8,7 +8,7 @@ interface Held<Value> {
 /** Milliseconds for which the hand's last value stands after it let go: longer than any echo on a local network takes. */
 export const ECHO = 300;
 
-export class Holds<Value> {
+export class HeldValues<Value> {
   readonly #held = new Map<string, Held<Value>>();
 
   /** The hand is on `key`, and stays. */

@@ -1,13 +1,13 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { FromClient } from "../../link/messages";
 import { FIRST, parsed, written } from "./console_layout";
-import { Desk } from "./console_store";
-import { LayoutKeeper, layoutName } from "./layout_sync";
+import { ConsoleStore } from "./console_store";
+import { LayoutSync, layoutName } from "./layout_sync";
 
 const sent: FromClient[] = [];
-const keeperOf = (desk: Desk): LayoutKeeper =>
-  new LayoutKeeper(
-    desk,
+const keeperOf = (store: ConsoleStore): LayoutSync =>
+  new LayoutSync(
+    store,
     "left",
     (message) => {
       sent.push(message);
@@ -16,14 +16,14 @@ const keeperOf = (desk: Desk): LayoutKeeper =>
     10,
   );
 
-function deskOf(): Desk {
-  const desk = new Desk(
+function deskOf(): ConsoleStore {
+  const store = new ConsoleStore(
     () => undefined,
     () => 0,
     "me",
   );
-  desk.setOnline(true);
-  return desk;
+  store.setOnline(true);
+  return store;
 }
 
 describe("the keeper of a layout", () => {
@@ -35,48 +35,48 @@ describe("the keeper of a layout", () => {
     vi.useRealTimers();
   });
 
-  it("lays the desk out as it was kept, without keeping that again", async () => {
-    const desk = deskOf();
+  it("lays the console out as it was kept, without keeping that again", async () => {
+    const store = deskOf();
     const kept = { ...FIRST, kind: "arkit", tab: "mouth", linked: false } as const;
-    await keeperOf(desk).open(async () => written(kept));
-    expect(desk.arrangement).toEqual(kept);
+    await keeperOf(store).open(async () => written(kept));
+    expect(store.layout).toEqual(kept);
     vi.runAllTimers();
     expect(sent).toEqual([]);
   });
 
   it("keeps the last of several changes, once", async () => {
-    const desk = deskOf();
-    await keeperOf(desk).open(async () => null);
-    desk.setTiming("face", { seconds: 4 });
-    desk.setTiming("face", { seconds: 8 });
-    desk.arrange({ kind: "makehuman" });
+    const store = deskOf();
+    await keeperOf(store).open(async () => null);
+    store.setTiming("face", { seconds: 4 });
+    store.setTiming("face", { seconds: 8 });
+    store.arrange({ kind: "makehuman" });
     vi.runAllTimers();
     expect(sent).toMatchObject([{ type: "set_layout", name: "left" }]);
     const [message] = sent;
     if (message?.type !== "set_layout") throw new Error("no layout was kept");
-    expect(parsed(message.document)).toEqual(desk.arrangement);
+    expect(parsed(message.document)).toEqual(store.layout);
   });
 
   it("waits for the link", async () => {
-    const desk = deskOf();
-    await keeperOf(desk).open(async () => null);
-    desk.setOnline(false);
-    desk.arrange({ linked: false });
+    const store = deskOf();
+    await keeperOf(store).open(async () => null);
+    store.setOnline(false);
+    store.arrange({ linked: false });
     vi.runAllTimers();
     expect(sent).toEqual([]);
-    desk.setOnline(true);
+    store.setOnline(true);
     vi.runAllTimers();
     expect(sent).toHaveLength(1);
   });
 
   it("ignores what is no layout, with a notice, and a server that does not answer", async () => {
-    const desk = deskOf();
-    await keeperOf(desk).open(async () => "{}");
-    expect(desk.notice).toMatch(/another version/);
-    expect(desk.arrangement).toEqual(FIRST);
+    const store = deskOf();
+    await keeperOf(store).open(async () => "{}");
+    expect(store.notice).toMatch(/another version/);
+    expect(store.layout).toEqual(FIRST);
     const other = deskOf();
     await keeperOf(other).open(() => Promise.reject(new Error("away")));
-    expect([other.notice, other.arrangement]).toEqual([null, FIRST]);
+    expect([other.notice, other.layout]).toEqual([null, FIRST]);
   });
 
   it("goes by the name in the address", () => {

@@ -2,7 +2,7 @@
 
 import type { FromClient } from "../../link/messages";
 import { parsed, written } from "./console_layout";
-import type { Desk } from "./console_store";
+import type { ConsoleStore } from "./console_store";
 
 /** Milliseconds that an operator's changes rest before they are kept. */
 const REST = 600;
@@ -19,12 +19,12 @@ export async function readLayout(name: string): Promise<string | null> {
   return response.status === 200 ? response.text() : null; // 204: nothing has been kept under this name yet
 }
 
-export class LayoutKeeper {
+export class LayoutSync {
   #kept = "";
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
-    private readonly desk: Desk,
+    private readonly store: ConsoleStore,
     private readonly name: string,
     private readonly send: (message: FromClient) => boolean,
     private readonly rest = REST,
@@ -34,10 +34,10 @@ export class LayoutKeeper {
   async open(read: Read = readLayout): Promise<void> {
     const document = await read(this.name).catch(() => null);
     const found = document === null ? null : parsed(document);
-    if (typeof found === "string") this.desk.say(found);
-    else if (found !== null) this.desk.arrange(found);
-    this.#kept = written(this.desk.arrangement);
-    for (const topic of ["timing", "layout", "link"] as const) this.desk.listen(topic, () => this.#later());
+    if (typeof found === "string") this.store.say(found);
+    else if (found !== null) this.store.arrange(found);
+    this.#kept = written(this.store.layout);
+    for (const topic of ["timing", "layout", "link"] as const) this.store.listen(topic, () => this.#later());
   }
 
   #later(): void {
@@ -46,8 +46,8 @@ export class LayoutKeeper {
   }
 
   #keep(): void {
-    const document = written(this.desk.arrangement);
-    if (document === this.#kept || !this.desk.online) return;
+    const document = written(this.store.layout);
+    if (document === this.#kept || !this.store.online) return;
     if (this.send({ type: "set_layout", name: this.name, document })) this.#kept = document;
   }
 }

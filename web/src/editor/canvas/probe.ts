@@ -29,43 +29,43 @@ declare global {
 
 /** Puts the probe on the page. */
 export function exposeProbe(stage: EditorCanvas): void {
-  const { bench, pace } = stage;
+  const { store, pacing } = stage;
   const memberOf = (face: string) => {
-    const sitter = stage.sitting ? stage.sitters?.all.find(({ label }) => label === face) : undefined;
+    const sitter = stage.editsFace ? stage.faceScene?.all.find(({ label }) => label === face) : undefined;
     if (sitter !== undefined) return sitter;
-    const member = stage.company?.member(bench.sourceOf(face));
+    const member = stage.expressionScene?.member(store.sourceOf(face));
     if (member === undefined || member.block < 0) throw new Error(`The face "${face}" is not shown.`);
     return member;
   };
   window.omoteEditor = {
     settled: () => stage.settled(),
     counters: () => ({
-      drawn: pace.drawn,
-      intervals: [...pace.intervals],
-      waits: [...pace.waits],
+      drawn: pacing.drawn,
+      intervals: [...pacing.intervals],
+      waits: [...pacing.waits],
       differences: Object.fromEntries(
-        stage.sitting ? (stage.sitters?.differences ?? []) : (stage.company?.differences ?? []),
+        stage.editsFace ? (stage.faceScene?.differences ?? []) : (stage.expressionScene?.differences ?? []),
       ),
-      arrived: stage.company?.arrived ?? 0,
-      fps: pace.fps,
+      arrived: stage.expressionScene?.arrived ?? 0,
+      fps: pacing.fps,
     }),
     needles: () => {
-      const camera = stage.hands.picker.camera();
+      const camera = stage.input.picker.camera();
       if (camera === undefined) return [];
-      return stage.hands.picker.needles().map(({ place, head, foot }) => {
+      return stage.input.picker.needles().map(({ place, head, foot }) => {
         const [a, b] = [camera.project(head), camera.project(foot)];
-        const label = (stage.sitting ? stage.handles?.handles?.labels[place] : undefined) ?? "";
-        return { place, row: stage.hands.picker.rowOf(place), label, head: [a[0], a[1]], foot: [b[0], b[1]] };
+        const label = (stage.editsFace ? stage.handles?.handles?.labels[place] : undefined) ?? "";
+        return { place, row: stage.input.picker.rowOf(place), label, head: [a[0], a[1]], foot: [b[0], b[1]] };
       });
     },
-    readPositions: (face) => Array.from(stage.company?.crowd.read(memberOf(face).block) ?? []),
+    readPositions: (face) => Array.from(stage.expressionScene?.faceAtlas.read(memberOf(face).block) ?? []),
     positions: (face) => {
       const member = memberOf(face);
-      return Array.from(stage.sitting ? member.figure.base : (stage.company?.positions(member) ?? []));
+      return Array.from(stage.editsFace ? member.figure.base : (stage.expressionScene?.positions(member) ?? []));
     },
-    view: () => stage.aspect.view,
+    view: () => stage.viewports.view,
     faces: () =>
-      stage.sitting ? (stage.sitters?.all ?? []).map(({ label }) => label) : [bench.work, ...bench.neighbours],
-    vectors: () => [...bench.live],
+      stage.editsFace ? (stage.faceScene?.all ?? []).map(({ label }) => label) : [store.work, ...store.neighbours],
+    vectors: () => [...store.live],
   };
 }

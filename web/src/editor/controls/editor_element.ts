@@ -2,26 +2,26 @@
 
 import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
-import type { Portraits } from "../../ui/thumbnails";
-import type { Topic, Workbench } from "../session/draft_store";
-import type { Studio } from "../session/thumbnail_renderer";
+import type { Thumbnails } from "../../ui/thumbnails";
+import type { DraftStore, Topic } from "../session/draft_store";
+import type { ThumbnailRenderer } from "../session/thumbnail_renderer";
 
-export interface EditorRig {
-  readonly bench: Workbench;
-  readonly portraits: Portraits;
+export interface EditorContext {
+  readonly store: DraftStore;
+  readonly thumbnails: Thumbnails;
   /** Null until the first picture can be drawn. */
-  readonly studio: () => Studio | null;
+  readonly thumbnailRenderer: () => ThumbnailRenderer | null;
   /** The name that other editors read. */
   readonly name: () => string;
   readonly rename: (name: string) => void;
 }
 
-export abstract class BenchElement extends LitElement {
-  @property({ attribute: false }) rig!: EditorRig;
+export abstract class EditorElement extends LitElement {
+  @property({ attribute: false }) context!: EditorContext;
   #leave: (() => void)[] = [];
 
-  get bench(): Workbench {
-    return this.rig.bench;
+  get store(): DraftStore {
+    return this.context.store;
   }
 
   /** What it renders again for. */
@@ -31,7 +31,7 @@ export abstract class BenchElement extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#leave = this.topics().map((topic) => this.bench.listen(topic, () => this.requestUpdate()));
+    this.#leave = this.topics().map((topic) => this.store.listen(topic, () => this.requestUpdate()));
   }
 
   override disconnectedCallback(): void {

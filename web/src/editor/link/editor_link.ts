@@ -9,10 +9,10 @@ import {
   type Greeted,
   type ToEditor,
 } from "../../link/editing_messages";
-import { Outstanding } from "./pending_requests";
+import { PendingRequests } from "./pending_requests";
 import type { Answer, Request } from "./requests";
 
-export interface EditingHandlers {
+export interface EditorLinkHandlers {
   greeted: (greeted: Greeted) => void;
   /** What answers no request of ours. */
   message: (message: ToEditor) => void;
@@ -20,7 +20,7 @@ export interface EditingHandlers {
 }
 
 /** Who greets: an id that a reload keeps, and a name that others read. */
-export interface Who {
+export interface Identity {
   readonly editor: string;
   readonly name: string;
 }
@@ -32,16 +32,16 @@ const address = (page: Location = location): string =>
   `${page.protocol === "https:" ? "wss" : "ws"}://${page.host}${EDITING_PATH}`;
 
 /** The link of an editor to the server: greets, reconnects for ever, and loses no edit on the way. */
-export class EditingLink {
-  readonly #outstanding = new Outstanding((message) => this.#send(message));
+export class EditorLink {
+  readonly #outstanding = new PendingRequests((message) => this.#send(message));
   readonly #backoff = new Backoff();
   #socket: WebSocket | null = null;
   #up = false;
   #heard = 0;
 
   constructor(
-    private who: Who,
-    private readonly handlers: EditingHandlers,
+    private who: Identity,
+    private readonly handlers: EditorLinkHandlers,
   ) {
     setInterval(() => this.#look(), 1000);
     this.#open();

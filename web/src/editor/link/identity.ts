@@ -1,6 +1,6 @@
 /** Who sits at this page: an id that the browser keeps, so that a reload finds its draft, and a name for the others. */
 
-import type { Who } from "./editor_link";
+import type { Identity } from "./editor_link";
 
 const ID = "omote-editor";
 const NAME = "omote-editor-name";
@@ -26,11 +26,11 @@ function keep(key: string, value: string): void {
 }
 
 /** Two windows of one browser are one editor: they share their drafts. */
-export function whoIsHere(): Who {
+export function readIdentity(): Identity {
   const editor = kept(ID) ?? newId();
   keep(ID, editor);
   return { editor, name: kept(NAME) ?? `Editor ${editor.slice(-3).toUpperCase()}` };
 }
 
 /** The name from the next greeting on. */
-export const keepName = (name: string): void => keep(NAME, name);
+export const saveName = (name: string): void => keep(NAME, name);

@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { DraftState, FromEditor } from "../../link/editing_messages";
-import { Outstanding } from "./pending_requests";
+import { PendingRequests } from "./pending_requests";
 import type { Request } from "./requests";
 
 let sent: FromEditor[];
-let outstanding: Outstanding;
+let outstanding: PendingRequests;
 
 const numbers = () => sent.map((message) => ("request" in message ? message.request : null));
 const draft = (request: number, item = 7) => ({ type: "draft", request, item }) as DraftState;
@@ -12,7 +12,7 @@ const eyes: Extract<Request, { type: "set_eyes" }> = { type: "set_eyes", item: 7
 
 beforeEach(() => {
   sent = [];
-  outstanding = new Outstanding((message) => sent.push(message));
+  outstanding = new PendingRequests((message) => sent.push(message));
   outstanding.up();
 });
 

@@ -35,7 +35,7 @@ const NAMES: Partial<Record<Kind, string>> = {
   restore: "Restore",
 };
 
-export class Outstanding {
+export class PendingRequests {
   readonly #waiting = new Map<number, Waiting>();
   #last = 0;
   #up = false;

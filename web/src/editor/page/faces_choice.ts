@@ -2,7 +2,7 @@ import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
-import { BenchElement } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import { MOST_NEIGHBOURS } from "../session/editor_store";
 
@@ -11,7 +11,7 @@ const WIDTH = 280;
 
 /** Which face is under work, and which stand beside it and follow. */
 @customElement("omote-faces-choice")
-export class FacesChoice extends BenchElement {
+export class FacesChoice extends EditorElement {
   /** Where the list stands, pixels of the window; null: it is closed. */
   @state() private place: { left: number; top: number } | null = null;
 
@@ -108,7 +108,7 @@ export class FacesChoice extends BenchElement {
   };
 
   override render() {
-    const { work, neighbours } = this.bench;
+    const { work, neighbours } = this.store;
     return html`
       <button aria-expanded=${this.place !== null} title="Which faces are shown" @click=${this.#toggle}>Faces: ${neighbours.length + 1} ▾</button>
       ${this.place === null ? nothing : this.#list(work, neighbours, this.place)}
@@ -116,7 +116,7 @@ export class FacesChoice extends BenchElement {
   }
 
   #list(work: string, neighbours: readonly string[], { left, top }: { left: number; top: number }) {
-    const faces = this.bench.manifest?.faces ?? [];
+    const faces = this.store.manifest?.faces ?? [];
     return html`<div class="panel list" role="group" aria-label="Faces shown"
       style="left: ${left}px; top: ${top}px; max-height: ${Math.max(160, innerHeight - top - 12)}px">
       <span class="head">Up to ${MOST_NEIGHBOURS} beside the work</span><span class="head">work</span><span class="head">beside</span>
@@ -124,7 +124,7 @@ export class FacesChoice extends BenchElement {
         ({ name, label }) => html`
           <span>${label}</span>
           <input type="radio" name="work" aria-label="Work on ${label}" .checked=${name === work}
-            @change=${() => this.bench.setWork(name)} />
+            @change=${() => this.store.setWork(name)} />
           <input type="checkbox" aria-label="${label} beside" .checked=${neighbours.includes(name)} ?disabled=${name === work || (!neighbours.includes(name) && neighbours.length >= MOST_NEIGHBOURS)}
             @change=${() => this.#choose(name)} />
         `,
@@ -133,8 +133,8 @@ export class FacesChoice extends BenchElement {
   }
 
   #choose(name: string): void {
-    const { neighbours } = this.bench;
-    this.bench.setNeighbours(
+    const { neighbours } = this.store;
+    this.store.setNeighbours(
       neighbours.includes(name) ? neighbours.filter((one) => one !== name) : [...neighbours, name],
     );
   }

@@ -3,12 +3,12 @@ import { customElement } from "lit/decorators.js";
 import { curtain, keysPage } from "../../ui/dialog_style";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
-import { BenchElement } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import { HELP } from "./keys";
 
 /** The keys and the words of the editor, over everything else. Tells `close`. */
 @customElement("omote-editor-help")
-export class EditorHelp extends BenchElement {
+export class EditorHelp extends EditorElement {
   static override styles = [
     base,
     controls,

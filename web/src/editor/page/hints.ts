@@ -1,6 +1,6 @@
 /** The one line under the faces: what the hand does now, in words for the hand that there is. */
 
-import type { Workbench } from "../session/draft_store";
+import type { DraftStore } from "../session/draft_store";
 import type { Options, Tool } from "../session/editor_store";
 
 /** For each tool what a mouse does, and what a finger does. */
@@ -35,7 +35,7 @@ const FACES = [
   "Drag a white knob (a handle): the face follows. Its mix, parts of others and caricature stand under Recipe.",
 ] as const;
 
-type Known = Pick<Workbench, "draft" | "net"> & { readonly options: Pick<Options, "tool"> };
+type Known = Pick<DraftStore, "draft" | "net"> & { readonly options: Pick<Options, "tool"> };
 
 export function hintOf({ draft, net, options }: Known, fingers: boolean): string {
   const [mouse, finger] = draft === null ? CLOSED : net === null ? FACES : TOOLS[options.tool];

@@ -3,9 +3,9 @@ import { customElement, queryAll, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { ItemDocument } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
-import { PICTURE } from "../../ui/thumbnails";
+import { THUMBNAIL_SIZE } from "../../ui/thumbnails";
 import { controls } from "../controls/controls_style";
-import { BenchElement, textOf } from "../controls/editor_element";
+import { EditorElement, textOf } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import {
   describe,
@@ -37,7 +37,7 @@ const COPY = html`<svg width="13" height="13" viewBox="0 0 13 13" fill="none" st
 
 /** Own expressions and faces, and all that they can begin from. */
 @customElement("omote-library")
-export class LibraryPanel extends BenchElement {
+export class LibraryPanel extends EditorElement {
   @state() private kind: Kind = "expression";
   @state() private search = "";
   @state() private deleted = false;
@@ -76,12 +76,12 @@ export class LibraryPanel extends BenchElement {
   }
 
   get #own(): ItemDocument[] {
-    return ordered(this.bench.items, this.kind).filter((item) => item.deleted === this.deleted);
+    return ordered(this.store.items, this.kind).filter((item) => item.deleted === this.deleted);
   }
 
   /** The list shows where the item is that has just been opened. */
   override willUpdate(): void {
-    const { item } = this.bench;
+    const { item } = this.store;
     if (item === null || item.id === this.#open) return;
     [this.#open, this.kind] = [item.id, item.kind];
   }
@@ -107,7 +107,7 @@ export class LibraryPanel extends BenchElement {
       ${
         this.making === null
           ? nothing
-          : html`<omote-new .rig=${this.rig} .kind=${this.kind} .mix=${this.making}
+          : html`<omote-new .context=${this.context} .kind=${this.kind} .mix=${this.making}
               @close=${() => {
                 this.making = null;
               }}></omote-new>`
@@ -117,7 +117,7 @@ export class LibraryPanel extends BenchElement {
   }
 
   #section(own: readonly ItemDocument[]) {
-    const gone = this.bench.items.some((item) => item.deleted && item.kind === this.kind);
+    const gone = this.store.items.some((item) => item.deleted && item.kind === this.kind);
     return html`
       <header><h2 class="grow">${this.deleted ? "Deleted" : "Own"}</h2>
         ${
@@ -144,7 +144,7 @@ export class LibraryPanel extends BenchElement {
   }
 
   #item(item: ItemDocument, shown: readonly ItemDocument[]) {
-    const open = this.bench.draft?.item === item.id;
+    const open = this.store.draft?.item === item.id;
     return html`<li class="item ${open ? "open" : ""}" data-item=${item.name} draggable=${!item.deleted && this.naming !== item.id}
       @dragstart=${() => {
         this.#carried = item;
@@ -153,8 +153,8 @@ export class LibraryPanel extends BenchElement {
       @drop=${() => this.#drop(item)}
       @keydown=${(event: KeyboardEvent) => this.#key(event, item)}>
       <button class="picture" title="Open" aria-label="Open ${item.label}" ?disabled=${item.deleted}
-        @click=${() => openItem(this.bench, item.id)}>
-        <canvas data-source=${item.content} width=${PICTURE.width} height=${PICTURE.height} aria-hidden="true"></canvas>
+        @click=${() => openItem(this.store, item.id)}>
+        <canvas data-source=${item.content} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>
         <span class="text">${this.naming === item.id ? nothing : html`<b>${item.label}</b>`}
           <small>${this.#remark(item)}</small></span>
       </button>
@@ -164,7 +164,7 @@ export class LibraryPanel extends BenchElement {
   }
 
   #remark(item: ItemDocument): string {
-    const others = item.editors.filter((name) => name !== this.rig.name());
+    const others = item.editors.filter((name) => name !== this.context.name());
     const here = others.length === 0 ? "" : `open: ${others.join(", ")}`;
     return [item.head === 0 ? "not saved yet" : "", item.tags.join(", "), here].filter(Boolean).join(" · ");
   }
@@ -173,7 +173,7 @@ export class LibraryPanel extends BenchElement {
     const name = (event: Event): void => {
       const label = textOf(event).trim();
       this.naming = -1;
-      if (label !== "" && label !== item.label) void describe(this.bench, item, { label });
+      if (label !== "" && label !== item.label) void describe(this.store, item, { label });
     };
     return html`<input class="naming" aria-label="New name of ${item.label}" maxlength="64" .value=${item.label}
       @change=${name} @blur=${name} @keydown=${(event: KeyboardEvent) => {
@@ -182,7 +182,7 @@ export class LibraryPanel extends BenchElement {
   }
 
   #bringer(item: ItemDocument) {
-    return html`<button @click=${() => restore(this.bench, item)}>Restore</button>`;
+    return html`<button @click=${() => restore(this.store, item)}>Restore</button>`;
   }
 
   #acts(item: ItemDocument, shown: readonly ItemDocument[]) {
@@ -192,8 +192,8 @@ export class LibraryPanel extends BenchElement {
       act("Further up", "↑", () => this.#shift(item, -1), shown[0] === item),
       act("Further down", "↓", () => this.#shift(item, 1), shown.at(-1) === item),
       act("Rename", "✎", () => void this.#name(item)),
-      act("Duplicate", COPY, () => duplicate(this.bench, item), item.head === 0),
-      act("Delete", "✕", () => void remove(this.bench, item)),
+      act("Duplicate", COPY, () => duplicate(this.store, item), item.head === 0),
+      act("Delete", "✕", () => void remove(this.store, item)),
     ];
   }
 
@@ -224,11 +224,11 @@ export class LibraryPanel extends BenchElement {
 
   #put(item: ItemDocument, at: number): void {
     const others = this.#own.filter(({ id }) => id !== item.id);
-    void describe(this.bench, item, { place: placeAt(others, at) });
+    void describe(this.store, item, { place: placeAt(others, at) });
   }
 
   #beginnings() {
-    const sources = sourcesOf(this.bench, this.kind).filter(
+    const sources = sourcesOf(this.store, this.kind).filter(
       ({ group, label }) => group !== "Own" && matches(this.search, label),
     );
     return grouped(sources).map(
@@ -244,7 +244,7 @@ export class LibraryPanel extends BenchElement {
   #tile({ source, label }: Source) {
     return html`<button class="tile" data-begin=${source} title="New ${this.kind} from ${label}"
       @click=${() => this.make({ [source]: 1 })}>
-      <canvas data-source=${source} width=${PICTURE.width} height=${PICTURE.height} aria-hidden="true"></canvas>
+      <canvas data-source=${source} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>
       <span>${label}</span>
     </button>`;
   }
@@ -270,6 +270,6 @@ export class LibraryPanel extends BenchElement {
   #portray(canvas: HTMLCanvasElement): void {
     const source = canvas.dataset.source ?? "";
     const [face, expression] = this.kind === "face" ? [source || PLAIN, "neutral"] : [PLAIN, source || "neutral"];
-    this.rig.portraits.ask(canvas, { face, expression });
+    this.context.thumbnails.ask(canvas, { face, expression });
   }
 }

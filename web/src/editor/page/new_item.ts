@@ -3,7 +3,7 @@ import { customElement, property, state } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { amountOf } from "../controls/amount";
 import { controls } from "../controls/controls_style";
-import { BenchElement, textOf } from "../controls/editor_element";
+import { EditorElement, textOf } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
 import { PERCENT } from "../controls/units";
 import type { Topic } from "../session/draft_store";
@@ -13,7 +13,7 @@ import "../controls/amount";
 
 /** Where something new begins: neutral, any expression or mix, what is on air now. Tells `close`. */
 @customElement("omote-new")
-export class NewItem extends BenchElement {
+export class NewItem extends EditorElement {
   @property() kind: Kind = "expression";
   @property({ attribute: false }) mix: Readonly<Record<string, number>> = {};
   @state() private label = "";
@@ -52,12 +52,12 @@ export class NewItem extends BenchElement {
   get #proposed(): string {
     const [source] = Object.keys(this.mix);
     const stem = this.kind === "face" ? "New face" : "New expression";
-    const known = source === undefined ? stem : `My ${labelOf(sourcesOf(this.bench, this.kind), source).toLowerCase()}`;
-    return freeLabel(this.bench.items, known);
+    const known = source === undefined ? stem : `My ${labelOf(sourcesOf(this.store, this.kind), source).toLowerCase()}`;
+    return freeLabel(this.store.items, known);
   }
 
   override render() {
-    const sources = sourcesOf(this.bench, this.kind);
+    const sources = sourcesOf(this.store, this.kind);
     const rest = this.kind === "face" ? "the generic face" : "neutral";
     return html`<form @submit=${this.#create} aria-label="New ${this.kind}">
       <h2>New ${this.kind}</h2>
@@ -105,7 +105,7 @@ export class NewItem extends BenchElement {
   readonly #create = (event: Event): void => {
     event.preventDefault();
     const label = this.label.trim() || this.#proposed;
-    void create(this.bench, this.kind, label, { mix: this.onAir ? {} : this.mix, onAir: this.onAir });
+    void create(this.store, this.kind, label, { mix: this.onAir ? {} : this.mix, onAir: this.onAir });
     this.#close();
   };
 

@@ -3,7 +3,7 @@ import { customElement } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
-import { BenchElement } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import type { Notice } from "../session/notices";
 
@@ -12,7 +12,7 @@ const SEEN = 12_000;
 
 /** What must be read. */
 @customElement("omote-notices")
-export class NoticesView extends BenchElement {
+export class NoticesView extends EditorElement {
   static override styles = [
     base,
     controls,
@@ -67,18 +67,18 @@ export class NoticesView extends BenchElement {
 
   /** Good news goes by itself; what went wrong stays until it has been read. */
   override willUpdate(): void {
-    for (const { id, kind } of this.bench.notices) {
+    for (const { id, kind } of this.store.notices) {
       if (kind !== "done" || this.#timers.has(id)) continue;
       this.#timers.set(
         id,
-        setTimeout(() => this.bench.dismiss(id), SEEN),
+        setTimeout(() => this.store.dismiss(id), SEEN),
       );
     }
   }
 
   /** Nothing to say takes no room. */
   override updated(): void {
-    this.hidden = this.bench.notices.length === 0;
+    this.hidden = this.store.notices.length === 0;
   }
 
   protected override topics(): readonly Topic[] {
@@ -87,7 +87,7 @@ export class NoticesView extends BenchElement {
 
   override render() {
     return repeat(
-      this.bench.notices,
+      this.store.notices,
       ({ id }) => id,
       (notice) => this.#notice(notice),
     );
@@ -95,7 +95,7 @@ export class NoticesView extends BenchElement {
 
   #button(id: number, { label, act }: Notice["actions"][number]) {
     return html`<button @click=${() => {
-      this.bench.dismiss(id);
+      this.store.dismiss(id);
       act();
     }}>${label}</button>`;
   }
@@ -103,7 +103,7 @@ export class NoticesView extends BenchElement {
   #notice({ id, text, kind, actions }: Notice) {
     return html`<div class=${kind} role=${kind === "done" ? "status" : "alert"}>
       <span>${text}</span>
-      <button class="icon quiet" title="I have read it" aria-label="Dismiss" @click=${() => this.bench.dismiss(id)}>✕</button>
+      <button class="icon quiet" title="I have read it" aria-label="Dismiss" @click=${() => this.store.dismiss(id)}>✕</button>
       ${actions.length === 0 ? nothing : html`<div class="row">${actions.map((action) => this.#button(id, action))}</div>`}
     </div>`;
   }

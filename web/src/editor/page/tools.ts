@@ -2,7 +2,7 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
-import { BenchElement, textOf } from "../controls/editor_element";
+import { EditorElement, textOf } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import type { Options } from "../session/editor_store";
 import { TOOLS, VIEWS, type View } from "./keys";
@@ -22,7 +22,7 @@ const ON_FACES: typeof SHOWN = [
 
 /** What the hand does on the face, and what is shown of it. Tells `view` with the name of a view. */
 @customElement("omote-tools")
-export class Tools extends BenchElement {
+export class Tools extends EditorElement {
   static override styles = [
     base,
     controls,
@@ -81,53 +81,53 @@ export class Tools extends BenchElement {
   }
 
   override render() {
-    const { bench } = this;
+    const { store } = this;
     return html`
-      ${bench.net === null ? nothing : html`${this.#hands()} ${this.#reach()} ${this.#shown(SHOWN)}`}
-      ${bench.face === null ? nothing : html`${this.#mirror()} ${this.#shown(ON_FACES)}`}
+      ${store.net === null ? nothing : html`${this.#hands()} ${this.#reach()} ${this.#shown(SHOWN)}`}
+      ${store.face === null ? nothing : html`${this.#mirror()} ${this.#shown(ON_FACES)}`}
       <div class="group" role="group" aria-label="Views">
         ${VIEWS.map(
           ([view, label, key]) =>
             html`<button data-view=${view} title="${label} (${key})" @click=${() => this.#view(view)}>${label}</button>`,
         )}
       </div>
-      <omote-faces-choice .rig=${this.rig}></omote-faces-choice>
+      <omote-faces-choice .context=${this.context}></omote-faces-choice>
     `;
   }
 
   #hands() {
-    const { tool } = this.bench.options;
+    const { tool } = this.store.options;
     return html`<div class="group" role="radiogroup" aria-label="Tools">
       ${TOOLS.map(
         ([name, label, key, does]) => html`<button role="radio" data-tool=${name} aria-checked=${tool === name}
-          title="${does} (${key})" @click=${() => this.bench.setOptions({ tool: name })}>${label}</button>`,
+          title="${does} (${key})" @click=${() => this.store.setOptions({ tool: name })}>${label}</button>`,
       )}
     </div>`;
   }
 
   #reach() {
-    const { falloff, region } = this.bench.options;
+    const { falloff, region } = this.store.options;
     return html`
       ${this.#mirror()}
       <div class="group falloff">
         <label title="How far around a dragged needle others come along">Falloff
           <input type="range" min="0" max="60" step="1" .value=${String(falloff)} aria-valuetext="${falloff} mm"
-            @input=${(event: Event) => this.bench.setOptions({ falloff: Number(textOf(event)) })} /></label>
+            @input=${(event: Event) => this.store.setOptions({ falloff: Number(textOf(event)) })} /></label>
         <output>${falloff === 0 ? "off" : `${falloff} mm`}</output>
       </div>
       <select aria-label="Region that moves" title="Only this part of the face moves"
-        @change=${(event: Event) => this.bench.setOptions({ region: textOf(event) || null })}>
+        @change=${(event: Event) => this.store.setOptions({ region: textOf(event) || null })}>
         <option value="" ?selected=${region === null}>Whole face</option>
-        ${this.bench.regions.map((name) => html`<option value=${name} ?selected=${name === region}>Only ${name}</option>`)}
+        ${this.store.regions.map((name) => html`<option value=${name} ?selected=${name === region}>Only ${name}</option>`)}
       </select>
     `;
   }
 
   #mirror() {
-    const { mirror } = this.bench.options;
+    const { mirror } = this.store.options;
     return html`<div class="group">
       <button data-option="mirror" aria-pressed=${mirror} title="What you do on one side is done on the other (X)"
-        @click=${() => this.bench.setOptions({ mirror: !mirror })}>Mirror</button>
+        @click=${() => this.store.setOptions({ mirror: !mirror })}>Mirror</button>
     </div>`;
   }
 
@@ -138,8 +138,8 @@ export class Tools extends BenchElement {
           option,
           label,
           key,
-        ]) => html`<button data-option=${option} aria-pressed=${this.bench.options[option]} title="Show ${label.toLowerCase()} (${key})"
-          @click=${() => this.bench.setOptions({ [option]: !this.bench.options[option] })}>${label}</button>`,
+        ]) => html`<button data-option=${option} aria-pressed=${this.store.options[option]} title="Show ${label.toLowerCase()} (${key})"
+          @click=${() => this.store.setOptions({ [option]: !this.store.options[option] })}>${label}</button>`,
       )}
     </div>`;
   }

@@ -2,7 +2,7 @@
 
 import type { ItemDocument } from "../../link/editing_messages";
 
-export interface Errand {
+export interface CliHint {
   readonly what: string;
   readonly command: string;
 }
@@ -10,7 +10,7 @@ export interface Errand {
 const FILE = "SHOW.omote";
 
 /** The errands for an item, with the face under work; all names are slugs, so nothing needs quotes. */
-export function errandsOf({ kind, name }: Pick<ItemDocument, "kind" | "name">, work: string): Errand[] {
+export function cliHintsOf({ kind, name }: Pick<ItemDocument, "kind" | "name">, work: string): CliHint[] {
   if (kind === "face")
     return [
       {

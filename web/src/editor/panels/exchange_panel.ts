@@ -2,13 +2,13 @@ import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { controls, panel } from "../controls/controls_style";
-import { BenchElement } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
-import { type Errand, errandsOf } from "./cli_hints";
+import { type CliHint, cliHintsOf } from "./cli_hints";
 
 /** How the open item gets out of the show file, and others in: commands, ready to copy. */
 @customElement("omote-exchange")
-export class Exchange extends BenchElement {
+export class Exchange extends EditorElement {
   static override styles = [
     base,
     controls,
@@ -31,16 +31,16 @@ export class Exchange extends BenchElement {
   }
 
   override render() {
-    const { item, work } = this.bench;
+    const { item, work } = this.store;
     if (item === null) return html`<p>Open something to take it out of the show.</p>`;
     return html`
       <p>On the show's computer, in a terminal; SHOW.omote is the show's own file.</p>
       ${item.head === 0 ? html`<p class="note">Save first: only what is saved goes out.</p>` : ""}
-      ${errandsOf(item, work).map((errand) => this.#errand(errand))}
+      ${cliHintsOf(item, work).map((errand) => this.#errand(errand))}
     `;
   }
 
-  #errand({ what, command }: Errand) {
+  #errand({ what, command }: CliHint) {
     return html`<div>
       <span class="note">${what}</span>
       <div class="command">

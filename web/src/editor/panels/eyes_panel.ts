@@ -5,7 +5,7 @@ import { base } from "../../ui/theme";
 import { GAZE_PITCH, GAZE_YAW } from "../../ui/travel";
 import { amountOf } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
-import { BenchElement } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import { DEGREES, PERCENT } from "../controls/units";
 import type { Topic } from "../session/draft_store";
 
@@ -23,7 +23,7 @@ const APART: readonly (readonly [string, readonly number[]])[] = [
 
 /** Eyeballs and pupils: what the expression adds to where the show looks. */
 @customElement("omote-eyes")
-export class Eyes extends BenchElement {
+export class Eyes extends EditorElement {
   @state() private together = true;
 
   static override styles = [base, controls, panel];
@@ -33,7 +33,7 @@ export class Eyes extends BenchElement {
   }
 
   override render() {
-    const { pupil } = this.bench.liveEyes;
+    const { pupil } = this.store.liveEyes;
     return html`
       <p>What this expression adds to the gaze. Sideways is + towards the character's own left, which is on the right of the picture.</p>
       <label class="row"><input type="checkbox" .checked=${this.together}
@@ -51,20 +51,20 @@ export class Eyes extends BenchElement {
 
   #slider(label: string, parts: readonly number[]) {
     const range = (parts[0] as number) % 2 === 0 ? GAZE_YAW : GAZE_PITCH;
-    const value = this.bench.liveEyes.turns[parts[0] as 0];
+    const value = this.store.liveEyes.turns[parts[0] as 0];
     return html`<omote-amount label=${label} .unit=${DEGREES} .low=${range.low} .high=${range.high} .value=${value}
       @live=${(event: Event) => this.#turn(parts, amountOf(event))}
       @done=${(event: Event) => this.#send(parts, amountOf(event))}></omote-amount>`;
   }
 
-  #turn(parts: readonly number[], angle: number, pupil = this.bench.liveEyes.pupil): void {
-    const turns = [...this.bench.liveEyes.turns] as Recipe["eyes"];
+  #turn(parts: readonly number[], angle: number, pupil = this.store.liveEyes.pupil): void {
+    const turns = [...this.store.liveEyes.turns] as Recipe["eyes"];
     for (const part of parts) turns[part as 0] = angle;
-    this.bench.turnEyes(turns, pupil);
+    this.store.turnEyes(turns, pupil);
   }
 
-  #send(parts: readonly number[], angle: number, pupil = this.bench.liveEyes.pupil): void {
+  #send(parts: readonly number[], angle: number, pupil = this.store.liveEyes.pupil): void {
     this.#turn(parts, angle, pupil);
-    this.bench.sendEyes();
+    this.store.sendEyes();
   }
 }

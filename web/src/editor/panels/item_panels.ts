@@ -2,7 +2,7 @@ import { css, html } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
-import { BenchElement } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import type { Kind } from "../session/item_commands";
 import "../controls/amount";
@@ -31,7 +31,7 @@ const FOR_FACES: readonly (readonly [Tab, string])[] = [
 
 /** What the open item is made of, one side of it at a time. */
 @customElement("omote-panels")
-export class Panels extends BenchElement {
+export class Panels extends EditorElement {
   @state() private tab: Tab = "layers";
   /** What was open last. */
   #open: { item: number; face: boolean } | null = null;
@@ -94,7 +94,7 @@ export class Panels extends BenchElement {
 
   /** Something new, or something of another kind, is seen from the beginning: what it is made of. */
   override willUpdate(): void {
-    const { draft, face, item } = this.bench;
+    const { draft, face, item } = this.store;
     const now = draft === null ? null : { item: draft.item, face: face !== null };
     const other = now !== null && now.item !== this.#open?.item;
     if (other && (now.face !== this.#open?.face || item?.head === 0)) this.tab = now.face ? "recipe" : "layers";
@@ -102,9 +102,9 @@ export class Panels extends BenchElement {
   }
 
   override render() {
-    const { bench, rig } = this;
-    if (bench.draft === null) return this.#welcome();
-    const tabs = bench.face === null ? FOR_EXPRESSIONS : FOR_FACES;
+    const { store, context } = this;
+    if (store.draft === null) return this.#welcome();
+    const tabs = store.face === null ? FOR_EXPRESSIONS : FOR_FACES;
     const tab = tabs.some(([one]) => one === this.tab) ? this.tab : (tabs[0] as (typeof tabs)[0])[0];
     return html`
       <div role="tablist" aria-label="Made of" @keydown=${this.#roam}>
@@ -116,7 +116,7 @@ export class Panels extends BenchElement {
             tabindex=${one === tab ? 0 : -1} @click=${() => this.show(one)}>${label}</button>`,
         )}
       </div>
-      <div class="inside" id="inside" role="tabpanel" aria-labelledby=${tab}>${PANELS[tab](rig)}</div>
+      <div class="inside" id="inside" role="tabpanel" aria-labelledby=${tab}>${PANELS[tab](context)}</div>
     `;
   }
 
@@ -154,13 +154,13 @@ export class Panels extends BenchElement {
   };
 }
 
-type Rig = BenchElement["rig"];
-const PANELS: Readonly<Record<Tab, (rig: Rig) => unknown>> = {
-  layers: (rig) => html`<omote-layers .rig=${rig}></omote-layers>`,
-  muscles: (rig) => html`<omote-muscles .rig=${rig}></omote-muscles>`,
-  points: (rig) => html`<omote-points .rig=${rig}></omote-points>`,
-  eyes: (rig) => html`<omote-eyes .rig=${rig}></omote-eyes>`,
-  recipe: (rig) => html`<omote-recipe .rig=${rig}></omote-recipe>`,
-  history: (rig) => html`<omote-history .rig=${rig}></omote-history>`,
-  exchange: (rig) => html`<omote-exchange .rig=${rig}></omote-exchange>`,
+type Context = EditorElement["context"];
+const PANELS: Readonly<Record<Tab, (context: Context) => unknown>> = {
+  layers: (context) => html`<omote-layers .context=${context}></omote-layers>`,
+  muscles: (context) => html`<omote-muscles .context=${context}></omote-muscles>`,
+  points: (context) => html`<omote-points .context=${context}></omote-points>`,
+  eyes: (context) => html`<omote-eyes .context=${context}></omote-eyes>`,
+  recipe: (context) => html`<omote-recipe .context=${context}></omote-recipe>`,
+  history: (context) => html`<omote-history .context=${context}></omote-history>`,
+  exchange: (context) => html`<omote-exchange .context=${context}></omote-exchange>`,
 };

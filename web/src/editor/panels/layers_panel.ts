@@ -5,7 +5,7 @@ import type { Layer } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
 import { amountOf } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
-import { BenchElement, textOf } from "../controls/editor_element";
+import { EditorElement, textOf } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
 import { PERCENT } from "../controls/units";
 import type { Topic } from "../session/draft_store";
@@ -14,7 +14,7 @@ import { labelOf, sourcesOf } from "../session/sources";
 
 /** Expressions laid under the control points: brow of one, mouth of another. */
 @customElement("omote-layers")
-export class Layers extends BenchElement {
+export class Layers extends EditorElement {
   static override styles = [
     base,
     controls,
@@ -31,37 +31,37 @@ export class Layers extends BenchElement {
   }
 
   get #layers(): readonly Layer[] {
-    return this.bench.recipe?.layers ?? [];
+    return this.store.recipe?.layers ?? [];
   }
 
   #change(at: number, change: Partial<Layer>): void {
-    this.bench.setLayers(this.#layers.map((layer, place) => (place === at ? { ...layer, ...change } : layer)));
+    this.store.setLayers(this.#layers.map((layer, place) => (place === at ? { ...layer, ...change } : layer)));
   }
 
   #move(at: number, by: -1 | 1): void {
     const layers = [...this.#layers];
     const [layer] = layers.splice(at, 1);
     layers.splice(at + by, 0, layer as Layer);
-    this.bench.setLayers(layers);
+    this.store.setLayers(layers);
   }
 
   override render() {
-    const own = this.bench.item?.content;
-    const sources = sourcesOf(this.bench, "expression").map((one) =>
+    const own = this.store.item?.content;
+    const sources = sourcesOf(this.store, "expression").map((one) =>
       one.source === own ? { ...one, label: `${one.label}, as it was saved (a copy)` } : one,
     );
     const add = (source: string): void => {
       if (source === "") return;
       const label = labelOf(sources, source);
       if (this.#layers.some((one) => one.source === source && one.region === null && !one.mirrored)) {
-        this.bench.say(
+        this.store.say(
           `"${label}" is a layer already, on the whole face: give that one more weight, or a region of its own.`,
         );
         return;
       }
-      this.bench.setLayers([...this.#layers, { source, label, weight: 1, region: null, mirrored: false }]);
+      this.store.setLayers([...this.#layers, { source, label, weight: 1, region: null, mirrored: false }]);
       if (source === own)
-        this.bench.say(`"${label}" now counts twice: as a layer and as the needles here. Give the layer less weight.`);
+        this.store.say(`"${label}" now counts twice: as a layer and as the needles here. Give the layer less weight.`);
     };
     return html`
       <p>Expressions that lie under your needles and add up: the brow of one, the mouth of another.</p>
@@ -86,7 +86,7 @@ export class Layers extends BenchElement {
         <button class="icon quiet" title="Move down" aria-label="Move ${layer.label} down"
           ?disabled=${at === this.#layers.length - 1} @click=${() => this.#move(at, 1)}>↓</button>
         <button class="icon quiet" title="Take this layer away" aria-label="Remove ${layer.label}"
-          @click=${() => this.bench.setLayers(this.#layers.filter((_, place) => place !== at))}>✕</button>
+          @click=${() => this.store.setLayers(this.#layers.filter((_, place) => place !== at))}>✕</button>
       </div>
       <omote-amount label="Weight" .unit=${PERCENT} .low=${-0.5} .high=${1.5} .value=${layer.weight}
         hint="How much of it; below zero the opposite"
@@ -95,7 +95,7 @@ export class Layers extends BenchElement {
         <select class="grow" aria-label="Region of ${layer.label}" title="Only this part of the face"
           @change=${(event: Event) => this.#change(at, { region: textOf(event) || null })}>
           <option value="" ?selected=${layer.region === null}>Whole face</option>
-          ${this.bench.regions.map(
+          ${this.store.regions.map(
             (region) => html`<option value=${region} ?selected=${region === layer.region}>Only ${region}</option>`,
           )}
         </select>
@@ -107,6 +107,6 @@ export class Layers extends BenchElement {
 
   #bake() {
     return html`<button title="Layers, muscles and needles become one field; the needles then stand at rest on it"
-      @click=${() => bake(this.bench)}>Bake into one</button>`;
+      @click=${() => bake(this.store)}>Bake into one</button>`;
   }
 }

@@ -2,7 +2,7 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { controls, panel } from "../controls/controls_style";
-import { BenchElement, textOf } from "../controls/editor_element";
+import { EditorElement, textOf } from "../controls/editor_element";
 import { DEGREES, MILLIMETRES, RATIO, shown, typed, type Unit } from "../controls/units";
 import type { Topic } from "../session/draft_store";
 import { REST, split, type Vector } from "../session/net";
@@ -16,7 +16,7 @@ const ENTRIES: readonly (readonly [string, Unit, string])[] = [
 
 /** The selected needles as numbers, to be read and typed. */
 @customElement("omote-points")
-export class Points extends BenchElement {
+export class Points extends EditorElement {
   static override styles = [
     base,
     controls,
@@ -42,7 +42,7 @@ export class Points extends BenchElement {
   }
 
   override render() {
-    const { selection, net } = this.bench;
+    const { selection, net } = this.store;
     if (net === null) return html`<p>Open an expression to see its needles.</p>`;
     const places = [...selection];
     return html`
@@ -58,16 +58,16 @@ export class Points extends BenchElement {
           @click=${() => this.#mirror(places)}>Copy to the other side</button>
       </div>
       <div class="row">
-        <button class="quiet" @click=${() => this.bench.select(net.rows.keys())}>Select all</button>
-        <button class="quiet" ?disabled=${places.length === 0} @click=${() => this.bench.select([])}>Select none</button>
+        <button class="quiet" @click=${() => this.store.select(net.rows.keys())}>Select all</button>
+        <button class="quiet" ?disabled=${places.length === 0} @click=${() => this.store.select([])}>Select none</button>
         <button class="quiet" @click=${() => this.#reset([...net.rows.keys()])}>Reset all</button>
       </div>
-      ${this.bench.draft?.miss ? html`<p class="note">The last drag lies ${shown(this.bench.draft.miss, MILLIMETRES)} mm from where it was put.</p>` : nothing}
+      ${this.store.draft?.miss ? html`<p class="note">The last drag lies ${shown(this.store.draft.miss, MILLIMETRES)} mm from where it was put.</p>` : nothing}
     `;
   }
 
   #entry([name, unit, hint]: (typeof ENTRIES)[number], part: number, places: readonly number[]) {
-    const value = commonOf(this.bench.live, places, part);
+    const value = commonOf(this.store.live, places, part);
     return html`<div class="entry">
       <label for="part${part}" title=${hint}>${name}</label>
       <input id="part${part}" inputmode="decimal" title=${hint} placeholder="several"
@@ -81,22 +81,22 @@ export class Points extends BenchElement {
     const value = typed(text, unit);
     if (value === null) {
       this.requestUpdate();
-      this.bench.say(`"${text}" is not a number; type one such as 1.5.`);
+      this.store.say(`"${text}" is not a number; type one such as 1.5.`);
       return;
     }
-    const vectors = split(this.bench.live);
+    const vectors = split(this.store.live);
     for (const place of places) (vectors[place] as Vector)[part] = value;
-    this.bench.setVectors(vectors, "typed numbers");
+    this.store.setVectors(vectors, "typed numbers");
   }
 
   #reset(places: readonly number[]): void {
-    const vectors = split(this.bench.live);
+    const vectors = split(this.store.live);
     for (const place of places) vectors[place] = [...REST];
-    this.bench.setVectors(vectors, "needles reset");
+    this.store.setVectors(vectors, "needles reset");
   }
 
   #mirror(places: readonly number[]): void {
-    const { net, live } = this.bench;
-    if (net !== null) this.bench.setVectors(mirrored(split(live), places, net.mirror), "copied to the other side");
+    const { net, live } = this.store;
+    if (net !== null) this.store.setVectors(mirrored(split(live), places, net.mirror), "copied to the other side");
   }
 }

@@ -4,7 +4,7 @@ import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
 import { amountOf } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
-import { BenchElement } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
 import { MILLIMETRES, PERCENT, shown } from "../controls/units";
 import type { Topic } from "../session/draft_store";
@@ -14,7 +14,7 @@ import { labelOf, type Source, sourcesOf } from "../session/sources";
 
 /** How a face is made from faces: a mix, regions from others, caricature, handles. */
 @customElement("omote-recipe")
-export class FaceRecipePanel extends BenchElement {
+export class FaceRecipePanel extends EditorElement {
   static override styles = [base, controls, panel];
 
   /** What the head's handles are called; null until the server has told. */
@@ -34,14 +34,14 @@ export class FaceRecipePanel extends BenchElement {
   }
 
   #set(change: Partial<FaceRecipe>, what: string): void {
-    const recipe = this.bench.face;
-    if (recipe !== null) this.bench.setFace({ ...recipe, ...change }, what);
+    const recipe = this.store.face;
+    if (recipe !== null) this.store.setFace({ ...recipe, ...change }, what);
   }
 
   override render() {
-    const recipe = this.bench.face;
+    const recipe = this.store.face;
     if (recipe === null) return nothing;
-    const sources = sourcesOf(this.bench, "face").filter(({ source }) => source !== this.bench.item?.content);
+    const sources = sourcesOf(this.store, "face").filter(({ source }) => source !== this.store.item?.content);
     return html`
       ${this.#mix(recipe, sources)} ${this.#regions(recipe, sources)}
       <h2>Caricature</h2>
@@ -80,7 +80,7 @@ export class FaceRecipePanel extends BenchElement {
       this.#set({ regions: source === "" ? others : { ...others, [region]: source } }, `${region} of another`);
     };
     return html`<h2>Parts of others</h2>
-      ${this.bench.regions.map(
+      ${this.store.regions.map(
         (region) => html`<div class="row"><span style="width: 64px">${region}</span>
           ${sourceChoice(sources, {
             label: `Where the ${region} come from`,
@@ -101,8 +101,8 @@ export class FaceRecipePanel extends BenchElement {
       <p class="note">${moved.length === 0 ? "None moved yet: drag one on the face. " : nothing}With Alt held it goes to and fro, along your view.</p>
       <ul>${moved.map(
         (at) => html`<li class="row">
-          <button class="grow" aria-pressed=${this.bench.selection.has(at)} title="Choose it"
-            @click=${() => this.bench.select([at])}>${this.#label(points[at] ?? -1, at)}: ${shown(far(moves[at] ?? []), MILLIMETRES)} mm</button>
+          <button class="grow" aria-pressed=${this.store.selection.has(at)} title="Choose it"
+            @click=${() => this.store.select([at])}>${this.#label(points[at] ?? -1, at)}: ${shown(far(moves[at] ?? []), MILLIMETRES)} mm</button>
           <button class="icon quiet" title="Back where it was" aria-label="Reset ${this.#label(points[at] ?? -1, at)}"
             @click=${() => reset([at])}>✕</button></li>`,
       )}</ul>

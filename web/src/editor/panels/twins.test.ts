@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { twinOf } from "./twins";
+import { mirrorMuscle } from "./twins";
 
 it("finds the muscle on the other side, and back again; those on the midline stay", () => {
   for (const [left, right] of [
@@ -7,7 +7,7 @@ it("finds the muscle on the other side, and back again; those on the midline sta
     ["mentalis", "mentalis"],
     ["left_out", "left_out"],
   ] as const) {
-    expect(twinOf(left)).toBe(right);
-    expect(twinOf(right)).toBe(left);
+    expect(mirrorMuscle(left)).toBe(right);
+    expect(mirrorMuscle(right)).toBe(left);
   }
 });

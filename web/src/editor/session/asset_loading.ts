@@ -2,7 +2,7 @@
 
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "../../link/arrays";
-import { type Fetch, fetchBytes, insist, RefusedAddress, readCompound } from "../../link/assets";
+import { type Fetch, fetchBytes, fetchWithRetry, RefusedAddress, readCompound } from "../../link/assets";
 import type { FaceDocument, Manifest } from "../../link/messages";
 
 /** A face as a document and its positions, (rows, 3) metres. */
@@ -17,7 +17,7 @@ const key = (source: string): string => encodeURIComponent(source);
 export async function loadFace(manifest: Manifest, source: string, read: Fetch = fetchBytes): Promise<LoadedFace> {
   const known = manifest.faces.find((face) => face.source === source);
   const address = known?.url ?? `/contents/${source.replace(/^#/, "")}`;
-  const asset = decode(await insist(address, read)) as { positions: Uint8Array; face?: FaceDocument };
+  const asset = decode(await fetchWithRetry(address, read)) as { positions: Uint8Array; face?: FaceDocument };
   const document = known ?? asset.face;
   const positions = new Float32Array(aligned(asset.positions));
   if (document === undefined || positions.length !== 3 * manifest.vertices)
@@ -32,7 +32,7 @@ export async function loadTangents(
   read: Fetch = fetchBytes,
 ): Promise<Float32Array | undefined> {
   try {
-    const bytes = await insist(`/tangents/${key(manifest.base)}/${key(source)}`, read);
+    const bytes = await fetchWithRetry(`/tangents/${key(manifest.base)}/${key(source)}`, read);
     return new Float32Array(aligned((decode(bytes) as { tangents: Uint8Array }).tangents));
   } catch (error) {
     if (error instanceof RefusedAddress) return undefined;
@@ -51,7 +51,7 @@ export async function loadWorn(
   const out = rest.slice();
   if (expression === "neutral") return out;
   const address = `/compounds/${key(manifest.base)}/${key(face)}/${key(expression)}`;
-  const { scale, indices, deltas } = readCompound(await insist(address, read), manifest.vertices);
+  const { scale, indices, deltas } = readCompound(await fetchWithRetry(address, read), manifest.vertices);
   indices.forEach((row, n) => {
     for (let axis = 0; axis < 3; axis++)
       out[3 * row + axis] = (out[3 * row + axis] as number) + (deltas[3 * n + axis] as number) * scale;

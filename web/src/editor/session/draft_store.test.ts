@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { DraftState, ItemDocument, NetDocument, Recipe } from "../../link/editing_messages";
 import type { Answer, Request } from "../link/requests";
-import { Workbench } from "./draft_store";
+import { DraftStore } from "./draft_store";
 import { create, matches, normalised, placeAt, redo, remove, describe as rename, save, undo } from "./item_commands";
 import { flat, REST, split, type Vector } from "./net";
 
@@ -81,110 +81,110 @@ class Script {
 }
 
 let script: Script;
-let bench: Workbench;
+let store: DraftStore;
 
 beforeEach(() => {
   script = new Script();
-  bench = new Workbench(script.ask);
-  bench.setItems([item(1)]);
-  bench.receive(draftOf(still, { net: netOf([0, 10, 20]) }));
+  store = new DraftStore(script.ask);
+  store.setItems([item(1)]);
+  store.receive(draftOf(still, { net: netOf([0, 10, 20]) }));
 });
 
 const drag = (place: number, by: number): void => {
-  bench.begin([place]);
-  bench.live[3 * place] = (bench.live[3 * place] as number) + by;
-  bench.liveChanged();
+  store.begin([place]);
+  store.live[3 * place] = (store.live[3 * place] as number) + by;
+  store.liveChanged();
 };
 
 describe("a drag", () => {
   it("goes to the server with all vectors, and stays in sight until the answer", async () => {
     drag(0, 0.2);
-    bench.letGo([0], [[1, 2, 3]]);
+    store.letGo([0], [[1, 2, 3]]);
     expect(script.asked[0]?.request).toEqual({
       type: "drag_points",
       item: 1,
-      face: bench.work,
+      face: store.work,
       points: [0],
       targets: [[1, 2, 3]],
       vectors: [[0.2, 0, 1], [...REST], [...REST]],
     });
-    expect(bench.live[0]).toBe(0.2);
+    expect(store.live[0]).toBe(0.2);
     await script.answer(0, draftOf(moved, { content: "#b" }));
-    expect(split(bench.live)).toEqual(moved);
-    expect(bench.shown).toBe("#b");
+    expect(split(store.live)).toEqual(moved);
+    expect(store.shown).toBe("#b");
   });
 
   it("goes on under the hand when the answer to one before comes", async () => {
     drag(0, 0.2);
-    bench.letGo([0], [[1, 2, 3]]);
+    store.letGo([0], [[1, 2, 3]]);
     drag(1, 0.5);
     await script.answer(0, draftOf(moved));
-    expect(bench.dragging).toBe(true);
-    expect(split(bench.live)).toEqual([[0.1, 0, 1], [0.5, 0, 1], [...REST]]);
-    bench.cancel();
-    expect(split(bench.live)).toEqual(moved);
+    expect(store.dragging).toBe(true);
+    expect(split(store.live)).toEqual([[0.1, 0, 1], [0.5, 0, 1], [...REST]]);
+    store.cancel();
+    expect(split(store.live)).toEqual(moved);
   });
 
   it("does not jump back while a later one is not answered", async () => {
     for (const place of [0, 1]) {
       drag(place, 0.2);
-      bench.letGo([place], [[0, 0, 0]]);
+      store.letGo([place], [[0, 0, 0]]);
     }
-    const hand = split(bench.live);
+    const hand = split(store.live);
     await script.answer(0, draftOf(moved));
-    expect(split(bench.live)).toEqual(hand);
+    expect(split(store.live)).toEqual(hand);
     await script.answer(1, draftOf(still));
-    expect(split(bench.live)).toEqual(still);
+    expect(split(store.live)).toEqual(still);
   });
 
   it("that is refused goes from sight, and the user reads why", async () => {
     drag(0, 0.2);
-    bench.letGo([0], [[1, 2, 3]]);
+    store.letGo([0], [[1, 2, 3]]);
     await script.refuse(0, "The point 0 cannot lie there.");
-    expect(split(bench.live)).toEqual(still);
-    expect(bench.notices.map(({ text }) => text)).toEqual(["The point 0 cannot lie there."]);
-    bench.dismiss(bench.notices[0]?.id as number);
-    expect(bench.notices).toEqual([]);
+    expect(split(store.live)).toEqual(still);
+    expect(store.notices.map(({ text }) => text)).toEqual(["The point 0 cannot lie there."]);
+    store.dismiss(store.notices[0]?.id as number);
+    expect(store.notices).toEqual([]);
   });
 
   it("sends nothing when it is cancelled", () => {
     drag(2, 1);
-    bench.cancel();
-    expect(split(bench.live)).toEqual(still);
+    store.cancel();
+    expect(split(store.live)).toEqual(still);
     expect(script.asked).toEqual([]);
   });
 });
 
 describe("the net", () => {
   it("keeps the selection at the same points when it is woven anew", () => {
-    bench.select([1, 2]);
-    bench.receive(draftOf([...still, [...REST]], { net: netOf([5, 10, 15, 20]) }));
-    expect([...bench.selection]).toEqual([1, 3]);
+    store.select([1, 2]);
+    store.receive(draftOf([...still, [...REST]], { net: netOf([5, 10, 15, 20]) }));
+    expect([...store.selection]).toEqual([1, 3]);
   });
 
   it("of another item takes selection and looks away", () => {
-    bench.select([1]);
-    bench.setLook("#old");
-    bench.receive(draftOf(still, { item: 2, net: netOf([0, 10, 20]) }));
-    expect(bench.selection.size).toBe(0);
-    expect(bench.look).toBeNull();
+    store.select([1]);
+    store.setLook("#old");
+    store.receive(draftOf(still, { item: 2, net: netOf([0, 10, 20]) }));
+    expect(store.selection.size).toBe(0);
+    expect(store.look).toBeNull();
   });
 });
 
 describe("an old revision that is looked at", () => {
   it("is shown until an edit is made", () => {
-    bench.setLook("#old");
-    expect(bench.shown).toBe("#old");
-    bench.setVectors(moved, "nudge");
-    expect(bench.shown).toBe("#a");
+    store.setLook("#old");
+    expect(store.shown).toBe("#old");
+    store.setVectors(moved, "nudge");
+    expect(store.shown).toBe("#a");
   });
 });
 
 describe("muscles", () => {
   it("pull on this page at once, and on the server when let go", async () => {
-    bench.pull("frown", 0.5);
+    store.pull("frown", 0.5);
     expect(script.asked).toEqual([]);
-    bench.sendPulls();
+    store.sendPulls();
     expect(script.asked[0]?.request).toMatchObject({
       type: "set_pulls",
       pulls: [{ muscle: "frown", contraction: 0.5 }],
@@ -193,26 +193,26 @@ describe("muscles", () => {
       0,
       draftOf(still, { recipe: recipeOf(still, { pulls: [{ muscle: "frown", contraction: 0.4 }] }) }),
     );
-    expect(bench.livePulls.get("frown")).toBe(0.4);
+    expect(store.livePulls.get("frown")).toBe(0.4);
   });
 });
 
 describe("undo and redo", () => {
   it("know the names of their steps", async () => {
-    bench.receive(draftOf(moved, { undo: 2, what: "drag" }));
-    undo(bench);
+    store.receive(draftOf(moved, { undo: 2, what: "drag" }));
+    undo(store);
     await script.answer(0, draftOf(still, { undo: 1, redo: 1, what: "layers" }));
     await Promise.resolve();
-    expect(bench.undone).toEqual(["drag"]);
-    redo(bench);
+    expect(store.undone).toEqual(["drag"]);
+    redo(store);
     await script.answer(1, draftOf(moved, { undo: 2, what: "drag" }));
     await Promise.resolve();
-    expect(bench.undone).toEqual([]);
+    expect(store.undone).toEqual([]);
   });
 
   it("are not asked for where there is nothing to undo", () => {
-    undo(bench);
-    redo(bench);
+    undo(store);
+    redo(store);
     expect(script.asked).toEqual([]);
   });
 });
@@ -221,29 +221,29 @@ describe("save", () => {
   const saved = { type: "saved", request: 1, item: 1, revision: 2, head: 2, aside: false, sentence: "" } as const;
 
   it("makes the draft clean and says where to call it", async () => {
-    bench.receive(draftOf(moved, { dirty: true }));
-    const done = save(bench, "");
+    store.receive(draftOf(moved, { dirty: true }));
+    const done = save(store, "");
     await script.answer(0, saved);
     await done;
-    expect(bench.draft).toMatchObject({ dirty: false, base: 2 });
-    expect(bench.notices[0]?.text).toContain("On the console");
+    expect(store.draft).toMatchObject({ dirty: false, base: 2 });
+    expect(store.notices[0]?.text).toContain("On the console");
   });
 
   it("over another's offers both ways out", async () => {
-    bench.receive(draftOf(moved, { dirty: true }));
-    const done = save(bench, "");
+    store.receive(draftOf(moved, { dirty: true }));
+    const done = save(store, "");
     await script.answer(0, { ...saved, aside: true, head: 3, sentence: "Anna saved meanwhile." });
     await done;
-    expect(bench.notices[0]).toMatchObject({ kind: "conflict", text: "Anna saved meanwhile." });
-    expect(bench.notices[0]?.actions.map(({ label }) => label)).toEqual(["Look at theirs", "Save mine over it"]);
+    expect(store.notices[0]).toMatchObject({ kind: "conflict", text: "Anna saved meanwhile." });
+    expect(store.notices[0]?.actions.map(({ label }) => label)).toEqual(["Look at theirs", "Save mine over it"]);
   });
 });
 
 describe("items", () => {
   it("are made from neutral, from a mix, from what is on air", () => {
-    void create(bench, "expression", "Grin", { mix: {}, onAir: false });
-    void create(bench, "face", "Ann", { mix: { old: 1, dog: 3 }, onAir: false });
-    void create(bench, "expression", "Now", { mix: {}, onAir: true });
+    void create(store, "expression", "Grin", { mix: {}, onAir: false });
+    void create(store, "face", "Ann", { mix: { old: 1, dog: 3 }, onAir: false });
+    void create(store, "expression", "Now", { mix: {}, onAir: true });
     expect(script.asked.map(({ request }) => request)).toEqual([
       { type: "create_expression", label: "Grin", start: {}, on_air: false },
       { type: "create_face", label: "Ann", base: { old: 0.25, dog: 0.75 }, on_air: false },
@@ -252,25 +252,25 @@ describe("items", () => {
   });
 
   it("come back by one press after they were deleted", async () => {
-    const done = remove(bench, item(1));
+    const done = remove(store, item(1));
     await script.answer(0, { type: "done", request: 1 });
     await done;
-    expect(bench.draft).toBeNull();
-    bench.notices[0]?.actions[0]?.act();
+    expect(store.draft).toBeNull();
+    store.notices[0]?.actions[0]?.act();
     expect(script.asked[1]?.request).toEqual({ type: "restore", item: 1 });
   });
 
   it("keep a new name under what is typed next, and take it back where it is refused", async () => {
-    bench.setItems([item(1)]);
-    void rename(bench, item(1), { label: "Grumpy" });
-    void rename(bench, item(1), { tags: ["act two"] }); // as a panel knows it that has not been drawn again
+    store.setItems([item(1)]);
+    void rename(store, item(1), { label: "Grumpy" });
+    void rename(store, item(1), { tags: ["act two"] }); // as a panel knows it that has not been drawn again
     expect(script.asked[1]?.request).toMatchObject({ label: "Grumpy", tags: ["act two"] });
-    bench.setItems([item(1)]);
-    const refused = rename(bench, item(1), { label: "Taken" });
-    expect(bench.items[0]?.label).toBe("Taken");
+    store.setItems([item(1)]);
+    const refused = rename(store, item(1), { label: "Taken" });
+    expect(store.items[0]?.label).toBe("Taken");
     await script.refuse(2, "Taken is taken.");
     await refused;
-    expect(bench.items[0]?.label).toBe("Item 1");
+    expect(store.items[0]?.label).toBe("Item 1");
   });
 
   it("are put between their new neighbours", () => {

@@ -13,14 +13,14 @@ import type {
   ToEditor,
 } from "../../link/editing_messages";
 import type { Answer, Ask, Change, Request } from "../link/requests";
-import { Surroundings } from "./editor_store";
+import { EditorStore } from "./editor_store";
 import { flat, type Net, readNet, split, type Vector } from "./net";
 
 export { MOST_NEIGHBOURS, type Options, type Tool, type Topic } from "./editor_store";
 
 const LOOKING_AHEAD = { turns: [0, 0, 0, 0] as Recipe["eyes"], pupil: 0 };
 
-export class Workbench extends Surroundings {
+export class DraftStore extends EditorStore {
   /** The draft of the open item as the server last told it; null while nothing is open. */
   draft: DraftState | null = null;
   /** The net of the draft; null while none is open, and for a face. */
@@ -192,7 +192,7 @@ export class Workbench extends Surroundings {
   receive(message: ToEditor): void {
     if (message.type === "draft") this.#receiveDraft(message);
     else if (message.type === "items") this.setItems(message.items, message.digest);
-    else if (message.type === "greeted") this.setAnatomy(message);
+    else if (message.type === "greeted") this.setHeadControls(message);
     else if (message.type === "history") this.#receiveHistory(message.item, message.revisions);
     else if (message.type === "refused") this.say(message.reason);
   }

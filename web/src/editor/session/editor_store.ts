@@ -32,9 +32,9 @@ const FIRST = "kaori";
 const NEIGHBOURS = ["dog", "child", "old"];
 
 /** Everything that belongs to no item; whoever listens to a topic hears of its changes. */
-export class Surroundings {
+export class EditorStore {
   library: Library | null = null;
-  anatomy: HeadControls | null = null;
+  headControls: HeadControls | null = null;
   items: readonly ItemDocument[] = [];
   /** Of the cast that pages may load now; "" before the server has said. */
   digest = "";
@@ -74,20 +74,20 @@ export class Surroundings {
   }
 
   get muscles(): readonly Muscle[] {
-    return this.anatomy?.muscles ?? [];
+    return this.headControls?.muscles ?? [];
   }
 
   get regions(): readonly string[] {
-    return this.anatomy?.regions ?? [];
+    return this.headControls?.regions ?? [];
   }
 
   /** For each region how much it owns of each vertex, 255 all. */
   get masks(): readonly Uint8Array[] {
-    return this.anatomy?.masks ?? [];
+    return this.headControls?.masks ?? [];
   }
 
   get followers(): Followers | null {
-    return this.anatomy?.followers ?? null;
+    return this.headControls?.followers ?? null;
   }
 
   /** The library has come, or has been renewed. */
@@ -100,8 +100,8 @@ export class Surroundings {
     this.tell("cast");
   }
 
-  setAnatomy(greeted: Greeted): void {
-    this.anatomy = readHeadControls(greeted);
+  setHeadControls(greeted: Greeted): void {
+    this.headControls = readHeadControls(greeted);
     this.setItems(greeted.items, greeted.digest);
   }
 

@@ -1,7 +1,7 @@
 /** Handles of a face: what stands where, which move together, and how far a pointer moves them. */
 
 import { decode } from "@msgpack/msgpack";
-import { type Fetch, fetchBytes, insist } from "../../link/assets";
+import { type Fetch, fetchBytes, fetchWithRetry } from "../../link/assets";
 import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
 import type { Vector } from "./net";
 
@@ -18,7 +18,7 @@ export interface Handles {
 
 /** The handles of the head, from the server. */
 export async function loadHandles(read: Fetch = fetchBytes): Promise<HandlesAsset> {
-  return decode(await insist("/handles", read)) as HandlesAsset;
+  return decode(await fetchWithRetry("/handles", read)) as HandlesAsset;
 }
 
 /** A recipe's handles: the head's own, all at rest, where it has none yet; else those that it names. */

@@ -2,7 +2,7 @@
 
 import type { FaceRecipe, ItemDocument, RevisionDocument, Saved } from "../../link/editing_messages";
 import type { Request } from "../link/requests";
-import type { Workbench } from "./draft_store";
+import type { DraftStore } from "./draft_store";
 
 /** Where something new begins: sources by weight, or what is on air now. */
 export interface Start {
@@ -12,7 +12,7 @@ export interface Start {
 
 export type Kind = ItemDocument["kind"];
 
-export function create(bench: Workbench, kind: Kind, label: string, { mix, onAir }: Start): Promise<unknown> {
+export function create(store: DraftStore, kind: Kind, label: string, { mix, onAir }: Start): Promise<unknown> {
   const request: Request =
     kind === "expression"
       ? { type: "create_expression", label, start: mix, on_air: onAir }
@@ -22,10 +22,10 @@ export function create(bench: Workbench, kind: Kind, label: string, { mix, onAir
           base: Object.keys(mix).length === 0 ? { generic: 1 } : normalised(mix),
           on_air: onAir,
         };
-  return bench.ask(request);
+  return store.ask(request);
 }
 
-export const openItem = (bench: Workbench, item: number): Promise<unknown> => bench.ask({ type: "open_item", item });
+export const openItem = (store: DraftStore, item: number): Promise<unknown> => store.ask({ type: "open_item", item });
 
 /** A name for something new that no item has yet: `stem`, else with the first number that is free. */
 export function freeLabel(items: readonly ItemDocument[], stem: string): string {
@@ -38,90 +38,90 @@ export function freeLabel(items: readonly ItemDocument[], stem: string): string 
 
 // --- the open item ----------------------------------------------------------------------------------------------------
 
-export async function save(bench: Workbench, note: string): Promise<void> {
-  if (bench.draft === null) return;
-  const { item, base } = bench.draft;
-  const answer = await bench.ask({ type: "save", item, note });
+export async function save(store: DraftStore, note: string): Promise<void> {
+  if (store.draft === null) return;
+  const { item, base } = store.draft;
+  const answer = await store.ask({ type: "save", item, note });
   if (answer?.type !== "saved") return;
-  if (bench.draft?.item === item && bench.draft.base === base && !answer.aside) {
-    bench.receive({ ...bench.draft, request: -1, net: null, base: answer.revision, dirty: false });
+  if (store.draft?.item === item && store.draft.base === base && !answer.aside) {
+    store.receive({ ...store.draft, request: -1, net: null, base: answer.revision, dirty: false });
   }
-  bench.clear("conflict"); // what was to be decided is
-  if (answer.aside) tellAside(bench, answer);
+  store.clear("conflict"); // what was to be decided is
+  if (answer.aside) tellAside(store, answer);
   else if (answer.revision === base)
-    bench.say(answer.sentence, "done"); // nothing was new
-  else tellSaved(bench, answer);
-  askHistory(bench);
+    store.say(answer.sentence, "done"); // nothing was new
+  else tellSaved(store, answer);
+  askHistory(store);
 }
 
-function tellSaved(bench: Workbench, { item }: Saved): void {
-  const saved = bench.items.find(({ id }) => id === item);
+function tellSaved(store: DraftStore, { item }: Saved): void {
+  const saved = store.items.find(({ id }) => id === item);
   const place = saved?.kind === "face" ? "among the faces" : "under Own";
-  bench.say(`Saved. On the console "${saved?.label ?? ""}" is now ${place}: call it there.`, "done", [
+  store.say(`Saved. On the console "${saved?.label ?? ""}" is now ${place}: call it there.`, "done", [
     { label: "Open the console", act: () => void window.open("/console", "_blank") },
   ]);
 }
 
 /** Another editor saved first: both versions are kept, and the user chooses which plays. */
-function tellAside(bench: Workbench, { item, head, sentence }: Saved): void {
-  bench.say(sentence, "conflict", [
-    { label: "Look at theirs", act: () => void lookAt(bench, item, head) },
-    { label: "Save mine over it", act: () => void saveOver(bench, item) },
+function tellAside(store: DraftStore, { item, head, sentence }: Saved): void {
+  store.say(sentence, "conflict", [
+    { label: "Look at theirs", act: () => void lookAt(store, item, head) },
+    { label: "Save mine over it", act: () => void saveOver(store, item) },
   ]);
 }
 
 /** Whichever item is open by now. */
-async function saveOver(bench: Workbench, item: number): Promise<void> {
-  if (bench.draft?.item !== item) await openItem(bench, item);
-  if (bench.draft?.item === item) await save(bench, "over another's");
+async function saveOver(store: DraftStore, item: number): Promise<void> {
+  if (store.draft?.item !== item) await openItem(store, item);
+  if (store.draft?.item === item) await save(store, "over another's");
 }
 
-async function lookAt(bench: Workbench, item: number, number: number): Promise<void> {
-  if (bench.draft?.item !== item) await openItem(bench, item);
-  await bench.ask({ type: "ask_history", item });
-  const theirs = bench.revisions.find((revision) => revision.number === number);
-  if (theirs !== undefined && bench.draft?.item === item) bench.setLook(theirs.content);
+async function lookAt(store: DraftStore, item: number, number: number): Promise<void> {
+  if (store.draft?.item !== item) await openItem(store, item);
+  await store.ask({ type: "ask_history", item });
+  const theirs = store.revisions.find((revision) => revision.number === number);
+  if (theirs !== undefined && store.draft?.item === item) store.setLook(theirs.content);
 }
 
-export function undo(bench: Workbench): void {
-  const { draft } = bench;
+export function undo(store: DraftStore): void {
+  const { draft } = store;
   if (draft === null || draft.undo === 0) return;
   const { what } = draft;
-  void bench.ask({ type: "undo", item: draft.item }).then((answer) => {
-    if (answer !== null) bench.undone = [...bench.undone, what];
-    bench.tell("options");
+  void store.ask({ type: "undo", item: draft.item }).then((answer) => {
+    if (answer !== null) store.undone = [...store.undone, what];
+    store.tell("options");
   });
 }
 
-export function redo(bench: Workbench): void {
-  const { draft } = bench;
+export function redo(store: DraftStore): void {
+  const { draft } = store;
   if (draft === null || draft.redo === 0) return;
-  void bench.ask({ type: "redo", item: draft.item }).then((answer) => {
-    if (answer !== null) bench.undone = bench.undone.slice(0, -1);
-    bench.tell("options");
+  void store.ask({ type: "redo", item: draft.item }).then((answer) => {
+    if (answer !== null) store.undone = store.undone.slice(0, -1);
+    store.tell("options");
   });
 }
 
-export function askHistory(bench: Workbench): void {
-  if (bench.draft !== null) void bench.ask({ type: "ask_history", item: bench.draft.item });
+export function askHistory(store: DraftStore): void {
+  if (store.draft !== null) void store.ask({ type: "ask_history", item: store.draft.item });
 }
 
 /** The draft becomes what a revision was; says that it does not play yet. */
-export async function bringBack(bench: Workbench, { number }: RevisionDocument): Promise<void> {
-  const { draft } = bench;
+export async function bringBack(store: DraftStore, { number }: RevisionDocument): Promise<void> {
+  const { draft } = store;
   if (draft === null) return;
-  bench.setLook(null);
-  const answer = await bench.ask({ type: "bring_back", item: draft.item, revision: number });
+  store.setLook(null);
+  const answer = await store.ask({ type: "bring_back", item: draft.item, revision: number });
   if (answer === null) return;
-  if (bench.draft?.item === draft.item && !bench.draft.dirty) {
-    bench.say(`Revision ${number} is what plays and what your draft is: there is nothing to save.`, "done");
+  if (store.draft?.item === draft.item && !store.draft.dirty) {
+    store.say(`Revision ${number} is what plays and what your draft is: there is nothing to save.`, "done");
     return;
   }
   const sentence = `Revision ${number} is your draft now. What plays is unchanged: press Save to make this one play.`;
-  bench.say(sentence, "done", [{ label: "Save", act: () => void save(bench, `revision ${number} again`) }]);
+  store.say(sentence, "done", [{ label: "Save", act: () => void save(store, `revision ${number} again`) }]);
 }
 
-export const bake = (bench: Workbench): void => bench.edit({ type: "flatten" });
+export const bake = (store: DraftStore): void => store.edit({ type: "flatten" });
 
 /** Weights that sum to one, in the same proportions; an even mix where all are zero. */
 export function normalised(mix: FaceRecipe["base"]): FaceRecipe["base"] {
@@ -135,29 +135,29 @@ export function normalised(mix: FaceRecipe["base"]): FaceRecipe["base"] {
 type Description = Partial<Pick<ItemDocument, "label" | "tags" | "place">>;
 
 /** Shown at once, so that what is typed next is not built on what was before; a refusal takes it back. */
-export async function describe(bench: Workbench, { id }: ItemDocument, change: Description): Promise<void> {
-  const before = bench.items.find((item) => item.id === id);
+export async function describe(store: DraftStore, { id }: ItemDocument, change: Description): Promise<void> {
+  const before = store.items.find((item) => item.id === id);
   if (before === undefined) return;
   const put = (now: Description): void =>
-    bench.setItems(bench.items.map((item) => (item.id === id ? { ...item, ...now } : item)));
+    store.setItems(store.items.map((item) => (item.id === id ? { ...item, ...now } : item)));
   const { label, tags, place } = { ...before, ...change };
-  if (label !== before.label) bench.clear("done"); // good news that calls it by its old name
+  if (label !== before.label) store.clear("done"); // good news that calls it by its old name
   put(change);
-  const answer = await bench.ask({ type: "describe", item: id, label, tags, place });
+  const answer = await store.ask({ type: "describe", item: id, label, tags, place });
   if (answer === null) put({ label: before.label, tags: before.tags, place: before.place });
 }
 
-export const duplicate = (bench: Workbench, { id, label }: ItemDocument): void =>
-  void bench.ask({ type: "duplicate", item: id, label: freeLabel(bench.items, `${label} copy`) });
+export const duplicate = (store: DraftStore, { id, label }: ItemDocument): void =>
+  void store.ask({ type: "duplicate", item: id, label: freeLabel(store.items, `${label} copy`) });
 
-export async function remove(bench: Workbench, item: ItemDocument): Promise<void> {
-  const answer = await bench.ask({ type: "delete", item: item.id });
+export async function remove(store: DraftStore, item: ItemDocument): Promise<void> {
+  const answer = await store.ask({ type: "delete", item: item.id });
   if (answer === null) return;
-  if (bench.draft?.item === item.id) bench.leave();
-  bench.say(`"${item.label}" is deleted.`, "done", [{ label: "Undo", act: () => restore(bench, item) }]);
+  if (store.draft?.item === item.id) store.leave();
+  store.say(`"${item.label}" is deleted.`, "done", [{ label: "Undo", act: () => restore(store, item) }]);
 }
 
-export const restore = (bench: Workbench, { id }: ItemDocument): void => void bench.ask({ type: "restore", item: id });
+export const restore = (store: DraftStore, { id }: ItemDocument): void => void store.ask({ type: "restore", item: id });
 
 /** Words of a search are all found in an item's name or tags. */
 export function matches(words: string, label: string, tags: readonly string[] = []): boolean {

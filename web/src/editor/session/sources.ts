@@ -1,6 +1,6 @@
 /** What layers and new things can be made from: own items that were saved, then the built-in cast. */
 
-import type { Workbench } from "./draft_store";
+import type { DraftStore } from "./draft_store";
 import type { Kind } from "./item_commands";
 import { ordered } from "./item_commands";
 
@@ -16,20 +16,20 @@ const GROUPS: Readonly<Record<string, string>> = {
   makehuman: "MakeHuman",
 };
 
-export function sourcesOf(bench: Workbench, kind: Kind): Source[] {
-  const own = ordered(bench.items, kind)
+export function sourcesOf(store: DraftStore, kind: Kind): Source[] {
+  const own = ordered(store.items, kind)
     .filter(({ deleted, content }) => !deleted && content !== "")
     .map(({ content, label }) => ({ source: content, label, group: "Own" }));
-  return [...own, ...(kind === "face" ? facesOf(bench) : expressionsOf(bench))];
+  return [...own, ...(kind === "face" ? facesOf(store) : expressionsOf(store))];
 }
 
-const facesOf = (bench: Workbench): Source[] =>
-  (bench.manifest?.faces ?? [])
+const facesOf = (store: DraftStore): Source[] =>
+  (store.manifest?.faces ?? [])
     .filter(({ source }) => !source.startsWith("#"))
     .map(({ source, label }) => ({ source, label, group: "Faces" }));
 
-const expressionsOf = (bench: Workbench): Source[] =>
-  (bench.manifest?.expressions ?? [])
+const expressionsOf = (store: DraftStore): Source[] =>
+  (store.manifest?.expressions ?? [])
     .filter(({ kind }) => kind !== "neutral" && kind !== "own")
     .map(({ source, label, kind }) => ({ source, label, group: GROUPS[kind] ?? kind }));
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Library } from "../../link/assets";
 import type { FaceDocument, Manifest } from "../../link/messages";
-import { meet } from "./thumbnail_renderer";
+import { ensureFace } from "./thumbnail_renderer";
 
 const document = { name: "hobbart", source: "#b" } as FaceDocument;
 
@@ -23,8 +23,8 @@ describe("a picture of a face", () => {
       asked.push(source);
       return { document, positions: new Float32Array() };
     };
-    await meet(cast, "#b", load);
-    await meet(cast, "#b", load);
+    await ensureFace(cast, "#b", load);
+    await ensureFace(cast, "#b", load);
     expect(asked).toEqual(["#b"]);
     expect(cast.faces.get("#b")).toBe(document);
   });
@@ -32,11 +32,11 @@ describe("a picture of a face", () => {
   it("asks for nothing that the cast has", async () => {
     const cast = library();
     const load = () => Promise.reject(new Error("asked"));
-    await meet(cast, "generic", load);
-    await meet(cast, "hers", load);
+    await ensureFace(cast, "generic", load);
+    await ensureFace(cast, "hers", load);
   });
 
   it("refuses a name that nobody knows instead of drawing it black", async () => {
-    await expect(meet(library(), "nobody")).rejects.toThrow('There is no face "nobody" in this cast.');
+    await expect(ensureFace(library(), "nobody")).rejects.toThrow('There is no face "nobody" in this cast.');
   });
 });

@@ -3,9 +3,9 @@
 import { FaceView } from "../../face/face_view";
 import type { Shot } from "../../face/framing";
 import { fenced } from "../../face/gpu/fence";
-import { resting } from "../../face/pose/pose";
+import { restPose } from "../../face/pose/pose";
 import { KEY, type Library } from "../../link/assets";
-import type { Sitting } from "../../ui/thumbnails";
+import type { ThumbnailSubject } from "../../ui/thumbnails";
 import { loadFace } from "./asset_loading";
 
 /** Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. */
@@ -13,30 +13,30 @@ const THUMB: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };
 /** Milliseconds between two looks at whether the graphics processor has drawn. */
 const LOOK = 8;
 
-export class Studio {
+export class ThumbnailRenderer {
   /** What is being drawn; the next picture waits for it. */
   #last: Promise<unknown> = Promise.resolve();
 
   private constructor(private readonly view: FaceView) {}
 
   /** Draws at the cheapest level: pictures as small as these look alike at all. */
-  static async open(library: Library): Promise<Studio> {
+  static async open(library: Library): Promise<ThumbnailRenderer> {
     const canvas = document.createElement("canvas");
-    return new Studio(await FaceView.load(canvas, library, { shot: THUMB, pixelRatio: 1, level: "lowest" }));
+    return new ThumbnailRenderer(await FaceView.load(canvas, library, { shot: THUMB, pixelRatio: 1, level: "lowest" }));
   }
 
   /** Rejects when it cannot be drawn. */
-  picture(sitting: Sitting, width: number, height: number): Promise<ImageBitmap> {
+  picture(sitting: ThumbnailSubject, width: number, height: number): Promise<ImageBitmap> {
     const drawn = this.#last.catch(() => undefined).then(() => this.#draw(sitting, width, height));
     this.#last = drawn;
     return drawn;
   }
 
-  async #draw({ face, expression }: Sitting, width: number, height: number): Promise<ImageBitmap> {
+  async #draw({ face, expression }: ThumbnailSubject, width: number, height: number): Promise<ImageBitmap> {
     const { view } = this;
-    await meet(view.library, face);
+    await ensureFace(view.library, face);
     view.resize(width, height);
-    await view.present(resting(face, expression));
+    await view.present(restPose(face, expression));
     if (!view.alive) throw new Error("the graphics context is lost for a moment");
     const picture = createImageBitmap(view.canvas); // now, while the canvas still holds it
     await finished(view.context);
@@ -48,7 +48,7 @@ export class Studio {
  * Makes a face known that the cast has not, or not yet: one that was saved a moment ago, an old revision, a deleted one.
  * Without its look it would be drawn black.
  */
-export async function meet(library: Library, face: string, load = loadFace): Promise<void> {
+export async function ensureFace(library: Library, face: string, load = loadFace): Promise<void> {
   if (library.hasFace(face) || library.sourceOf("faces", face) !== face) return;
   if (!face.startsWith(KEY)) throw new Error(`There is no face "${face}" in this cast.`);
   const { document } = await load(library.manifest, face);

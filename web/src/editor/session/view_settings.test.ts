@@ -1,42 +1,42 @@
 import { describe, expect, it } from "vitest";
 import type { Library } from "../../link/assets";
-import { Workbench } from "./draft_store";
-import { keepView, readView } from "./view_settings";
+import { DraftStore } from "./draft_store";
+import { keepViewSettings, readViewSettings } from "./view_settings";
 
 const cast = (...names: string[]): Library =>
   ({ manifest: { faces: names.map((name) => ({ name })) } }) as unknown as Library;
-const bench = (): Workbench => new Workbench(() => new Promise(() => undefined));
+const store = (): DraftStore => new DraftStore(() => new Promise(() => undefined));
 
 /** A browser's storage. */
 function shelf(text: string | null = null): () => Pick<Storage, "getItem" | "setItem"> {
   let kept = text;
-  const store = {
+  const storage = {
     getItem: () => kept,
     setItem: (_: string, next: string) => {
       kept = next;
     },
   };
-  return () => store;
+  return () => storage;
 }
 
 describe("the kept view", () => {
   it("is there again after a reload", () => {
-    const store = shelf();
-    const before = bench();
-    keepView(before, store);
+    const storage = shelf();
+    const before = store();
+    keepViewSettings(before, storage);
     before.setCast(cast("kaori", "dog", "cat", "old"));
     before.setWork("dog");
     before.setNeighbours(["cat", "kaori"]);
     before.setOptions({ mirror: true });
-    const after = bench();
-    keepView(after, store);
+    const after = store();
+    keepViewSettings(after, storage);
     after.setCast(cast("kaori", "dog", "cat", "old"));
     expect([after.work, after.neighbours, after.options.mirror]).toEqual(["dog", ["cat", "kaori"], true]);
   });
 
   it("forgets faces that the cast has no more", () => {
-    const one = bench();
-    keepView(one, shelf('{"work": "gone", "neighbours": ["gone", "dog", "kaori"]}'));
+    const one = store();
+    keepViewSettings(one, shelf('{"work": "gone", "neighbours": ["gone", "dog", "kaori"]}'));
     one.setCast(cast("generic", "kaori", "dog"));
     expect([one.work, one.neighbours]).toEqual(["kaori", ["dog"]]);
   });
@@ -44,25 +44,25 @@ describe("the kept view", () => {
   it.each([null, "", "{", "null", "7", "[]", '{"work": 7, "neighbours": "dog", "mirror": "yes"}', '{"work": ""}'])(
     "begins anew where %s was kept",
     (text) => {
-      const [one, fresh] = [bench(), bench()];
-      keepView(one, shelf(text));
+      const [one, fresh] = [store(), store()];
+      keepViewSettings(one, shelf(text));
       expect([one.work, one.neighbours, one.options]).toEqual([fresh.work, fresh.neighbours, fresh.options]);
     },
   );
 
   it("takes of a list what are names", () => {
-    expect(readView('{"neighbours": ["dog", 3, null, ""], "mirror": true}')).toEqual({
+    expect(readViewSettings('{"neighbours": ["dog", 3, null, ""], "mirror": true}')).toEqual({
       neighbours: ["dog"],
       mirror: true,
     });
   });
 
   it("does without a storage that is shut off", () => {
-    const one = bench();
+    const one = store();
     const shut = (): never => {
       throw new Error("shut off");
     };
-    keepView(one, shut);
+    keepViewSettings(one, shut);
     one.setCast(cast("kaori"));
     expect(one.work).toBe("kaori");
   });

@@ -1,6 +1,6 @@
 /** What a browser keeps of how somebody likes to work: the faces that are shown, and whether Mirror is on. */
 
-import type { Workbench } from "./draft_store";
+import type { DraftStore } from "./draft_store";
 import { MOST_NEIGHBOURS } from "./editor_store";
 
 const KEY = "omote-editor-view";
@@ -17,7 +17,7 @@ type Store = Pick<Storage, "getItem" | "setItem">;
 const isName = (name: unknown): name is string => typeof name === "string" && name !== "" && name.length <= 200;
 
 /** What was kept, as far as it makes sense: anything may stand in a browser's storage. */
-export function readView(text: string | null): Partial<View> {
+export function readViewSettings(text: string | null): Partial<View> {
   let kept: unknown;
   try {
     kept = JSON.parse(text ?? "null");
@@ -34,19 +34,19 @@ export function readView(text: string | null): Partial<View> {
 }
 
 /** Takes up how it was left, before the cast comes (which drops names that it has not), and keeps each change. */
-export function keepView(bench: Workbench, store: () => Store = () => localStorage): void {
-  const view = readView(attempt(() => store().getItem(KEY)) ?? null);
-  bench.work = view.work ?? bench.work;
-  bench.neighbours = view.neighbours ?? bench.neighbours;
-  bench.setOptions({ mirror: view.mirror ?? bench.options.mirror });
+export function keepViewSettings(store: DraftStore, storage: () => Store = () => localStorage): void {
+  const view = readViewSettings(attempt(() => storage().getItem(KEY)) ?? null);
+  store.work = view.work ?? store.work;
+  store.neighbours = view.neighbours ?? store.neighbours;
+  store.setOptions({ mirror: view.mirror ?? store.options.mirror });
   const keep = (): void => {
-    if (bench.library === null) return; // nobody has chosen anything yet
-    const { work, neighbours, options } = bench;
+    if (store.library === null) return; // nobody has chosen anything yet
+    const { work, neighbours, options } = store;
     const text = JSON.stringify({ work, neighbours, mirror: options.mirror } satisfies View);
-    attempt(() => store().setItem(KEY, text));
+    attempt(() => storage().setItem(KEY, text));
   };
-  bench.listen("cast", keep);
-  bench.listen("options", keep);
+  store.listen("cast", keep);
+  store.listen("options", keep);
 }
 
 /** Storage may be shut off or full: then each load begins anew. */

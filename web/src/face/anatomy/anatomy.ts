@@ -1,6 +1,6 @@
 import { MathUtils } from "three";
 import type { Library, Mesh } from "../../link/assets";
-import { readSettling, type Settling } from "./correctives_data";
+import { type CorrectivesData, readCorrectives } from "./correctives_data";
 import { openness } from "./occlusion";
 import { distances, type Fans, fans, lowestBorder, rowTriangles, smoothed } from "./topology";
 
@@ -18,7 +18,7 @@ export interface Anatomy {
   /** Rows of the lines around the openings, by name, in walking order. */
   lines: ReadonlyMap<string, Uint32Array>;
   /** How sums are put right, where the cast says so. */
-  settling: Settling | undefined;
+  correctives: CorrectivesData | undefined;
 }
 
 /** 0..1 to 0..1 with level ends. */
@@ -29,13 +29,13 @@ const NECK = 0.075; // metres along the skin in which the neck comes to turn wit
 const studied = new WeakMap<Library, Promise<Anatomy>>();
 
 /** The anatomy of a library's cast, worked out once. */
-export function study(library: Library): Promise<Anatomy> {
-  const known = studied.get(library) ?? examine(library);
+export function loadAnatomy(library: Library): Promise<Anatomy> {
+  const known = studied.get(library) ?? buildAnatomy(library);
   studied.set(library, known);
   return known;
 }
 
-async function examine(library: Library): Promise<Anatomy> {
+async function buildAnatomy(library: Library): Promise<Anatomy> {
   const positions = await library.positions(firstFace(library));
   const triangles = library.meshes.map(rowTriangles);
   const around = fans(triangles, library.manifest.vertices);
@@ -43,8 +43,8 @@ async function examine(library: Library): Promise<Anatomy> {
   const rim = skin < 0 ? [] : lowestBorder(triangles[skin] as Uint32Array, positions);
   const traits = readTraits(around, positions, rim, library.manifest.skin, triangles);
   const document = library.manifest.settling;
-  const settling = document === null || document === undefined ? undefined : readSettling(document);
-  return { fans: around, traits, rim, eyeRows: eyeRows(library.meshes), positions, lines: library.lines, settling };
+  const correctives = document === null || document === undefined ? undefined : readCorrectives(document);
+  return { fans: around, traits, rim, eyeRows: eyeRows(library.meshes), positions, lines: library.lines, correctives };
 }
 
 function firstFace(library: Library): string {

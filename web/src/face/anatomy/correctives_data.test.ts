@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { SettlingDocument } from "../../link/messages";
-import { RUNGS, readSettling, rolesOf } from "./correctives_data";
+import { RUNGS, readCorrectives, rolesOf } from "./correctives_data";
 
 const bytes = (values: Uint32Array | Float32Array): Uint8Array =>
   new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
@@ -34,12 +34,14 @@ const document: SettlingDocument = {
   weights: real(0.75, 0.25),
 };
 
-describe("a settling", () => {
-  const settling = readSettling(document);
+describe("the data of correctives", () => {
+  const correctives = readCorrectives(document);
 
   it("counts triangles, rungs and lids", () => {
-    expect(settling.size).toBe(2 + RUNGS + 1);
-    const eyes = Array.from(settling.rows, (_, place) => Array.from(settling.spans.slice(4 * place, 4 * place + 2)));
+    expect(correctives.size).toBe(2 + RUNGS + 1);
+    const eyes = Array.from(correctives.rows, (_, place) =>
+      Array.from(correctives.spans.slice(4 * place, 4 * place + 2)),
+    );
     expect(eyes).toEqual([
       [0, 0],
       [0, 0],
@@ -53,11 +55,11 @@ describe("a settling", () => {
       [0, 1, 2],
       [1, 3, 2],
     ];
-    const found = Array.from(settling.rows, (_, place) => {
+    const found = Array.from(correctives.rows, (_, place) => {
       const list: number[][] = [];
-      const [first, end] = settling.spans.slice(4 * place + 2, 4 * place + 4);
+      const [first, end] = correctives.spans.slice(4 * place + 2, 4 * place + 4);
       for (let slot = first as number; slot < (end as number); slot++)
-        list.push([place, ...settling.corners.slice(4 * slot, 4 * slot + 3)]);
+        list.push([place, ...correctives.corners.slice(4 * slot, 4 * slot + 3)]);
       return list;
     });
     for (const [a, b, c, triangle] of found.flat() as [number, number, number, number][]) {
@@ -69,14 +71,14 @@ describe("a settling", () => {
   });
 
   it("speaks of places", () => {
-    expect(Array.from(settling.triangles)).toEqual([0, 1, 2, 0, 1, 3, 2, 0]);
-    expect(new Set(settling.rungs)).toEqual(new Set([3]));
-    expect(Array.from(settling.anchors)).toEqual([1, 0.75, 3, 0.25]);
-    expect(settling.width).toBe(2);
+    expect(Array.from(correctives.triangles)).toEqual([0, 1, 2, 0, 1, 3, 2, 0]);
+    expect(new Set(correctives.rungs)).toEqual(new Set([3]));
+    expect(Array.from(correctives.anchors)).toEqual([1, 0.75, 3, 0.25]);
+    expect(correctives.width).toBe(2);
   });
 
   it("tells every row of the positions what it is", () => {
-    const roles = rolesOf(settling, 80);
+    const roles = rolesOf(correctives, 80);
     const found = Array.from({ length: 80 }, (_, row) => [roles[2 * row], roles[2 * row + 1]]);
     expect([10, 20, 30, 40].map((row) => found[row])).toEqual([
       [1, 0],
@@ -89,11 +91,11 @@ describe("a settling", () => {
   });
 
   it("knows which rows give way to which line", () => {
-    expect(Array.from(settling.pulls)).toEqual([0, 1, 0.25, 0, -1, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.75, 0]);
-    expect(Array.from(settling.upward)).toEqual([1]);
+    expect(Array.from(correctives.pulls)).toEqual([0, 1, 0.25, 0, -1, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.75, 0]);
+    expect(Array.from(correctives.upward)).toEqual([1]);
   });
 
   it("is refused when it points past its rows", () => {
-    expect(() => readSettling({ ...document, triangles: whole(0, 1, 4) })).toThrow(/point past its 4 rows/);
+    expect(() => readCorrectives({ ...document, triangles: whole(0, 1, 4) })).toThrow(/point past its 4 rows/);
   });
 });

@@ -7,7 +7,7 @@ export const RUNGS = 32;
 export const DATA_WIDTH = 128;
 
 /** How sums are put right (omote.perform.settle), ready for the GPU: all counts in places of `rows`. */
-export interface Settling {
+export interface CorrectivesData {
   document: SettlingDocument;
   /** Rows of the positions that may move. */
   rows: Uint32Array;
@@ -36,11 +36,11 @@ const whole = (bytes: Uint8Array): Uint32Array => new Uint32Array(aligned(bytes)
 const real = (bytes: Uint8Array): Float32Array => new Float32Array(aligned(bytes));
 
 /** A settling from its document; an Error when it points past its own rows. */
-export function readSettling(document: SettlingDocument): Settling {
+export function readCorrectives(document: SettlingDocument): CorrectivesData {
   const rows = whole(document.rows);
   const triangles = whole(document.triangles);
   if (triangles.some((place) => place >= rows.length))
-    throw new Error(`The settling's triangles point past its ${rows.length} rows; bake the cast again.`);
+    throw new Error(`The correctives' triangles point past its ${rows.length} rows; bake the cast again.`);
   const firstLid = triangles.length / 3 + RUNGS * document.crossings.length;
   const followers = whole(document.followers);
   return {
@@ -78,7 +78,7 @@ function readEyes(document: SettlingDocument, count: number, first: number): Uin
   return spans;
 }
 
-function readCorners(triangles: Uint32Array, spans: Uint32Array): Pick<Settling, "spans" | "corners"> {
+function readCorners(triangles: Uint32Array, spans: Uint32Array): Pick<CorrectivesData, "spans" | "corners"> {
   const count = spans.length / 4;
   const ends = new Uint32Array(count + 1);
   for (const place of triangles) ends[place + 1] = (ends[place + 1] as number) + 1;
@@ -104,7 +104,7 @@ function inFours(triples: Uint32Array): Uint32Array {
   return fours;
 }
 
-function readRungs({ crossings }: SettlingDocument): Pick<Settling, "rungs" | "rungWeights" | "upward"> {
+function readRungs({ crossings }: SettlingDocument): Pick<CorrectivesData, "rungs" | "rungWeights" | "upward"> {
   const rungs = new Uint32Array(4 * RUNGS * crossings.length);
   const rungWeights = new Float32Array(rungs.length);
   crossings.forEach((crossing, line) => {
@@ -124,7 +124,7 @@ function readAnchors(document: SettlingDocument): Float32Array {
 }
 
 /** Per row of the positions: its place counted from 1 (0: none), and which follower it is, from 1 on. */
-export function rolesOf({ rows, followers }: Settling, count: number): Uint32Array {
+export function rolesOf({ rows, followers }: CorrectivesData, count: number): Uint32Array {
   const roles = new Uint32Array(2 * count);
   rows.forEach((row, place) => {
     roles[2 * row] = place + 1;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Compound, Library } from "../../link/assets";
-import { resting } from "../pose/pose";
-import { Holdings } from "./asset_residency";
+import { restPose } from "../pose/pose";
+import { AssetResidency } from "./asset_residency";
 import type { Blender } from "./blender";
 import { LayerTable } from "./layer_table";
 
@@ -32,24 +32,24 @@ const layers = (): Blender =>
 describe("what a stage holds", () => {
   it("is away until it is loaded, here until it is drawn in full, then shown", async () => {
     const { library, come } = late();
-    const [holdings, blender] = [new Holdings(library), layers()];
-    const arrival = () => holdings.arrival(["dog"], ["#1", "neutral"], blender);
-    holdings.want(["dog"], ["#1"]);
+    const [residency, blender] = [new AssetResidency(library), layers()];
+    const arrival = () => residency.arrival(["dog"], ["#1", "neutral"], blender);
+    residency.want(["dog"], ["#1"]);
     expect(arrival()).toBe("away");
     come();
-    await holdings.complete();
+    await residency.complete();
     expect(arrival()).toBe("here");
-    const pose = { ...resting("dog"), expressions: { neutral: 0.999, "#1": 0.001 } };
-    holdings.mix(pose, blender, 0, false);
+    const pose = { ...restPose("dog"), expressions: { neutral: 0.999, "#1": 0.001 } };
+    residency.mix(pose, blender, 0, false);
     expect(arrival()).toBe("shown"); // next to nothing of it shows, so it needs no easing
   });
 
   it("counts what was refused, and what nobody has, as shown: nothing waits for it", async () => {
     const { library } = late();
-    const [holdings, blender] = [new Holdings(library), layers()];
-    holdings.want(["dog"], ["#refused"]);
-    await holdings.complete();
-    holdings.mix(resting("dog"), blender, 0, true);
-    expect(holdings.arrival(["dog", "nobody"], ["#refused", "nothing"], blender)).toBe("shown");
+    const [residency, blender] = [new AssetResidency(library), layers()];
+    residency.want(["dog"], ["#refused"]);
+    await residency.complete();
+    residency.mix(restPose("dog"), blender, 0, true);
+    expect(residency.arrival(["dog", "nobody"], ["#refused", "nothing"], blender)).toBe("shown");
   });
 });

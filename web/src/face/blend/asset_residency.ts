@@ -13,7 +13,7 @@ const keyOf = (face: string, expression: string | undefined): string =>
   expression === undefined ? face : `${face}\n${expression}`;
 
 /** What a stage holds of the cast, by source: fetched lazily, uploaded a few per frame, held back until then and never popped. */
-export class Holdings {
+export class AssetResidency {
   private readonly sheets = new Map<string, Fill>();
   private readonly asked = new Map<string, Promise<unknown>>();
   private readonly shares = new Map<string, number>();

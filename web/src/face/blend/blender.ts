@@ -1,8 +1,8 @@
-import type { Settling } from "../anatomy/correctives_data";
+import type { CorrectivesData } from "../anatomy/correctives_data";
 import type { Fans } from "../anatomy/topology";
 import { createProgram, dataTexture, targetTexture } from "../gpu/gl";
 import { BLEND_FRAGMENT, NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
-import { Settler } from "./corrective_passes";
+import { CorrectivePasses } from "./corrective_passes";
 import { LayerTable } from "./layer_table";
 
 /** One summand for the GPU: a layer of the texture array and its weight. */
@@ -47,7 +47,7 @@ export class Blender {
   private readonly ranges: WebGLTexture;
   private readonly corners: WebGLTexture;
   private readonly entryData = new Float32Array(2 * MOST_ENTRIES);
-  private readonly settler: Settler | undefined;
+  private readonly correctivePasses: CorrectivePasses | undefined;
   private rested = "";
   private store: WebGLTexture;
 
@@ -55,7 +55,7 @@ export class Blender {
     private readonly gl: WebGL2RenderingContext,
     private readonly rows: number,
     fan: Fans,
-    settling?: Settling,
+    correctives?: CorrectivesData,
   ) {
     if (gl.getExtension("EXT_color_buffer_float") === null)
       throw new Error("This graphics driver cannot draw into float textures (EXT_color_buffer_float); update it.");
@@ -77,7 +77,7 @@ export class Blender {
     for (let row = 0; row < rows; row++) spans.set([fan.starts[row] as number, fan.starts[row + 1] as number], 2 * row);
     this.ranges = dataTexture(gl, spans, ROW_WIDTH);
     this.corners = dataTexture(gl, fan.pairs, CORNER_WIDTH);
-    this.settler = settling === undefined ? undefined : new Settler(gl, settling, this.height);
+    this.correctivePasses = correctives === undefined ? undefined : new CorrectivePasses(gl, correctives, this.height);
   }
 
   /** Puts `rows` times (x, y, z, unused) into a layer, growing the array where it must. */
@@ -102,8 +102,9 @@ export class Blender {
     gl.disable(gl.CULL_FACE);
     gl.colorMask(true, true, true, true);
     gl.bindVertexArray(this.empty);
-    if (this.settler === undefined || mix.allowed === undefined) this.add(mix.entries, eyes, this.positionTarget);
-    else this.settle(this.settler, mix, mix.allowed, eyes);
+    if (this.correctivePasses === undefined || mix.allowed === undefined)
+      this.add(mix.entries, eyes, this.positionTarget);
+    else this.settle(this.correctivePasses, mix, mix.allowed, eyes);
     this.deriveNormals();
     gl.bindVertexArray(null);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -127,7 +128,7 @@ export class Blender {
       gl.deleteTexture(texture);
     for (const target of [this.positionTarget, this.normalTarget]) gl.deleteFramebuffer(target);
     for (const program of [this.blendPass, this.normalPass]) gl.deleteProgram(program);
-    this.settler?.dispose();
+    this.correctivePasses?.dispose();
     gl.deleteBuffer(this.entryBuffer);
     gl.deleteVertexArray(this.empty);
   }
@@ -143,16 +144,21 @@ export class Blender {
     return count;
   }
 
-  private settle(settler: Settler, { entries, rest }: Mix, allowed: Float32Array, eyes: Eyeballs): void {
+  private settle(
+    correctivePasses: CorrectivePasses,
+    { entries, rest }: Mix,
+    allowed: Float32Array,
+    eyes: Eyeballs,
+  ): void {
     const faces = JSON.stringify(rest);
     if (faces !== this.rested) {
       this.rested = faces;
-      this.add(rest, eyes, settler.still);
-      settler.rested();
+      this.add(rest, eyes, correctivePasses.still);
+      correctivePasses.rested();
     }
-    this.add(entries, eyes, settler.mixed);
+    this.add(entries, eyes, correctivePasses.mixed);
     const sights = [6, 7, 8, 15, 16, 17].map((at) => eyes.turns[at] as number);
-    settler.settle(this.positionTarget, allowed, { ...eyes, sights: Float32Array.from(sights) });
+    correctivePasses.settle(this.positionTarget, allowed, { ...eyes, sights: Float32Array.from(sights) });
   }
 
   /** Draws the sum of some entries, the eyeballs turned, into a target. */

@@ -1,4 +1,4 @@
-import { DATA_WIDTH, RUNGS, rolesOf, type Settling } from "../anatomy/correctives_data";
+import { type CorrectivesData, DATA_WIDTH, RUNGS, rolesOf } from "../anatomy/correctives_data";
 import { createProgram, dataTexture, floatTexture, targetTexture, wholeTexture } from "../gpu/gl";
 import { PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
 import {
@@ -28,7 +28,7 @@ type Textures = Record<string, WebGLTexture>;
 type Programs = Record<"gather" | "rung" | "part" | "normal" | "upright" | "spread", WebGLProgram>;
 
 /** Puts the sums of compounds right on the GPU, pass by pass as `omote.perform.settle` does. */
-export class Settler {
+export class CorrectivePasses {
   /** Where the plain sum is drawn to, and the mixed face without expression: all positions. */
   readonly mixed: WebGLFramebuffer;
   readonly still: WebGLFramebuffer;
@@ -44,7 +44,7 @@ export class Settler {
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
-    private readonly settling: Settling,
+    private readonly correctives: CorrectivesData,
     private readonly height: number,
   ) {
     const lines = (count: number): number => Math.max(1, Math.ceil(count / DATA_WIDTH));
@@ -52,7 +52,7 @@ export class Settler {
       const [texture, frame] = targetTexture(gl, width, tall);
       return { texture, frame, size: [width, tall] };
     };
-    const places = (): Target => target(DATA_WIDTH, lines(settling.rows.length));
+    const places = (): Target => target(DATA_WIDTH, lines(correctives.rows.length));
     this.targets = {
       mixed: target(ROW_WIDTH, height),
       still: target(ROW_WIDTH, height),
@@ -60,12 +60,12 @@ export class Settler {
       rest: places(),
       one: places(),
       other: places(),
-      rungs: target(RUNGS, Math.max(1, settling.upward.length)),
-      normals: target(DATA_WIDTH, lines(settling.triangles.length / 4)),
+      rungs: target(RUNGS, Math.max(1, correctives.upward.length)),
+      normals: target(DATA_WIDTH, lines(correctives.triangles.length / 4)),
     };
     this.mixed = this.targets.mixed.frame;
     this.still = this.targets.still.frame;
-    this.allowedTexels = new Float32Array(DATA_WIDTH * lines(settling.size));
+    this.allowedTexels = new Float32Array(DATA_WIDTH * lines(correctives.size));
     this.allowed = floatTexture(gl, this.allowedTexels, 1, DATA_WIDTH);
     this.data = this.readData();
     this.programs = {
@@ -93,7 +93,7 @@ export class Settler {
     this.writeAllowed(allowed);
     this.prepare(sockets);
     this.pass("gather", targets.before, { mixed: targets.mixed.texture, rows: data.rows as WebGLTexture });
-    const half = this.settling.document.rounds / 2;
+    const half = this.correctives.document.rounds / 2;
     let from = this.part(targets.before, false);
     from = this.part(from, true);
     for (let round = 0; round < half; round++) from = this.unfold(from, false);
@@ -124,21 +124,21 @@ export class Settler {
   }
 
   private readData(): Textures {
-    const { gl, settling, height } = this;
-    const rows = new Uint32Array(2 * settling.rows.length);
-    settling.rows.forEach((row, place) => {
+    const { gl, correctives, height } = this;
+    const rows = new Uint32Array(2 * correctives.rows.length);
+    correctives.rows.forEach((row, place) => {
       rows[2 * place] = row;
     });
     return {
       rows: dataTexture(gl, rows, DATA_WIDTH),
-      pulls: floatTexture(gl, settling.pulls, 4, DATA_WIDTH),
-      spans: wholeTexture(gl, settling.spans, DATA_WIDTH),
-      corners: wholeTexture(gl, settling.corners, DATA_WIDTH),
-      triangles: wholeTexture(gl, settling.triangles, DATA_WIDTH),
-      rungPlaces: wholeTexture(gl, settling.rungs, RUNGS),
-      rungWeights: floatTexture(gl, settling.rungWeights, 4, RUNGS),
-      anchors: floatTexture(gl, settling.anchors, 2, DATA_WIDTH),
-      roles: dataTexture(gl, rolesOf(settling, ROW_WIDTH * height), ROW_WIDTH),
+      pulls: floatTexture(gl, correctives.pulls, 4, DATA_WIDTH),
+      spans: wholeTexture(gl, correctives.spans, DATA_WIDTH),
+      corners: wholeTexture(gl, correctives.corners, DATA_WIDTH),
+      triangles: wholeTexture(gl, correctives.triangles, DATA_WIDTH),
+      rungPlaces: wholeTexture(gl, correctives.rungs, RUNGS),
+      rungWeights: floatTexture(gl, correctives.rungWeights, 4, RUNGS),
+      anchors: floatTexture(gl, correctives.anchors, 2, DATA_WIDTH),
+      roles: dataTexture(gl, rolesOf(correctives, ROW_WIDTH * height), ROW_WIDTH),
     };
   }
 
@@ -152,8 +152,8 @@ export class Settler {
 
   /** What never changes. */
   private fix(): void {
-    const { gl, programs, settling } = this;
-    const { bulge, cornea, upright, eager, flattest } = settling.document;
+    const { gl, programs, correctives } = this;
+    const { bulge, cornea, upright, eager, flattest } = correctives.document;
     for (const program of [programs.part, programs.upright]) {
       gl.useProgram(program);
       gl.uniform2f(gl.getUniformLocation(program, "cornea"), bulge, Math.cos(cornea));
@@ -163,10 +163,10 @@ export class Settler {
     gl.uniform1f(last("eager"), eager);
     gl.uniform1f(last("flattest"), flattest);
     gl.useProgram(programs.rung);
-    gl.uniform1i(gl.getUniformLocation(programs.rung, "first"), settling.triangles.length / 4);
-    gl.uniform1fv(gl.getUniformLocation(programs.rung, "upward"), settling.upward);
+    gl.uniform1i(gl.getUniformLocation(programs.rung, "first"), correctives.triangles.length / 4);
+    gl.uniform1fv(gl.getUniformLocation(programs.rung, "upward"), correctives.upward);
     gl.useProgram(programs.spread);
-    gl.uniform1i(gl.getUniformLocation(programs.spread, "width"), settling.width);
+    gl.uniform1i(gl.getUniformLocation(programs.spread, "width"), correctives.width);
   }
 
   /** What stays the same in all passes of a frame. */

@@ -21,7 +21,7 @@ void main() { colour = texture(before, place); }
 const LENGTH = 0.4;
 
 /** The picture of before over the picture of now, less and less: so a change of the level does not pop. */
-export class Crossfade {
+export class PictureCrossfade {
   private readonly scene = new THREE.Scene();
   private readonly camera = new THREE.Camera();
   private readonly look = new THREE.RawShaderMaterial({

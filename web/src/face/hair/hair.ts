@@ -4,7 +4,7 @@ import type { HairStrands } from "../../link/strands";
 import { material } from "../gpu/renderer";
 import type { HeadUniforms } from "../head/head";
 import { definesOf, type Features } from "../quality/quality_levels";
-import { Wardrobe, type Worn } from "./hair_assignment";
+import { type ActiveStyle, HairAssignment } from "./hair_assignment";
 import { HAIR_FRAGMENT, HAIR_VERTEX } from "./hair_shaders";
 
 /** Pieces of a ribbon where its course is drawn round, where all ribbons are drawn, and where few are. */
@@ -29,7 +29,7 @@ type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTextur
 
 /** The hair on stage: a mesh of ribbons for each style that is here, in every head that is being drawn. */
 export class Hair {
-  private readonly wardrobe: Wardrobe;
+  private readonly assignment: HairAssignment;
   private readonly uniforms = new Map<string, StyleUniforms>();
   private readonly heads = new Map<THREE.Group, { shared: HeadUniforms; features: Features }>();
   private readonly tint: THREE.IUniform<THREE.Color> = { value: new THREE.Color() };
@@ -41,22 +41,22 @@ export class Hair {
     private readonly library: Library,
     generic: Float32Array,
   ) {
-    this.wardrobe = new Wardrobe(library, generic);
+    this.assignment = new HairAssignment(library, generic);
   }
 
   /** Fetches the hair of these faces. */
   want(faces: Iterable<string>): void {
-    this.wardrobe.want(faces);
+    this.assignment.want(faces);
   }
 
   /** Waits until all hair that was ever wanted has come, or was refused. */
   complete(): Promise<void> {
-    return this.wardrobe.complete();
+    return this.assignment.complete();
   }
 
   /** Whether all hair that was wanted shows in full. */
   get settled(): boolean {
-    return this.wardrobe.settled;
+    return this.assignment.settled;
   }
 
   /** Puts hair on a head that is drawn at a level; styles that come later join it. */
@@ -72,13 +72,13 @@ export class Hair {
 
   /** Dresses the faces on air, by weight, `seconds` after the last frame; `atOnce`: in full. */
   dress(faces: ReadonlyMap<string, number>, seconds: number, atOnce: boolean): void {
-    this.wardrobe.dress(faces, seconds, atOnce);
+    this.assignment.dress(faces, seconds, atOnce);
     this.update();
   }
 
   private update(): void {
     this.mixTint();
-    for (const style of this.wardrobe.worn.values()) {
+    for (const style of this.assignment.worn.values()) {
       const own = this.uniformsOf(style);
       this.write(style, own);
       for (const [head, { shared, features }] of this.heads) {
@@ -91,7 +91,7 @@ export class Hair {
 
   /** All styles take the mixed colour, so that one passes into the other as one head of hair. */
   private mixTint(): void {
-    const { wearers } = this.wardrobe;
+    const { wearers } = this.assignment;
     const total = [...wearers.values()].reduce((sum, weight) => sum + weight, 0);
     if (total <= 0) return;
     this.tint.value.setRGB(0, 0, 0);
@@ -110,21 +110,21 @@ export class Hair {
     return colour;
   }
 
-  private write(style: Worn, into: StyleUniforms): void {
+  private write(style: ActiveStyle, into: StyleUniforms): void {
     into.grown.value = style.grown;
     if (this.versions.get(style.name) === style.version) return;
     this.versions.set(style.name, style.version);
     into.strands.value.needsUpdate = true;
   }
 
-  private uniformsOf(style: Worn): StyleUniforms {
+  private uniformsOf(style: ActiveStyle): StyleUniforms {
     const known = this.uniforms.get(style.name) ?? styleUniforms(style, this.tint);
     this.uniforms.set(style.name, known);
     return known;
   }
 }
 
-function styleUniforms({ hair, strands }: Worn, tint: THREE.IUniform<THREE.Color>): StyleUniforms {
+function styleUniforms({ hair, strands }: ActiveStyle, tint: THREE.IUniform<THREE.Color>): StyleUniforms {
   const count = hair.anchors.length;
   const shape = new Uint8Array(4 * count * hair.stations);
   for (let place = 0; place < count * hair.stations; place++) {
@@ -153,7 +153,7 @@ function texture(
 }
 
 /** Fewer ribbons are wider, so that they cover the head as all of them do. */
-function ribbons(style: Worn, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
+function ribbons(style: ActiveStyle, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
   const kin = features.detail ? KIN.count : 1;
   const geometry = ribbon(style.hair, piecesOf(features), kin);
   const count = style.hair.anchors.length;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Library } from "../../link/assets";
 import type { HairStrands } from "../../link/strands";
-import { Wardrobe } from "./hair_assignment";
+import { HairAssignment } from "./hair_assignment";
 
 const hair: HairStrands = {
   stations: 2,
@@ -36,25 +36,25 @@ function late(): { library: Library; come: () => void } {
   return { library: library as unknown as Library, come };
 }
 
-describe("a wardrobe", () => {
+describe("the assignment of hair", () => {
   it("lets a style that comes late grow in, without a jump", async () => {
     const { library, come } = late();
-    const wardrobe = new Wardrobe(library, generic);
+    const assignment = new HairAssignment(library, generic);
     const on = new Map([["kaori", 1]]);
-    wardrobe.want(["kaori", "nobody"]);
-    wardrobe.dress(on, 1, false);
-    expect(wardrobe.worn.size).toBe(0);
-    expect(wardrobe.settled).toBe(false); // else whoever draws only what changes would leave her bald
+    assignment.want(["kaori", "nobody"]);
+    assignment.dress(on, 1, false);
+    expect(assignment.worn.size).toBe(0);
+    expect(assignment.settled).toBe(false); // else whoever draws only what changes would leave her bald
     come();
-    await wardrobe.complete();
-    expect(wardrobe.settled).toBe(false);
+    await assignment.complete();
+    expect(assignment.settled).toBe(false);
     const grown: number[] = [];
     for (let frame = 0; frame < 20; frame++) {
-      wardrobe.dress(on, 1 / 60, false);
-      grown.push(wardrobe.worn.get("bob")?.grown as number);
+      assignment.dress(on, 1 / 60, false);
+      grown.push(assignment.worn.get("bob")?.grown as number);
     }
     expect(grown.at(-1)).toBe(1);
-    expect(wardrobe.settled).toBe(true);
+    expect(assignment.settled).toBe(true);
     grown.forEach((value, frame) => {
       const before = grown[frame - 1] ?? 0;
       expect(value).toBeGreaterThanOrEqual(before);
@@ -64,15 +64,15 @@ describe("a wardrobe", () => {
 
   it("shows all at once when it is told to, and nothing when nobody wears it", async () => {
     const { library, come } = late();
-    const wardrobe = new Wardrobe(library, generic);
-    wardrobe.want(["kaori", "dog"]);
+    const assignment = new HairAssignment(library, generic);
+    assignment.want(["kaori", "dog"]);
     come();
-    await wardrobe.complete();
-    wardrobe.dress(new Map([["kaori", 1]]), 0, true);
-    const bob = wardrobe.worn.get("bob");
+    await assignment.complete();
+    assignment.dress(new Map([["kaori", 1]]), 0, true);
+    const bob = assignment.worn.get("bob");
     expect(bob?.grown).toBe(1);
     expect(bob?.strands[5]).toBe(1);
-    wardrobe.dress(new Map([["dog", 1]]), 0, false);
+    assignment.dress(new Map([["dog", 1]]), 0, false);
     expect(bob?.grown).toBe(0);
   });
 });

@@ -5,7 +5,7 @@ import { FULL, grownAt, mixOffsets, type Offsets, offsetsOn, styleWeights } from
 const CATCH_UP = 0.25; // seconds in which a style that came late grows in
 
 /** A style as it is worn now. */
-export interface Worn {
+export interface ActiveStyle {
   readonly name: string;
   readonly hair: HairStrands;
   /** Metres from the skin at each strand's root, four numbers a place, mixed over all faces on air. */
@@ -17,7 +17,7 @@ export interface Worn {
 }
 
 /** What of the cast's hair is here, and how the faces on air wear it; a style that comes late grows in. */
-export class Wardrobe {
+export class HairAssignment {
   private readonly faces = new Map<string, Float32Array>();
   private readonly asked = new Map<string, Promise<unknown>>();
   private readonly offsets = new Map<string, Offsets>();
@@ -27,7 +27,7 @@ export class Wardrobe {
   /** The weights of the faces on air that wear any hair. */
   wearers: ReadonlyMap<string, number> = new Map();
   /** Every style that has come. */
-  readonly worn = new Map<string, Worn>();
+  readonly worn = new Map<string, ActiveStyle>();
 
   constructor(
     private readonly library: Library,
@@ -73,7 +73,7 @@ export class Wardrobe {
     return this.library.faces.get(face)?.look.hair_style ?? "";
   }
 
-  private mix(style: Worn, faces: ReadonlyMap<string, number>): void {
+  private mix(style: ActiveStyle, faces: ReadonlyMap<string, number>): void {
     const key = JSON.stringify([...faces]);
     if (this.mixes.get(style.name) === key) return;
     this.mixes.set(style.name, key);
@@ -85,7 +85,7 @@ export class Wardrobe {
     style.version += 1;
   }
 
-  private offsetsOf(style: Worn, face: string): Offsets {
+  private offsetsOf(style: ActiveStyle, face: string): Offsets {
     const key = `${style.name}\n${face}`;
     const known = this.offsets.get(key) ?? offsetsOn(style.hair, this.generic, this.faces.get(face) as Float32Array);
     this.offsets.set(key, known);

@@ -3,7 +3,7 @@ import { expressionWeights, faceWeights } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
 
 /** What of a pose is a number for the shaders: the traits of the faces on air, and how wide the pupils are. */
-export interface Traits {
+export interface EyeTraits {
   irisSize: number;
   slit: number;
   lashes: number;
@@ -21,8 +21,8 @@ export interface Documents {
 }
 
 /** The traits of a pose: linear in the faces' weights, the pupils in those of expressions and channels. */
-export function traitsOf(pose: Pose, { faces, expressions }: Documents): Traits {
-  const traits: Traits = { irisSize: 0, slit: 0, lashes: 0, pupil: 0 };
+export function eyeTraitsOf(pose: Pose, { faces, expressions }: Documents): EyeTraits {
+  const traits: EyeTraits = { irisSize: 0, slit: 0, lashes: 0, pupil: 0 };
   for (const [name, weight] of faceWeights(pose, (face) => (faces.has(face) ? 1 : 0))) {
     const { iris_size, slit, lashes } = (faces.get(name) as FaceDocument).look;
     traits.irisSize += weight * iris_size;
@@ -35,6 +35,6 @@ export function traitsOf(pose: Pose, { faces, expressions }: Documents): Traits 
 }
 
 /** Writes the traits of a pose for the next frame. */
-export function writeTraits(traits: Traits, into: { [name in keyof Traits]: { value: number } }): void {
-  for (const name of Object.keys(traits) as (keyof Traits)[]) into[name].value = traits[name];
+export function writeEyeTraits(traits: EyeTraits, into: { [name in keyof EyeTraits]: { value: number } }): void {
+  for (const name of Object.keys(traits) as (keyof EyeTraits)[]) into[name].value = traits[name];
 }

@@ -2,7 +2,7 @@ import * as THREE from "three";
 import type { FaceDocument } from "../../link/messages";
 import { faceWeights } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
-import { mixedTraits, SKIN_TRAITS, type SkinTraits } from "../skin/skin_layers";
+import { mixSkinTraits, SKIN_TRAITS, type SkinTraits } from "../skin/skin_layers";
 import type { EyeUniforms, HeadUniforms } from "./head";
 
 const COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat"] as const;
@@ -16,7 +16,7 @@ type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
 };
 
 /** The looks of faces by source, mixed with the weights of the faces on air. */
-export class Looks {
+export class FaceLooks {
   private readonly looks = new Map<string, FaceLook>();
 
   /** `faces`: documents by source; more may come. */
@@ -29,7 +29,7 @@ export class Looks {
       const colour = shared[part].value.setRGB(0, 0, 0);
       for (const [look, share] of shares) addScaled(colour, look[part], share);
     }
-    const traits = mixedTraits(shares.map(([look, share]) => [look.traits, share]));
+    const traits = mixSkinTraits(shares.map(([look, share]) => [look.traits, share]));
     for (const name of SKIN_TRAITS) shared[name].value = traits[name];
     const radius = shares.reduce((sum, [look, share]) => sum + share * look.eyeRadius, 0);
     for (const eye of eyes) eye.radius.value = radius;

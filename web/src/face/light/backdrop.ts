@@ -1,7 +1,7 @@
 import * as THREE from "three";
 import { material } from "../gpu/renderer";
 import type { Light } from "./lights";
-import { encoded } from "./tone";
+import { encodeSrgb } from "./tone";
 
 /** The stage behind the head: one colour at the edge, one around the head, so that the silhouette reads. */
 const BACKDROP_VERTEX = `
@@ -65,7 +65,7 @@ export class Backdrop {
 
   /** Takes the colours of a light: exactly, without the film, so that a keyer finds what it was told. */
   light({ backdrop }: Light): void {
-    this.uniforms.edge.value.set(...encoded(backdrop.edge));
-    this.uniforms.glow.value.set(...encoded(backdrop.glow));
+    this.uniforms.edge.value.set(...encodeSrgb(backdrop.edge));
+    this.uniforms.glow.value.set(...encodeSrgb(backdrop.glow));
   }
 }

@@ -1,4 +1,4 @@
-import { decoded, type Triple } from "./tone";
+import { decodeSrgb, type Triple } from "./tone";
 
 /** Light from one direction: where it comes from (a unit vector) and how much of each colour. */
 export interface Lamp {
@@ -66,7 +66,7 @@ export const LIGHTS: Readonly<Record<string, Light>> = {
     size: 0.3,
     shade: 0.35,
     exposure: 1,
-    backdrop: { edge: decoded("#00b140"), glow: decoded("#00b140") },
+    backdrop: { edge: decodeSrgb("#00b140"), glow: decodeSrgb("#00b140") },
   },
 };
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { decoded, encoded, filmed } from "./tone";
+import { decodeSrgb, encodeSrgb, filmed } from "./tone";
 
 describe("the film", () => {
   const light = Array.from({ length: 400 }, (_, n) => n / 40);
@@ -19,7 +19,7 @@ describe("the film", () => {
 
 describe("colours of the display", () => {
   it.each(["#000000", "#00b140", "#0047bb", "#ffffff", "#0a0b0c"])("come back as %s", (hex) => {
-    const bytes = encoded(decoded(hex)).map((value) => Math.round(value * 255));
+    const bytes = encodeSrgb(decodeSrgb(hex)).map((value) => Math.round(value * 255));
     expect(`#${bytes.map((byte) => byte.toString(16).padStart(2, "0")).join("")}`).toBe(hex);
   });
 });

@@ -8,11 +8,11 @@ const FILM = { a: 0.266, b: 0.97, c: 0.456, d: 0.3327 };
 export const filmed = (x: number): number => (x * (x + FILM.a)) / (x * (FILM.b * x + FILM.c) + FILM.d);
 
 /** A linear colour in the display's values (sRGB), 0..1. */
-export const encoded = (colour: Triple): Triple =>
+export const encodeSrgb = (colour: Triple): Triple =>
   colour.map((x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055)) as unknown as Triple;
 
 /** A colour of the display, "#rrggbb", in linear light. */
-export const decoded = (hex: string): Triple =>
+export const decodeSrgb = (hex: string): Triple =>
   [1, 3, 5].map((at) => {
     const x = Number.parseInt(hex.slice(at, at + 2), 16) / 255;
     return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;

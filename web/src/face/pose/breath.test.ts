@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { Breath } from "./breath";
-import { resting } from "./pose";
+import { restPose } from "./pose";
 
-const rest = resting("kaori");
+const rest = restPose("kaori");
 
 describe("the breath", () => {
   it("leaves a living show alone", () => {

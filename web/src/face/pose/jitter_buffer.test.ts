@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { Lateness } from "./jitter_buffer";
+import { JitterBuffer } from "./jitter_buffer";
 
 function settled(lates: (n: number) => number): number {
-  const lateness = new Lateness(1 / 60, 0.06);
+  const lateness = new JitterBuffer(1 / 60, 0.06);
   let delay = 0;
   for (let n = 0; n < 600; n++) {
     lateness.arrived(lates(n));
@@ -22,7 +22,7 @@ describe("the delay of a stage", () => {
   });
 
   it("never grows past its limit and glides there", () => {
-    const lateness = new Lateness(1 / 60, 0.06);
+    const lateness = new JitterBuffer(1 / 60, 0.06);
     let before = lateness.after(0);
     for (let n = 0; n < 600; n++) {
       lateness.arrived(5);

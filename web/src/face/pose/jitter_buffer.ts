@@ -3,7 +3,7 @@ const SPARE = 0.001; // seconds
 const SLEW = 0.02; // seconds per second: the delay glides, so that the picture never jerks
 
 /** How far behind the server to draw: one state interval, and as late as nearly all states come. */
-export class Lateness {
+export class JitterBuffer {
   private late: number[] = [];
   private delay: number;
 

@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
 import { expressionWeights, faceWeights, terms } from "./mix_terms";
-import { mixPoses, resting } from "./pose";
+import { mixPoses, restPose } from "./pose";
 
 const all = (): number => 1;
 
 /** The mix by its definition (docs/architecture.md, section 2), for numbers instead of positions. */
-function byDefinition(pose: ReturnType<typeof resting>, at: (face: string, expression?: string) => number): number {
+function byDefinition(pose: ReturnType<typeof restPose>, at: (face: string, expression?: string) => number): number {
   let sum = 0;
   const channels = { ...pose.channels };
   for (const [name, weight] of Object.entries(pose.lids)) channels[name] = (channels[name] ?? 0) + weight;
@@ -17,7 +17,7 @@ function byDefinition(pose: ReturnType<typeof resting>, at: (face: string, expre
 }
 
 const pose = {
-  ...resting("generic"),
+  ...restPose("generic"),
   faces: { generic: 0.3, old: 0.7 },
   expressions: { neutral: 0.25, smile: 0.85, cry: -0.1 },
   channels: { jawOpen: 0.4, smile: 0.2 },
@@ -57,7 +57,7 @@ describe("the terms of a mix", () => {
   });
 
   it("leave out what weighs nothing", () => {
-    expect(terms(resting("kaori"), all)).toEqual([{ face: "kaori", expression: undefined, weight: 1 }]);
+    expect(terms(restPose("kaori"), all)).toEqual([{ face: "kaori", expression: undefined, weight: 1 }]);
   });
 
   it("add channels, and what the gaze adds, to the expressions", () => {
@@ -73,7 +73,7 @@ describe("the terms of a mix", () => {
 
 describe("mixing poses", () => {
   it("gives the ends at the ends and keeps sums between", () => {
-    const other = { ...resting("child"), channels: { jawOpen: 1 } };
+    const other = { ...restPose("child"), channels: { jawOpen: 1 } };
     expect(mixPoses(pose, other, 0).faces).toMatchObject(pose.faces);
     expect(mixPoses(pose, other, 1).faces).toMatchObject({ child: 1, generic: 0, old: 0 });
     for (const part of [0.2, 0.5, 0.9]) {

@@ -11,7 +11,7 @@ export const poseKey = ({ faces, expressions, channels, lids, head, eyes, light 
   JSON.stringify([faces, expressions, channels, lids, head, eyes, light]);
 
 /** The pose at rest: one face, neutral. */
-export const resting = (face: string, expression = "neutral"): Pose => ({
+export const restPose = (face: string, expression = "neutral"): Pose => ({
   faces: { [face]: 1 },
   expressions: { [expression]: 1 },
   channels: {},

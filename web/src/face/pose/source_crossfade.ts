@@ -27,7 +27,7 @@ interface Change {
  * Turns poses by name into poses by source. A name on air whose source changes passes from the old to the new in a
  * quarter of a second, once the new one is here; a name that is not on air changes at once.
  */
-export class Changeover {
+export class SourceCrossfade {
   private readonly changes = { faces: new Map<string, Change>(), expressions: new Map<string, Change>() };
 
   constructor(private readonly sources: Sources) {}

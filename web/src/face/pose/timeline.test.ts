@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
-import { resting } from "./pose";
+import { restPose } from "./pose";
 import { type Timed, Timeline } from "./timeline";
 
 const state = (time: number, old: number, epoch = 1): Timed => ({
-  ...resting("generic"),
+  ...restPose("generic"),
   faces: { generic: 1 - old, old },
   head: [old, 0, 0],
   time,

@@ -6,7 +6,7 @@ const SLACK = 4;
 const EVERY = 5;
 
 /** Looks now and then whether the machine has finished a picture long before the display wants it. */
-export class HeadRoom {
+export class FrameHeadroom {
   private frame = 0;
   private found: boolean | undefined;
 

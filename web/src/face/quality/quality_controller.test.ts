@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type FrameReport, LevelChooser } from "./quality_controller";
+import { type FrameReport, QualityController } from "./quality_controller";
 import { LEVELS, type Level } from "./quality_levels";
 
 /** Milliseconds that a machine needs for a picture at each level. */
@@ -15,14 +15,14 @@ function report(machine: Machine, level: Level, frame: number, calm: boolean, ra
 }
 
 /** Runs a chooser for some seconds; the levels it went through, and how long each took to be left. */
-function run(chooser: LevelChooser, machine: Machine, seconds: number, { calm = true, rate = 60 } = {}) {
-  const path: Level[] = [chooser.level];
+function run(qualityController: QualityController, machine: Machine, seconds: number, { calm = true, rate = 60 } = {}) {
+  const path: Level[] = [qualityController.level];
   const changes: number[] = [];
   for (let time = 0, frame = 0; time < seconds; frame++) {
-    const given = report(machine, chooser.level, frame, calm, rate);
+    const given = report(machine, qualityController.level, frame, calm, rate);
     time += given.interval;
-    if (chooser.after(given) === path.at(-1)) continue;
-    path.push(chooser.level);
+    if (qualityController.after(given) === path.at(-1)) continue;
+    path.push(qualityController.level);
     changes.push(time);
   }
   return { path, changes };
@@ -30,7 +30,7 @@ function run(chooser: LevelChooser, machine: Machine, seconds: number, { calm = 
 
 describe("the level of quality", () => {
   it("goes down step by step until frames are in time, each within two seconds", () => {
-    const { path, changes } = run(new LevelChooser("high"), WEAK, 60);
+    const { path, changes } = run(new QualityController("high"), WEAK, 60);
     expect(path).toEqual(["high", "medium", "low", "lowest"]);
     changes.forEach((time, index) => {
       expect(time - (changes[index - 1] ?? 0)).toBeLessThan(2);
@@ -38,49 +38,50 @@ describe("the level of quality", () => {
   });
 
   it("goes up as far as there is head-room", () => {
-    expect(run(new LevelChooser("lowest"), STRONG, 60).path).toEqual([...LEVELS]);
+    expect(run(new QualityController("lowest"), STRONG, 60).path).toEqual([...LEVELS]);
   });
 
   it("comes to rest: a level that proves too much is tried twice and left for good", () => {
-    const chooser = new LevelChooser("medium");
-    const { path, changes } = run(chooser, FAIR, 600);
+    const qualityController = new QualityController("medium");
+    const { path, changes } = run(qualityController, FAIR, 600);
     expect(path).toEqual(["medium", "high", "medium", "high", "medium"]);
     expect(changes.at(-1)).toBeLessThan(60);
   });
 
   it("is tried again for another size of picture", () => {
-    const chooser = new LevelChooser("medium");
-    run(chooser, FAIR, 600);
-    chooser.forget();
-    expect(run(chooser, STRONG, 60).path).toEqual(["medium", "high"]);
+    const qualityController = new QualityController("medium");
+    run(qualityController, FAIR, 600);
+    qualityController.forget();
+    expect(run(qualityController, STRONG, 60).path).toEqual(["medium", "high"]);
   });
 
   it("never goes up while something moves on air", () => {
-    expect(run(new LevelChooser("lowest"), STRONG, 600, { calm: false }).path).toEqual(["lowest"]);
+    expect(run(new QualityController("lowest"), STRONG, 600, { calm: false }).path).toEqual(["lowest"]);
   });
 
   it("goes down on air only when frames stay late", () => {
-    const { changes } = run(new LevelChooser("low"), WEAK, 60, { calm: false });
+    const { changes } = run(new QualityController("low"), WEAK, 60, { calm: false });
     expect(changes).toHaveLength(1);
     expect(changes[0]).toBeGreaterThan(2);
     expect(changes[0]).toBeLessThan(6);
   });
 
   it("does not mind a slow display", () => {
-    expect(run(new LevelChooser("medium"), STRONG, 60, { rate: 30 }).path).toEqual(["medium", "high"]);
+    expect(run(new QualityController("medium"), STRONG, 60, { rate: 30 }).path).toEqual(["medium", "high"]);
   });
 
   it("stays where it is when nobody can look at the machine and frames are in time", () => {
-    const chooser = new LevelChooser("medium");
-    for (let frame = 0; frame < 6000; frame++) chooser.after({ interval: 1 / 60, early: undefined, calm: true });
-    expect(chooser.level).toBe("medium");
+    const qualityController = new QualityController("medium");
+    for (let frame = 0; frame < 6000; frame++)
+      qualityController.after({ interval: 1 / 60, early: undefined, calm: true });
+    expect(qualityController.level).toBe("medium");
   });
 
   it("does not mind single late frames, nor a hidden page", () => {
-    const chooser = new LevelChooser("medium");
+    const qualityController = new QualityController("medium");
     for (let frame = 0; frame < 6000; frame++) {
       const interval = frame % 50 === 0 ? 30 : frame % 7 === 0 ? 0.04 : 1 / 60;
-      expect(chooser.after({ interval, early: false, calm: true })).toBe("medium");
+      expect(qualityController.after({ interval, early: false, calm: true })).toBe("medium");
     }
   });
 });

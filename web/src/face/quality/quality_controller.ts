@@ -33,12 +33,12 @@ export interface FrameReport {
  * The level that a machine keeps up with: down within a second when frames are late, up only at rest and after seconds
  * of clear head-room, and no more than twice to a level that proved too much, so that it comes to rest.
  */
-export class LevelChooser {
+export class QualityController {
   private intervals: number[] = [];
   private looks: boolean[] = [];
   private lateFor = 0;
   private spareFor = 0;
-  private settling = SETTLING;
+  private correctives = SETTLING;
   private readonly failures = new Map<Level, number>();
 
   constructor(public level: Level) {}
@@ -46,8 +46,8 @@ export class LevelChooser {
   /** The level after one more frame. */
   after({ interval, early, calm }: FrameReport): Level {
     if (interval > PAUSE) return this.level;
-    this.settling -= interval;
-    if (this.settling > 0) return this.level;
+    this.correctives -= interval;
+    if (this.correctives > 0) return this.level;
     this.keep(interval, early);
     if (this.intervals.length < FEWEST) return this.level;
     this.lateFor = median(this.intervals) > LATE && !this.waits ? this.lateFor + interval : 0;
@@ -97,7 +97,7 @@ export class LevelChooser {
     this.looks = [];
     this.lateFor = 0;
     this.spareFor = 0;
-    this.settling = SETTLING;
+    this.correctives = SETTLING;
   }
 }
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { mixedTraits, SKIN_TRAITS, type SkinTraits, skinUniforms } from "./skin_layers";
+import { mixSkinTraits, SKIN_TRAITS, type SkinTraits, skinUniforms } from "./skin_layers";
 
 const traits = (value: number): SkinTraits =>
   Object.fromEntries(SKIN_TRAITS.map((name, index) => [name, value / (index + 1)])) as SkinTraits;
@@ -7,7 +7,7 @@ const traits = (value: number): SkinTraits =>
 test("traits are linear in the weights of the faces", () => {
   const [one, other] = [traits(1), traits(0.25)];
   for (const share of [0, 0.3, 0.5, 1]) {
-    const mixed = mixedTraits([
+    const mixed = mixSkinTraits([
       [one, 1 - share],
       [other, share],
     ]);
@@ -17,7 +17,7 @@ test("traits are linear in the weights of the faces", () => {
 
 test("one face alone wears its own traits, and other fields of its look stay out", () => {
   const look = { ...traits(0.5), skin: "#ffffff" };
-  expect(mixedTraits([[look, 1]])).toEqual(traits(0.5));
+  expect(mixSkinTraits([[look, 1]])).toEqual(traits(0.5));
 });
 
 test("a skin without pictures is plain: every layer is one texel", () => {

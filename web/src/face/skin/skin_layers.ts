@@ -43,7 +43,7 @@ export function skinUniforms(): SkinUniforms {
 }
 
 /** Puts the pictures of the layers, in their order, on the skin. */
-export function wearLayers(uniforms: SkinUniforms, pictures: readonly ImageBitmap[], anisotropy: number): void {
+export function applyLayers(uniforms: SkinUniforms, pictures: readonly ImageBitmap[], anisotropy: number): void {
   (Object.keys(LAYERS) as Layer[]).forEach((name, index) => {
     const picture = pictures[index];
     if (picture !== undefined) uniforms[name].value = layerTexture(picture, anisotropy);
@@ -51,7 +51,7 @@ export function wearLayers(uniforms: SkinUniforms, pictures: readonly ImageBitma
 }
 
 /** The mix of looks by their shares: linear in each trait. */
-export function mixedTraits(shares: readonly (readonly [SkinTraits, number])[]): SkinTraits {
+export function mixSkinTraits(shares: readonly (readonly [SkinTraits, number])[]): SkinTraits {
   const sum = (name: SkinTrait): number => shares.reduce((total, [traits, share]) => total + share * traits[name], 0);
   return Object.fromEntries(SKIN_TRAITS.map((name) => [name, sum(name)])) as SkinTraits;
 }

@@ -4,7 +4,7 @@ import { createProgram } from "../../../face/gpu/gl";
 import type { PixelBox } from "./face_painter";
 
 /** A part of the canvas that is drawn anew, and the colour behind the face there. */
-export interface Ground {
+export interface Background {
   part: PixelBox;
   colour: readonly [number, number, number];
 }
@@ -30,9 +30,9 @@ void main() { result = vec4(vColour, 1.0); }
 const NUMBERS = 7; // of a ground: its part, its colour
 
 /** The grounds as numbers, seven each: parts as shares of a canvas of this size. */
-export const packed = (grounds: readonly Ground[], width: number, height: number): Float32Array =>
+export const packed = (backgrounds: readonly Background[], width: number, height: number): Float32Array =>
   Float32Array.from(
-    grounds.flatMap(({ part: [left, bottom, across, up], colour }) => [
+    backgrounds.flatMap(({ part: [left, bottom, across, up], colour }) => [
       left / width,
       bottom / height,
       across / width,
@@ -41,7 +41,7 @@ export const packed = (grounds: readonly Ground[], width: number, height: number
     ]),
   );
 
-export class Grounds {
+export class Backgrounds {
   private readonly program: WebGLProgram;
   private readonly array: WebGLVertexArrayObject;
   private readonly buffer: WebGLBuffer;
@@ -64,7 +64,7 @@ export class Grounds {
   }
 
   /** Paints grounds, as far away as can be: what was there is gone. */
-  lay(grounds: readonly Ground[]): void {
+  lay(backgrounds: readonly Background[]): void {
     const { gl } = this;
     const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -75,8 +75,8 @@ export class Grounds {
     gl.useProgram(this.program);
     gl.bindVertexArray(this.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, packed(grounds, width, height), gl.STREAM_DRAW);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, grounds.length);
+    gl.bufferData(gl.ARRAY_BUFFER, packed(backgrounds, width, height), gl.STREAM_DRAW);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, backgrounds.length);
     gl.depthFunc(gl.LESS);
     gl.bindVertexArray(null);
   }

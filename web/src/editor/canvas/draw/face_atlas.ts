@@ -23,7 +23,7 @@ export interface Step {
 type Sampled = readonly [name: string, target: "flat" | "layers", texture: WebGLTexture];
 
 /** The atlas: `lines` lines of ROW_WIDTH texels for each block (a face). */
-export class Crowd {
+export class FaceAtlas {
   readonly lines: number;
   readonly positions: WebGLTexture;
   readonly normals: WebGLTexture;

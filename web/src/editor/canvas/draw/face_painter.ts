@@ -2,20 +2,20 @@
 
 import { dome } from "../../../face/anatomy/eye_mesh";
 import { createProgram } from "../../../face/gpu/gl";
-import { decoded } from "../../../face/light/tone";
+import { decodeSrgb } from "../../../face/light/tone";
 import type { Mesh } from "../../../link/assets";
 import type { Look } from "../../../link/messages";
 import type { Camera } from "../math/camera";
 import { FINENESS } from "../math/coarse_mesh";
 import type { Surface } from "../math/triangle_cut";
 import type { Ball } from "../model/gaze";
-import type { Crowd } from "./face_atlas";
+import type { FaceAtlas } from "./face_atlas";
 import * as shaders from "./face_shaders";
 
 /** What of one face is drawn. */
-export interface Portrait {
+export interface DrawnFace {
   block: number;
-  complexion: WebGLTexture;
+  skinTexture: WebGLTexture;
   look: Look;
   balls: readonly Ball[];
   pupil: number;
@@ -54,7 +54,7 @@ const TINTS: Readonly<Record<string, readonly [number, number, number, number]>>
 const WHITE = [0.78, 0.73, 0.68];
 const ANIMAL_WHITE = [0.4, 0.31, 0.22];
 
-export class Painter {
+export class FacePainter {
   private readonly skin: WebGLProgram;
   private readonly eye: WebGLProgram;
   private readonly line: WebGLProgram;
@@ -65,7 +65,7 @@ export class Painter {
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
-    private readonly crowd: Crowd,
+    private readonly faceAtlas: FaceAtlas,
     meshes: readonly Mesh[],
     coarse: readonly (readonly Mesh[])[],
   ) {
@@ -110,7 +110,7 @@ export class Painter {
   }
 
   /** Draws a face, or these triangles of it. */
-  face(portrait: Portrait, camera: Camera, only?: Indices): void {
+  face(portrait: DrawnFace, camera: Camera, only?: Indices): void {
     const { gl } = this;
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
@@ -118,8 +118,8 @@ export class Painter {
     this.use(this.skin, camera);
     this.atlas(this.skin, portrait.block);
     gl.activeTexture(gl.TEXTURE2);
-    gl.bindTexture(gl.TEXTURE_2D, portrait.complexion);
-    gl.uniform1i(this.at(this.skin, "complexion"), 2);
+    gl.bindTexture(gl.TEXTURE_2D, portrait.skinTexture);
+    gl.uniform1i(this.at(this.skin, "skinTexture"), 2);
     const head = this.surface(camera);
     gl.bindVertexArray(head.array);
     const { buffer, count } = only ?? head.all;
@@ -182,14 +182,14 @@ export class Painter {
 
   /** The atlas of the crowd, at a face's block. */
   atlas(program: WebGLProgram, block: number): void {
-    const { gl, crowd } = this;
+    const { gl, faceAtlas } = this;
     gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, crowd.positions);
+    gl.bindTexture(gl.TEXTURE_2D, faceAtlas.positions);
     gl.activeTexture(gl.TEXTURE1);
-    gl.bindTexture(gl.TEXTURE_2D, crowd.normals);
+    gl.bindTexture(gl.TEXTURE_2D, faceAtlas.normals);
     gl.uniform1i(this.at(program, "positions"), 0);
     gl.uniform1i(this.at(program, "normals"), 1);
-    gl.uniform1i(this.at(program, "top"), block * crowd.lines);
+    gl.uniform1i(this.at(program, "top"), block * faceAtlas.lines);
   }
 
   at(program: WebGLProgram, name: string): WebGLUniformLocation | null {
@@ -226,10 +226,10 @@ export class Painter {
     return made;
   }
 
-  private dressEyes({ look, pupil }: Portrait): void {
+  private dressEyes({ look, pupil }: DrawnFace): void {
     const { gl, eye } = this;
     const white = WHITE.map((part, axis) => part + ((ANIMAL_WHITE[axis] as number) - part) * look.fur);
-    gl.uniform3fv(this.at(eye, "iris"), [...decoded(look.iris)]);
+    gl.uniform3fv(this.at(eye, "iris"), [...decodeSrgb(look.iris)]);
     gl.uniform3fv(this.at(eye, "white"), white);
     gl.uniform1f(this.at(eye, "irisSize"), look.iris_size);
     gl.uniform1f(this.at(eye, "slit"), look.slit);

@@ -62,13 +62,13 @@ void main() {
 
 export const SKIN_FRAGMENT = `#version 300 es
 ${LIGHT}
-uniform sampler2D complexion;
+uniform sampler2D skinTexture;
 in vec2 vUv;
 in vec3 vNormal;
 in vec4 vTint;
 out vec4 colour;
 void main() {
-  vec4 painted = texture(complexion, vUv);
+  vec4 painted = texture(skinTexture, vUv);
   vec3 albedo = mix(painted.rgb * painted.rgb, vTint.rgb, vTint.a);
   colour = vec4(shown(lit(albedo, normalize(vNormal), painted.a)), 1.0);
 }

@@ -4,7 +4,7 @@ import { createProgram } from "../../../face/gpu/gl";
 import type { Camera } from "../math/camera";
 import type { Triple } from "../math/vectors";
 import { SLACK } from "../model/needles";
-import type { Painter } from "./face_painter";
+import type { FacePainter } from "./face_painter";
 import { NEEDLE_FRAGMENT, NEEDLE_VERTEX } from "./face_shaders";
 
 /** How a needle looks: "still", under the pointer, chosen, taken along by a drag, out of reach of the region. */
@@ -22,7 +22,7 @@ const CORNERS = Uint16Array.from([0, 1, 2, 2, 1, 3, 4, 5, 6, 6, 5, 7]);
 /** CSS pixels of a head's radius. */
 export const HEAD = 4.2;
 
-export class NeedleMarks {
+export class NeedleRenderer {
   private readonly program: WebGLProgram;
   private readonly array: WebGLVertexArrayObject;
   private readonly rows: WebGLBuffer;
@@ -32,7 +32,7 @@ export class NeedleMarks {
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
-    private readonly painter: Painter,
+    private readonly painter: FacePainter,
   ) {
     this.program = createProgram(gl, NEEDLE_VERTEX, NEEDLE_FRAGMENT);
     [this.array, this.rows] = [gl.createVertexArray(), gl.createBuffer()];

@@ -3,8 +3,8 @@
 import { type Box, contains, expanded, overlap, union } from "../math/boxes";
 import type { Camera } from "../math/camera";
 import { cut } from "../math/triangle_cut";
-import type { Member } from "../model/shown_face";
-import type { Indices, Painter } from "./face_painter";
+import type { ShownFace } from "../model/shown_face";
+import type { FacePainter, Indices } from "./face_painter";
 
 /** The triangles of a part of a face's picture, and how far they serve. */
 interface Cut {
@@ -22,7 +22,7 @@ export interface Changed {
 /** A face in its tile, and what of it is drawn. */
 export interface Tile extends Changed {
   n: number;
-  member: Member;
+  member: ShownFace;
   camera: Camera;
   ground: readonly [number, number, number];
 }
@@ -35,7 +35,7 @@ export class Repaint {
   private readonly before = new Map<number, Box>();
   private readonly cuts = new Map<number, Cut>();
 
-  constructor(private readonly painter: Pick<Painter, "surface" | "list">) {}
+  constructor(private readonly painter: Pick<FacePainter, "surface" | "list">) {}
 
   /** All faces are drawn whole. */
   forget(): void {

@@ -2,7 +2,7 @@
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
 import { createProgram } from "../../../face/gpu/gl";
-import { decoded } from "../../../face/light/tone";
+import { decodeSrgb } from "../../../face/light/tone";
 import { SKIN_COLOURS } from "../../../face/skin/skin_colour_shaders";
 import type { Library, Mesh } from "../../../link/assets";
 import type { Look } from "../../../link/messages";
@@ -52,7 +52,7 @@ void main() {
 }
 `;
 
-export class Complexions {
+export class SkinTextures {
   private readonly program: WebGLProgram;
   private readonly layers: WebGLTexture[];
   private readonly head: WebGLVertexArrayObject;
@@ -78,8 +78,8 @@ export class Complexions {
   }
 
   /** A painter with the layers of the cast; undefined layers are waited for. */
-  static async open(gl: WebGL2RenderingContext, library: Library, anatomy: Anatomy, skin: Mesh): Promise<Complexions> {
-    return new Complexions(gl, await library.layers(), skin, anatomy.traits);
+  static async open(gl: WebGL2RenderingContext, library: Library, anatomy: Anatomy, skin: Mesh): Promise<SkinTextures> {
+    return new SkinTextures(gl, await library.layers(), skin, anatomy.traits);
   }
 
   /** The skin of a look, `side` texels square, with smaller copies of itself. */
@@ -120,7 +120,7 @@ export class Complexions {
       gl.uniform1i(gl.getUniformLocation(program, name), unit);
     });
     gl.activeTexture(gl.TEXTURE0);
-    for (const name of COLOURS) gl.uniform3fv(gl.getUniformLocation(program, name), [...decoded(look[name])]);
+    for (const name of COLOURS) gl.uniform3fv(gl.getUniformLocation(program, name), [...decodeSrgb(look[name])]);
     for (const name of TRAITS) gl.uniform1f(gl.getUniformLocation(program, name), BARE_TRAITS[name] ?? look[name]);
   }
 

@@ -2,7 +2,7 @@
 
 import type { Bounds, Camera } from "../math/camera";
 import type { Pair } from "../math/vectors";
-import type { Aspect } from "../scene/viewports";
+import type { Viewports } from "../scene/viewports";
 
 /** What two fingers span. */
 interface Span {
@@ -12,12 +12,12 @@ interface Span {
 
 /** What is looked at. */
 interface Scene {
-  readonly aspect: Aspect;
+  readonly viewports: Viewports;
   readonly work: { readonly bounds: Bounds } | undefined;
   redraw(): void;
 }
 
-export class Sight {
+export class CameraControl {
   private span: Span | undefined;
 
   constructor(private readonly scene: Scene) {}
@@ -29,19 +29,19 @@ export class Sight {
 
   /** The camera of the work. */
   get camera(): Camera | undefined {
-    const { aspect, work } = this.scene;
-    return work === undefined ? undefined : aspect.camera(0, work.bounds);
+    const { viewports, work } = this.scene;
+    return work === undefined ? undefined : viewports.camera(0, work.bounds);
   }
 
   orbit(dx: number, dy: number): void {
-    this.scene.aspect.orbit(dx, dy);
+    this.scene.viewports.orbit(dx, dy);
     this.scene.redraw();
   }
 
   /** Shifts the work by pixels. */
   pan(dx: number, dy: number): void {
     const each = this.metresPerPixel;
-    this.scene.aspect.pan(dx * each, -dy * each);
+    this.scene.viewports.pan(dx * each, -dy * each);
     this.scene.redraw();
   }
 
@@ -51,9 +51,9 @@ export class Sight {
     if (camera === undefined) return;
     const { left, top, width, height } = camera.box;
     const before = this.metresPerPixel;
-    this.scene.aspect.zoom(factor);
+    this.scene.viewports.zoom(factor);
     const less = before - this.metresPerPixel;
-    this.scene.aspect.pan(-(x - left - width / 2) * less, (y - top - height / 2) * less);
+    this.scene.viewports.pan(-(x - left - width / 2) * less, (y - top - height / 2) * less);
     this.scene.redraw();
   }
 
@@ -81,7 +81,7 @@ export class Sight {
   }
 
   reset(): void {
-    this.scene.aspect.reset();
+    this.scene.viewports.reset();
     this.scene.redraw();
   }
 

@@ -2,12 +2,12 @@ import { beforeEach, describe, expect, it, vi } from "vitest";
 import { fans } from "../../../face/anatomy/topology";
 import type { DraftState, FaceRecipe } from "../../../link/editing_messages";
 import type { Request } from "../../link/requests";
-import { Workbench } from "../../session/draft_store";
+import { DraftStore } from "../../session/draft_store";
 import { handlesOf } from "../../session/face_handles";
 import { boundsOf, Camera, FIRST_VIEW } from "../math/camera";
 import type { Pair } from "../math/vectors";
-import type { Sitters } from "../scene/face_scene";
-import { HandleHands } from "./handle_drag";
+import type { FaceScene } from "../scene/face_scene";
+import { HandleDrag } from "./handle_drag";
 
 const ASSET = { points: [0, 1, 2], labels: ["left ear", "right ear", "chin"], mirror: [1, 0, 2] };
 // A plate that faces the camera, with a handle in three of its corners.
@@ -58,32 +58,32 @@ const at = (row: number): Pair => {
   return [x, y];
 };
 
-describe("hands on handles", () => {
-  let bench: Workbench;
+describe("dragged handles", () => {
+  let store: DraftStore;
   let asked: Request[];
   let shown: Float64Array[];
-  let hands: HandleHands;
+  let input: HandleDrag;
 
   beforeEach(() => {
     asked = [];
     shown = [];
-    bench = new Workbench((request) => {
+    store = new DraftStore((request) => {
       asked.push(request);
       return new Promise(() => undefined);
     });
-    bench.receive(draftOf(recipeOf()));
-    hands = handsOf(bench);
+    store.receive(draftOf(recipeOf()));
+    input = handsOf(store);
   });
 
-  const handsOf = (of: Workbench): HandleHands => {
-    const sitters = {
+  const handsOf = (of: DraftStore): HandleDrag => {
+    const faceScene = {
       all: [{ figure: { base: POSITIONS } }],
       handles: handlesOf(ASSET, recipeOf()),
       move: (moves: Float64Array) => shown.push(moves),
-    } as unknown as Sitters;
-    return new HandleHands({
-      bench: of,
-      sitters,
+    } as unknown as FaceScene;
+    return new HandleDrag({
+      store: of,
+      faceScene,
       fans: fans([TRIANGLES], 4),
       skin: TRIANGLES,
       camera: () => CAMERA,
@@ -99,11 +99,11 @@ describe("hands on handles", () => {
 
   it("drags a handle in the plane of the screen, live, and asks once it lets go", () => {
     const [x, y] = at(2);
-    expect(hands.press([x, y], event())).toBe(true);
-    hands.drag([x + 30, y + 10], event());
+    expect(input.press([x, y], event())).toBe(true);
+    input.drag([x + 30, y + 10], event());
     expect(asked).toEqual([]);
     expect(shown.at(-1)?.slice(0, 6)).toEqual(new Float64Array(6));
-    hands.release();
+    input.release();
     const each = CAMERA.metresPerPixel([0, -0.05, 0.1]);
     const { points, moves } = recipeAsked();
     expect(points).toEqual(ASSET.points);
@@ -112,69 +112,69 @@ describe("hands on handles", () => {
 
   it("goes along the view with Alt, from where it is then", () => {
     const [x, y] = at(0);
-    hands.press([x, y], event());
-    hands.drag([x, y - 20], event());
-    hands.drag([x, y - 20], event({ altKey: true }));
-    hands.drag([x, y - 5], event({ altKey: true }));
-    hands.release();
+    input.press([x, y], event());
+    input.drag([x, y - 20], event());
+    input.drag([x, y - 20], event({ altKey: true }));
+    input.drag([x, y - 5], event({ altKey: true }));
+    input.release();
     const [, up, towards] = recipeAsked().moves[0] as [number, number, number];
     expect(up).toBeCloseTo(20 * CAMERA.metresPerPixel([0.05, 0.05, 0.1]), 7);
     expect(towards).toBeCloseTo(15 * CAMERA.metresPerPixel([0.05, 0.05, 0.1]), 7);
   });
 
   it("does on the other side what it does on one", () => {
-    bench.setOptions({ mirror: true });
+    store.setOptions({ mirror: true });
     const [x, y] = at(0);
-    hands.press([x, y], event());
-    hands.drag([x + 12, y], event());
-    hands.release();
+    input.press([x, y], event());
+    input.drag([x + 12, y], event());
+    input.release();
     const [left, right] = recipeAsked().moves as unknown as [number[], number[]];
     expect(right[0]).toBeCloseTo(-(left[0] as number), 9);
     expect(left[0]).toBeGreaterThan(0);
   });
 
   it("takes nothing where no handle is, and asks nothing for a mere press", () => {
-    expect(hands.press([300, 290], event())).toBe(false);
-    hands.press(at(2), event());
-    hands.release();
+    expect(input.press([300, 290], event())).toBe(false);
+    input.press(at(2), event());
+    input.release();
     expect(asked).toEqual([]);
   });
 
   it("puts everything back when the hand is taken away", () => {
     const [x, y] = at(2);
-    hands.press([x, y], event());
-    hands.drag([x + 30, y], event());
-    hands.cancel();
+    input.press([x, y], event());
+    input.drag([x + 30, y], event());
+    input.cancel();
     expect(shown.at(-1)).toEqual(new Float64Array(9));
     expect(asked).toEqual([]);
   });
 
   it("shows again what the server has when it refuses", async () => {
-    bench = new Workbench(() => Promise.reject(new Error("handle 2 is moved too far")));
-    bench.receive(draftOf(recipeOf()));
-    hands = handsOf(bench);
-    bench.listen("notices", () => hands.settle());
+    store = new DraftStore(() => Promise.reject(new Error("handle 2 is moved too far")));
+    store.receive(draftOf(recipeOf()));
+    input = handsOf(store);
+    store.listen("notices", () => input.settle());
     const [x, y] = at(2);
-    hands.press([x, y], event());
-    hands.drag([x + 300, y], event());
-    hands.release();
-    expect(hands.ahead).toBe(true);
-    await vi.waitFor(() => expect(bench.notices).toHaveLength(1));
+    input.press([x, y], event());
+    input.drag([x + 300, y], event());
+    input.release();
+    expect(input.ahead).toBe(true);
+    await vi.waitFor(() => expect(store.notices).toHaveLength(1));
     expect(shown.at(-1)).toEqual(new Float64Array(9));
   });
 
   it("adds up nudges until the key is up, and resets what is chosen", () => {
-    bench.select([2]);
-    expect(hands.nudge(0.001, 0, 0)).toBe(true);
-    hands.nudge(0.0002, 0, 0);
+    store.select([2]);
+    expect(input.nudge(0.001, 0, 0)).toBe(true);
+    input.nudge(0.0002, 0, 0);
     expect(asked).toEqual([]);
-    hands.endNudge();
-    hands.endNudge();
+    input.endNudge();
+    input.endNudge();
     expect(asked).toHaveLength(1);
     expect(recipeAsked().moves[2]?.[0]).toBeCloseTo(0.0012, 9);
-    hands.reset();
+    input.reset();
     expect(recipeAsked().moves[2]).toEqual([0, 0, 0]);
-    bench.select([]);
-    expect(hands.nudge(0.001, 0, 0)).toBe(false);
+    store.select([]);
+    expect(input.nudge(0.001, 0, 0)).toBe(false);
   });
 });

@@ -1,19 +1,19 @@
 /** Hands on the handles of a face: which one a pointer means, and where it takes it. */
 
 import type { Fans } from "../../../face/anatomy/topology";
-import type { Workbench } from "../../session/draft_store";
+import type { DraftStore } from "../../session/draft_store";
 import { type Handles, movedBy, namesOf, withMoves } from "../../session/face_handles";
 import { flat } from "../../session/net";
 import type { NeedleState } from "../draw/needle_renderer";
 import type { Camera } from "../math/camera";
 import { add, type Pair, type Triple, times } from "../math/vectors";
 import { type Needle, needlesOn, picked, REACH, STUD } from "../model/needles";
-import type { Sitters } from "../scene/face_scene";
+import type { FaceScene } from "../scene/face_scene";
 
 /** What hands must know of the canvas. */
 export interface Place {
-  readonly bench: Workbench;
-  readonly sitters: Sitters;
+  readonly store: DraftStore;
+  readonly faceScene: FaceScene;
   readonly fans: Fans;
   readonly skin: Uint32Array;
   camera(): Camera | undefined;
@@ -32,7 +32,7 @@ interface Hold {
   first: Float64Array;
 }
 
-export class HandleHands {
+export class HandleDrag {
   hovered = -1;
   private hold: Hold | undefined;
   private nudged: readonly number[] | undefined;
@@ -47,21 +47,21 @@ export class HandleHands {
 
   /** The handles that can be taken now. */
   get handles(): Handles | undefined {
-    const { bench, sitters } = this.place;
-    return bench.look === null && bench.options.needles ? sitters.handles : undefined;
+    const { store, faceScene } = this.place;
+    return store.look === null && store.options.needles ? faceScene.handles : undefined;
   }
 
   /** Handles as they stand on the face at the front. */
   studs(): Needle[] {
-    const { sitters, fans } = this.place;
-    const figure = sitters.all[0]?.figure;
+    const { faceScene, fans } = this.place;
+    const figure = faceScene.all[0]?.figure;
     return figure === undefined || this.handles === undefined
       ? []
       : needlesOn(this.handles.rows, fans, figure.base, STUD);
   }
 
   states(): NeedleState[] {
-    const { selection, options } = this.place.bench;
+    const { selection, options } = this.place.store;
     const { handles, hold } = this;
     const images = new Set(options.mirror ? [...selection].map((place) => handles?.mirror[place]) : []);
     return (handles?.rows ?? []).map((_, place): NeedleState => {
@@ -75,11 +75,11 @@ export class HandleHands {
   press(at: Pair, event: PointerEvent): boolean {
     const stud = event.button === 0 ? this.pick(at, event.pointerType === "touch") : undefined;
     if (stud === undefined) return false;
-    const { bench } = this.place;
+    const { store } = this.place;
     const more = event.shiftKey || event.ctrlKey || event.metaKey;
-    if (more) bench.select([...bench.selection, stud.place]);
-    else if (!bench.selection.has(stud.place)) bench.select([stud.place]);
-    this.take([...bench.selection], stud.foot, at, event.altKey);
+    if (more) store.select([...store.selection, stud.place]);
+    else if (!store.selection.has(stud.place)) store.select([stud.place]);
+    this.take([...store.selection], stud.foot, at, event.altKey);
     return true;
   }
 
@@ -108,12 +108,12 @@ export class HandleHands {
 
   /** Moves what is chosen by metres on the screen (right, up) or along the view (towards), until `endNudge`. */
   nudge(right: number, up: number, towards: number): boolean {
-    const { bench } = this.place;
+    const { store } = this.place;
     const [camera, handles] = [this.place.camera(), this.handles];
-    const places = [...bench.selection].filter((place) => place < (handles?.rows.length ?? 0));
+    const places = [...store.selection].filter((place) => place < (handles?.rows.length ?? 0));
     if (camera === undefined || handles === undefined || places.length === 0) return false;
     const by = add(add(times(camera.right, right), times(camera.up, up)), times(camera.back, towards));
-    this.show(movedBy(this.moves, handles, places, by, bench.options.mirror));
+    this.show(movedBy(this.moves, handles, places, by, store.options.mirror));
     this.nudged = places;
     return true;
   }
@@ -127,36 +127,36 @@ export class HandleHands {
 
   /** What is chosen goes back to where the mix of faces has it. */
   reset(): void {
-    const { bench } = this.place;
+    const { store } = this.place;
     const { handles } = this;
-    if (handles === undefined || bench.selection.size === 0) return;
+    if (handles === undefined || store.selection.size === 0) return;
     const chosen = new Set(
-      [...bench.selection].flatMap((place) => (bench.options.mirror ? [place, handles.mirror[place] ?? -1] : [place])),
+      [...store.selection].flatMap((place) => (store.options.mirror ? [place, handles.mirror[place] ?? -1] : [place])),
     );
     this.show(this.moves.map((move, at) => (chosen.has(Math.floor(at / 3)) ? 0 : move)));
-    this.send(handles, [...bench.selection], "back at rest");
+    this.send(handles, [...store.selection], "back at rest");
   }
 
   /** Whether the hand is ahead of what the server has answered. */
   get ahead(): boolean {
-    return this.hold !== undefined || this.nudged !== undefined || this.place.bench.waiting;
+    return this.hold !== undefined || this.nudged !== undefined || this.place.store.waiting;
   }
 
   /** The server has answered, or refused: the hand begins from what it has now, unless it is ahead. */
   settle(): void {
     if (this.ahead || this.now === undefined) return;
     this.now = undefined;
-    this.place.sitters.move(this.moves);
+    this.place.faceScene.move(this.moves);
     this.place.redraw();
   }
 
   private get moves(): Float64Array {
-    const { bench, sitters } = this.place;
+    const { store, faceScene } = this.place;
     if (this.now !== undefined) return this.now;
-    const told = bench.face === null ? [] : flat(bench.face.moves);
-    return told.length === 3 * (sitters.handles?.rows.length ?? 0)
+    const told = store.face === null ? [] : flat(store.face.moves);
+    return told.length === 3 * (faceScene.handles?.rows.length ?? 0)
       ? Float64Array.from(told)
-      : new Float64Array(3 * (sitters.handles?.rows.length ?? 0));
+      : new Float64Array(3 * (faceScene.handles?.rows.length ?? 0));
   }
 
   private take(places: readonly number[], foot: Triple, from: Pair, along: boolean): void {
@@ -168,24 +168,24 @@ export class HandleHands {
     const { handles } = this;
     if (handles === undefined) return;
     hold.used = true;
-    this.show(movedBy(hold.moves, handles, hold.places, by, this.place.bench.options.mirror));
+    this.show(movedBy(hold.moves, handles, hold.places, by, this.place.store.options.mirror));
   }
 
   private show(moves: Float64Array): void {
     this.now = moves;
-    this.place.sitters.move(moves);
+    this.place.faceScene.move(moves);
     this.place.redraw();
   }
 
   private send(handles: Handles, places: readonly number[], what = "moved"): void {
-    const { bench } = this.place;
-    if (bench.face !== null)
-      bench.setFace(withMoves(bench.face, handles, this.moves), `${namesOf(handles, places)} ${what}`);
+    const { store } = this.place;
+    if (store.face !== null)
+      store.setFace(withMoves(store.face, handles, this.moves), `${namesOf(handles, places)} ${what}`);
   }
 
   private pick(at: Pair, touch: boolean): Needle | undefined {
-    const { sitters, skin } = this.place;
-    const [camera, figure] = [this.place.camera(), sitters.all[0]?.figure];
+    const { faceScene, skin } = this.place;
+    const [camera, figure] = [this.place.camera(), faceScene.all[0]?.figure];
     if (camera === undefined || figure === undefined) return undefined;
     return picked(
       this.studs(),

@@ -1,10 +1,10 @@
 import type { Pair } from "../math/vectors";
 import type { Needle } from "../model/needles";
 import { withoutPlace } from "../model/net_edits";
-import type { Sitters } from "../scene/face_scene";
-import type { Pace } from "../scene/frame_pacing";
-import { Sight } from "./camera_control";
-import type { Grip } from "./needle_drag";
+import type { FaceScene } from "../scene/face_scene";
+import type { FramePacing } from "../scene/frame_pacing";
+import { CameraControl } from "./camera_control";
+import type { NeedleDrag } from "./needle_drag";
 import { NeedlePicker, type PickerCanvas, type Placing } from "./needle_picker";
 import { nudgeOf } from "./nudge_keys";
 
@@ -19,30 +19,30 @@ type Press =
 /** What mouse, touch, pen and keys act on. */
 export interface InputCanvas extends PickerCanvas {
   readonly canvas: HTMLCanvasElement;
-  readonly pace: Pace;
-  readonly sitters: Sitters | undefined;
+  readonly pacing: FramePacing;
+  readonly faceScene: FaceScene | undefined;
   redraw(): void;
 }
 
-export class Hands {
+export class CanvasInput {
   /** The place of the needle under the pointer, and the face (0: the work); -1: none. */
   hovered = -1;
   over = -1;
-  grip: Grip | undefined;
+  needleDrag: NeedleDrag | undefined;
   placing: Placing | undefined;
   /** The corners of the rubber band, CSS pixels. */
   band: [number, number, number, number] | undefined;
   readonly picker: NeedlePicker;
   private readonly pointers = new Map<number, Pair>();
   private press: { what: Press; from: Pair; last: Pair; moved: boolean } | undefined;
-  private readonly sight: Sight;
+  private readonly cameraControl: CameraControl;
   private nudging = false;
   private readonly ending = new AbortController();
 
   constructor(private readonly stage: InputCanvas) {
     const { canvas } = stage;
-    this.sight = new Sight(stage);
-    this.picker = new NeedlePicker(stage, this.sight);
+    this.cameraControl = new CameraControl(stage);
+    this.picker = new NeedlePicker(stage, this.cameraControl);
     const options = { signal: this.ending.signal };
     canvas.style.touchAction = "none";
     canvas.tabIndex = 0;
@@ -53,7 +53,7 @@ export class Hands {
     canvas.addEventListener("pointerleave", () => this.hover(-1, -1), options);
     canvas.addEventListener("contextmenu", (event) => event.preventDefault(), options);
     canvas.addEventListener("dblclick", (event) => this.doubled(event), options);
-    canvas.addEventListener("wheel", (event) => this.sight.wheel(event), { ...options, passive: false });
+    canvas.addEventListener("wheel", (event) => this.cameraControl.wheel(event), { ...options, passive: false });
     addEventListener("keydown", (event) => this.key(event), options);
     addEventListener("keyup", () => this.endNudge(), options);
     addEventListener("blur", () => this.endNudge(), options);
@@ -67,25 +67,25 @@ export class Hands {
 
   private down(event: PointerEvent): void {
     const at = placeOf(event);
-    const { canvas, aspect } = this.stage;
+    const { canvas, viewports } = this.stage;
     canvas.focus({ preventScroll: true });
     canvas.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, at);
     this.endNudge();
     if (this.pointers.size > 1) {
       this.abandon();
-      this.sight.pinch([...this.pointers.values()]);
+      this.cameraControl.pinch([...this.pointers.values()]);
       return;
     }
-    const over = aspect.at(...at);
+    const over = viewports.at(...at);
     this.press = { what: this.pressed(event, at, over), from: at, last: at, moved: false };
   }
 
   private pressed(event: PointerEvent, at: Pair, over: number): Press {
     if (event.button === 1) return { kind: "pan" };
     if (over > 0) return { kind: "beside", over };
-    if (this.stage.sitting && this.stage.handles?.press(at, event)) return { kind: "handle" };
-    const takes = (event.button === 0 || event.pointerType === "pen") && !this.stage.sitting;
+    if (this.stage.editsFace && this.stage.handles?.press(at, event)) return { kind: "handle" };
+    const takes = (event.button === 0 || event.pointerType === "pen") && !this.stage.editsFace;
     const needle = takes ? this.picker.pick(event, at) : undefined;
     if (needle !== undefined) return { kind: "needle", needle, fresh: this.choose(needle.place, event) };
     if (event.button === 2) return { kind: "orbit" };
@@ -94,10 +94,10 @@ export class Hands {
 
   /** Selects the needle that is pressed; whether it was new to the selection. */
   private choose(place: number, event: PointerEvent): boolean {
-    const { bench } = this.stage;
-    const fresh = !bench.selection.has(place);
-    if (event.shiftKey || event.ctrlKey || event.metaKey) bench.select([...bench.selection, place]);
-    else if (fresh) bench.select([place]);
+    const { store } = this.stage;
+    const fresh = !store.selection.has(place);
+    if (event.shiftKey || event.ctrlKey || event.metaKey) store.select([...store.selection, place]);
+    else if (fresh) store.select([place]);
     return fresh;
   }
 
@@ -108,8 +108,8 @@ export class Hands {
       return;
     }
     this.pointers.set(event.pointerId, at);
-    if (this.sight.pinching) {
-      this.sight.pinch([...this.pointers.values()]);
+    if (this.cameraControl.pinching) {
+      this.cameraControl.pinch([...this.pointers.values()]);
       return;
     }
     const { press } = this;
@@ -125,9 +125,9 @@ export class Hands {
   private beginDrag(what: Press, from: Pair): void {
     if (what.kind !== "needle") return;
     this.stage.redraw(); // needles that are taken look otherwise
-    const { tool } = this.stage.bench.options;
+    const { tool } = this.stage.store.options;
     if (tool === "place") this.placing = { place: what.needle.place, row: this.picker.rowOf(what.needle.place) };
-    else if (tool === "drag" || tool === "pull") this.grip = this.picker.grab(what.needle.place, from);
+    else if (tool === "drag" || tool === "pull") this.needleDrag = this.picker.grab(what.needle.place, from);
   }
 
   private drag(what: Press, event: PointerEvent, from: Pair, to: Pair): void {
@@ -135,8 +135,8 @@ export class Hands {
     if (what.kind === "needle") this.dragNeedle(event, to);
     else if (what.kind === "handle") this.dragHandle(event, to);
     else if (what.kind === "band") this.stretch(to);
-    else if (what.kind === "pan") this.sight.pan(dx, dy);
-    else this.sight.orbit(dx, dy);
+    else if (what.kind === "pan") this.cameraControl.pan(dx, dy);
+    else this.cameraControl.orbit(dx, dy);
     if (what.kind !== "needle" || this.placing !== undefined) this.stage.redraw(); // else only what the hand leads
   }
 
@@ -146,30 +146,30 @@ export class Hands {
       if (row !== undefined) this.placing = { ...this.placing, row };
       return;
     }
-    if (this.grip === undefined) return;
-    if (!this.stage.bench.dragging) {
+    if (this.needleDrag === undefined) return;
+    if (!this.stage.store.dragging) {
       this.dropGrip();
       return;
     } // the net changed under the hand
-    this.stage.pace.moved(event.timeStamp);
-    this.grip.move(to, this.pulls(event));
+    this.stage.pacing.moved(event.timeStamp);
+    this.needleDrag.move(to, this.pulls(event));
   }
 
   private dragHandle(event: PointerEvent, to: Pair): void {
-    this.stage.pace.moved(event.timeStamp);
+    this.stage.pacing.moved(event.timeStamp);
     this.stage.handles?.drag(to, event);
   }
 
   private pulls(event: PointerEvent): boolean {
     const barrel = event.pointerType === "pen" && (event.buttons & 2) !== 0;
-    return (this.stage.bench.options.tool === "pull") !== (event.altKey || barrel);
+    return (this.stage.store.options.tool === "pull") !== (event.altKey || barrel);
   }
 
   private up(event: PointerEvent): void {
     const { press } = this;
     this.pointers.delete(event.pointerId);
-    if (this.sight.pinching) {
-      if (this.pointers.size < 2) this.sight.release();
+    if (this.cameraControl.pinching) {
+      if (this.pointers.size < 2) this.cameraControl.release();
       return;
     }
     this.press = undefined;
@@ -180,42 +180,42 @@ export class Hands {
   }
 
   private endDrag(what: Press): void {
-    const { bench } = this.stage;
+    const { store } = this.stage;
     if (this.band !== undefined) this.picker.selectWithin(this.band);
     this.band = undefined;
     if (what.kind === "handle") this.stage.handles?.release();
     if (this.placing !== undefined) this.picker.setDown(this.placing);
     this.placing = undefined;
-    if (bench.dragging) this.grip?.end();
+    if (store.dragging) this.needleDrag?.end();
     this.dropGrip();
   }
 
   private click(what: Press, at: Pair, event: PointerEvent): void {
-    const { bench } = this.stage;
-    const { tool } = bench.options;
+    const { store } = this.stage;
+    const { tool } = store.options;
     if (what.kind === "handle") this.stage.handles?.release();
-    else if (what.kind === "beside" && this.stage.sitting) this.stage.sitters?.front(what.over);
-    else if (what.kind === "beside") bench.setWork(bench.neighbours[what.over - 1] as string);
+    else if (what.kind === "beside" && this.stage.editsFace) this.stage.faceScene?.front(what.over);
+    else if (what.kind === "beside") store.setWork(store.neighbours[what.over - 1] as string);
     else if (what.kind === "needle" && tool === "remove")
       this.picker.reweave((net) => withoutPlace(net, what.needle.place));
     else if (what.kind === "needle" && (event.shiftKey || event.ctrlKey || event.metaKey) && !what.fresh)
-      bench.select([...bench.selection].filter((place) => place !== what.needle.place));
+      store.select([...store.selection].filter((place) => place !== what.needle.place));
     else if (what.kind === "needle" && !event.shiftKey && !event.ctrlKey && !event.metaKey)
-      bench.select([what.needle.place]);
-    else if (what.kind === "ground" && tool === "add" && !this.stage.sitting) this.picker.add(at);
-    else if (what.kind === "ground") bench.select([]);
+      store.select([what.needle.place]);
+    else if (what.kind === "ground" && tool === "add" && !this.stage.editsFace) this.picker.add(at);
+    else if (what.kind === "ground") store.select([]);
   }
 
   /** The system took the pointer: nothing was meant. */
   private lose(event: PointerEvent): void {
     this.pointers.delete(event.pointerId);
-    this.sight.release();
+    this.cameraControl.release();
     this.abandon();
   }
 
   /** What was under way is as if it had not been. */
   private abandon(): void {
-    this.grip?.cancel();
+    this.needleDrag?.cancel();
     this.stage.handles?.cancel();
     this.dropGrip();
     [this.placing, this.band, this.press, this.nudging] = [undefined, undefined, undefined, false];
@@ -223,18 +223,18 @@ export class Hands {
   }
 
   private dropGrip(): void {
-    this.grip = undefined;
+    this.needleDrag = undefined;
     this.stage.redraw();
   }
 
   private doubled(event: MouseEvent): void {
     const at = placeOf(event);
-    if (this.stage.aspect.at(...at) !== 0 || this.picker.pick(event, at) !== undefined) return;
-    this.sight.reset();
+    if (this.stage.viewports.at(...at) !== 0 || this.picker.pick(event, at) !== undefined) return;
+    this.cameraControl.reset();
   }
 
   private hoverAt(event: PointerEvent, at: Pair): void {
-    const over = this.stage.aspect.at(...at);
+    const over = this.stage.viewports.at(...at);
     const needle = over === 0 ? this.picker.pick(event, at) : undefined;
     if (this.stage.handles !== undefined) this.stage.handles.hovered = needle?.place ?? -1;
     this.hover(over, needle?.place ?? -1);
@@ -262,22 +262,22 @@ export class Hands {
   // --- keys -----------------------------------------------------------------------------------------------------------
 
   private key(event: KeyboardEvent): void {
-    const { canvas, pace } = this.stage;
+    const { canvas, pacing } = this.stage;
     if (event.key === "Escape") this.abandon();
     const step = nudgeOf(event);
     const focused = (canvas.getRootNode() as Document | ShadowRoot).activeElement === canvas;
     if (step === undefined || !focused || event.ctrlKey || event.metaKey) return;
-    if (this.stage.sitting ? !this.stage.handles?.nudge(...step) : !this.beginNudge()) return;
+    if (this.stage.editsFace ? !this.stage.handles?.nudge(...step) : !this.beginNudge()) return;
     event.preventDefault();
-    pace.moved(event.timeStamp);
-    this.grip?.nudge(...step);
+    pacing.moved(event.timeStamp);
+    this.needleDrag?.nudge(...step);
   }
 
   private beginNudge(): boolean {
-    const first = [...this.stage.bench.selection][0];
-    if (this.grip === undefined && first !== undefined) {
-      this.grip = this.picker.grab(first, [0, 0]);
-      this.nudging = this.grip !== undefined;
+    const first = [...this.stage.store.selection][0];
+    if (this.needleDrag === undefined && first !== undefined) {
+      this.needleDrag = this.picker.grab(first, [0, 0]);
+      this.nudging = this.needleDrag !== undefined;
     }
     return this.nudging;
   }
@@ -286,7 +286,7 @@ export class Hands {
     this.stage.handles?.endNudge();
     if (!this.nudging) return;
     this.nudging = false;
-    if (this.stage.bench.dragging) this.grip?.end();
+    if (this.stage.store.dragging) this.needleDrag?.end();
     this.dropGrip();
   }
 }

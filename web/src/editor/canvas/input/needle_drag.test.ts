@@ -2,13 +2,13 @@ import { beforeEach, describe, expect, it } from "vitest";
 import type { Vector } from "../../session/net";
 import { Camera, FIRST_VIEW } from "../math/camera";
 import type { Pair } from "../math/vectors";
-import type { Reins } from "../model/drag_vectors";
+import type { DragOptions } from "../model/drag_vectors";
 import { Figure } from "../model/figure";
 import { patch, still } from "../model/skin_patch";
-import { type Bench, Grip, type Ground, standing } from "./needle_drag";
+import { type DragContext, type DragStore, NeedleDrag, standing } from "./needle_drag";
 
 const { positions, triangles, fans, net, tangents } = patch();
-const REINS: Reins = { falloff: 0, mirror: false, mask: null };
+const REINS: DragOptions = { falloff: 0, mirror: false, mask: null };
 const NO_PULLS = new Map<string, number>();
 const view = (yaw = 0, pitch = 0) =>
   new Camera(
@@ -18,7 +18,7 @@ const view = (yaw = 0, pitch = 0) =>
   );
 
 /** A workbench that remembers what it is told. */
-class Told implements Bench {
+class Told implements DragStore {
   live = still();
   readonly livePulls = NO_PULLS;
   gone: { points: readonly number[]; targets: readonly Vector[] } | undefined;
@@ -36,38 +36,38 @@ class Told implements Bench {
   }
 }
 
-describe("Grip", () => {
-  let bench: Told;
-  let ground: Ground;
+describe("NeedleDrag", () => {
+  let store: Told;
+  let context: DragContext;
   let camera: Camera;
-  const take = (place: number, pointer: Pair, reins: Partial<Reins> = {}) =>
-    new Grip(bench, ground, place, [place], pointer, { ...REINS, ...reins });
+  const take = (place: number, pointer: Pair, dragOptions: Partial<DragOptions> = {}) =>
+    new NeedleDrag(store, context, place, [place], pointer, { ...REINS, ...dragOptions });
   const footOn = (place: number): Pair => {
-    const [x, y] = camera.project(standing(ground, NO_PULLS, place, bench.live));
+    const [x, y] = camera.project(standing(context, NO_PULLS, place, store.live));
     return [x, y];
   };
 
   beforeEach(() => {
-    bench = new Told();
+    store = new Told();
     camera = view();
     const figure = new Figure("round", positions, tangents);
     figure.worn = { source: "#1", moves: { vectors: still(), pulls: NO_PULLS }, net };
-    ground = { figure, net, fans, lips: null, land: triangles, camera: () => camera, muscles: [] };
+    context = { figure, net, fans, lips: null, land: triangles, camera: () => camera, muscles: [] };
   });
 
   it("keeps the needle as far from the pointer as it was taken, and on the surface", () => {
     const [x, y] = footOn(0);
-    const grip = take(0, [x + 3, y - 4]);
+    const needleDrag = take(0, [x + 3, y - 4]);
     for (const [dx, dy] of [
       [20, 0],
       [35, -30],
       [-12, 44],
     ] as Pair[]) {
-      grip.move([x + 3 + dx, y - 4 + dy], false);
+      needleDrag.move([x + 3 + dx, y - 4 + dy], false);
       const [fx, fy] = footOn(0);
       expect(fx).toBeCloseTo(x + dx, 2);
       expect(fy).toBeCloseTo(y + dy, 2);
-      const [px, , pz] = grip.foot();
+      const [px, , pz] = needleDrag.foot();
       expect(Math.hypot(px, pz)).toBeGreaterThan(0.0985);
       expect(Math.hypot(px, pz)).toBeLessThan(0.1005);
     }
@@ -75,10 +75,10 @@ describe("Grip", () => {
 
   it("stays where it last was when the pointer leaves the head", () => {
     const [x, y] = footOn(0);
-    const grip = take(0, [x, y]);
-    grip.move([x + 10, y], false);
+    const needleDrag = take(0, [x, y]);
+    needleDrag.move([x + 10, y], false);
     const before = footOn(0);
-    grip.move([-500, -500], false);
+    needleDrag.move([-500, -500], false);
     expect(footOn(0)).toEqual(before);
   });
 
@@ -86,50 +86,50 @@ describe("Grip", () => {
     camera = view(Math.PI / 4);
     const [x, y] = footOn(0);
     take(0, [x, y]).move([x - 30, y], true); // outwards, as one sees it from the left side
-    expect(bench.live[2]).toBeGreaterThan(1.01);
-    expect([bench.live[0], bench.live[1]]).toEqual([0, 0].map((zero) => expect.closeTo(zero, 9)));
-    bench.live = still();
+    expect(store.live[2]).toBeGreaterThan(1.01);
+    expect([store.live[0], store.live[1]]).toEqual([0, 0].map((zero) => expect.closeTo(zero, 9)));
+    store.live = still();
     camera = view();
     take(0, [x, y]).move([x, y - 20], true);
-    expect(bench.live[2]).toBeGreaterThan(1.01);
+    expect(store.live[2]).toBeGreaterThan(1.01);
   });
 
   it("lets go of all it answers for where they are drawn", () => {
     const [x, y] = footOn(1);
-    const grip = take(1, [x, y], { mirror: true });
-    expect(bench.begun).toEqual([1, 2]);
-    grip.move([x + 9, y - 9], false);
-    grip.end();
-    expect(bench.gone?.points).toEqual([1, 2]);
-    const [own, image] = (bench.gone?.targets ?? []) as [Vector, Vector];
-    expect(own).toEqual(standing(ground, NO_PULLS, 1, bench.live));
+    const needleDrag = take(1, [x, y], { mirror: true });
+    expect(store.begun).toEqual([1, 2]);
+    needleDrag.move([x + 9, y - 9], false);
+    needleDrag.end();
+    expect(store.gone?.points).toEqual([1, 2]);
+    const [own, image] = (store.gone?.targets ?? []) as [Vector, Vector];
+    expect(own).toEqual(standing(context, NO_PULLS, 1, store.live));
     expect(Math.hypot(own[0] + image[0], own[1] - image[1], own[2] - image[2])).toBeLessThan(1e-6);
   });
 
   it("was nothing when nothing moved", () => {
     take(0, footOn(0)).end();
-    expect(bench.cancelled).toBe(true);
-    expect(bench.gone).toBeUndefined();
+    expect(store.cancelled).toBe(true);
+    expect(store.gone).toBeUndefined();
   });
 
   it("goes on from what the server answered meanwhile", () => {
     const [x, y] = footOn(0);
-    const grip = take(0, [x, y]);
-    grip.move([x + 10, y], false);
-    bench.live = bench.live.map((value, at) => (at === 9 ? value + 0.05 : value)); // an earlier drag, of point 3
-    grip.move([x + 12, y], false);
-    expect(bench.live[9]).toBeCloseTo(0.05, 12);
+    const needleDrag = take(0, [x, y]);
+    needleDrag.move([x + 10, y], false);
+    store.live = store.live.map((value, at) => (at === 9 ? value + 0.05 : value)); // an earlier drag, of point 3
+    needleDrag.move([x + 12, y], false);
+    expect(store.live[9]).toBeCloseTo(0.05, 12);
     expect(footOn(0)[0]).toBeCloseTo(x + 12, 2);
   });
 
   it("nudges by metres on the screen, and off the surface", () => {
-    const grip = take(0, [0, 0]);
-    const before = grip.foot();
-    grip.nudge(0.0005, 0, 0);
-    expect(grip.foot()[0] - before[0]).toBeCloseTo(0.0005, 5);
-    const [bx, , bz] = grip.foot();
-    grip.nudge(0, 0, 0.0005);
-    const [x, , z] = grip.foot();
+    const needleDrag = take(0, [0, 0]);
+    const before = needleDrag.foot();
+    needleDrag.nudge(0.0005, 0, 0);
+    expect(needleDrag.foot()[0] - before[0]).toBeCloseTo(0.0005, 5);
+    const [bx, , bz] = needleDrag.foot();
+    needleDrag.nudge(0, 0, 0.0005);
+    const [x, , z] = needleDrag.foot();
     expect(Math.hypot(x, z) - Math.hypot(bx, bz)).toBeCloseTo(0.0005, 7);
   });
 });

@@ -5,12 +5,12 @@ import type { Muscle, Net, Vector } from "../../session/net";
 import type { Camera } from "../math/camera";
 import { hit } from "../math/hit_test";
 import { add, dot, minus, type Pair, rowOf, size, type Triple, times, unit } from "../math/vectors";
-import { answered, answeredPlaces, moved, type Party, party, type Reins } from "../model/drag_vectors";
+import { answered, answeredPlaces, type DragGroup, type DragOptions, dragGroup, moved } from "../model/drag_vectors";
 import type { Figure } from "../model/figure";
 import type { Lips } from "../model/lip_coupling";
 
 /** Where the hand reaches: the face, its camera, and what a pointer lands on. */
-export interface Ground {
+export interface DragContext {
   figure: Figure;
   net: Net;
   fans: Fans;
@@ -21,7 +21,7 @@ export interface Ground {
 }
 
 /** What of the workbench a hand moves. */
-export interface Bench {
+export interface DragStore {
   live: Float64Array;
   readonly livePulls: ReadonlyMap<string, number>;
   begin(points: readonly number[]): void;
@@ -37,7 +37,7 @@ const END_ON = 0.35;
 
 /** Where a needle's foot is on the face when the net has these vectors (linearised, like all that is drawn). */
 export function standing(
-  { figure, net, muscles }: Pick<Ground, "figure" | "net" | "muscles">,
+  { figure, net, muscles }: Pick<DragContext, "figure" | "net" | "muscles">,
   pulls: ReadonlyMap<string, number>,
   place: number,
   vectors: Float64Array,
@@ -56,8 +56,8 @@ export function standing(
   return answer.reduce((sum, tangent, axis) => add(sum, times(tangent, field[axis] as number)), foot);
 }
 
-export class Grip {
-  readonly party: Party;
+export class NeedleDrag {
+  readonly dragGroup: DragGroup;
   /** Whether anything has moved. */
   used = false;
   private before: Float64Array;
@@ -70,17 +70,17 @@ export class Grip {
 
   /** Takes `led` by the needle of `grabbed`, at a pointer's place on the canvas. */
   constructor(
-    private readonly bench: Bench,
-    private readonly ground: Ground,
+    private readonly store: DragStore,
+    private readonly context: DragContext,
     private readonly grabbed: number,
     led: readonly number[],
     pointer: Pair,
-    reins: Reins,
+    dragOptions: DragOptions,
   ) {
-    const { net, figure, fans, lips } = ground;
-    this.party = party(net, led, reins, { fans, lips, positions: figure.live });
-    bench.begin(answeredPlaces(this.party));
-    [this.before, this.written] = [bench.live.slice(), bench.live.slice()];
+    const { net, figure, fans, lips } = context;
+    this.dragGroup = dragGroup(net, led, dragOptions, { fans, lips, positions: figure.live });
+    store.begin(answeredPlaces(this.dragGroup));
+    [this.before, this.written] = [store.live.slice(), store.live.slice()];
     this.surface = figure.live.slice();
     this.target = this.foot();
     this.origin = pointer;
@@ -100,7 +100,7 @@ export class Grip {
   /** Moves by metres: to the right and up on the screen along the surface, and off it. */
   nudge(right: number, up: number, off: number): void {
     this.catchUp();
-    const camera = this.ground.camera();
+    const camera = this.context.camera();
     const from = this.foot();
     const [x, y] = camera.project(from);
     const each = camera.metresPerPixel(from);
@@ -116,32 +116,32 @@ export class Grip {
   end(): void {
     this.catchUp();
     if (!this.used) {
-      this.bench.cancel();
+      this.store.cancel();
       return;
     }
-    const places = answeredPlaces(this.party);
-    this.bench.letGo(
+    const places = answeredPlaces(this.dragGroup);
+    this.store.letGo(
       places,
-      places.map((place) => this.where(place, this.bench.live)),
+      places.map((place) => this.where(place, this.store.live)),
     );
   }
 
   cancel(): void {
-    this.bench.cancel();
+    this.store.cancel();
   }
 
   /** Where the grabbed needle's foot is drawn, metres. */
   foot(): Triple {
-    return this.where(this.grabbed, this.bench.live);
+    return this.where(this.grabbed, this.store.live);
   }
 
   private where(place: number, vectors: Float64Array): Triple {
-    return standing(this.ground, this.bench.livePulls, place, vectors);
+    return standing(this.context, this.store.livePulls, place, vectors);
   }
 
   /** The server answered an earlier drag while this one goes on: what was before the hand has moved with it. */
   private catchUp(): void {
-    const { live } = this.bench;
+    const { live } = this.store;
     if (live.length !== this.written.length) return;
     this.before = this.before.map((value, at) => value + (live[at] as number) - (this.written[at] as number));
     this.written = live.slice();
@@ -149,13 +149,13 @@ export class Grip {
 
   /** Begins again from where everything is. */
   private settle(pointer: Pair): void {
-    this.before = this.bench.live.slice();
+    this.before = this.store.live.slice();
     this.origin = pointer;
     this.target = this.foot();
-    const camera = this.ground.camera();
+    const camera = this.context.camera();
     const [x, y] = camera.project(this.target);
     const ray = camera.ray(x, y);
-    const met = hit(this.surface, this.ground.land, camera.eye, ray);
+    const met = hit(this.surface, this.context.land, camera.eye, ray);
     const deeper = met === undefined ? 0 : dot(minus(this.target, met.point), ray);
     this.depth = Math.abs(deeper) < DEPTH ? deeper : 0;
     this.grasp = [x - pointer[0], y - pointer[1]];
@@ -165,14 +165,14 @@ export class Grip {
   private grasp: Pair = [0, 0];
 
   private onSurface([x, y]: Pair): Triple {
-    const camera = this.ground.camera();
+    const camera = this.context.camera();
     const ray = camera.ray(x + this.grasp[0], y + this.grasp[1]);
-    const met = hit(this.surface, this.ground.land, camera.eye, ray);
+    const met = hit(this.surface, this.context.land, camera.eye, ray);
     return met === undefined ? this.target : add(met.point, times(ray, this.depth));
   }
 
   private offSurface([x, y]: Pair): Triple {
-    const camera = this.ground.camera();
+    const camera = this.context.camera();
     const from = this.where(this.grabbed, this.before);
     const axis = this.axis();
     const [ax, ay] = camera.project(from);
@@ -186,20 +186,20 @@ export class Grip {
 
   /** The direction in which R grows at the grabbed point. */
   private axis(): Triple {
-    const answer = this.ground.figure.answer(this.ground.net.rows[this.grabbed] as number);
-    return answer === undefined || size(answer[2]) === 0 ? this.ground.camera().back : unit(answer[2]);
+    const answer = this.context.figure.answer(this.context.net.rows[this.grabbed] as number);
+    return answer === undefined || size(answer[2]) === 0 ? this.context.camera().back : unit(answer[2]);
   }
 
   /** Moves everything so that the grabbed foot lies at a target. */
   private put(target: Triple): void {
-    const { bench, ground } = this;
-    const row = ground.net.rows[this.grabbed] as number;
-    const move = answered(ground.figure.answer(row), this.where(this.grabbed, this.before), target);
+    const { store, context } = this;
+    const row = context.net.rows[this.grabbed] as number;
+    const move = answered(context.figure.answer(row), this.where(this.grabbed, this.before), target);
     if (move === undefined) return;
     this.target = target;
-    bench.live.set(moved(this.before, this.party, move));
-    this.written = bench.live.slice();
+    store.live.set(moved(this.before, this.dragGroup, move));
+    this.written = store.live.slice();
     this.used = true;
-    bench.liveChanged();
+    store.liveChanged();
   }
 }

@@ -1,7 +1,7 @@
 /** The needles of the face under work: which one a pointer means, what skin lies under it, and edits of the net. */
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
-import type { Workbench } from "../../session/draft_store";
+import type { DraftStore } from "../../session/draft_store";
 import type { Net } from "../../session/net";
 import type { Camera } from "../math/camera";
 import { hit } from "../math/hit_test";
@@ -10,20 +10,20 @@ import type { Figure } from "../model/figure";
 import { lipsOf } from "../model/lip_coupling";
 import { NEEDLE, type Needle, needlesOn, picked, REACH, within } from "../model/needles";
 import { freeRow, withPlaceAt, withRow } from "../model/net_edits";
-import type { Member } from "../model/shown_face";
-import type { Aspect } from "../scene/viewports";
-import type { Sight } from "./camera_control";
-import type { HandleHands } from "./handle_drag";
-import { Grip, type Ground } from "./needle_drag";
+import type { ShownFace } from "../model/shown_face";
+import type { Viewports } from "../scene/viewports";
+import type { CameraControl } from "./camera_control";
+import type { HandleDrag } from "./handle_drag";
+import { type DragContext, NeedleDrag } from "./needle_drag";
 
 /** What the picker reads of the canvas. */
 export interface PickerCanvas {
-  readonly bench: Workbench;
-  readonly aspect: Aspect;
+  readonly store: DraftStore;
+  readonly viewports: Viewports;
   /** Whether a face is under work, with handles in place of needles. */
-  readonly sitting: boolean;
-  readonly handles: HandleHands | undefined;
-  readonly work: Pick<Member, "figure" | "bounds"> | undefined;
+  readonly editsFace: boolean;
+  readonly handles: HandleDrag | undefined;
+  readonly work: Pick<ShownFace, "figure" | "bounds"> | undefined;
 }
 
 /** A needle that is being set down somewhere else on the skin. */
@@ -38,7 +38,7 @@ export class NeedlePicker {
 
   constructor(
     private readonly stage: PickerCanvas,
-    private readonly sight: Sight,
+    private readonly cameraControl: CameraControl,
   ) {}
 
   know(anatomy: Anatomy, surface: { skin: Uint32Array; land: Uint32Array }): void {
@@ -47,12 +47,12 @@ export class NeedlePicker {
 
   /** The needles of the face under work, where they can be taken; none while there is nothing to take. */
   needles(): Needle[] {
-    const { bench, handles } = this.stage;
-    if (this.stage.sitting) return handles?.studs() ?? [];
+    const { store, handles } = this.stage;
+    if (this.stage.editsFace) return handles?.studs() ?? [];
     const figure = this.figure;
-    const shown = bench.recipe !== null && bench.look === null && bench.options.needles;
-    if (figure === undefined || this.anatomy === undefined || bench.net === null || !shown) return [];
-    return needlesOn(bench.net.rows, this.anatomy.fans, figure.live, this.needleLength);
+    const shown = store.recipe !== null && store.look === null && store.options.needles;
+    if (figure === undefined || this.anatomy === undefined || store.net === null || !shown) return [];
+    return needlesOn(store.net.rows, this.anatomy.fans, figure.live, this.needleLength);
   }
 
   /** Where the needles point. */
@@ -62,13 +62,13 @@ export class NeedlePicker {
 
   /** Whether needles are shown. */
   get armed(): boolean {
-    const { recipe, look, options } = this.stage.bench;
+    const { recipe, look, options } = this.stage.store;
     return recipe !== null && look === null && options.needles;
   }
 
   /** Metres; shorter when one looks from near, so that they do not hide what they move. */
   get needleLength(): number {
-    return NEEDLE / Math.max(1, this.stage.aspect.view.zoom ** 0.75);
+    return NEEDLE / Math.max(1, this.stage.viewports.view.zoom ** 0.75);
   }
 
   private get figure(): Figure | undefined {
@@ -77,7 +77,7 @@ export class NeedlePicker {
 
   /** The camera of the work. */
   camera(): Camera | undefined {
-    return this.sight.camera;
+    return this.cameraControl.camera;
   }
 
   pick(event: MouseEvent, at: Pair): Needle | undefined {
@@ -89,22 +89,22 @@ export class NeedlePicker {
   }
 
   /** Takes a needle, with all that is selected if it is; undefined where nothing may move. */
-  grab(place: number, from: Pair): Grip | undefined {
-    const ground = this.groundOf();
-    if (ground === undefined) return undefined;
-    const { bench } = this.stage;
-    const { falloff, mirror, region } = bench.options;
-    const mask = region === null ? null : (bench.masks[bench.regions.indexOf(region)] ?? null);
-    const led = bench.selection.has(place) ? [...bench.selection] : [place];
-    const grip = new Grip(bench, ground, place, led, from, { falloff, mirror, mask });
-    if (grip.party.led.includes(place)) return grip;
-    grip.cancel(); // the region does not move it
+  grab(place: number, from: Pair): NeedleDrag | undefined {
+    const context = this.groundOf();
+    if (context === undefined) return undefined;
+    const { store } = this.stage;
+    const { falloff, mirror, region } = store.options;
+    const mask = region === null ? null : (store.masks[store.regions.indexOf(region)] ?? null);
+    const led = store.selection.has(place) ? [...store.selection] : [place];
+    const needleDrag = new NeedleDrag(store, context, place, led, from, { falloff, mirror, mask });
+    if (needleDrag.dragGroup.led.includes(place)) return needleDrag;
+    needleDrag.cancel(); // the region does not move it
     return undefined;
   }
 
-  private groundOf(): Ground | undefined {
+  private groundOf(): DragContext | undefined {
     const { figure, anatomy, surface } = this;
-    const { net, muscles } = this.stage.bench;
+    const { net, muscles } = this.stage.store;
     if (figure?.tangents === undefined || anatomy === undefined || surface === undefined || net === null)
       return undefined;
     const camera = () => this.camera() as Camera;
@@ -114,21 +114,21 @@ export class NeedlePicker {
 
   /** Adds the needles inside a rubber band to the selection. */
   selectWithin(band: readonly [number, number, number, number]): void {
-    const [camera, figure, surface, { bench }] = [this.camera(), this.figure, this.surface, this.stage];
+    const [camera, figure, surface, { store }] = [this.camera(), this.figure, this.surface, this.stage];
     if (camera === undefined || figure === undefined || surface === undefined) return;
     const skin = { positions: figure.live, triangles: surface.skin };
-    bench.select([...bench.selection, ...within(this.needles(), camera, skin, band)]);
+    store.select([...store.selection, ...within(this.needles(), camera, skin, band)]);
   }
 
   /** The row under a place of the net, or under a handle. */
   rowOf(place: number): number {
-    const { bench, handles, sitting } = this.stage;
-    return (sitting ? handles?.handles?.rows[place] : bench.net?.rows[place]) ?? -1;
+    const { store, handles, editsFace } = this.stage;
+    return (editsFace ? handles?.handles?.rows[place] : store.net?.rows[place]) ?? -1;
   }
 
   reweave(rows: (net: Net) => readonly number[]): void {
-    const { bench } = this.stage;
-    if (bench.net !== null) bench.setNet(rows(bench.net));
+    const { store } = this.stage;
+    if (store.net !== null) store.setNet(rows(store.net));
   }
 
   add(at: Pair): void {
@@ -142,7 +142,7 @@ export class NeedlePicker {
 
   /** The vertex of the sheet under the pointer where no needle stands yet. */
   rowUnder([x, y]: Pair): number | undefined {
-    const [camera, figure, { net }] = [this.camera(), this.figure, this.stage.bench];
+    const [camera, figure, { net }] = [this.camera(), this.figure, this.stage.store];
     if (camera === undefined || figure === undefined || this.surface === undefined || net === null) return undefined;
     const met = hit(figure.live, this.surface.skin, camera.eye, camera.ray(x, y));
     return met === undefined ? undefined : freeRow(net, met, figure.live);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { Touched } from "./changed_rows";
+import { ChangedRows } from "./changed_rows";
 import { patch } from "./skin_patch";
 
 const { fans } = patch();
@@ -9,20 +9,20 @@ const field = (...rows: number[]) => {
   return made;
 };
 
-describe("Touched", () => {
+describe("ChangedRows", () => {
   it("names what moves, what moved before, and turns what is around", () => {
-    const touched = new Touched(fans);
-    const first = touched.after([field(40)], []);
+    const changedRows = new ChangedRows(fans);
+    const first = changedRows.after([field(40)], []);
     expect([...first.moved]).toEqual([40]);
     expect([...first.turned]).toEqual([31, 32, 39, 40, 41, 48, 49]);
-    expect([...touched.after([field(42)], []).moved]).toEqual([40, 42]);
-    expect([...touched.after([], []).moved]).toEqual([42]);
-    expect([...touched.after([], []).moved]).toEqual([]);
+    expect([...changedRows.after([field(42)], []).moved]).toEqual([40, 42]);
+    expect([...changedRows.after([], []).moved]).toEqual([42]);
+    expect([...changedRows.after([], []).moved]).toEqual([]);
   });
 
   it("lets followers move with their anchors, and rows that ease", () => {
-    const touched = new Touched(fans);
-    touched.setFollowers({
+    const changedRows = new ChangedRows(fans);
+    changedRows.setFollowers({
       rows: Uint32Array.of(80, 79),
       anchors: Uint32Array.of(40, 0, 41, 42),
       shares: Float32Array.of(1, 0, 0.5, 0.5),
@@ -30,12 +30,12 @@ describe("Touched", () => {
     });
     const offset = new Float32Array(3 * 81);
     offset[3 * 5 + 2] = 0.001;
-    expect([...touched.after([field(40)], [offset]).moved]).toEqual([5, 40, 80]);
-    expect([...touched.after([field(0)], []).moved]).toEqual([0, 5, 40, 80]); // a share of nothing is none
-    expect([...touched.after([field(41)], []).moved]).toEqual([0, 41, 79]);
+    expect([...changedRows.after([field(40)], [offset]).moved]).toEqual([5, 40, 80]);
+    expect([...changedRows.after([field(0)], []).moved]).toEqual([0, 5, 40, 80]); // a share of nothing is none
+    expect([...changedRows.after([field(41)], []).moved]).toEqual([0, 41, 79]);
   });
 
   it("can name all", () => {
-    expect(new Touched(fans).all.moved).toHaveLength(81);
+    expect(new ChangedRows(fans).all.moved).toHaveLength(81);
   });
 });

@@ -3,7 +3,7 @@
 import type { Fans } from "../../../face/anatomy/topology";
 import type { Followers } from "../../session/net";
 
-export class Touched {
+export class ChangedRows {
   private readonly marks: Uint8Array;
   private readonly before: Uint8Array;
   private followers: Followers | null = null;

@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
 import type { Triple } from "../math/vectors";
-import { answered, answeredPlaces, bell, moved, party, type Reins } from "./drag_vectors";
+import { answered, answeredPlaces, bell, type DragOptions, dragGroup, moved } from "./drag_vectors";
 import { patch, still } from "./skin_patch";
 
 const { net, fans, positions } = patch();
-const REINS: Reins = { falloff: 0, mirror: false, mask: null };
-const go = (led: number[], reins: Partial<Reins> = {}) =>
-  party(net, led, { ...REINS, ...reins }, { fans, lips: null, positions });
+const REINS: DragOptions = { falloff: 0, mirror: false, mask: null };
+const go = (led: number[], dragOptions: Partial<DragOptions> = {}) =>
+  dragGroup(net, led, { ...REINS, ...dragOptions }, { fans, lips: null, positions });
 const vector = (vectors: Float64Array, place: number) => [...vectors.slice(3 * place, 3 * place + 3)];
 
 it("falls like a bell", () => {
@@ -16,7 +16,7 @@ it("falls like a bell", () => {
   for (let x = 0; x < 1; x += 0.1) expect(bell(x + 0.1)).toBeLessThan(bell(x));
 });
 
-describe("party", () => {
+describe("dragGroup", () => {
   it("is who is led, without falloff", () => {
     expect([...go([0, 3]).shares]).toEqual([
       [0, 1],

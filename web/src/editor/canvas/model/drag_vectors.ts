@@ -6,7 +6,7 @@ import { minus, solved, type Triple } from "../math/vectors";
 import { type Lips, together } from "./lip_coupling";
 
 /** The points of a drag: how much of the hand's move each takes, and the mirror images of those. */
-export interface Party {
+export interface DragGroup {
   /** Places that take the whole move: they are to lie where the hand puts them. */
   led: readonly number[];
   /** All places that move on the hand's side, with their share of its move. */
@@ -16,7 +16,7 @@ export interface Party {
 }
 
 /** What says who goes along. */
-export interface Reins {
+export interface DragOptions {
   falloff: number; // millimetres on the skin
   mirror: boolean;
   /** How much the region moves of each vertex, 255 all; null: everything. */
@@ -34,19 +34,19 @@ export interface Skin {
 }
 
 /** Who moves when a hand takes `led`. */
-export function party(net: Net, led: readonly number[], reins: Reins, skin: Skin): Party {
+export function dragGroup(net: Net, led: readonly number[], dragOptions: DragOptions, skin: Skin): DragGroup {
   const shares = new Map(led.map((place) => [place, 1]));
-  if (reins.falloff > 0) addNeighbours(shares, net, led, reins.falloff / 1000, skin);
-  if (reins.mask !== null)
+  if (dragOptions.falloff > 0) addNeighbours(shares, net, led, dragOptions.falloff / 1000, skin);
+  if (dragOptions.mask !== null)
     for (const [place, share] of shares) {
-      const owned = (reins.mask[net.rows[place] as number] as number) / 255;
+      const owned = (dragOptions.mask[net.rows[place] as number] as number) / 255;
       shares.set(place, led.includes(place) && owned > 0 ? 1 : share * owned);
     }
   for (const [place, share] of shares) if (share < 1e-3) shares.delete(place);
   return {
     led: led.filter((place) => shares.has(place)),
     shares,
-    mirrored: reins.mirror ? images(net, shares) : new Map(),
+    mirrored: dragOptions.mirror ? images(net, shares) : new Map(),
   };
 }
 
@@ -82,7 +82,7 @@ function images(net: Net, shares: ReadonlyMap<number, number>): Map<number, numb
 }
 
 /** The vectors when the hand has moved by `move` (dtheta, dh, R) since `before`; both (n, 3). */
-export function moved(before: Float64Array, { shares, mirrored }: Party, move: Readonly<Vector>): Float64Array {
+export function moved(before: Float64Array, { shares, mirrored }: DragGroup, move: Readonly<Vector>): Float64Array {
   const out = before.slice();
   for (const [place, share] of shares) {
     const own = mirrored.get(place) === place; // on the midline: nothing to a side
@@ -114,6 +114,6 @@ export function answered(
 }
 
 /** The places that a drag is answered for: those led by the hand, and their images. */
-export function answeredPlaces({ led, mirrored }: Party): number[] {
+export function answeredPlaces({ led, mirrored }: DragGroup): number[] {
   return [...new Set([...led, ...led.flatMap((place) => mirrored.get(place) ?? [])])];
 }

@@ -16,7 +16,7 @@ export interface Ball {
   axes: Float32Array;
 }
 
-/** What the hand sets of the eyes (`Workbench.liveEyes`). */
+/** What the hand sets of the eyes (`DraftStore.liveEyes`). */
 interface Gaze {
   turns: readonly number[];
   pupil: number;

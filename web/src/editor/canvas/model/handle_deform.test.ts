@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { shapeOf } from "./handle_deform";
+import { handleDeform } from "./handle_deform";
 
 /** A head that is a ball of skin, with an eyeball inside its surface, and handles around. */
 function sphere(count: number, radius: number, middle: readonly [number, number, number]): number[] {
@@ -43,11 +43,11 @@ const heightsOf = (positions: Float32Array): number[] => {
 };
 
 test("at the moves that it was made from a face is what it was", () => {
-  near(shapeOf(POSITIONS, ROWS, HANDLES, STILL).at(STILL), POSITIONS);
+  near(handleDeform(POSITIONS, ROWS, HANDLES, STILL).at(STILL), POSITIONS);
 });
 
 test("handles off the lids arrive where they are put", () => {
-  const after = shapeOf(POSITIONS, ROWS, HANDLES, STILL).at(MOVES);
+  const after = handleDeform(POSITIONS, ROWS, HANDLES, STILL).at(MOVES);
   HANDLES.forEach((row, place) => {
     if ((heightsOf(POSITIONS)[row] as number) < 1.6) return;
     for (let axis = 0; axis < 3; axis++)
@@ -59,14 +59,14 @@ test("handles off the lids arrive where they are put", () => {
 });
 
 test("what was moved can go back to rest, and on from there", () => {
-  const moved = shapeOf(POSITIONS, ROWS, HANDLES, STILL).at(MOVES).slice();
-  const again = shapeOf(moved, ROWS, HANDLES, MOVES);
+  const moved = handleDeform(POSITIONS, ROWS, HANDLES, STILL).at(MOVES).slice();
+  const again = handleDeform(moved, ROWS, HANDLES, MOVES);
   near(again.at(MOVES), moved, 5);
   near(again.at(STILL), POSITIONS, 5);
 });
 
 test("it does not matter in which order handles were moved", () => {
-  const shape = shapeOf(POSITIONS, ROWS, HANDLES, STILL);
+  const shape = handleDeform(POSITIONS, ROWS, HANDLES, STILL);
   const few = MOVES.map((move, at) => (at < 6 ? move : 0));
   const first = shape.at(few).slice();
   shape.at(MOVES);
@@ -76,7 +76,7 @@ test("it does not matter in which order handles were moved", () => {
 });
 
 test("an eyeball stays round, and the skin over it as high above it", () => {
-  const after = shapeOf(POSITIONS, ROWS, HANDLES, STILL).at(MOVES);
+  const after = handleDeform(POSITIONS, ROWS, HANDLES, STILL).at(MOVES);
   const [before, now] = [heightsOf(POSITIONS), heightsOf(after)];
   for (const row of ROWS.balls[0] as Uint32Array) expect(now[row]).toBeCloseTo(before[row] as number, 4);
   before.forEach((height, row) => {

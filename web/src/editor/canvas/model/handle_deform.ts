@@ -26,7 +26,7 @@ interface Lid {
 /** So many handles moved since the last time are followed one by one; more of them all together. */
 const FEW = 4;
 
-export class Shape {
+export class HandleDeform {
   private readonly warp: Warp;
   private readonly lids: Lid[];
   private readonly columns = new Map<number, Float64Array>();
@@ -97,8 +97,13 @@ export class Shape {
 }
 
 /** The shape of a face that the server made: positions (rows, 3) with its handles moved by `moves` (n, 3). */
-export function shapeOf(positions: Float32Array, rows: Rows, handles: readonly number[], moves: Float64Array): Shape {
-  let shape = new Shape(positions, rows, handles);
+export function handleDeform(
+  positions: Float32Array,
+  rows: Rows,
+  handles: readonly number[],
+  moves: Float64Array,
+): HandleDeform {
+  let shape = new HandleDeform(positions, rows, handles);
   if (moves.every((move) => move === 0)) return shape;
   let rest = positions;
   for (let round = 0; round < ROUNDS; round++) {
@@ -106,7 +111,7 @@ export function shapeOf(positions: Float32Array, rows: Rows, handles: readonly n
     const missing = positions.map((value, at) => value - (there[at] as number));
     if (missing.every((part) => Math.abs(part) < EXACT)) break;
     rest = rest.map((value, at) => value + (missing[at] as number));
-    shape = new Shape(rest, rows, handles);
+    shape = new HandleDeform(rest, rows, handles);
   }
   shape.hold(moves);
   return shape;

@@ -5,11 +5,11 @@ import type { Bounds } from "../math/camera";
 import type { Figure } from "./figure";
 
 /** A face that is shown, or was. */
-export interface Member {
+export interface ShownFace {
   source: string;
   document: FaceDocument;
   figure: Figure;
   bounds: Bounds;
-  complexion: WebGLTexture;
+  skinTexture: WebGLTexture;
   block: number;
 }

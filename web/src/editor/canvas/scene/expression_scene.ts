@@ -6,17 +6,17 @@ import type { Manifest } from "../../../link/messages";
 import { loadFace, loadTangents, loadWorn } from "../../session/asset_loading";
 import type { Followers, Muscle, Net } from "../../session/net";
 import { MOST_BLOCKS } from "../draw/atlas_shaders";
-import { Crowd } from "../draw/face_atlas";
-import type { Complexions } from "../draw/skin_texture";
+import { FaceAtlas } from "../draw/face_atlas";
+import type { SkinTextures } from "../draw/skin_texture";
 import { boundsOf } from "../math/camera";
-import { Touched } from "../model/changed_rows";
+import { ChangedRows } from "../model/changed_rows";
 import { type Difference, Figure } from "../model/figure";
 import { addField, type Moves, type Reach, reachOf } from "../model/influence_field";
-import type { Member } from "../model/shown_face";
+import type { ShownFace } from "../model/shown_face";
 import { type Spread, spreadOf } from "../model/spread";
 
 /** What all faces wear: an expression's source, and what of it hand and muscles made. */
-export interface Outfit {
+export interface WornExpression {
   source: string;
   moves: Moves | undefined;
   net: Net | null;
@@ -33,27 +33,27 @@ export interface Hand {
 const ARRIVALS = 3;
 
 interface Arrival {
-  member: Member;
-  outfit: Outfit;
+  member: ShownFace;
+  wanted: WornExpression;
   base: Float32Array;
 }
 
-export class Company {
-  readonly crowd: Crowd;
+export class ExpressionScene {
+  readonly faceAtlas: FaceAtlas;
   /** The last differences between linearised and true shape, by face. */
   readonly differences = new Map<string, Difference>();
   /** How often faces have taken a true shape. */
   arrived = 0;
-  private readonly members = new Map<string, Member>();
-  private readonly asked = new Map<string, Promise<Member>>();
-  private readonly touched: Touched;
+  private readonly members = new Map<string, ShownFace>();
+  private readonly asked = new Map<string, Promise<ShownFace>>();
+  private readonly changedRows: ChangedRows;
   private readonly fields: Float32Array[];
   private readonly slots = new Int32Array(MOST_BLOCKS).fill(-1);
   private readonly lags = new Float32Array(MOST_BLOCKS);
   private readonly arrivals: Arrival[] = [];
-  private readonly fresh = new Set<Member>();
+  private readonly fresh = new Set<ShownFace>();
   private shown: string[] = [];
-  private outfit: Outfit = { source: "neutral", moves: undefined, net: null };
+  private wanted: WornExpression = { source: "neutral", moves: undefined, net: null };
   private reach: { net: Net; of: Reach } | undefined;
   private followers: Followers | null = null;
   private hand: Hand = { net: null, moves: undefined, muscles: [] };
@@ -64,24 +64,24 @@ export class Company {
     gl: WebGL2RenderingContext,
     readonly library: Library,
     readonly anatomy: Anatomy,
-    private readonly complexions: Complexions,
+    private readonly skinTextures: SkinTextures,
     private readonly side: number,
   ) {
     const { vertices, skin } = library.manifest;
-    this.crowd = new Crowd(gl, vertices, anatomy.fans);
-    this.touched = new Touched(anatomy.fans);
+    this.faceAtlas = new FaceAtlas(gl, vertices, anatomy.fans);
+    this.changedRows = new ChangedRows(anatomy.fans);
     this.fields = Array.from({ length: MOST_BLOCKS }, () => new Float32Array(4 * skin));
   }
 
   setFollowers(followers: Followers | null): void {
     if (followers === null || followers === this.followers) return;
     this.followers = followers;
-    this.crowd.setFollowers(followers);
-    this.touched.setFollowers(followers);
+    this.faceAtlas.setFollowers(followers);
+    this.changedRows.setFollowers(followers);
   }
 
   /** The member of a source, once it is here. */
-  member(source: string): Member | undefined {
+  member(source: string): ShownFace | undefined {
     return this.members.get(source);
   }
 
@@ -93,8 +93,8 @@ export class Company {
   }
 
   /** What all faces are to wear; each puts it on when the server has it. */
-  dress(manifest: Manifest, outfit: Outfit): void {
-    this.outfit = outfit;
+  dress(manifest: Manifest, wanted: WornExpression): void {
+    this.wanted = wanted;
     for (const member of this.onStage()) void this.fit(manifest, member);
     this.changed = true;
   }
@@ -106,7 +106,7 @@ export class Company {
   }
 
   /** Where a face will be once nothing eases, (rows, 3) metres. */
-  positions({ figure }: Member): Float32Array {
+  positions({ figure }: ShownFace): Float32Array {
     figure.move(this.fieldOf(figure.worn), this.followers);
     return figure.live;
   }
@@ -114,7 +114,7 @@ export class Company {
   /** Whether every shown face wears what it is to wear, and nothing eases. */
   settled(time: number): boolean {
     return (
-      this.shown.every((source) => this.members.get(source)?.figure.worn.source === this.outfit.source) &&
+      this.shown.every((source) => this.members.get(source)?.figure.worn.source === this.wanted.source) &&
       this.arrivals.length === 0 &&
       this.onStage().every(({ figure }) => figure.lag(time) === 0)
     );
@@ -128,7 +128,7 @@ export class Company {
     this.changed = false;
     this.takeArrivals(time);
     const used = this.assignFields();
-    for (const field of used.values()) this.crowd.setField(field.slot, field.values);
+    for (const field of used.values()) this.faceAtlas.setField(field.slot, field.values);
     const work = this.members.get(this.shown[0] ?? "");
     if (work !== undefined) this.moveFigure(work, used);
     this.passes(used, time);
@@ -136,17 +136,17 @@ export class Company {
   }
 
   /** Where the rows are that changed in the last step, on a face. */
-  spread({ figure, block }: Member): Spread {
+  spread({ figure, block }: ShownFace): Spread {
     const slot = this.slots[block] as number;
     return spreadOf(figure, this.turned, slot < 0 ? undefined : this.fields[slot]);
   }
 
   dispose(): void {
-    this.crowd.dispose();
+    this.faceAtlas.dispose();
   }
 
   /** Members that have a block, in the order of the blocks. */
-  private onStage(): Member[] {
+  private onStage(): ShownFace[] {
     return [...this.members.values()].filter(({ block }) => block >= 0);
   }
 
@@ -160,58 +160,58 @@ export class Company {
     member.block = Array.from({ length: MOST_BLOCKS }, (_, block) => block).find(
       (block) => !taken.has(block),
     ) as number;
-    this.crowd.upload(member.block, member.figure, true);
+    this.faceAtlas.upload(member.block, member.figure, true);
     this.fresh.add(member);
     this.changed = true;
     await this.fit(manifest, member);
   }
 
-  private async load(manifest: Manifest, source: string): Promise<Member> {
+  private async load(manifest: Manifest, source: string): Promise<ShownFace> {
     const [face, tangents] = await Promise.all([loadFace(manifest, source), loadTangents(manifest, source)]);
     const { document, positions } = face;
     const figure = new Figure(document.name, positions, tangents);
-    const complexion = this.complexions.paint(document.look, this.side);
+    const skinTexture = this.skinTextures.paint(document.look, this.side);
     const bounds = boundsOf(positions);
-    const member = { source, document, figure, bounds, complexion, block: -1 };
+    const member = { source, document, figure, bounds, skinTexture, block: -1 };
     this.members.set(source, member);
     return member;
   }
 
-  private async fit(manifest: Manifest, member: Member): Promise<void> {
-    const { outfit } = this;
-    if (member.figure.worn.source === outfit.source) {
-      member.figure.worn = { ...outfit }; // the same shape, made of other moves
+  private async fit(manifest: Manifest, member: ShownFace): Promise<void> {
+    const { wanted } = this;
+    if (member.figure.worn.source === wanted.source) {
+      member.figure.worn = { ...wanted }; // the same shape, made of other moves
       return;
     }
-    const base = await loadWorn(manifest, member.source, outfit.source, member.figure.rest);
-    if (this.outfit !== outfit) return; // something newer is on its way
-    this.arrivals.push({ member, outfit, base });
+    const base = await loadWorn(manifest, member.source, wanted.source, member.figure.rest);
+    if (this.wanted !== wanted) return; // something newer is on its way
+    this.arrivals.push({ member, wanted, base });
   }
 
   private takeArrivals(time: number): void {
-    for (const { member, outfit, base } of this.arrivals.splice(0, ARRIVALS)) {
-      if (outfit !== this.outfit) continue;
+    for (const { member, wanted, base } of this.arrivals.splice(0, ARRIVALS)) {
+      if (wanted !== this.wanted) continue;
       const { figure } = member;
       figure.move(this.fieldOf(figure.worn), this.followers);
       const first = figure.worn.source === "neutral" && this.fresh.has(member);
-      const difference = figure.wear({ ...outfit }, base, this.fieldOf(outfit), this.followers, time);
+      const difference = figure.wear({ ...wanted }, base, this.fieldOf(wanted), this.followers, time);
       if (first) figure.easedFrom = -Infinity; // nobody has seen it yet
       if (first) figure.offset.fill(0);
       this.differences.set(figure.name, difference);
       this.arrived += 1;
       if (member.block < 0) continue;
-      this.crowd.upload(member.block, figure, false);
+      this.faceAtlas.upload(member.block, figure, false);
       this.fresh.add(member);
     }
   }
 
   /** The field of what the hand adds to what a face wears; undefined: nothing. */
-  private fieldOf(worn: Outfit): Float32Array | undefined {
+  private fieldOf(worn: WornExpression): Float32Array | undefined {
     const field = new Float32Array(this.fields[0]?.length ?? 0);
     return this.writeField(field, worn) ? field : undefined;
   }
 
-  private writeField(field: Float32Array, { moves, net }: Outfit): boolean {
+  private writeField(field: Float32Array, { moves, net }: WornExpression): boolean {
     const { hand } = this;
     field.fill(0);
     if (moves === undefined || hand.moves === undefined || net === null || net !== hand.net) return false;
@@ -236,7 +236,7 @@ export class Company {
     return used;
   }
 
-  private moveFigure({ figure }: Member, used: ReadonlyMap<Moves, { values: Float32Array }>): void {
+  private moveFigure({ figure }: ShownFace, used: ReadonlyMap<Moves, { values: Float32Array }>): void {
     const field = figure.worn.moves === undefined ? undefined : used.get(figure.worn.moves)?.values;
     figure.move(field, this.followers);
   }
@@ -250,15 +250,16 @@ export class Company {
       if (Number.isFinite(figure.easedFrom)) offsets.push(figure.offset);
       if (lag === 0) figure.easedFrom = -Infinity;
     }
-    const lists = this.touched.after(
+    const lists = this.changedRows.after(
       [...used.values()].map(({ values }) => values),
       offsets,
     );
     this.turned = lists.turned;
     const step = { ...lists, slots: this.slots, lags: this.lags };
     const count = staged.reduce((most, { block }) => Math.max(most, block + 1), 0);
-    this.crowd.run(step, 0, count);
-    for (const { block } of this.fresh) if (block >= 0) this.crowd.run({ ...step, ...this.touched.all }, block, 1);
+    this.faceAtlas.run(step, 0, count);
+    for (const { block } of this.fresh)
+      if (block >= 0) this.faceAtlas.run({ ...step, ...this.changedRows.all }, block, 1);
     this.fresh.clear();
   }
 }

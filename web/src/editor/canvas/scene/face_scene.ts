@@ -6,12 +6,12 @@ import type { FaceDocument, Look, Manifest } from "../../../link/messages";
 import { loadFace, loadWorn } from "../../session/asset_loading";
 import { type Handles, handlesOf, loadHandles } from "../../session/face_handles";
 import { MOST_BLOCKS } from "../draw/atlas_shaders";
-import type { Crowd } from "../draw/face_atlas";
-import type { Complexions } from "../draw/skin_texture";
+import type { FaceAtlas } from "../draw/face_atlas";
+import type { SkinTextures } from "../draw/skin_texture";
 import { type Bounds, boundsOf } from "../math/camera";
-import { Touched } from "../model/changed_rows";
+import { ChangedRows } from "../model/changed_rows";
 import { type Difference, Figure } from "../model/figure";
-import { type Shape, shapeOf } from "../model/handle_deform";
+import { type HandleDeform, handleDeform } from "../model/handle_deform";
 
 /** What the face wears, the first at rest: the sum of expressions, and what people read. */
 const WORN: readonly { label: string; expressions: readonly string[] }[] = [
@@ -22,12 +22,12 @@ const WORN: readonly { label: string; expressions: readonly string[] }[] = [
 ];
 
 /** One picture of the face: the fields that the canvas draws of a member of its company. */
-export interface Sitter {
+export interface FacePicture {
   source: string;
   document: FaceDocument;
   figure: Figure;
   bounds: Bounds;
-  complexion: WebGLTexture;
+  skinTexture: WebGLTexture;
   block: number;
   /** What it wears, for people. */
   label: string;
@@ -40,22 +40,22 @@ interface Arrival {
   content: string;
   item: number;
   document: FaceDocument;
-  shape: Shape;
+  shape: HandleDeform;
   under: string;
   handles: Handles;
   truths: Float32Array[];
 }
 
-export class Sitters {
+export class FaceScene {
   /** The pictures, in the order of WORN; empty until the first face is here. */
-  all: Sitter[] = [];
+  all: FacePicture[] = [];
   handles: Handles | undefined;
   /** How far the pictures were from what the server made, when that came last, by label. */
   readonly differences = new Map<string, Difference>();
   private item = -1;
   private look = "";
   private content = "";
-  private shape: Shape | undefined;
+  private shape: HandleDeform | undefined;
   /** What lies under the handles of this shape. */
   private under = "";
   /** The face at rest as the shape has it where the server made it: where handles were pulled very far, it may miss. */
@@ -70,13 +70,13 @@ export class Sitters {
   private readonly rows: { skin: number; balls: Uint32Array[] };
 
   constructor(
-    private readonly crowd: Crowd,
-    private readonly complexions: Complexions,
+    private readonly faceAtlas: FaceAtlas,
+    private readonly skinTextures: SkinTextures,
     anatomy: Anatomy,
     skin: number,
     private readonly side: number,
   ) {
-    this.everything = new Touched(anatomy.fans).all;
+    this.everything = new ChangedRows(anatomy.fans).all;
     const ball = (n: number): Uint32Array => {
       const [first, end] = [anatomy.eyeRows[2 * n] as number, anatomy.eyeRows[2 * n + 1] as number];
       return Uint32Array.from({ length: end - first }, (_, at) => first + at);
@@ -102,7 +102,7 @@ export class Sitters {
     // Where only handles were moved, the face at rest is known already, and exactly.
     const known = under === this.under ? this.shape : undefined;
     known?.hold(handles.moves);
-    const shape = known ?? shapeOf(positions, this.rows, handles.rows, handles.moves);
+    const shape = known ?? handleDeform(positions, this.rows, handles.rows, handles.moves);
     this.arrival = { content, item, document, shape, under, handles, truths };
   }
 
@@ -143,8 +143,8 @@ export class Sitters {
       this.lags[block] = lag;
       if (lag === 0) figure.easedFrom = -Infinity;
     }
-    for (const { block, figure } of this.all) this.crowd.upload(block, figure, false);
-    this.crowd.run({ ...this.everything, slots: this.slots, lags: this.lags }, 0, this.all.length);
+    for (const { block, figure } of this.all) this.faceAtlas.upload(block, figure, false);
+    this.faceAtlas.run({ ...this.everything, slots: this.slots, lags: this.lags }, 0, this.all.length);
     return true;
   }
 
@@ -171,7 +171,7 @@ export class Sitters {
 
   private begin(document: FaceDocument, truths: readonly Float32Array[]): void {
     const bounds = boundsOf(truths[0] as Float32Array); // kept while the face is under work: the view stays
-    const complexion = this.complexions.paint(document.look, this.side);
+    const skinTexture = this.skinTextures.paint(document.look, this.side);
     this.look = JSON.stringify(document.look);
     this.all = WORN.map(({ label }, block) => {
       const truth = truths[block] as Float32Array;
@@ -180,7 +180,7 @@ export class Sitters {
         document,
         figure: new Figure(label, truth, undefined),
         bounds,
-        complexion,
+        skinTexture,
         block,
         label,
         truth,
@@ -192,8 +192,8 @@ export class Sitters {
     const wanted = JSON.stringify(look);
     if (wanted === this.look) return;
     this.look = wanted;
-    const complexion = this.complexions.paint(look, this.side);
-    for (const sitter of this.all) sitter.complexion = complexion;
+    const skinTexture = this.skinTextures.paint(look, this.side);
+    for (const sitter of this.all) sitter.skinTexture = skinTexture;
   }
 
   /** Puts every picture where the handles lead: what moves the face at rest moves it with any expression. */
@@ -210,7 +210,7 @@ export class Sitters {
 }
 
 /** The picture goes from what was shown to what is there now, from a time on. */
-function ease({ figure }: Sitter, shown: Float32Array, time: number): void {
+function ease({ figure }: FacePicture, shown: Float32Array, time: number): void {
   figure.offset.forEach((_, at) => {
     figure.offset[at] = (shown[at] as number) - (figure.base[at] as number);
   });

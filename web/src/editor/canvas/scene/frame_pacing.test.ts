@@ -1,8 +1,8 @@
 import { expect, it } from "vitest";
-import { Pace } from "./frame_pacing";
+import { FramePacing } from "./frame_pacing";
 
 it("counts a hand's wait until the frame in which the others followed is finished", () => {
-  const pace = new Pace();
+  const pace = new FramePacing();
   let done = false;
   pace.moved(100);
   pace.moved(104); // the first of several counts
@@ -20,7 +20,7 @@ it("counts a hand's wait until the frame in which the others followed is finishe
 });
 
 it("measures intervals between finished frames, none across a pause", () => {
-  const pace = new Pace();
+  const pace = new FramePacing();
   for (const time of [0, 20, 40]) {
     pace.frame(false, () => true);
     pace.look(time);

@@ -24,12 +24,12 @@ interface Frame {
 
 const KEPT = 2000;
 
-export class Pace {
+export class FramePacing {
   drawn = 0;
   readonly intervals: number[] = [];
   readonly waits: number[] = [];
   private last: number | undefined;
-  private touched: number | undefined;
+  private changedRows: number | undefined;
   private drawing: Frame | undefined;
 
   /** Whether the machine still draws: another frame now would only queue up, and hands would wait for both. */
@@ -39,13 +39,13 @@ export class Pace {
 
   /** A hand moved something at this time (ms). */
   moved(since: number): void {
-    this.touched ??= since;
+    this.changedRows ??= since;
   }
 
   /** A frame was given to the machine; `followed`: the other faces have moved in it; `done`: whether it is finished. */
   frame(followed: boolean, done: () => boolean): void {
-    this.drawing = { since: followed ? this.touched : undefined, done };
-    if (followed) this.touched = undefined;
+    this.drawing = { since: followed ? this.changedRows : undefined, done };
+    if (followed) this.changedRows = undefined;
   }
 
   /** Nothing was to be drawn: the next interval counts from the next frame. */

@@ -1,17 +1,17 @@
 /** What lies over the faces: needles, the mesh's edges, muscles; and, as elements of the page, names and the rubber band. */
 
 import { rowTriangles } from "../../../face/anatomy/topology";
-import type { Workbench } from "../../session/draft_store";
+import type { DraftStore } from "../../session/draft_store";
 import { type Handles, namesOf } from "../../session/face_handles";
-import type { Lines, Painter } from "../draw/face_painter";
-import { HEAD, type NeedleMarks, type NeedleState } from "../draw/needle_renderer";
+import type { FacePainter, Lines } from "../draw/face_painter";
+import { HEAD, type NeedleRenderer, type NeedleState } from "../draw/needle_renderer";
 import type { Box } from "../math/boxes";
 import type { Camera } from "../math/camera";
 import type { Triple } from "../math/vectors";
-import type { Party } from "../model/drag_vectors";
+import type { DragGroup } from "../model/drag_vectors";
 import { type Needle, STUD, spacing } from "../model/needles";
-import type { Member } from "../model/shown_face";
-import type { Aspect } from "./viewports";
+import type { ShownFace } from "../model/shown_face";
+import type { Viewports } from "./viewports";
 
 const EDGE = [1, 1, 1, 0.16];
 const MUSCLE = [0.93, 0.36, 0.3, 0.9];
@@ -25,11 +25,11 @@ const MUSCLE_LIFT = 0.0012;
 /** What the overlay reads of the canvas. */
 export interface OverlaidCanvas {
   readonly canvas: HTMLCanvasElement;
-  readonly bench: Workbench;
-  readonly aspect: Pick<Aspect, "ratio">;
-  readonly work: Pick<Member, "figure"> | undefined;
-  readonly sitting: boolean;
-  readonly hands: ShownNeedles;
+  readonly store: DraftStore;
+  readonly viewports: Pick<Viewports, "ratio">;
+  readonly work: Pick<ShownFace, "figure"> | undefined;
+  readonly editsFace: boolean;
+  readonly input: ShownNeedles;
   readonly handles: ShownHandles | undefined;
 }
 
@@ -39,7 +39,7 @@ interface ShownNeedles {
   readonly hovered: number;
   readonly placing: { readonly place: number; readonly row: number } | undefined;
   readonly band: readonly [number, number, number, number] | undefined;
-  readonly grip: { readonly party: Party } | undefined;
+  readonly needleDrag: { readonly dragGroup: DragGroup } | undefined;
 }
 
 /** The handles of a face. */
@@ -64,8 +64,8 @@ export class Overlay {
 
   constructor(
     private readonly stage: OverlaidCanvas,
-    private readonly painter: Painter,
-    private readonly marks: NeedleMarks,
+    private readonly painter: FacePainter,
+    private readonly needleRenderer: NeedleRenderer,
   ) {
     const { canvas } = stage;
     this.layer = document.createElement("div");
@@ -97,8 +97,8 @@ export class Overlay {
 
   /** Something of the workbench changed. */
   hear(): void {
-    const { bench } = this.stage;
-    const pulled = JSON.stringify([bench.options.muscles, [...bench.livePulls], bench.muscles.length]);
+    const { store } = this.stage;
+    const pulled = JSON.stringify([store.options.muscles, [...store.livePulls], store.muscles.length]);
     if (pulled === this.pulled) return;
     this.pulled = pulled;
     this.muscles = undefined;
@@ -106,26 +106,26 @@ export class Overlay {
 
   /** Draws over the face under work. */
   draw(block: number, camera: Camera): void {
-    const { bench, hands, aspect } = this.stage;
-    if (bench.options.wireframe) {
+    const { store, input, viewports } = this.stage;
+    if (store.options.wireframe) {
       this.wires ??= this.buildWires();
       this.painter.lines(this.wires, block, camera, EDGE_LIFT);
     }
-    if (bench.options.muscles) {
+    if (store.options.muscles) {
       this.muscles ??= this.buildMuscles();
       this.painter.lines(this.muscles, block, camera, MUSCLE_LIFT);
     }
     this.drawHandles(block, camera);
-    if (bench.net === null || !hands.picker.armed) return;
-    const rows = bench.net.rows.map((row, place) => (hands.placing?.place === place ? hands.placing.row : row));
-    this.marks.set(rows, this.states(), this.scales(camera), hands.picker.directions());
-    this.marks.draw(block, camera, hands.picker.needleLength, aspect.ratio);
+    if (store.net === null || !input.picker.armed) return;
+    const rows = store.net.rows.map((row, place) => (input.placing?.place === place ? input.placing.row : row));
+    this.needleRenderer.set(rows, this.states(), this.scales(camera), input.picker.directions());
+    this.needleRenderer.draw(block, camera, input.picker.needleLength, viewports.ratio);
   }
 
   /** How large the needles' heads are: as they stand close, so that what they are on is seen between them. */
   private scales(camera: Camera): number[] {
-    const { bench, work } = this.stage;
-    const rows = bench.net?.rows ?? [];
+    const { store, work } = this.stage;
+    const rows = store.net?.rows ?? [];
     if (this.spaced?.rows !== rows && work !== undefined) this.spaced = { rows, far: spacing(rows, work.figure.rest) };
     const each = HEAD * camera.metresPerPixel(camera.middle);
     return (this.spaced?.far ?? []).map((far) => Math.min(1, Math.max(LEAST, (0.36 * far) / each)));
@@ -133,16 +133,16 @@ export class Overlay {
 
   /** The handles of a face under work. */
   private drawHandles(block: number, camera: Camera): void {
-    const { handles, sitting, aspect } = this.stage;
-    const shown = sitting ? handles?.handles : undefined;
+    const { handles, editsFace, viewports } = this.stage;
+    const shown = editsFace ? handles?.handles : undefined;
     if (handles === undefined || shown === undefined) {
       this.tell(undefined, "");
       return;
     }
     const studs = handles.studs();
     const outward = studs.map((stud) => stud.outward);
-    this.marks.set(shown.rows, handles.states(), undefined, outward);
-    this.marks.draw(block, camera, STUD, aspect.ratio);
+    this.needleRenderer.set(shown.rows, handles.states(), undefined, outward);
+    this.needleRenderer.draw(block, camera, STUD, viewports.ratio);
     const under = studs[handles.hovered];
     this.tell(under && camera.project(under.head), under === undefined ? "" : namesOf(shown, [handles.hovered]));
   }
@@ -176,7 +176,7 @@ export class Overlay {
   }
 
   private stretch(): void {
-    const { band } = this.stage.hands;
+    const { band } = this.stage.input;
     if (band === undefined && this.rubber.style.display === "none") return;
     this.rubber.style.display = band === undefined ? "none" : "block";
     if (band === undefined) return;
@@ -196,19 +196,19 @@ export class Overlay {
   }
 
   private states(): NeedleState[] {
-    const { bench, hands } = this.stage;
-    const mask = bench.options.region === null ? undefined : bench.masks[bench.regions.indexOf(bench.options.region)];
-    const images = new Set(hands.grip?.party.mirrored.values());
-    return (bench.net?.rows ?? []).map((row, place): NeedleState => {
-      if (bench.selection.has(place)) return "selected";
-      if (hands.grip?.party.shares.has(place) || images.has(place)) return "taken";
-      if (place === hands.hovered) return "hovered";
+    const { store, input } = this.stage;
+    const mask = store.options.region === null ? undefined : store.masks[store.regions.indexOf(store.options.region)];
+    const images = new Set(input.needleDrag?.dragGroup.mirrored.values());
+    return (store.net?.rows ?? []).map((row, place): NeedleState => {
+      if (store.selection.has(place)) return "selected";
+      if (input.needleDrag?.dragGroup.shares.has(place) || images.has(place)) return "taken";
+      if (place === input.hovered) return "hovered";
       return mask !== undefined && (mask[row] as number) === 0 ? "barred" : "still";
     });
   }
 
   private buildWires(): Lines {
-    const skin = this.stage.bench.library?.meshes.find(({ name }) => name === "skin");
+    const skin = this.stage.store.library?.meshes.find(({ name }) => name === "skin");
     const corners = skin === undefined ? new Uint32Array() : rowTriangles(skin);
     const rows: number[] = [];
     for (let at = 0; at < corners.length; at++) {
@@ -222,13 +222,13 @@ export class Overlay {
   }
 
   private buildMuscles(): Lines {
-    const { bench } = this.stage;
+    const { store } = this.stage;
     const [rows, colours]: [number[], number[]] = [[], []];
-    for (const muscle of bench.muscles) {
+    for (const muscle of store.muscles) {
       const ring = muscle.kind === "sphincter" ? [...muscle.line, muscle.line[0] as number] : muscle.line;
       for (let n = 0; n + 1 < ring.length; n++) {
         rows.push(ring[n] as number, ring[n + 1] as number);
-        colours.push(...((bench.livePulls.get(muscle.name) ?? 0) > 0 ? MUSCLE : SLACK));
+        colours.push(...((store.livePulls.get(muscle.name) ?? 0) > 0 ? MUSCLE : SLACK));
       }
     }
     return this.painter.buildLines(rows, colours);

@@ -8,7 +8,7 @@ const MOST_RATIO = 2; // pixels of the canvas per CSS pixel: more costs and is n
 const PAN_REACH = 0.14; // metres
 type Colour = readonly [number, number, number];
 
-export class Aspect {
+export class Viewports {
   view: View = { ...FIRST_VIEW };
   readonly ground: Colour = [0.031, 0.035, 0.039];
   readonly hovered: Colour = [0.105, 0.112, 0.125];
