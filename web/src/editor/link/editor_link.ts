@@ -1,5 +1,4 @@
-import { decode, encode } from "@msgpack/msgpack";
-import { Backoff } from "../../link/backoff";
+import { encode } from "@msgpack/msgpack";
 import { now } from "../../link/clock";
 import {
   EDITING_LIMIT,
@@ -9,6 +8,7 @@ import {
   type Greeted,
   type ToEditor,
 } from "../../link/editing_messages";
+import { ReconnectingSocket } from "../../link/reconnecting_socket";
 import { PendingRequests } from "./pending_requests";
 import type { Answer, Request } from "./requests";
 
@@ -28,82 +28,53 @@ export interface Identity {
 /** Seconds without a word while an answer is due, after which a link counts as dead. */
 const SILENCE = 20;
 
-const address = (page: Location = location): string =>
-  `${page.protocol === "https:" ? "wss" : "ws"}://${page.host}${EDITING_PATH}`;
-
-/** The link of an editor to the server: greets, reconnects for ever, and loses no edit on the way. */
+/** The link of an editor to the server: greets, and loses no edit while the connection comes and goes. */
 export class EditorLink {
-  readonly #outstanding = new PendingRequests((message) => this.#send(message));
-  readonly #backoff = new Backoff();
-  #socket: WebSocket | null = null;
-  #up = false;
-  #heard = 0;
+  readonly #socket: ReconnectingSocket<ToEditor, FromEditor>;
+  readonly #pending = new PendingRequests((message) => this.#socket.send(message));
 
   constructor(
-    private who: Identity,
+    private identity: Identity,
     private readonly handlers: EditorLinkHandlers,
   ) {
-    setInterval(() => this.#look(), 1000);
-    this.#open();
+    this.#socket = new ReconnectingSocket(EDITING_PATH, {
+      silence: SILENCE,
+      interval: 1000,
+      opened: () => this.#socket.send({ type: "greet", ...this.identity, version: EDITING_VERSION }),
+      received: (message) => this.#receive(message),
+      lost: (wasUp) => this.#lost(wasUp),
+      expects: () => !this.#socket.up || this.#pending.size > 0,
+    });
   }
 
   async ask(request: Request): Promise<Answer> {
     const size = encode(request).length;
     if (size > EDITING_LIMIT - 16)
       throw new Error(`This edit is ${size} bytes, expected at most ${EDITING_LIMIT}: use fewer points or layers.`);
-    if (this.#outstanding.size === 0) this.#heard = now(); // silence counts from here
-    return this.#outstanding.ask(request);
+    if (this.#pending.size === 0) this.#socket.heard = now(); // silence counts from here
+    return this.#pending.ask(request);
   }
 
   /** Greets anew under another name. */
   rename(name: string): void {
-    this.who = { ...this.who, name };
-    this.#lost();
+    this.identity = { ...this.identity, name };
+    this.#socket.reconnect();
   }
 
-  #send(message: FromEditor): void {
-    this.#socket?.send(encode(message));
+  #lost(wasUp: boolean): void {
+    if (wasUp) this.handlers.connected(false);
+    this.#pending.down();
   }
 
-  #open(): void {
-    const socket = new WebSocket(address());
-    socket.binaryType = "arraybuffer";
-    this.#socket = socket;
-    this.#heard = now();
-    socket.onopen = () => this.#send({ type: "greet", ...this.who, version: EDITING_VERSION });
-    socket.onmessage = (event: MessageEvent<ArrayBuffer>) => this.#receive(event.data);
-    socket.onclose = () => this.#lost();
-  }
-
-  #lost(): void {
-    const socket = this.#socket;
-    if (socket === null) return;
-    this.#socket = null;
-    socket.onopen = socket.onmessage = socket.onclose = null;
-    socket.close();
-    if (this.#up) this.handlers.connected(false);
-    this.#up = false;
-    this.#outstanding.down();
-    setTimeout(() => this.#open(), this.#backoff.next() * 1000);
-  }
-
-  #look(): void {
-    const due = !this.#up || this.#outstanding.size > 0;
-    if (due && now() - this.#heard > SILENCE) this.#lost();
-  }
-
-  #receive(data: ArrayBuffer): void {
-    this.#heard = now();
-    const message = decode(data) as ToEditor;
+  #receive(message: ToEditor): void {
     if (message.type === "greeted") this.#greeted(message);
-    else if (!this.#outstanding.answer(message)) this.handlers.message(message);
+    else if (!this.#pending.answer(message)) this.handlers.message(message);
   }
 
   #greeted(greeted: Greeted): void {
-    this.#backoff.reset();
-    this.#up = true;
+    this.#socket.accept();
     this.handlers.greeted(greeted);
-    this.#outstanding.up();
+    this.#pending.up();
     this.handlers.connected(true);
   }
 }
