@@ -1,4 +1,4 @@
-"""The TypeScript mirror of the messages is never stale."""
+"""What tools/messages.py writes for the web is never stale."""
 
 import runpy
 from pathlib import Path
@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[2]
 TOOL = ROOT / "tools" / "messages.py"
 
 
-@pytest.mark.parametrize("name", ["messages.ts", "editing_messages.ts"])
+@pytest.mark.parametrize("name", ["messages.ts", "editing_messages.ts", "constants.ts"])
 def test_the_committed_mirrors_are_what_the_tool_writes(name: str) -> None:
     written = runpy.run_path(str(TOOL))["MODULES"][name]()
     mirror = (ROOT / "web" / "src" / "link" / name).read_text()

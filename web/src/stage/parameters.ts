@@ -1,8 +1,8 @@
 import type { Tile } from "../face/framing";
-import { LIGHTS } from "../face/light/lights";
 import type { Triple } from "../face/light/tone";
 import { decodeSrgb } from "../face/light/tone";
-import { LEVELS, type Level } from "../face/quality/quality_levels";
+import type { Level } from "../face/quality/quality_levels";
+import { LEVELS, LIGHT_NAMES } from "../link/constants";
 
 /** Everything a stage is told by its address. */
 export interface StageParameters {
@@ -59,8 +59,8 @@ function readBackground(given: URLSearchParams): Triple | undefined {
 
 function readLight(value: string | null): string | undefined {
   if (value === null) return undefined;
-  const names = Object.keys(LIGHTS);
-  if (!names.includes(value)) throw new ParameterError(`light=${value} is unknown; write ${names.join(", ")}.`);
+  if (!LIGHT_NAMES.some((name) => name === value))
+    throw new ParameterError(`light=${value} is unknown; write ${LIGHT_NAMES.join(", ")}.`);
   return value;
 }
 

@@ -1,12 +1,14 @@
 /** Where a control's travel meets its value: ranges, detents and steps. */
 
+import { CHANNEL_RANGE } from "../link/constants";
+
 export interface Range {
   readonly low: number;
   readonly high: number;
 }
 
 /** A channel's weight, as the engine takes it. */
-export const CHANNEL: Range = { low: -0.5, high: 1.5 };
+export const CHANNEL: Range = { low: CHANNEL_RANGE[0], high: CHANNEL_RANGE[1] };
 export const UNIT: Range = { low: 0, high: 1 };
 /** Radians. A head turns further than it nods or tilts; eyes turn less than a head. */
 export const HEAD_YAW: Range = { low: -0.8, high: 0.8 };

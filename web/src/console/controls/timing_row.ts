@@ -1,9 +1,10 @@
 import { css, html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import { EASING_NAMES } from "../../link/constants";
 import { base } from "../../ui/theme";
 import type { Axis } from "../store/axis";
 import type { Topic } from "../store/console_store";
-import { CHOICES, EASINGS, parseSeconds, type Seconds, secondsLabel } from "../store/timing";
+import { CHOICES, EASING_CURVES, type EasingName, parseSeconds, type Seconds, secondsLabel } from "../store/timing";
 import { ConsoleElement } from "./console_element";
 
 /** The seconds and the easing of an axis's next call. */
@@ -93,16 +94,7 @@ export class TimingRow extends ConsoleElement {
     const free = seconds !== null && !CHOICES.includes(seconds);
     return html`
       <div class="row" role="radiogroup" aria-label="Seconds of a call (${this.axis})">
-        ${CHOICES.map(
-          (choice) => html`<button
-            role="radio"
-            data-seconds=${choice}
-            aria-checked=${seconds === choice}
-            @click=${() => this.#choose(choice)}
-          >
-            ${secondsLabel(choice)}
-          </button>`,
-        )}
+        ${CHOICES.map((choice) => this.#choice(choice, seconds))}
         <input
           class="${free ? "chosen" : ""} ${this.wrong === null ? "" : "wrong"}"
           aria-label="Other seconds (${this.axis})"
@@ -116,19 +108,32 @@ export class TimingRow extends ConsoleElement {
         </button>
       </div>
       <div class="row" role="radiogroup" aria-label="Easing of a call (${this.axis})">
-        ${EASINGS.map(
-          ([name, way]) => html`<button
-            role="radio"
-            title=${name}
-            aria-label=${name}
-            data-easing=${name}
-            aria-checked=${easing === name}
-            @click=${() => this.store.setTiming(this.axis, { easing: name })}
-          >
-            <svg viewBox="0 0 20 12" aria-hidden="true"><path d=${way} /></svg>
-          </button>`,
-        )}
+        ${EASING_NAMES.map((name) => this.#easing(name, easing === name))}
       </div>
     `;
+  }
+
+  #choice(choice: number, seconds: Seconds) {
+    return html`<button
+      role="radio"
+      data-seconds=${choice}
+      aria-checked=${seconds === choice}
+      @click=${() => this.#choose(choice)}
+    >
+      ${secondsLabel(choice)}
+    </button>`;
+  }
+
+  #easing(name: EasingName, chosen: boolean) {
+    return html`<button
+      role="radio"
+      title=${name}
+      aria-label=${name}
+      data-easing=${name}
+      aria-checked=${chosen}
+      @click=${() => this.store.setTiming(this.axis, { easing: name })}
+    >
+      <svg viewBox="0 0 20 12" aria-hidden="true"><path d=${EASING_CURVES[name]} /></svg>
+    </button>`;
   }
 }

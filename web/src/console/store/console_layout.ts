@@ -1,8 +1,9 @@
 /** How an operator has laid out the console, and as a document that another tablet opens the same from. */
 
+import { DEFAULT_EASING, EASING_NAMES } from "../../link/constants";
 import type { Axis } from "./axis";
 import { REGIONS, type Region } from "./channels";
-import { EASINGS, LONGEST, type Timing } from "./timing";
+import { LONGEST, type Timing } from "./timing";
 
 /** Which of the expressions a palette shows. */
 export const KINDS = ["performed", "own", "arkit", "makehuman"] as const;
@@ -21,7 +22,7 @@ export interface ConsoleLayout {
 }
 
 export const FIRST: ConsoleLayout = {
-  timing: { face: { seconds: 2, easing: "smooth" }, expression: { seconds: 0.5, easing: "smooth" } },
+  timing: { face: { seconds: 2, easing: DEFAULT_EASING }, expression: { seconds: 0.5, easing: DEFAULT_EASING } },
   kind: "performed",
   ownFaces: false,
   tab: "brows",
@@ -67,6 +68,6 @@ const isOneOf = <Choice extends string>(choices: readonly Choice[], value: unkno
 function isTiming(value: unknown): value is Timing {
   if (!isRecord(value)) return false;
   const { seconds, easing } = value;
-  const known = EASINGS.some(([name]) => name === easing);
+  const known = EASING_NAMES.some((name) => name === easing);
   return known && (seconds === null || (typeof seconds === "number" && seconds >= 0 && seconds <= LONGEST));
 }

@@ -1,5 +1,7 @@
 /** How a call is timed: the seconds and the easing chosen for an axis. */
 
+import type { EASING_NAMES } from "../../link/constants";
+
 /** Seconds of a call; `null`: by hand, the T-bar moves it. */
 export type Seconds = number | null;
 
@@ -40,11 +42,13 @@ export function remainingLabel(seconds: number): string {
   return seconds >= 10 ? seconds.toFixed(0) : seconds.toFixed(1);
 }
 
-/** The easings of the engine, each as the way of a small curve in a box of 20 x 12. */
-export const EASINGS: readonly (readonly [string, string])[] = [
-  ["smooth", "M1 11C10 11 10 1 19 1"],
-  ["gentle", "M1 11C7 11 13 1 19 1"],
-  ["sharp", "M1 11C12 11 8 1 19 1"],
-  ["early", "M1 11C4 11 4 1 19 1"],
-  ["late", "M1 11C16 11 16 1 19 1"],
-];
+export type EasingName = (typeof EASING_NAMES)[number];
+
+/** Each easing of the engine as the way of a small curve in a box of 20 x 12. */
+export const EASING_CURVES: Readonly<Record<EasingName, string>> = {
+  smooth: "M1 11C10 11 10 1 19 1",
+  gentle: "M1 11C7 11 13 1 19 1",
+  sharp: "M1 11C12 11 8 1 19 1",
+  early: "M1 11C4 11 4 1 19 1",
+  late: "M1 11C16 11 16 1 19 1",
+};

@@ -1,5 +1,6 @@
 import { MathUtils } from "three";
 import type { Library, Mesh } from "../../link/assets";
+import { HAIRLINE } from "../../link/constants";
 import { type CorrectivesData, readCorrectives } from "./correctives_data";
 import { openness } from "./occlusion";
 import { distances, type Fans, fans, lowestBorder, rowTriangles, smoothed } from "./topology";
@@ -94,26 +95,9 @@ function hairAt(positions: Float32Array, row: number): number {
   const [x, y, z] = [positions[3 * row] as number, positions[3 * row + 1] as number, positions[3 * row + 2] as number];
   const angle = Math.abs(Math.atan2(x, z - 0.03)); // 0 straight ahead
   const line = HAIRLINE.findIndex(([at]) => at >= angle);
-  const [a0, h0] = HAIRLINE[Math.max(0, line - 1)] as [number, number];
-  const [a1, h1] = HAIRLINE[Math.max(0, line)] as [number, number];
+  const [a0, h0] = HAIRLINE[Math.max(0, line - 1)] as readonly [number, number];
+  const [a1, h1] = HAIRLINE[Math.max(0, line)] as readonly [number, number];
   const height = a1 > a0 ? h0 + ((h1 - h0) * (angle - a0)) / (a1 - a0) : h0;
   const ear = y < 0.026 ? smooth((Math.abs(x) - 0.0745) / 0.006) : 0;
   return smooth((y - height) / 0.024 + 0.5) * (1 - ear);
 }
-
-/** Angle from straight ahead, and the height where hair begins (metres over the eyes). */
-const HAIRLINE: readonly (readonly [number, number])[] = [
-  [0, 0.079],
-  [0.35, 0.077],
-  [0.6, 0.071],
-  [0.76, 0.06],
-  [0.9, 0.04],
-  [1.02, 0.02],
-  [1.12, 0.0],
-  [1.24, -0.006],
-  [1.34, 0.008],
-  [1.6, 0.022],
-  [1.9, 0.0],
-  [2.2, -0.045],
-  [3.2, -0.07],
-];

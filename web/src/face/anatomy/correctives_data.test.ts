@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
+import { RUNGS } from "../../link/constants";
 import type { SettlingDocument } from "../../link/messages";
-import { RUNGS, readCorrectives, rolesOf } from "./correctives_data";
+import { readCorrectives, rolesOf } from "./correctives_data";
 
 const bytes = (values: Uint32Array | Float32Array): Uint8Array =>
   new Uint8Array(values.buffer, values.byteOffset, values.byteLength);

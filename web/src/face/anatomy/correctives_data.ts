@@ -1,7 +1,6 @@
 import { aligned } from "../../link/arrays";
+import { RUNGS } from "../../link/constants";
 import type { SettlingDocument } from "../../link/messages";
-
-export const RUNGS = 32;
 
 /** Texels in a line of every texture of the settling. */
 export const DATA_WIDTH = 128;

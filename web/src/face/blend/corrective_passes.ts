@@ -1,4 +1,5 @@
-import { type CorrectivesData, DATA_WIDTH, RUNGS, rolesOf } from "../anatomy/correctives_data";
+import { RUNGS } from "../../link/constants";
+import { type CorrectivesData, DATA_WIDTH, rolesOf } from "../anatomy/correctives_data";
 import { createProgram, dataTexture, floatTexture, targetTexture, wholeTexture } from "../gpu/gl";
 import { PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
 import {

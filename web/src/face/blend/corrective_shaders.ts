@@ -1,4 +1,5 @@
-import { DATA_WIDTH, RUNGS } from "../anatomy/correctives_data";
+import { RUNGS } from "../../link/constants";
+import { DATA_WIDTH } from "../anatomy/correctives_data";
 import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 
 /*

@@ -1,16 +1,12 @@
 import * as THREE from "three";
 import type { Mesh } from "../../link/assets";
+import { ARCH, ARCH_DEPTH, TOOTH_REACH } from "../../link/constants";
 import type { Anatomy } from "../anatomy/anatomy";
 import { type Opening, opening, outline } from "../anatomy/openings";
 import { extent } from "../anatomy/topology";
 import { material, type Uniforms } from "../gpu/renderer";
 import { edgeUniforms } from "./eyeballs";
 import { MOUTH_VERTEX, TEETH_FRAGMENT, TONGUE_FRAGMENT } from "./mouth_shaders";
-
-/** From the front teeth back to the middle of the dental arch, metres. */
-const ARCH = 0.034;
-/** Radians along the arch within which vertices belong to one tooth's height. */
-const NEAR = 0.16;
 
 /** Teeth or tongue, lit through the lips. */
 export function mouthPart(
@@ -45,11 +41,11 @@ export function places(mesh: Mesh, positions: Float32Array): Float32Array {
   rows.forEach((row, index) => {
     const angle = angles[index] as number;
     const beside = rows
-      .filter((_, other) => Math.abs((angles[other] as number) - angle) < NEAR)
+      .filter((_, other) => Math.abs((angles[other] as number) - angle) < TOOTH_REACH)
       .map((one) => at(one, 1));
     const [low, high] = [Math.min(...beside), Math.max(...beside)];
     const level = high > low ? (at(row, 1) - low) / (high - low) : 0;
-    out.set([(ahead - at(row, 2)) / 0.05, angle, upper ? 1 - level : level, upper], 4 * index);
+    out.set([(ahead - at(row, 2)) / ARCH_DEPTH, angle, upper ? 1 - level : level, upper], 4 * index);
   });
   return out;
 }

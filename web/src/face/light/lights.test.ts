@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { FIRST_LIGHT, LIGHTS, type Light, mixLights } from "./lights";
+import { FIRST_LIGHT } from "../../link/constants";
+import { LIGHTS, type Light, mixLights } from "./lights";
 import type { Triple } from "./tone";
 
 const names = Object.keys(LIGHTS);

@@ -1,3 +1,4 @@
+import { FIRST_LIGHT, type LIGHT_NAMES } from "../../link/constants";
 import { decodeSrgb, type Triple } from "./tone";
 
 /** Light from one direction: where it comes from (a unit vector) and how much of each colour. */
@@ -30,7 +31,7 @@ export type LightMix = Readonly<Record<string, number>>;
 
 const from = (x: number, y: number, z: number): Triple => unit([x, y, z]);
 
-/** The lights that a show can call; the server knows them by the same names (`omote.perform.lights`). */
+/** The lights that a show can call. */
 export const LIGHTS: Readonly<Record<string, Light>> = {
   // A hard warm lamp from above left, strong light from behind, a dark house.
   theatre: {
@@ -68,45 +69,60 @@ export const LIGHTS: Readonly<Record<string, Light>> = {
     exposure: 1,
     backdrop: { edge: decodeSrgb("#00b140"), glow: decodeSrgb("#00b140") },
   },
-};
+} satisfies Record<(typeof LIGHT_NAMES)[number], Light>;
 
-/** The light a show begins with. */
-export const FIRST_LIGHT = "theatre";
+/** A light and its share of the mix; the shares sum to one. */
+type SharedLight = readonly [light: Light, share: number];
 
-/** The lights mixed by weight: directions turn towards each other, everything else is linear; unknown names weigh nothing. */
+const mixNumber = (shares: readonly SharedLight[], of: (light: Light) => number): number =>
+  shares.reduce((sum, [light, share]) => sum + share * of(light), 0);
+
+const mixTriple = (shares: readonly SharedLight[], of: (light: Light) => Triple): Triple => [
+  mixNumber(shares, (light) => of(light)[0]),
+  mixNumber(shares, (light) => of(light)[1]),
+  mixNumber(shares, (light) => of(light)[2]),
+];
+
+const mixDirection = (shares: readonly SharedLight[], of: (light: Light) => Triple): Triple =>
+  unit(mixTriple(shares, of));
+
+const mixLamp = (shares: readonly SharedLight[], of: (light: Light) => Lamp): Lamp => ({
+  from: mixDirection(shares, (light) => of(light).from),
+  light: mixTriple(shares, (light) => of(light).light),
+});
+
+/** Mixes lights by weight: directions turn towards each other, everything else is linear; unknown names weigh nothing. */
 export function mixLights(mix: LightMix): Light {
-  const known = Object.entries(mix).flatMap(([name, weight]): [Light, number][] => {
+  const shares = sharesOf(mix);
+  if (shares.length === 0) return LIGHTS[FIRST_LIGHT] as Light;
+  return {
+    key: mixLamp(shares, (light) => light.key),
+    fill: mixLamp(shares, (light) => light.fill),
+    rims: {
+      left: mixDirection(shares, (light) => light.rims.left),
+      right: mixDirection(shares, (light) => light.rims.right),
+      light: mixTriple(shares, (light) => light.rims.light),
+    },
+    sky: mixTriple(shares, (light) => light.sky),
+    ground: mixTriple(shares, (light) => light.ground),
+    size: mixNumber(shares, (light) => light.size),
+    shade: mixNumber(shares, (light) => light.shade),
+    exposure: mixNumber(shares, (light) => light.exposure),
+    backdrop: {
+      edge: mixTriple(shares, (light) => light.backdrop.edge),
+      glow: mixTriple(shares, (light) => light.backdrop.glow),
+    },
+  };
+}
+
+function sharesOf(mix: LightMix): SharedLight[] {
+  const known = Object.entries(mix).flatMap(([name, weight]): SharedLight[] => {
     const light = LIGHTS[name];
     return light === undefined ? [] : [[light, weight]];
   });
   const total = known.reduce((sum, [, weight]) => sum + weight, 0);
-  if (!(total > 1e-6)) return LIGHTS[FIRST_LIGHT] as Light;
-  const shares = known.map(([light, weight]): [Light, number] => [light, weight / total]);
-  const number = (of: (light: Light) => number) => shares.reduce((sum, [light, share]) => sum + share * of(light), 0);
-  const triple = (of: (light: Light) => Triple): Triple => [
-    number((light) => of(light)[0]),
-    number((light) => of(light)[1]),
-    number((light) => of(light)[2]),
-  ];
-  const lamp = (of: (light: Light) => Lamp): Lamp => ({
-    from: unit(triple((light) => of(light).from)),
-    light: triple((light) => of(light).light),
-  });
-  return {
-    key: lamp((light) => light.key),
-    fill: lamp((light) => light.fill),
-    rims: {
-      left: unit(triple((light) => light.rims.left)),
-      right: unit(triple((light) => light.rims.right)),
-      light: triple((light) => light.rims.light),
-    },
-    sky: triple((light) => light.sky),
-    ground: triple((light) => light.ground),
-    size: number((light) => light.size),
-    shade: number((light) => light.shade),
-    exposure: number((light) => light.exposure),
-    backdrop: { edge: triple((light) => light.backdrop.edge), glow: triple((light) => light.backdrop.glow) },
-  };
+  if (!(total > 1e-6)) return [];
+  return known.map(([light, weight]) => [light, weight / total]);
 }
 
 /** The vector of length one; straight ahead where there is no direction left. */

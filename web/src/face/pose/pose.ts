@@ -1,5 +1,5 @@
+import { FIRST_LIGHT } from "../../link/constants";
 import type { State } from "../../link/messages";
-import { FIRST_LIGHT } from "../light/lights";
 
 /** What a stage draws: the weights and angles of a state, nothing of its calls. Every `State` is one. */
 export type Pose = Pick<State, "faces" | "expressions" | "channels" | "lids" | "head" | "eyes" | "light">;

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
+import { LEVELS } from "../../link/constants";
 import { type FrameReport, QualityController } from "./quality_controller";
-import { LEVELS, type Level } from "./quality_levels";
+import type { Level } from "./quality_levels";
 
 /** Milliseconds that a machine needs for a picture at each level. */
 type Machine = Readonly<Record<Level, number>>;

@@ -1,4 +1,5 @@
-import { LEVELS, type Level } from "./quality_levels";
+import { LEVELS } from "../../link/constants";
+import type { Level } from "./quality_levels";
 
 /** Seconds of frames that are judged together, and how many they are at least. */
 const WINDOW = 0.5;

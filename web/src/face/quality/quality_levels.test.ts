@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { definesOf, FEATURES, firstLevel, LEVELS, type Level, levelsOf, pixelRatio } from "./quality_levels";
+import { LEVELS } from "../../link/constants";
+import { definesOf, FEATURES, firstLevel, type Level, levelsOf, pixelRatio } from "./quality_levels";
 
 describe("the levels", () => {
   it("cost more from one to the next, in no feature less", () => {

@@ -1,3 +1,5 @@
+import { LEVELS } from "../../link/constants";
+
 /** What a view spends on its picture; every feature can be left out, and the face stays the same face. */
 export interface Features {
   /** Light for every pixel; false: for every vertex. */
@@ -16,8 +18,6 @@ export interface Features {
   readonly pixels: number;
 }
 
-/** The levels from the cheapest to the best. */
-export const LEVELS = ["lowest", "low", "medium", "high"] as const;
 export type Level = (typeof LEVELS)[number];
 
 export const FEATURES: Readonly<Record<Level, Features>> = {

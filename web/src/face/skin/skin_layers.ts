@@ -1,16 +1,18 @@
 import * as THREE from "three";
+import { SKIN_LAYERS } from "../../link/constants";
 import type { Look } from "../../link/messages";
 import type { Uniforms } from "../gpu/renderer";
 
-/** The layers of the skin in the order in which they lie in the cast's picture, each with what stands for it until it is there. */
-const LAYERS = {
+type Layer = (typeof SKIN_LAYERS)[number];
+
+/** What stands for each layer of the skin until its picture is here. */
+const BLANKS = {
   mask: [0, 0, 0, 255],
   marks: [0, 0, 0, 128],
   patches: [0, 0, 0, 0],
   relief: [128, 128, 128, 128],
   finish: [115, 51, 255, 128],
-} as const;
-type Layer = keyof typeof LAYERS;
+} as const satisfies Record<Layer, readonly [number, number, number, number]>;
 
 /** What of a look is a number for the skin's shaders, by the same name. */
 export const SKIN_TRAITS = [
@@ -38,13 +40,13 @@ export type SkinUniforms = Uniforms &
 
 /** Uniforms of a skin without layers. */
 export function skinUniforms(): SkinUniforms {
-  const plain = Object.entries(LAYERS).map(([name, texel]) => [name, { value: plainTexture(texel) }]);
+  const plain = SKIN_LAYERS.map((name) => [name, { value: plainTexture(BLANKS[name]) }]);
   return { ...Object.fromEntries(plain), ...Object.fromEntries(SKIN_TRAITS.map((name) => [name, { value: 0 }])) };
 }
 
 /** Puts the pictures of the layers, in their order, on the skin. */
 export function applyLayers(uniforms: SkinUniforms, pictures: readonly ImageBitmap[], anisotropy: number): void {
-  (Object.keys(LAYERS) as Layer[]).forEach((name, index) => {
+  SKIN_LAYERS.forEach((name, index) => {
     const picture = pictures[index];
     if (picture !== undefined) uniforms[name].value = layerTexture(picture, anisotropy);
   });

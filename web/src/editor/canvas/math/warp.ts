@@ -3,7 +3,8 @@
  * part; omote.model.sculpt.warp), linear in the points' moves.
  */
 
-const UNIT = 0.05; // metres; lengths are counted in it, so that kernel and affine part are of one size
+import { WARP_UNIT } from "../../../link/constants";
+
 const AFFINE = 4;
 
 export class Warp {
@@ -19,7 +20,7 @@ export class Warp {
     this.middle = meanOf(points);
     this.centres = Float64Array.from(
       { length: points.length },
-      (_, at) => ((points[at] as number) - (this.middle[at % 3] as number)) / UNIT,
+      (_, at) => ((points[at] as number) - (this.middle[at % 3] as number)) / WARP_UNIT,
     );
     const size = this.count + AFFINE;
     const system = Array.from({ length: size }, (_, row) => this.equation(row));
@@ -77,9 +78,9 @@ export class Warp {
 
   private writeColumns(where: ArrayLike<number>, row: number, into: Float64Array): void {
     const { centres, count, middle } = this;
-    const x = ((where[3 * row] as number) - middle[0]) / UNIT;
-    const y = ((where[3 * row + 1] as number) - middle[1]) / UNIT;
-    const z = ((where[3 * row + 2] as number) - middle[2]) / UNIT;
+    const x = ((where[3 * row] as number) - middle[0]) / WARP_UNIT;
+    const y = ((where[3 * row + 1] as number) - middle[1]) / WARP_UNIT;
+    const z = ((where[3 * row + 2] as number) - middle[2]) / WARP_UNIT;
     for (let place = 0; place < count; place++) {
       const a = x - (centres[3 * place] as number);
       const b = y - (centres[3 * place + 1] as number);

@@ -1,9 +1,8 @@
 /** A face under its handles, as the server makes it (omote.model.handles.dragged): warped, eyeballs round, lids on them. */
 
+import { SOCKET_FAR, SOCKET_NEAR } from "../../../link/constants";
 import { Warp } from "../math/warp";
 
-// In radii of an eyeball: skin below NEAR keeps its height over it exactly, skin above FAR goes free (model/socket.py).
-const [NEAR, FAR] = [1.12, 1.6];
 const EXACT = 1e-6; // metres
 const ROUNDS = 12; // of looking for the face at rest: each brings it nearer by a few times
 
@@ -137,7 +136,7 @@ function lidsOver(positions: Float32Array, skin: number, ball: Uint32Array, n: n
   const lids: Lid[] = [];
   for (let row = 0; row < skin; row++) {
     const height = distance(positions, row, middle) / radius;
-    const hold = falling((height - NEAR) / (FAR - NEAR));
+    const hold = falling((height - SOCKET_NEAR) / (SOCKET_FAR - SOCKET_NEAR));
     if (hold > 0) lids.push({ row, ball: n, height, hold });
   }
   return lids;
