@@ -1,7 +1,7 @@
 /** The console page: links the show to a desk, and a desk to the instrument. */
 
 import { FaceView } from "../face/face_view";
-import type { Shot } from "../face/framing";
+import { THUMBNAIL } from "../face/framing";
 import { restPose } from "../face/pose/pose";
 import { Library } from "../link/assets";
 import { ShowLink } from "../link/show_link";
@@ -11,9 +11,6 @@ import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
 import { ConsoleStore } from "./store/console_store";
 import { LayoutSync, layoutName } from "./store/layout_sync";
-
-/** Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. */
-const THUMB: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };
 
 /** A name for this console, so that its calls have their own ids; `randomUUID` is not there on a LAN without https. */
 const consoleId = (): string =>
@@ -55,7 +52,7 @@ function connect(): { store: ConsoleStore; link: ShowLink } {
 
 /** Thumbnails by one view on a canvas of its own: one graphics context for all of them. */
 async function openStudio(library: Library): Promise<DrawThumbnail> {
-  const view = await FaceView.load(document.createElement("canvas"), library, { shot: THUMB, pixelRatio: 1 });
+  const view = await FaceView.load(document.createElement("canvas"), library, { shot: THUMBNAIL, pixelRatio: 1 });
   view.resize(THUMBNAIL_SIZE.width, THUMBNAIL_SIZE.height);
   return async ({ face, expression }) => {
     await view.present(restPose(face, expression));

@@ -3,8 +3,7 @@ import type { Library } from "../link/assets";
 import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
 import { AssetResidency, namesOf } from "./blend/asset_residency";
 import { Blender, type Eyeballs } from "./blend/blender";
-import type { Tile } from "./framing";
-import { frame, portraitCamera, type Shot, tileView } from "./framing";
+import { frame, PORTRAIT, portraitCamera, type Shot, type Tile, tileView } from "./framing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
 import { createRenderer } from "./gpu/renderer";
 import { Hair } from "./hair/hair";
@@ -38,9 +37,6 @@ export interface FaceViewOptions {
   level?: Level | undefined;
   shot?: Shot;
 }
-
-/** The head with its collar, as a director frames it. */
-export const PORTRAIT: Shot = { centre: [0, -0.011, 0.05], height: 0.305, width: 0.23 };
 
 /** Nothing is coming. */
 const NOBODY: { faces: readonly string[]; expressions: readonly string[] } = { faces: [], expressions: [] };

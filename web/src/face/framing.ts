@@ -17,6 +17,12 @@ export interface Shot {
   width: number;
 }
 
+/** The head with its collar, as a director frames it. */
+export const PORTRAIT: Shot = { centre: [0, -0.011, 0.05], height: 0.305, width: 0.23 };
+
+/** Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. */
+export const THUMBNAIL: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };
+
 export type Point = readonly [number, number, number];
 
 /** The rectangle of one tile in its wall's picture, in pixels of the tile. */

@@ -3,6 +3,7 @@
 import { type Anatomy, loadAnatomy } from "../../face/anatomy/anatomy";
 import { fenced } from "../../face/gpu/fence";
 import { drawsInSoftware } from "../../face/quality/software_rendering";
+import type { Library } from "../../link/assets";
 import { now } from "../../link/clock";
 import type { Manifest } from "../../link/messages";
 import type { DraftStore } from "../session/draft_store";
@@ -31,12 +32,11 @@ export class EditorCanvas {
   readonly viewports: Viewports;
   readonly input: CanvasInput;
   expressionScene: ExpressionScene | undefined;
-  /** A face under work: in place of the company, with handles in place of needles. */
+  /** A face under work: in place of the expression scene, with handles in place of needles. */
   faceScene: FaceScene | undefined;
   handles: HandleDrag | undefined;
   private painter: FacePainter | undefined;
   private overlay: Overlay | undefined;
-  private needleRenderer: NeedleRenderer | undefined;
   private frames: ReturnType<typeof ballFrames> = [];
   private anatomy: Anatomy | undefined;
   private stale = true;
@@ -47,7 +47,7 @@ export class EditorCanvas {
   private readonly gl: WebGL2RenderingContext;
   private readonly leave: (() => void)[] = [];
 
-  /** Draws on a canvas of the page what a workbench knows; an Error with a sentence where nothing can be drawn. */
+  /** Draws on a canvas of the page what the store knows; an Error where nothing can be drawn. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly store: DraftStore,
@@ -119,44 +119,38 @@ export class EditorCanvas {
   }
 
   private async open(): Promise<void> {
-    const { store, gl } = this;
-    const { library } = store;
+    const { library } = this.store;
     if (library === null || this.anatomy !== undefined) return;
     const skin = library.meshes.find(({ name }) => name === "skin");
     if (skin === undefined) throw new Error("The cast has no skin; bake it again.");
-    this.anatomy = await loadAnatomy(library);
-    const skinTextures = await SkinTextures.open(gl, library, this.anatomy, skin);
+    const anatomy = await loadAnatomy(library);
+    this.anatomy = anatomy;
+    this.build(library, anatomy, await SkinTextures.open(this.gl, library, anatomy, skin));
+    for (const topic of ["cast", "items", "draft", "live"] as const) this.hear(topic);
+  }
+
+  /** Makes all that draws the cast, and all that takes hold of it. */
+  private build(library: Library, anatomy: Anatomy, skinTextures: SkinTextures): void {
+    const { gl } = this;
     const side = drawsInSoftware() ? 512 : 1024;
-    this.expressionScene = new ExpressionScene(gl, library, this.anatomy, skinTextures, side);
-    this.faceScene = new FaceScene(
-      this.expressionScene.faceAtlas,
-      skinTextures,
-      this.anatomy,
-      library.manifest.skin,
-      side,
-    );
-    this.painter = new FacePainter(
-      gl,
-      this.expressionScene.faceAtlas,
-      library.meshes,
-      coarseMeshes(library.meshes, this.anatomy),
-    );
+    this.expressionScene = new ExpressionScene(gl, library, anatomy, skinTextures, side);
+    const { faceAtlas } = this.expressionScene;
+    this.faceScene = new FaceScene(faceAtlas, skinTextures, anatomy, library.manifest.skin, side);
+    this.painter = new FacePainter(gl, faceAtlas, library.meshes, coarseMeshes(library.meshes, anatomy));
     this.repaint = new Repaint(this.painter);
     this.backgrounds = new Backgrounds(gl);
-    this.needleRenderer = new NeedleRenderer(gl, this.painter);
-    this.overlay = new Overlay(this, this.painter, this.needleRenderer);
-    this.frames = ballFrames(this.anatomy);
-    const surface = surfaceOf(library.meshes, this.anatomy);
-    this.input.picker.know(this.anatomy, surface);
+    this.overlay = new Overlay(this, this.painter, new NeedleRenderer(gl, this.painter));
+    this.frames = ballFrames(anatomy);
+    const surface = surfaceOf(library.meshes, anatomy);
+    this.input.picker.know(anatomy, surface);
     this.handles = new HandleDrag({
-      store,
+      store: this.store,
       faceScene: this.faceScene,
-      fans: this.anatomy.fans,
+      fans: anatomy.fans,
       skin: surface.skin,
       camera: () => this.input.picker.camera(),
       redraw: () => this.redraw(),
     });
-    for (const topic of ["cast", "items", "draft", "live"] as const) this.hear(topic);
   }
 
   private hear(topic: "cast" | "items" | "draft" | "selection" | "options" | "live"): void {

@@ -29,7 +29,7 @@ declare global {
 
 /** Puts the probe on the page. */
 export function exposeProbe(stage: EditorCanvas): void {
-  const { store, pacing } = stage;
+  const { store } = stage;
   const memberOf = (face: string) => {
     const sitter = stage.editsFace ? stage.faceScene?.all.find(({ label }) => label === face) : undefined;
     if (sitter !== undefined) return sitter;
@@ -39,25 +39,8 @@ export function exposeProbe(stage: EditorCanvas): void {
   };
   window.omoteEditor = {
     settled: () => stage.settled(),
-    counters: () => ({
-      drawn: pacing.drawn,
-      intervals: [...pacing.intervals],
-      waits: [...pacing.waits],
-      differences: Object.fromEntries(
-        stage.editsFace ? (stage.faceScene?.differences ?? []) : (stage.expressionScene?.differences ?? []),
-      ),
-      arrived: stage.expressionScene?.arrived ?? 0,
-      fps: pacing.fps,
-    }),
-    needles: () => {
-      const camera = stage.input.picker.camera();
-      if (camera === undefined) return [];
-      return stage.input.picker.needles().map(({ place, head, foot }) => {
-        const [a, b] = [camera.project(head), camera.project(foot)];
-        const label = (stage.editsFace ? stage.handles?.handles?.labels[place] : undefined) ?? "";
-        return { place, row: stage.input.picker.rowOf(place), label, head: [a[0], a[1]], foot: [b[0], b[1]] };
-      });
-    },
+    counters: () => countersOf(stage),
+    needles: () => needlesOf(stage),
     readPositions: (face) => Array.from(stage.expressionScene?.faceAtlas.read(memberOf(face).block) ?? []),
     positions: (face) => {
       const member = memberOf(face);
@@ -68,4 +51,24 @@ export function exposeProbe(stage: EditorCanvas): void {
       stage.editsFace ? (stage.faceScene?.all ?? []).map(({ label }) => label) : [store.work, ...store.neighbours],
     vectors: () => [...store.live],
   };
+}
+
+const countersOf = ({ pacing, editsFace, faceScene, expressionScene }: EditorCanvas): Counters => ({
+  drawn: pacing.drawn,
+  intervals: [...pacing.intervals],
+  waits: [...pacing.waits],
+  differences: Object.fromEntries((editsFace ? faceScene?.differences : expressionScene?.differences) ?? []),
+  arrived: expressionScene?.arrived ?? 0,
+  fps: pacing.fps,
+});
+
+function needlesOf({ input, editsFace, handles }: EditorCanvas): ReturnType<EditorProbe["needles"]> {
+  const { picker } = input;
+  const camera = picker.camera();
+  if (camera === undefined) return [];
+  return picker.needles().map(({ place, head, foot }) => {
+    const [a, b] = [camera.project(head), camera.project(foot)];
+    const label = (editsFace ? handles?.handles?.labels[place] : undefined) ?? "";
+    return { place, row: picker.rowOf(place), label, head: [a[0], a[1]], foot: [b[0], b[1]] };
+  });
 }

@@ -1,15 +1,13 @@
 /** Pictures of (face, expression) off screen, one after the other, on one graphics context. */
 
 import { FaceView } from "../../face/face_view";
-import type { Shot } from "../../face/framing";
+import { THUMBNAIL } from "../../face/framing";
 import { fenced } from "../../face/gpu/fence";
 import { restPose } from "../../face/pose/pose";
 import { KEY, type Library } from "../../link/assets";
 import type { ThumbnailSubject } from "../../ui/thumbnails";
 import { loadFace } from "./asset_loading";
 
-/** Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. */
-const THUMB: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };
 /** Milliseconds between two looks at whether the graphics processor has drawn. */
 const LOOK = 8;
 
@@ -22,7 +20,9 @@ export class ThumbnailRenderer {
   /** Draws at the cheapest level: pictures as small as these look alike at all. */
   static async open(library: Library): Promise<ThumbnailRenderer> {
     const canvas = document.createElement("canvas");
-    return new ThumbnailRenderer(await FaceView.load(canvas, library, { shot: THUMB, pixelRatio: 1, level: "lowest" }));
+    return new ThumbnailRenderer(
+      await FaceView.load(canvas, library, { shot: THUMBNAIL, pixelRatio: 1, level: "lowest" }),
+    );
   }
 
   /** Rejects when it cannot be drawn. */

@@ -6,6 +6,14 @@ export interface Fans {
   pairs: Uint32Array; // 2 per triangle corner, in winding order
 }
 
+/** For each row the first and the end slot of its fan, two numbers a row: how the GPU reads it. */
+export function fanSpans({ starts }: Fans): Uint32Array {
+  const spans = new Uint32Array(2 * (starts.length - 1));
+  for (let row = 0; row + 1 < starts.length; row++)
+    spans.set([starts[row] as number, starts[row + 1] as number], 2 * row);
+  return spans;
+}
+
 /** Triangles as rows of the positions. */
 export const rowTriangles = (mesh: Mesh): Uint32Array => mesh.triangles.map((corner) => mesh.source[corner] as number);
 

@@ -1,5 +1,5 @@
 import type { CorrectivesData } from "../anatomy/correctives_data";
-import type { Fans } from "../anatomy/topology";
+import { type Fans, fanSpans } from "../anatomy/topology";
 import { createProgram, dataTexture, targetTexture } from "../gpu/gl";
 import { BLEND_FRAGMENT, NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
 import { CorrectivePasses } from "./corrective_passes";
@@ -73,9 +73,7 @@ export class Blender {
     this.entryBuffer = gl.createBuffer();
     gl.bindBuffer(gl.UNIFORM_BUFFER, this.entryBuffer);
     gl.bufferData(gl.UNIFORM_BUFFER, this.entryData.byteLength, gl.DYNAMIC_DRAW);
-    const spans = new Uint32Array(2 * rows);
-    for (let row = 0; row < rows; row++) spans.set([fan.starts[row] as number, fan.starts[row + 1] as number], 2 * row);
-    this.ranges = dataTexture(gl, spans, ROW_WIDTH);
+    this.ranges = dataTexture(gl, fanSpans(fan), ROW_WIDTH);
     this.corners = dataTexture(gl, fan.pairs, CORNER_WIDTH);
     this.correctivePasses = correctives === undefined ? undefined : new CorrectivePasses(gl, correctives, this.height);
   }

@@ -69,14 +69,7 @@ export class CorrectivePasses {
     this.allowedTexels = new Float32Array(DATA_WIDTH * lines(correctives.size));
     this.allowed = floatTexture(gl, this.allowedTexels, 1, DATA_WIDTH);
     this.data = this.readData();
-    this.programs = {
-      gather: createProgram(gl, PASS_VERTEX, GATHER_FRAGMENT),
-      rung: createProgram(gl, PASS_VERTEX, RUNG_FRAGMENT),
-      part: createProgram(gl, PASS_VERTEX, PART_FRAGMENT),
-      normal: createProgram(gl, PASS_VERTEX, REST_FRAGMENT),
-      upright: createProgram(gl, PASS_VERTEX, UPRIGHT_FRAGMENT),
-      spread: createProgram(gl, PASS_VERTEX, SPREAD_FRAGMENT),
-    };
+    this.programs = createPrograms(gl);
     this.nothing = gl.createVertexArray();
     this.fix();
   }
@@ -224,3 +217,12 @@ export class CorrectivePasses {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 }
+
+const createPrograms = (gl: WebGL2RenderingContext): Programs => ({
+  gather: createProgram(gl, PASS_VERTEX, GATHER_FRAGMENT),
+  rung: createProgram(gl, PASS_VERTEX, RUNG_FRAGMENT),
+  part: createProgram(gl, PASS_VERTEX, PART_FRAGMENT),
+  normal: createProgram(gl, PASS_VERTEX, REST_FRAGMENT),
+  upright: createProgram(gl, PASS_VERTEX, UPRIGHT_FRAGMENT),
+  spread: createProgram(gl, PASS_VERTEX, SPREAD_FRAGMENT),
+});

@@ -1,6 +1,6 @@
 /** All faces of the canvas on the GPU: one atlas of positions and normals, of which only what changes is drawn anew. */
 
-import type { Fans } from "../../../face/anatomy/topology";
+import { type Fans, fanSpans } from "../../../face/anatomy/topology";
 import { createProgram, dataTexture, floatTexture, targetTexture } from "../../../face/gpu/gl";
 import { ROW_WIDTH } from "../../../face/gpu/pass_shaders";
 import type { Followers } from "../../session/net";
@@ -62,10 +62,7 @@ export class FaceAtlas {
       WebGLTexture,
     ];
     this.tangents = layeredTexture(gl, ROW_WIDTH, height, 3);
-    const spans = new Uint32Array(2 * rows);
-    for (let row = 0; row < rows; row++)
-      spans.set([fans.starts[row] as number, fans.starts[row + 1] as number], 2 * row);
-    this.ranges = dataTexture(gl, spans, ROW_WIDTH);
+    this.ranges = dataTexture(gl, fanSpans(fans), ROW_WIDTH);
     this.corners = dataTexture(gl, fans.pairs, CORNER_WIDTH);
     this.spans = dataTexture(gl, new Uint32Array(2 * rows), ROW_WIDTH);
     this.anchors = floatTexture(gl, new Float32Array(2), 2, CORNER_WIDTH);
@@ -125,26 +122,10 @@ export class FaceAtlas {
     gl.viewport(0, 0, ROW_WIDTH, this.lines * MOST_BLOCKS);
     gl.bindVertexArray(this.list);
     const moved = this.write(step.moved);
-    const moves: Sampled[] = [
-      ["tangents", "layers", this.tangents],
-      ["fields", "flat", this.fields],
-    ];
-    this.pass("move", "moves", [first, count, moved], moves, step);
-    const inputs: Sampled[] = [
-      ["bases", "flat", this.bases],
-      ["offsets", "flat", this.offsets],
-      ["moves", "flat", this.moves],
-      ["spans", "flat", this.spans],
-      ["anchors", "flat", this.anchors],
-    ];
-    this.pass("place", "positions", [first, count, moved], inputs, step);
+    this.pass("move", "moves", [first, count, moved], step);
+    this.pass("place", "positions", [first, count, moved], step);
     const turned = this.write(step.turned);
-    const around: Sampled[] = [
-      ["positions", "flat", this.positions],
-      ["ranges", "flat", this.ranges],
-      ["corners", "flat", this.corners],
-    ];
-    this.pass("turn", "normals", [first, count, turned], around, step);
+    this.pass("turn", "normals", [first, count, turned], step);
     gl.bindVertexArray(null);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
@@ -199,11 +180,24 @@ export class FaceAtlas {
     return bands.length;
   }
 
+  /** What a pass samples; followers may have come since the pass before. */
+  private inputs(pass: "move" | "place" | "turn"): readonly Sampled[] {
+    if (pass === "move")
+      return [
+        ["tangents", "layers", this.tangents],
+        ["fields", "flat", this.fields],
+      ];
+    const names =
+      pass === "place"
+        ? (["bases", "offsets", "moves", "spans", "anchors"] as const)
+        : (["positions", "ranges", "corners"] as const);
+    return names.map((name) => [name, "flat", this[name]]);
+  }
+
   private pass(
     name: "move" | "place" | "turn",
     target: "moves" | "positions" | "normals",
     [first, faces, bands]: readonly [number, number, number],
-    inputs: readonly Sampled[],
     { slots, lags }: Step,
   ): void {
     const { gl } = this;
@@ -211,7 +205,7 @@ export class FaceAtlas {
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.targets[target]);
     gl.useProgram(program);
     const at = (uniform: string) => gl.getUniformLocation(program, uniform);
-    inputs.forEach(([uniform, kind, texture], unit) => {
+    this.inputs(name).forEach(([uniform, kind, texture], unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(kind === "layers" ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D, texture);
       gl.uniform1i(at(uniform), unit);

@@ -13,6 +13,7 @@ export interface Hit {
 }
 
 /** Where a ray first meets a triangle that faces it (Moller and Trumbore 1997); positions (rows, 3), triangles (t, 3). */
+// biome-ignore lint/complexity/noExcessiveLinesPerFunction: one loop over ten thousand triangles for every move of a pointer; calls and arrays in it would cost the frame
 export function hit(
   positions: Float32Array,
   triangles: Uint32Array,
