@@ -23,7 +23,6 @@ LONG_MODULES: dict[str, str] = {
     "web/src/link/editing_messages.ts": "written by tools/messages.py from the one file above",
     "web/src/link/messages.ts": "written by tools/messages.py from show/messages.py",
     "benchmarks/interruptions.py": "one claim with its bound, its search for the maximum and its picture",
-    "web/src/editor/canvas/input/input.ts": "what mouse, touch, pen and keys mean, in one place",
 }
 LONG_BODIES: dict[str, str] = {}
 

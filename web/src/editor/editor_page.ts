@@ -1,8 +1,8 @@
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { base, palette } from "../ui/theme";
+import { exposeProbe } from "./canvas/canvas_probe";
 import { EditorCanvas } from "./canvas/editor_canvas";
-import { exposeProbe } from "./canvas/probe";
 import { controls } from "./controls/controls_style";
 import { EditorElement } from "./controls/editor_element";
 import { style } from "./editor_page_style";

@@ -8,13 +8,35 @@ import { EditorPage } from "./editor_page";
 import { EditorLink } from "./link/editor_link";
 import { readIdentity, saveName } from "./link/identity";
 import { DraftStore } from "./session/draft_store";
-import { idle } from "./session/idle_queue";
 import { openItem } from "./session/item_commands";
 import { ThumbnailRenderer } from "./session/thumbnail_renderer";
 import { keepViewSettings } from "./session/view_settings";
 
 /** Pixels of a thumbnail as it is drawn, somewhat less than it is shown at: what is shown first is usable first. */
 const SMALL = { width: Math.round(0.75 * THUMBNAIL_SIZE.width), height: Math.round(0.75 * THUMBNAIL_SIZE.height) };
+
+/** Milliseconds between two drawings, and after which one is made even where the page never rests. */
+const PAUSE = 60;
+const PATIENCE = 1000;
+
+let pressed = false;
+for (const kind of ["pointerdown", "pointerup", "pointercancel"] as const)
+  globalThis.addEventListener?.(
+    kind,
+    () => {
+      pressed = kind === "pointerdown";
+    },
+    true,
+  );
+
+/** Waits until no hand holds anything, no answer is to come, and the page has nothing else to do. */
+async function whenIdle(store: DraftStore): Promise<void> {
+  do {
+    await new Promise((done) => setTimeout(done, PAUSE));
+    if ("requestIdleCallback" in globalThis)
+      await new Promise((done) => requestIdleCallback(done, { timeout: PATIENCE }));
+  } while (pressed || store.dragging || store.waiting);
+}
 
 /** Keeps the cast as new as the items: what has been saved is there to begin from, to wear, to lay under. */
 function followCast(store: DraftStore): void {
@@ -74,7 +96,7 @@ async function start(): Promise<void> {
   followCast(store);
   followAddress(store);
   let thumbnailRenderer: ThumbnailRenderer | null = null;
-  const thumbnails = new Thumbnails(() => idle(store));
+  const thumbnails = new Thumbnails(() => whenIdle(store));
   const context: EditorContext = {
     store,
     thumbnails,

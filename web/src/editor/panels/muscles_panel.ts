@@ -5,8 +5,8 @@ import { amountOf } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import { PERCENT } from "../controls/units";
+import { mirrorMuscle } from "../session/control_net";
 import type { Topic } from "../session/draft_store";
-import { mirrorMuscle } from "./twins";
 
 /** Muscles by their contraction; every face follows while a slider moves. */
 @customElement("omote-muscles")

@@ -4,9 +4,9 @@ import { base } from "../../ui/theme";
 import { controls, panel } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
 import { DEGREES, MILLIMETRES, RATIO, shown, typed, type Unit } from "../controls/units";
+import { REST, split, type Vector } from "../session/control_net";
 import type { Topic } from "../session/draft_store";
-import { REST, split, type Vector } from "../session/net";
-import { commonOf, mirrored } from "./point_sums";
+import { commonOf, mirrored } from "./point_values";
 
 const ENTRIES: readonly (readonly [string, Unit, string])[] = [
   ["Turn", DEGREES, "Δθ: around the head, + towards the character's left"],

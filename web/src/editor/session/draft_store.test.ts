@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { DraftState, ItemDocument, NetDocument, Recipe } from "../../link/editing_messages";
 import type { Answer, Request } from "../link/requests";
+import { flat, REST, split, type Vector } from "./control_net";
 import { DraftStore } from "./draft_store";
 import { create, matches, normalised, placeAt, redo, remove, describe as rename, save, undo } from "./item_commands";
-import { flat, REST, split, type Vector } from "./net";
 
 const bytes = (array: Uint16Array | Float32Array): Uint8Array => new Uint8Array(array.buffer);
 

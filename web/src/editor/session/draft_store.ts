@@ -13,8 +13,8 @@ import type {
   ToEditor,
 } from "../../link/editing_messages";
 import type { Answer, Ask, Change, Request } from "../link/requests";
+import { flat, type Net, readNet, split, type Vector } from "./control_net";
 import { EditorStore } from "./editor_store";
-import { flat, type Net, readNet, split, type Vector } from "./net";
 
 export { MOST_NEIGHBOURS, type Options, type Tool, type Topic } from "./editor_store";
 

@@ -3,7 +3,7 @@
 import type { Library } from "../../link/assets";
 import type { Greeted, ItemDocument } from "../../link/editing_messages";
 import type { Manifest } from "../../link/messages";
-import { type Followers, type HeadControls, type Muscle, readHeadControls } from "./net";
+import { type Followers, type HeadControls, type Muscle, readHeadControls } from "./control_net";
 import { type Notice, Notices } from "./notices";
 
 /** What has changed. "live" is told at the rate of the pointer, all others rarely. */

@@ -3,7 +3,7 @@
 import { decode } from "@msgpack/msgpack";
 import { type Fetch, fetchBytes, fetchWithRetry } from "../../link/assets";
 import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
-import type { Vector } from "./net";
+import type { Vector } from "./control_net";
 
 /** The handles of a face under work; all lists by place. */
 export interface Handles {

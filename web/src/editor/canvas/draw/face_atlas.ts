@@ -3,7 +3,7 @@
 import { type Fans, fanSpans } from "../../../face/anatomy/topology";
 import { createProgram, dataTexture, floatTexture, targetTexture } from "../../../face/gpu/gl";
 import { ROW_WIDTH } from "../../../face/gpu/pass_shaders";
-import type { Followers } from "../../session/net";
+import type { Followers } from "../../session/control_net";
 import type { Figure } from "../model/figure";
 import { bandsOf } from "./atlas_bands";
 import { BAND_VERTEX, MOST_BLOCKS, MOVE_FRAGMENT, PLACE_FRAGMENT, TURN_FRAGMENT } from "./atlas_shaders";

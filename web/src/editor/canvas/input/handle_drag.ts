@@ -1,9 +1,9 @@
 /** Hands on the handles of a face: which one a pointer means, and where it takes it. */
 
 import type { Fans } from "../../../face/anatomy/topology";
+import { flat } from "../../session/control_net";
 import type { DraftStore } from "../../session/draft_store";
 import { type Handles, movedBy, namesOf, withMoves } from "../../session/face_handles";
-import { flat } from "../../session/net";
 import type { NeedleState } from "../draw/needle_renderer";
 import type { Camera } from "../math/camera";
 import { add, type Pair, type Triple, times } from "../math/vectors";

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import type { Vector } from "../../session/net";
+import type { Vector } from "../../session/control_net";
 import { Camera, FIRST_VIEW } from "../math/camera";
 import type { Pair } from "../math/vectors";
 import type { DragOptions } from "../model/drag_vectors";

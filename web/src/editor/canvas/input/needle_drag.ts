@@ -1,7 +1,7 @@
 /** A hand that holds needles of the face under work, from the moment it takes them until it lets go. */
 
 import type { Fans } from "../../../face/anatomy/topology";
-import type { Muscle, Net, Vector } from "../../session/net";
+import type { Muscle, Net, Vector } from "../../session/control_net";
 import type { Camera } from "../math/camera";
 import { hit } from "../math/hit_test";
 import { add, dot, minus, type Pair, rowOf, size, type Triple, times, unit } from "../math/vectors";

@@ -1,8 +1,8 @@
 /** The needles of the face under work: which one a pointer means, what skin lies under it, and edits of the net. */
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
+import type { Net } from "../../session/control_net";
 import type { DraftStore } from "../../session/draft_store";
-import type { Net } from "../../session/net";
 import type { Camera } from "../math/camera";
 import { hit } from "../math/hit_test";
 import type { Pair, Triple } from "../math/vectors";

@@ -1,7 +1,7 @@
 /** Which rows change from one frame to the next: the passes draw only those. */
 
 import type { Fans } from "../../../face/anatomy/topology";
-import type { Followers } from "../../session/net";
+import type { Followers } from "../../session/control_net";
 
 export class ChangedRows {
   private readonly marks: Uint8Array;

@@ -1,7 +1,7 @@
 /** What a hand does to the vectors of a net: which points go along and how far, and the vectors that put them there. */
 
 import { distances, type Fans } from "../../../face/anatomy/topology";
-import type { Net, Vector } from "../../session/net";
+import type { Net, Vector } from "../../session/control_net";
 import { minus, solved, type Triple } from "../math/vectors";
 import { type Lips, together } from "./lip_coupling";
 

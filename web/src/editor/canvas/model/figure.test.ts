@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Followers } from "../../session/net";
+import type { Followers } from "../../session/control_net";
 import { EASE, Figure, follow } from "./figure";
 import { patch } from "./skin_patch";
 

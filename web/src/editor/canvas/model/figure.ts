@@ -1,6 +1,6 @@
 /** One face as the page computes it: what it wears, and where the hand's linearisation puts it. */
 
-import type { Followers, Net } from "../../session/net";
+import type { Followers, Net } from "../../session/control_net";
 import { rowOf, type Triple } from "../math/vectors";
 import type { Moves } from "./influence_field";
 

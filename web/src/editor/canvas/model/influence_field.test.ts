@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Muscle } from "../../session/net";
+import type { Muscle } from "../../session/control_net";
 import { addField, reachOf } from "./influence_field";
 import { patch, still } from "./skin_patch";
 

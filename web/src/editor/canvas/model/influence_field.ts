@@ -1,6 +1,6 @@
 /** The field on S of what is dragged: what vectors and muscles add to a draft, at every vertex of the skin. */
 
-import type { Muscle, Net, Vector } from "../../session/net";
+import type { Muscle, Net, Vector } from "../../session/control_net";
 
 /** For each place of a net the vertices it moves and by how much: those of place p are `starts[p]` to `starts[p + 1]`. */
 export interface Reach {

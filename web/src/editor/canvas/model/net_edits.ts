@@ -1,6 +1,6 @@
 /** Control points added, removed and set down elsewhere: the rows of the net that comes of it. */
 
-import type { Net } from "../../session/net";
+import type { Net } from "../../session/control_net";
 import { type Hit, nearestCorner } from "../math/hit_test";
 
 /** The vertex of the sheet nearest to where a pointer met the skin, where no point stands yet; undefined: none. */

@@ -1,7 +1,7 @@
 /** A small face for tests: a bent patch of skin with a net of five points. */
 
 import { type Fans, fans } from "../../../face/anatomy/topology";
-import type { Net } from "../../session/net";
+import type { Net } from "../../session/control_net";
 import type { Triple } from "../math/vectors";
 
 const SIDE = 9;

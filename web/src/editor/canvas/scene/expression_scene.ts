@@ -4,7 +4,7 @@ import type { Anatomy } from "../../../face/anatomy/anatomy";
 import type { Library } from "../../../link/assets";
 import type { Manifest } from "../../../link/messages";
 import { loadFace, loadTangents, loadWorn } from "../../session/asset_loading";
-import type { Followers, Muscle, Net } from "../../session/net";
+import type { Followers, Muscle, Net } from "../../session/control_net";
 import { MOST_BLOCKS } from "../draw/atlas_shaders";
 import { FaceAtlas } from "../draw/face_atlas";
 import type { SkinTextures } from "../draw/skin_texture";

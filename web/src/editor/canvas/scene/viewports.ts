@@ -2,7 +2,7 @@
 
 import { type Box, inBox } from "../math/boxes";
 import { type Bounds, bounded, Camera, FIRST_VIEW, VIEWS, type View, type ViewName } from "../math/camera";
-import { tiles } from "../math/layout";
+import { tiles } from "../math/canvas_layout";
 
 const MOST_RATIO = 2; // pixels of the canvas per CSS pixel: more costs and is not seen
 const PAN_REACH = 0.14; // metres

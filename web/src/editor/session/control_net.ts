@@ -83,3 +83,7 @@ export const vectorAt = (vectors: Float64Array, place: number): Vector => [
 /** The inverse of `flat`. */
 export const split = (vectors: Float64Array): Vector[] =>
   Array.from({ length: vectors.length / 3 }, (_, place) => vectorAt(vectors, place));
+
+/** The muscle on the other side of the face, by name; one on the midline is its own twin. */
+export const mirrorMuscle = (name: string): string =>
+  name.replace(/_(left|right)$/, (_, side: string) => (side === "left" ? "_right" : "_left"));

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { type Box, inBox } from "./boxes";
-import { tiles } from "./layout";
+import { tiles } from "./canvas_layout";
 
 const SIZES = [
   [1280, 720],

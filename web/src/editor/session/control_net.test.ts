@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { mirrorMuscle } from "./twins";
+import { mirrorMuscle } from "./control_net";
 
 it("finds the muscle on the other side, and back again; those on the midline stay", () => {
   for (const [left, right] of [

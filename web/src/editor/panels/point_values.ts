@@ -1,6 +1,6 @@
 /** What is said of several control points at once. */
 
-import type { Vector } from "../session/net";
+import type { Vector } from "../session/control_net";
 
 /** The number that all places share in one part of their vectors, or null. */
 export function commonOf(vectors: Float64Array, places: readonly number[], part: number): number | null {

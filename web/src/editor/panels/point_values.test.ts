@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
-import { flat, REST, type Vector } from "../session/net";
-import { commonOf, mirrored } from "./point_sums";
+import { flat, REST, type Vector } from "../session/control_net";
+import { commonOf, mirrored } from "./point_values";
 
 const vectors: Vector[] = [[0.1, 0.01, 1.1], [...REST], [0.2, 0.02, 0.9], [...REST]];
 const MIRROR = [1, 0, 2, -1];
