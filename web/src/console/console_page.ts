@@ -1,3 +1,5 @@
+/** The console's page: faces on the left, expressions on the right, what is on air between them, pads and faders below. */
+
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";

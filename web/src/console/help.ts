@@ -1,3 +1,5 @@
+/** The console's help: its keys and conventions. */
+
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { curtain, keysPage } from "../ui/dialog_style";

@@ -1,4 +1,4 @@
-/** The console page: links the show to a desk, and a desk to the instrument. */
+/** The console page: connects the show to the store, and the store to the page. */
 
 import { FaceView } from "../face/face_view";
 import { THUMBNAIL } from "../face/framing";
@@ -51,7 +51,7 @@ function connect(): { store: ConsoleStore; link: ShowLink } {
 }
 
 /** Thumbnails by one view on a canvas of its own: one graphics context for all of them. */
-async function openStudio(library: Library): Promise<DrawThumbnail> {
+async function openThumbnails(library: Library): Promise<DrawThumbnail> {
   const view = await FaceView.load(document.createElement("canvas"), library, { shot: THUMBNAIL, pixelRatio: 1 });
   view.resize(THUMBNAIL_SIZE.width, THUMBNAIL_SIZE.height);
   return async ({ face, expression }) => {
@@ -84,8 +84,8 @@ async function start(): Promise<void> {
   store.setManifest(library.manifest);
   if (stale) void recast(context.store);
   await page.open(library);
-  openStudio(library).then(
-    (studio) => context.thumbnails.open(studio),
+  openThumbnails(library).then(
+    (draw) => context.thumbnails.open(draw),
     (error: unknown) => console.warn("No thumbnails:", error), // names and hot keys are enough to play
   );
 }

@@ -1,3 +1,5 @@
+/** The editor's page: library, canvas and panels. */
+
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { base, palette } from "../ui/theme";
@@ -19,7 +21,7 @@ import "./panels/item_panels";
 import "./page/library";
 import "./page/tools";
 
-/** The editor: what there is on the left, the face under work and its company between, what it is made of on the right. */
+/** The editor: what there is on the left, the face under work and those beside it between, what it is made of on the right. */
 @customElement("omote-editor")
 export class EditorPage extends EditorElement {
   @state() private helping = false;

@@ -1,3 +1,5 @@
+/** Draws one face on a canvas: pose in, picture out. */
+
 import * as THREE from "three";
 import type { Library } from "../link/assets";
 import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";

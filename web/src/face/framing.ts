@@ -1,3 +1,5 @@
+/** Framing: where the camera stands for a shot, and the part of a wall that one stage shows. */
+
 import { PerspectiveCamera } from "three";
 
 /** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */

@@ -1,3 +1,5 @@
+/** Fetches and remembers what the manifest lists: faces, compounds, hair, the skin's picture. */
+
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "./arrays";
 import { Backoff } from "./backoff";
@@ -26,7 +28,7 @@ export interface Compound {
   scale: number;
   indices: Uint32Array;
   deltas: Int16Array;
-  /** What it uses up by itself of what sums may not (omote.perform.settle), where the cast says so. */
+  /** What it uses up by itself of what sums may not (omote.perform.blending.correctives), where the cast says so. */
   allowed: { places: Uint32Array; values: Float32Array } | undefined;
 }
 

@@ -1,3 +1,5 @@
+/** The link of stages and consoles to the show. */
+
 import { now, ServerClock } from "./clock";
 import type { Crew, FromClient, FromServer, Hello, Kept, State, Welcome } from "./messages";
 import { LINK_PATH, PROTOCOL_VERSION } from "./messages";

@@ -1,3 +1,5 @@
+/** The stage page. */
+
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import { ParameterError, readParameters, type StageParameters } from "./parameters";

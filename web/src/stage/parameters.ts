@@ -1,3 +1,5 @@
+/** Reads and checks the parameters of a stage's address. */
+
 import type { Tile } from "../face/framing";
 import type { Triple } from "../face/light/tone";
 import { decodeSrgb } from "../face/light/tone";

@@ -1,3 +1,5 @@
+/** Draws a grid of poses into one picture. */
+
 import type { FaceView } from "../face/face_view";
 import { type Pose, restPose } from "../face/pose/pose";
 

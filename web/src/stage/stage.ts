@@ -1,3 +1,5 @@
+/** A stage: states in, frames out. */
+
 import { FaceView } from "../face/face_view";
 import { Breath } from "../face/pose/breath";
 import { JitterBuffer } from "../face/pose/jitter_buffer";

@@ -1,3 +1,5 @@
+/** What tests and curious operators may ask of a stage: `window.omoteStage`. */
+
 import type { Pose } from "../face/pose/pose";
 import { restPose } from "../face/pose/pose";
 import type { Level } from "../face/quality/quality_levels";

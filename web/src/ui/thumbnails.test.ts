@@ -10,23 +10,23 @@ function canvas(isConnected = true) {
 }
 
 const sitting = (expression: string): ThumbnailSubject => ({ face: "generic", expression });
-const settle = () => new Promise((done) => setTimeout(done));
+const nextTurn = () => new Promise((done) => setTimeout(done));
 const portraits = () => new Thumbnails(() => Promise.resolve());
-const studio = (asked: string[]) => (wish: ThumbnailSubject) => {
+const drawer = (asked: string[]) => (wish: ThumbnailSubject) => {
   asked.push(wish.expression);
   return Promise.resolve(wish as unknown as CanvasImageSource);
 };
 
-it("draws in the order of asking, once the studio is open, and each picture once", async () => {
+it("draws in the order of asking, once it knows how to draw, and each picture once", async () => {
   const [asked, first, second, all] = [[] as string[], canvas(), canvas(), portraits()];
   all.ask(first.element, sitting("smile"));
   all.ask(second.element, sitting("sad"));
-  await settle();
+  await nextTurn();
   expect(asked).toEqual([]);
-  all.open(studio(asked));
-  await settle();
+  all.open(drawer(asked));
+  await nextTurn();
   all.ask(first.element, sitting("smile"));
-  await settle();
+  await nextTurn();
   expect(asked).toEqual(["smile", "sad"]);
   expect(first.drawn).toEqual([sitting("smile")]);
 });
@@ -36,16 +36,16 @@ it("draws only the newest wish for a canvas, and none for one that left the page
   all.ask(one.element, sitting("smile"));
   all.ask(one.element, sitting("sad"));
   all.ask(gone.element, sitting("cry"));
-  all.open(studio(asked));
-  await settle();
+  all.open(drawer(asked));
+  await nextTurn();
   expect(asked).toEqual(["sad"]);
 });
 
 it("hangs a picture that it has drawn before at once, without drawing it again", async () => {
   const [asked, first, second, all] = [[] as string[], canvas(), canvas(), portraits()];
-  all.open(studio(asked));
+  all.open(drawer(asked));
   all.ask(first.element, sitting("smile"));
-  await settle();
+  await nextTurn();
   all.ask(second.element, sitting("smile"));
   expect(second.drawn).toEqual([sitting("smile")]);
   expect(asked).toEqual(["smile"]);
@@ -62,7 +62,7 @@ it("goes on after a picture that cannot be drawn", async () => {
       ? Promise.reject(new Error("no"))
       : Promise.resolve(wish as unknown as CanvasImageSource),
   );
-  await settle();
+  await nextTurn();
   console.warn = warn;
   expect(one.drawn).toEqual([]);
   expect(two.drawn).toHaveLength(1);

@@ -9,7 +9,7 @@ export interface ThumbnailSubject {
 /** The size of a thumbnail in pixels; sharp on a display of one and a half. */
 export const THUMBNAIL_SIZE = { width: 130, height: 120 } as const;
 
-/** Draws a sitting as a picture of its own; may wait for its shapes to be loaded. Rejects when it cannot be drawn. */
+/** Draws a subject as a picture of its own; may wait for its shapes to be loaded. Rejects when it cannot be drawn. */
 export type DrawThumbnail = (subject: ThumbnailSubject) => Promise<CanvasImageSource>;
 
 /** Milliseconds between two pictures: the show goes first. */
@@ -20,13 +20,13 @@ const KEPT = 500;
 export class Thumbnails {
   readonly #waiting = new Map<HTMLCanvasElement, ThumbnailSubject>();
   readonly #done = new WeakMap<HTMLCanvasElement, string>();
-  readonly #album = new Map<string, CanvasImageSource>();
+  readonly #cache = new Map<string, CanvasImageSource>();
   #drawer: DrawThumbnail | null = null;
   #working = false;
 
   constructor(private readonly pause: () => Promise<void> = () => new Promise((done) => setTimeout(done, PAUSE))) {}
 
-  /** The studio is ready; what was asked for before is drawn now. */
+  /** Pictures can be drawn from now on; what was asked for before is drawn now. */
   open(draw: DrawThumbnail): void {
     this.#drawer = draw;
     void this.#work();
@@ -38,10 +38,10 @@ export class Thumbnails {
       this.#waiting.delete(canvas);
       return;
     }
-    const known = this.#album.get(keyOf(subject));
+    const known = this.#cache.get(keyOf(subject));
     if (known !== undefined) {
       this.#waiting.delete(canvas);
-      this.#hang(canvas, subject, known);
+      this.#show(canvas, subject, known);
       return;
     }
     this.#waiting.set(canvas, subject);
@@ -70,21 +70,21 @@ export class Thumbnails {
 
   async #draw(canvas: HTMLCanvasElement, subject: ThumbnailSubject, draw: DrawThumbnail): Promise<void> {
     try {
-      const picture = this.#album.get(keyOf(subject)) ?? (await draw(subject));
+      const picture = this.#cache.get(keyOf(subject)) ?? (await draw(subject));
       this.#keep(subject, picture);
-      if (!this.#waiting.has(canvas)) this.#hang(canvas, subject, picture); // else something newer is wished for
+      if (!this.#waiting.has(canvas)) this.#show(canvas, subject, picture); // else something newer is wished for
     } catch (error) {
       console.warn(`No portrait of ${keyOf(subject)}:`, error); // the tile keeps its name, which is enough to play
     }
   }
 
   #keep(subject: ThumbnailSubject, picture: CanvasImageSource): void {
-    this.#album.set(keyOf(subject), picture);
-    const [oldest] = this.#album.keys();
-    if (this.#album.size > KEPT && oldest !== undefined) this.#album.delete(oldest);
+    this.#cache.set(keyOf(subject), picture);
+    const [oldest] = this.#cache.keys();
+    if (this.#cache.size > KEPT && oldest !== undefined) this.#cache.delete(oldest);
   }
 
-  #hang(canvas: HTMLCanvasElement, subject: ThumbnailSubject, picture: CanvasImageSource): void {
+  #show(canvas: HTMLCanvasElement, subject: ThumbnailSubject, picture: CanvasImageSource): void {
     const context = canvas.getContext("2d");
     if (context === null) return;
     context.clearRect(0, 0, canvas.width, canvas.height);

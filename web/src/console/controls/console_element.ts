@@ -1,4 +1,4 @@
-/** What every element of the page has: the desk it plays, the frame it paints in, the pictures it may ask for. */
+/** What every element of the page has: the store it plays, the animation frame, the thumbnails. */
 
 import { LitElement } from "lit";
 import { property } from "lit/decorators.js";

@@ -1,3 +1,5 @@
+/** The fader of one channel. */
+
 import { html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { type Drag, onArrows, onDrag, onWheel } from "../../ui/gestures";

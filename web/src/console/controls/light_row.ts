@@ -1,3 +1,5 @@
+/** The row of keys that call lights. */
+
 import { css, html } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { base } from "../../ui/theme";

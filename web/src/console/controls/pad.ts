@@ -1,3 +1,5 @@
+/** The two-dimensional pads for head and gaze. */
+
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { onArrows, onDrag, onWheel } from "../../ui/gestures";

@@ -1,3 +1,5 @@
+/** The T-bar: a call moved by hand. */
+
 import { html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { type Drag, onArrows, onDrag, onWheel } from "../../ui/gestures";

@@ -1,3 +1,5 @@
+/** The seconds and the easing of the next call. */
+
 import { css, html } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { EASING_NAMES } from "../../link/constants";

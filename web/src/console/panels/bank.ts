@@ -1,3 +1,5 @@
+/** The bank of channel faders, by region of the face. */
+
 import { html } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";

@@ -1,3 +1,5 @@
+/** The monitor: the face on air, drawn only when it changes. */
+
 import { css, html } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { FaceView } from "../../face/face_view";

@@ -1,3 +1,5 @@
+/** The list of what is on air on one axis, heaviest first. */
+
 import { css, html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { base } from "../../ui/theme";

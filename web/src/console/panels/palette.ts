@@ -1,3 +1,5 @@
+/** The palette of faces or expressions with thumbnails, hot keys and search. */
+
 import { html, nothing } from "lit";
 import { customElement, property, query, queryAll, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";

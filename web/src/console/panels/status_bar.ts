@@ -1,3 +1,5 @@
+/** The status bar: stages, link, notices and panic. */
+
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { levelsOf } from "../../face/quality/quality_levels";

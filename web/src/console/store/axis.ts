@@ -1,3 +1,5 @@
+/** The two axes of a call, and what runs on each. */
+
 import type { CallState, State } from "../../link/messages";
 
 /** What is called and mixed: faces, and expressions. */

@@ -1,3 +1,5 @@
+/** A value that a hand can hold. */
+
 /** One number under a hand. */
 export interface Knob {
   readonly key: string;

@@ -5,7 +5,7 @@ import { ConsoleStore } from "./console_store";
 import { LayoutSync, layoutName } from "./layout_sync";
 
 const sent: FromClient[] = [];
-const keeperOf = (store: ConsoleStore): LayoutSync =>
+const syncOf = (store: ConsoleStore): LayoutSync =>
   new LayoutSync(
     store,
     "left",
@@ -26,7 +26,7 @@ function deskOf(): ConsoleStore {
   return store;
 }
 
-describe("the keeper of a layout", () => {
+describe("the sync of a layout", () => {
   beforeEach(() => {
     vi.useFakeTimers();
     sent.length = 0;
@@ -38,7 +38,7 @@ describe("the keeper of a layout", () => {
   it("lays the console out as it was kept, without keeping that again", async () => {
     const store = deskOf();
     const kept = { ...FIRST, kind: "arkit", tab: "mouth", linked: false } as const;
-    await keeperOf(store).open(async () => written(kept));
+    await syncOf(store).open(async () => written(kept));
     expect(store.layout).toEqual(kept);
     vi.runAllTimers();
     expect(sent).toEqual([]);
@@ -46,7 +46,7 @@ describe("the keeper of a layout", () => {
 
   it("keeps the last of several changes, once", async () => {
     const store = deskOf();
-    await keeperOf(store).open(async () => null);
+    await syncOf(store).open(async () => null);
     store.setTiming("face", { seconds: 4 });
     store.setTiming("face", { seconds: 8 });
     store.arrange({ kind: "makehuman" });
@@ -59,7 +59,7 @@ describe("the keeper of a layout", () => {
 
   it("waits for the link", async () => {
     const store = deskOf();
-    await keeperOf(store).open(async () => null);
+    await syncOf(store).open(async () => null);
     store.setOnline(false);
     store.arrange({ linked: false });
     vi.runAllTimers();
@@ -71,11 +71,11 @@ describe("the keeper of a layout", () => {
 
   it("ignores what is no layout, with a notice, and a server that does not answer", async () => {
     const store = deskOf();
-    await keeperOf(store).open(async () => "{}");
+    await syncOf(store).open(async () => "{}");
     expect(store.notice).toMatch(/another version/);
     expect(store.layout).toEqual(FIRST);
     const other = deskOf();
-    await keeperOf(other).open(() => Promise.reject(new Error("away")));
+    await syncOf(other).open(() => Promise.reject(new Error("away")));
     expect([other.notice, other.layout]).toEqual([null, FIRST]);
   });
 

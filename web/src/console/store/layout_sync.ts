@@ -30,7 +30,7 @@ export class LayoutSync {
     private readonly rest = REST,
   ) {}
 
-  /** Lays the desk out as the show file has it, and keeps what changes from now on. */
+  /** Lays the console out as the show file has it, and keeps what changes from now on. */
   async open(read: Read = readLayout): Promise<void> {
     const document = await read(this.name).catch(() => null);
     const found = document === null ? null : parsed(document);

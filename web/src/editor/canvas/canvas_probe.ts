@@ -31,8 +31,8 @@ declare global {
 export function exposeProbe(stage: EditorCanvas): void {
   const { store } = stage;
   const memberOf = (face: string) => {
-    const sitter = stage.editsFace ? stage.faceScene?.all.find(({ label }) => label === face) : undefined;
-    if (sitter !== undefined) return sitter;
+    const picture = stage.editsFace ? stage.faceScene?.all.find(({ label }) => label === face) : undefined;
+    if (picture !== undefined) return picture;
     const member = stage.expressionScene?.member(store.sourceOf(face));
     if (member === undefined || member.block < 0) throw new Error(`The face "${face}" is not shown.`);
     return member;

@@ -65,7 +65,7 @@ export class EditorCanvas {
     this.input = new CanvasInput(this);
     for (const topic of ["cast", "items", "draft", "selection", "options", "live"] as const)
       this.leave.push(store.listen(topic, () => this.hear(topic)));
-    this.leave.push(store.listen("notices", () => this.handles?.settle())); // what was refused goes from sight
+    this.leave.push(store.listen("notices", () => this.handles?.takeAnswer())); // what was refused goes from sight
     const size = new ResizeObserver(() => this.redraw());
     size.observe(canvas);
     this.leave.push(() => size.disconnect());
@@ -184,7 +184,7 @@ export class EditorCanvas {
       this.faceScene?.leave();
       return;
     }
-    this.handles?.settle();
+    this.handles?.takeAnswer();
     const recipe = look === null ? face : { ...face, points: [], moves: [] };
     await this.faceScene?.show(manifest, draft.item, look ?? draft.content, recipe);
   }

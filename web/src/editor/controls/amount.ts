@@ -1,3 +1,5 @@
+/** A slider with a field for one number. */
+
 import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { base } from "../../ui/theme";

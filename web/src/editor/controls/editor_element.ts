@@ -1,4 +1,4 @@
-/** What every element of the editor page has: the bench it works on, and the pictures it may ask for. */
+/** What every element of the editor page has: the store, and the thumbnails. */
 
 import { LitElement } from "lit";
 import { property } from "lit/decorators.js";

@@ -1,3 +1,5 @@
+/** A choice among sources, in their groups. */
+
 import { html } from "lit";
 import { grouped, type Source } from "../session/sources";
 import { textOf } from "./editor_element";

@@ -1,3 +1,5 @@
+/** The editor's link to the server. */
+
 import { encode } from "@msgpack/msgpack";
 import { now } from "../../link/clock";
 import {

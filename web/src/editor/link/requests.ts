@@ -8,7 +8,7 @@ export type Request = Unnumbered<Exclude<FromEditor, Greet>>;
 /** What a request is answered with when it is not refused. */
 export type Answer = Exclude<ToEditor, { type: "greeted" | "items" | "refused" }>;
 type Part<R> = R extends { item: number } ? Omit<R, "item"> : never;
-/** A request about the open item, before the bench has named it. */
+/** A request about the open item, before the store has named it. */
 export type Change = Part<Request>;
 /** Sends a request; rejects with a sentence when it is refused or cannot be sent. */
 export type Ask = (request: Request) => Promise<Answer>;

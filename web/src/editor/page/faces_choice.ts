@@ -1,3 +1,5 @@
+/** The choice of the face under work and of the faces beside it. */
+
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { base } from "../../ui/theme";

@@ -1,3 +1,5 @@
+/** The heading of the editor: the open item, whether it is saved, who else edits it. */
+
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import type { DraftState, ItemDocument } from "../../link/editing_messages";

@@ -1,3 +1,5 @@
+/** The library: all own items, and what new ones can begin from. */
+
 import { html, nothing } from "lit";
 import { customElement, queryAll, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";

@@ -1,3 +1,5 @@
+/** The form that creates an item. */
+
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { base } from "../../ui/theme";

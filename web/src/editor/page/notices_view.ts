@@ -1,3 +1,5 @@
+/** The notices that must be read, with what can be done about them. */
+
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";

@@ -1,3 +1,5 @@
+/** The tools of the canvas and their options. */
+
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";

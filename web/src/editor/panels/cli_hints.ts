@@ -9,7 +9,7 @@ export interface CliHint {
 
 const FILE = "SHOW.omote";
 
-/** The errands for an item, with the face under work; all names are slugs, so nothing needs quotes. */
+/** The commands for an item, with the face under work; all names are slugs, so nothing needs quotes. */
 export function cliHintsOf({ kind, name }: Pick<ItemDocument, "kind" | "name">, work: string): CliHint[] {
   if (kind === "face")
     return [

@@ -1,3 +1,5 @@
+/** The comparison of two contents on one face, as a heat map of the distances. */
+
 import { decode } from "@msgpack/msgpack";
 import { css, html, nothing } from "lit";
 import { customElement, property, queryAll, state } from "lit/decorators.js";

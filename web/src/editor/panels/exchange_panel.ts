@@ -1,3 +1,5 @@
+/** The panel with commands that export and import items. */
+
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";

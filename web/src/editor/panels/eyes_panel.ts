@@ -1,3 +1,5 @@
+/** The panel that turns eyeballs and sets pupils. */
+
 import { html } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import type { Recipe } from "../../link/editing_messages";

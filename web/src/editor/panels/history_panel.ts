@@ -1,3 +1,5 @@
+/** The panel of an item's revisions. */
+
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";

@@ -1,3 +1,5 @@
+/** The panels of the open item, one at a time. */
+
 import { css, html } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { base } from "../../ui/theme";

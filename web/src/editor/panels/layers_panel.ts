@@ -1,3 +1,5 @@
+/** The panel of the expressions that lie under the control points. */
+
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";

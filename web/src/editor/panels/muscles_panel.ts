@@ -1,3 +1,5 @@
+/** The panel of muscle contractions. */
+
 import { html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";

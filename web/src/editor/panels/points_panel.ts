@@ -1,3 +1,5 @@
+/** The panel with the numbers of the selected control points. */
+
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";

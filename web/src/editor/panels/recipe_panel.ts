@@ -1,3 +1,5 @@
+/** The panel that makes a face from faces: a mix, regions, caricature, handles. */
+
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";

@@ -171,12 +171,12 @@ export class DraftStore extends EditorStore {
       const answer = await this.send(request);
       this.#unanswered -= 1;
       this.receive(answer);
-      if (answer.type !== "draft") this.#settle();
+      if (answer.type !== "draft") this.#takeAnswer();
       return answer;
     } catch (error) {
       this.#unanswered -= 1;
       this.say(error instanceof Error ? error.message : String(error));
-      this.#settle(); // what was refused goes from sight
+      this.#takeAnswer(); // what was refused goes from sight
       return null;
     }
   }
@@ -218,7 +218,7 @@ export class DraftStore extends EditorStore {
     this.draft = draft;
     if (other) this.#forget();
     else if (this.net !== before) this.select(kept(this.selection, before, this.net));
-    this.#settle();
+    this.#takeAnswer();
     this.tell("draft");
   }
 
@@ -230,7 +230,7 @@ export class DraftStore extends EditorStore {
   }
 
   /** What the hand shows becomes what the server has, unless an answer is still to come; a drag under way goes on. */
-  #settle(): void {
+  #takeAnswer(): void {
     const recipe = this.recipe;
     if (recipe === null || this.#unanswered > 0) return;
     const vectors = flat(recipe.vectors);

@@ -1,3 +1,5 @@
+/** Studies the generic face of a cast once: neck, hair, open sky, eyeballs, lines of the openings. */
+
 import { MathUtils } from "three";
 import type { Library, Mesh } from "../../link/assets";
 import { HAIRLINE } from "../../link/constants";

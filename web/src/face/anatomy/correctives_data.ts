@@ -1,11 +1,13 @@
+/** Reads the manifest's document of corrective shapes into arrays for the GPU. */
+
 import { aligned } from "../../link/arrays";
 import { RUNGS } from "../../link/constants";
 import type { SettlingDocument } from "../../link/messages";
 
-/** Texels in a line of every texture of the settling. */
+/** Texels in a line of every texture of the correctives. */
 export const DATA_WIDTH = 128;
 
-/** How sums are put right (omote.perform.settle), ready for the GPU: all counts in places of `rows`. */
+/** How sums are put right (omote.perform.blending.correctives), ready for the GPU: all counts in places of `rows`. */
 export interface CorrectivesData {
   document: SettlingDocument;
   /** Rows of the positions that may move. */
@@ -34,7 +36,7 @@ export interface CorrectivesData {
 const whole = (bytes: Uint8Array): Uint32Array => new Uint32Array(aligned(bytes));
 const real = (bytes: Uint8Array): Float32Array => new Float32Array(aligned(bytes));
 
-/** A settling from its document; an Error when it points past its own rows. */
+/** The correctives from their document; an Error when it points past its own rows. */
 export function readCorrectives(document: SettlingDocument): CorrectivesData {
   const rows = whole(document.rows);
   const triangles = whole(document.triangles);

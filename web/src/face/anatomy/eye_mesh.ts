@@ -1,3 +1,5 @@
+/** The eyeball's mesh, and its axes from rows of the positions. */
+
 /** A part of the unit sphere around +z: what is drawn of an eyeball. */
 export interface Dome {
   directions: Float32Array; // (n, 3)

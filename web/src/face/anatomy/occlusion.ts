@@ -1,3 +1,5 @@
+/** Ambient occlusion of the generic face, by depth maps from many directions. */
+
 import { extent, type Fans, normals } from "./topology";
 
 const DIRECTIONS = 64;

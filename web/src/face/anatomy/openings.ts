@@ -1,3 +1,5 @@
+/** The openings of the skin (lids, lips) as two edges from corner to corner. */
+
 /** The edges of an opening of the skin, from the character's right corner to its left one: rows of the positions. */
 export interface Opening {
   upper: number[];

@@ -1,3 +1,5 @@
+/** Topology of meshes by rows of the positions: fans, borders, distances along the skin, normals. */
+
 import type { Mesh } from "../../link/assets";
 
 /** For every row of the positions the triangles around it: pairs of the other two rows, from `starts[row]` on. */

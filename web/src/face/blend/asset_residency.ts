@@ -1,3 +1,5 @@
+/** Decides which blendshapes are on the GPU, and eases in those that arrive late. */
+
 import type { Compound, Library } from "../../link/assets";
 import { expressionWeights, faceWeights, type Term, terms } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
@@ -22,7 +24,7 @@ export class AssetResidency {
   private readonly allowed: Float32Array;
   private scratch: Float32Array | undefined;
 
-  /** `size`: numbers in an allowance (settling.ts). */
+  /** `size`: numbers in an allowance (`correctives_data.ts`). */
   constructor(
     private readonly library: Library,
     size = 0,

@@ -1,3 +1,5 @@
+/** Blends faces and expressions on the GPU: weighted sum, correctives, normals. */
+
 import type { CorrectivesData } from "../anatomy/correctives_data";
 import { type Fans, fanSpans } from "../anatomy/topology";
 import { createProgram, dataTexture, targetTexture } from "../gpu/gl";
@@ -23,7 +25,7 @@ export interface Eyeballs {
 export interface Mix {
   entries: readonly Entry[];
   rest: readonly Entry[];
-  /** Allowances, weighted and added (omote.perform.settle); undefined: nothing can be wrong, one compound is worn. */
+  /** Allowances, weighted and added (omote.perform.blending.correctives); undefined: nothing can be wrong, one compound is worn. */
   allowed: Float32Array | undefined;
 }
 
@@ -102,7 +104,7 @@ export class Blender {
     gl.bindVertexArray(this.empty);
     if (this.correctivePasses === undefined || mix.allowed === undefined)
       this.add(mix.entries, eyes, this.positionTarget);
-    else this.settle(this.correctivePasses, mix, mix.allowed, eyes);
+    else this.correct(this.correctivePasses, mix, mix.allowed, eyes);
     this.deriveNormals();
     gl.bindVertexArray(null);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -142,7 +144,7 @@ export class Blender {
     return count;
   }
 
-  private settle(
+  private correct(
     correctivePasses: CorrectivePasses,
     { entries, rest }: Mix,
     allowed: Float32Array,
@@ -156,7 +158,7 @@ export class Blender {
     }
     this.add(entries, eyes, correctivePasses.mixed);
     const sights = [6, 7, 8, 15, 16, 17].map((at) => eyes.turns[at] as number);
-    correctivePasses.settle(this.positionTarget, allowed, { ...eyes, sights: Float32Array.from(sights) });
+    correctivePasses.correct(this.positionTarget, allowed, { ...eyes, sights: Float32Array.from(sights) });
   }
 
   /** Draws the sum of some entries, the eyeballs turned, into a target. */

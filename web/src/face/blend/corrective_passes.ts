@@ -1,3 +1,5 @@
+/** Runs the corrective passes on the GPU, as `omote.perform.blending.correctives` does on the CPU. */
+
 import { RUNGS } from "../../link/constants";
 import { type CorrectivesData, DATA_WIDTH, rolesOf } from "../anatomy/correctives_data";
 import { createProgram, dataTexture, floatTexture, targetTexture, wholeTexture } from "../gpu/gl";
@@ -28,7 +30,7 @@ interface Target {
 type Textures = Record<string, WebGLTexture>;
 type Programs = Record<"gather" | "rung" | "part" | "normal" | "upright" | "spread", WebGLProgram>;
 
-/** Puts the sums of compounds right on the GPU, pass by pass as `omote.perform.settle` does. */
+/** Puts the sums of compounds right on the GPU, pass by pass as `omote.perform.blending.correctives` does. */
 export class CorrectivePasses {
   /** Where the plain sum is drawn to, and the mixed face without expression: all positions. */
   readonly mixed: WebGLFramebuffer;
@@ -82,7 +84,7 @@ export class CorrectivePasses {
   }
 
   /** Draws what is in `mixed`, put right, into `target`; `allowed`: the compounds' allowances, weighted and added. */
-  settle(target: WebGLFramebuffer, allowed: Float32Array, sockets: Sockets): void {
+  correct(target: WebGLFramebuffer, allowed: Float32Array, sockets: Sockets): void {
     const { targets, data } = this;
     this.writeAllowed(allowed);
     this.prepare(sockets);

@@ -1,9 +1,11 @@
+/** Shaders of the corrective passes: lids off eyeballs, lips apart, no triangle turned over. */
+
 import { RUNGS } from "../../link/constants";
 import { DATA_WIDTH } from "../anatomy/correctives_data";
 import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 
 /*
- * All passes but the first and the last draw one texel per place (settling.ts), not one point per row: software
+ * All passes but the first and the last draw one texel per place (`correctives_data.ts`), not one point per row: software
  * renderers shade whole blocks of texels at once.
  */
 const HEAD = `#version 300 es

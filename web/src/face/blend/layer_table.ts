@@ -1,3 +1,5 @@
+/** Which layer of the texture array holds which blendshape (least recently used goes first). */
+
 /** Which layer of the texture array holds what: free ones first, then the least recently used gives way. */
 export class LayerTable {
   private readonly layers = new Map<string, number>(); // in order of use, oldest first

@@ -1,3 +1,5 @@
+/** A fence: whether the GPU has finished what it was given. */
+
 /** Asks whether the machine has drawn what it was given until now. */
 export function fenced(gl: WebGL2RenderingContext): () => boolean {
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);

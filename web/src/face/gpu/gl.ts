@@ -1,3 +1,5 @@
+/** WebGL 2: programs, textures and render targets. */
+
 /** A linked program; an Error with the driver's words when a shader does not compile. */
 export function createProgram(gl: WebGL2RenderingContext, vertex: string, fragment: string): WebGLProgram {
   const program = gl.createProgram();

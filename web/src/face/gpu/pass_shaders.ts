@@ -1,3 +1,5 @@
+/** Shaders of the passes that blend positions and derive normals. */
+
 /** Texels in a line of the position texture; a power of two, so that a row's texel is a shift and a mask. */
 export const ROW_WIDTH = 128;
 export const ROW_SHIFT = 7;

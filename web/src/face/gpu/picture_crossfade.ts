@@ -1,3 +1,5 @@
+/** Crossfades from the last picture of one level of quality to the next. */
+
 import * as THREE from "three";
 
 const VERTEX = `

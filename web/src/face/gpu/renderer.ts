@@ -1,3 +1,5 @@
+/** three's renderer and the material that every part of the head uses. */
+
 import * as THREE from "three";
 import type { Features } from "../quality/quality_levels";
 

@@ -1,3 +1,5 @@
+/** Draws the hair of the faces on air as instanced ribbons. */
+
 import * as THREE from "three";
 import type { Library } from "../../link/assets";
 import type { HairStrands } from "../../link/strands";

@@ -1,3 +1,5 @@
+/** Which hair styles the faces on air have, how much of each is grown, and their strands. */
+
 import type { Library } from "../../link/assets";
 import type { HairStrands } from "../../link/strands";
 import { FULL, grownAt, mixOffsets, type Offsets, offsetsOn, styleWeights } from "./hair_strands";

@@ -1,3 +1,5 @@
+/** Shaders of hair: ribbons that face the camera, lit as Kajiya and Kay (1989). */
+
 import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
 
 /** Light on hair (Kajiya and Kay 1989): a soft shade around the strand, a white sheen and a coloured one beside it. */

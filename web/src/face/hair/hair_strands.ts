@@ -1,3 +1,5 @@
+/** Strands of hair carried by the skin of a face, and their mix. */
+
 import type { HairStrands } from "../../link/strands";
 
 /** One style's strands on one face: metres from each strand's anchor, (strands x stations, 3). */

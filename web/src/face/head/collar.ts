@@ -1,3 +1,5 @@
+/** The collar around the neck, which stays when the head turns. */
+
 import * as THREE from "three";
 import type { Anatomy } from "../anatomy/anatomy";
 import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";

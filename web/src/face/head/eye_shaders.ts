@@ -1,3 +1,5 @@
+/** Shaders of the eyeball: cornea, iris, wetness, the shadow of the lids. */
+
 import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
 import { OPENING } from "./opening_shaders";
 

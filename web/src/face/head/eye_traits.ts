@@ -1,3 +1,5 @@
+/** Traits of the eyes that are plain numbers: iris, slit, lashes, pupil. */
+
 import type { ExpressionDocument, FaceDocument } from "../../link/messages";
 import { expressionWeights, faceWeights } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";

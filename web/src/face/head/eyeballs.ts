@@ -1,3 +1,5 @@
+/** The mesh and material of an eyeball. */
+
 import * as THREE from "three";
 import type { Anatomy } from "../anatomy/anatomy";
 import { ballFrame, dome } from "../anatomy/eye_mesh";

@@ -1,3 +1,5 @@
+/** Mixes the looks of the faces on air: colours, traits, eyeballs, extremes. */
+
 import * as THREE from "three";
 import type { FaceDocument } from "../../link/messages";
 import { faceWeights } from "../pose/mix_terms";

@@ -1,3 +1,5 @@
+/** Builds the head as a scene of three, and its uniforms. */
+
 import * as THREE from "three";
 import type { Mesh } from "../../link/assets";
 import type { Anatomy } from "../anatomy/anatomy";

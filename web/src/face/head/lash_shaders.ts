@@ -1,3 +1,5 @@
+/** Shaders of the lashes. */
+
 import { EDGE_POINTS } from "../anatomy/openings";
 import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";

@@ -1,3 +1,5 @@
+/** Lashes as ribbons along the lids' edges. */
+
 import * as THREE from "three";
 import type { Anatomy } from "../anatomy/anatomy";
 import { ballFrame } from "../anatomy/eye_mesh";

@@ -1,3 +1,5 @@
+/** Teeth and tongue. */
+
 import * as THREE from "three";
 import type { Mesh } from "../../link/assets";
 import { ARCH, ARCH_DEPTH, TOOTH_REACH } from "../../link/constants";

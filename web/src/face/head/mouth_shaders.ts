@@ -1,3 +1,5 @@
+/** Shaders of teeth and tongue, lit through the lips. */
+
 import { EDGE_POINTS } from "../anatomy/openings";
 import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
 import { OPENING } from "./opening_shaders";

@@ -1,3 +1,5 @@
+/** Shader code that finds the edges of an opening on the blended face. */
+
 import { EDGE_POINTS } from "../anatomy/openings";
 import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 

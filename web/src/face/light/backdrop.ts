@@ -1,3 +1,5 @@
+/** The backdrop behind the head. */
+
 import * as THREE from "three";
 import { material } from "../gpu/renderer";
 import type { Light } from "./lights";

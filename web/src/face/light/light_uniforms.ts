@@ -1,3 +1,5 @@
+/** The light as uniforms of all materials of the head. */
+
 import * as THREE from "three";
 import type { Light } from "./lights";
 import type { Triple } from "./tone";
@@ -5,7 +7,7 @@ import type { Triple } from "./tone";
 const vector = (): THREE.IUniform<THREE.Vector3> => ({ value: new THREE.Vector3() });
 const number = (value = 0): THREE.IUniform<number> => ({ value });
 
-/** The light as uniforms that all materials of the head share, by the names in `shader_heads.ts`. */
+/** The light as uniforms that all materials of the head share, by the names in `shader_prelude.ts`. */
 export const lightUniforms = () => ({
   KEY: vector(),
   FILL: vector(),

@@ -1,3 +1,5 @@
+/** The lights of a stage, and their mix. */
+
 import { FIRST_LIGHT, type LIGHT_NAMES } from "../../link/constants";
 import { decodeSrgb, type Triple } from "./tone";
 

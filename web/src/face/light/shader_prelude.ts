@@ -1,3 +1,5 @@
+/** What the shaders of the head begin with: transforms, light, tone. */
+
 import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 import { NO_SHADOW, SHADOW } from "./shadow_shaders";
 import { TONE } from "./tone";

@@ -1,3 +1,5 @@
+/** The shadow map of the key light. */
+
 import * as THREE from "three";
 import type { Light } from "./lights";
 import { DEPTH, HEIGHT_FRAGMENT, REACH } from "./shadow_shaders";

@@ -1,3 +1,5 @@
+/** Shaders that write and read the shadow map. */
+
 /** Half a side of the square that the shadow map covers, and from where to where its depth reaches, metres. */
 export const REACH = 0.22;
 export const DEPTH = 0.5;

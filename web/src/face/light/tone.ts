@@ -1,3 +1,5 @@
+/** The tone curve, and the sRGB transfer function. */
+
 /** A direction or a colour in linear light. */
 export type Triple = readonly [number, number, number];
 

@@ -1,3 +1,5 @@
+/** Idle motion of the head while the server is away. */
+
 import type { Pose } from "./pose";
 
 const RISE = 2.0; // seconds until the breath is full, and until it is gone again

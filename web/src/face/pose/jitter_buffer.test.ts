@@ -2,11 +2,11 @@ import { describe, expect, it } from "vitest";
 import { JitterBuffer } from "./jitter_buffer";
 
 function settled(lates: (n: number) => number): number {
-  const lateness = new JitterBuffer(1 / 60, 0.06);
+  const buffer = new JitterBuffer(1 / 60, 0.06);
   let delay = 0;
   for (let n = 0; n < 600; n++) {
-    lateness.arrived(lates(n));
-    delay = lateness.after(1 / 60);
+    buffer.arrived(lates(n));
+    delay = buffer.after(1 / 60);
   }
   return delay;
 }
@@ -22,11 +22,11 @@ describe("the delay of a stage", () => {
   });
 
   it("never grows past its limit and glides there", () => {
-    const lateness = new JitterBuffer(1 / 60, 0.06);
-    let before = lateness.after(0);
+    const buffer = new JitterBuffer(1 / 60, 0.06);
+    let before = buffer.after(0);
     for (let n = 0; n < 600; n++) {
-      lateness.arrived(5);
-      const delay = lateness.after(1 / 60);
+      buffer.arrived(5);
+      const delay = buffer.after(1 / 60);
       expect(delay - before).toBeLessThan(0.0005);
       before = delay;
     }

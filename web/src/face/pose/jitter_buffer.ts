@@ -1,3 +1,5 @@
+/** A jitter buffer: how far behind the server a stage draws. */
+
 const KEPT = 90; // states, a second and a half
 const SPARE = 0.001; // seconds
 const SLEW = 0.02; // seconds per second: the delay glides, so that the picture never jerks

@@ -1,3 +1,5 @@
+/** The bilinear mix of faces and expressions as one list of weighted terms. */
+
 import type { Pose } from "./pose";
 
 /** One summand of the mix: a face itself (`expression` undefined) or what an expression adds to it. */

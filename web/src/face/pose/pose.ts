@@ -1,3 +1,5 @@
+/** A pose: what a stage draws of a state. */
+
 import { FIRST_LIGHT } from "../../link/constants";
 import type { State } from "../../link/messages";
 

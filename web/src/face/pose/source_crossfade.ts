@@ -1,3 +1,5 @@
+/** Crossfades a name on air from its old source to its new one. */
+
 import { MathUtils } from "three";
 import type { Pose } from "./pose";
 

@@ -1,3 +1,5 @@
+/** Interpolates the poses that arrive to the time that is drawn. */
+
 import { MathUtils } from "three";
 import { mixPoses, type Pose } from "./pose";
 

@@ -1,3 +1,5 @@
+/** Measures whether the GPU finishes frames with time to spare. */
+
 /** Milliseconds after which a picture must be done: half of what a display of 60 Hz gives. */
 const SOON = 1000 / 120;
 /** Milliseconds by which the look may itself come too late. */

@@ -1,3 +1,5 @@
+/** Chooses the level of quality from the frames that were late or early. */
+
 import { LEVELS } from "../../link/constants";
 import type { Level } from "./quality_levels";
 
@@ -39,7 +41,7 @@ export class QualityController {
   private looks: boolean[] = [];
   private lateFor = 0;
   private spareFor = 0;
-  private correctives = SETTLING;
+  private unjudged = SETTLING;
   private readonly failures = new Map<Level, number>();
 
   constructor(public level: Level) {}
@@ -47,8 +49,8 @@ export class QualityController {
   /** The level after one more frame. */
   after({ interval, early, calm }: FrameReport): Level {
     if (interval > PAUSE) return this.level;
-    this.correctives -= interval;
-    if (this.correctives > 0) return this.level;
+    this.unjudged -= interval;
+    if (this.unjudged > 0) return this.level;
     this.keep(interval, early);
     if (this.intervals.length < FEWEST) return this.level;
     this.lateFor = median(this.intervals) > LATE && !this.waits ? this.lateFor + interval : 0;
@@ -98,7 +100,7 @@ export class QualityController {
     this.looks = [];
     this.lateFor = 0;
     this.spareFor = 0;
-    this.correctives = SETTLING;
+    this.unjudged = SETTLING;
   }
 }
 

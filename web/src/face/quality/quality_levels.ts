@@ -1,3 +1,5 @@
+/** The levels of quality, and what each draws. */
+
 import { LEVELS } from "../../link/constants";
 
 /** What a view spends on its picture; every feature can be left out, and the face stays the same face. */

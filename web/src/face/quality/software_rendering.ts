@@ -1,3 +1,5 @@
+/** Whether the browser draws without a graphics processor. */
+
 let answer: boolean | undefined;
 
 /** Whether this browser draws without a graphics processor; then everything must be light. */

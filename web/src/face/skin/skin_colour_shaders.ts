@@ -1,3 +1,5 @@
+/** Shader code of the skin's own colour. */
+
 /**
  * The skin's own colour: every layer of the cast's picture, weighed by the traits of the faces on air. All of it is a sum
  * of traits, so nothing pops while faces mix.

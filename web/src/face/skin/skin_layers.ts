@@ -1,3 +1,5 @@
+/** The painted layers of the skin as textures, and the traits that weigh them. */
+
 import * as THREE from "three";
 import { SKIN_LAYERS } from "../../link/constants";
 import type { Look } from "../../link/messages";

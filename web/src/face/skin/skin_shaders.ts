@@ -1,3 +1,5 @@
+/** Shaders of the skin: its light in hollows and through flesh, fine relief, two specular lobes. */
+
 import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
 import { SKIN_COLOURS } from "./skin_colour_shaders";
 

@@ -77,7 +77,7 @@ export class SkinTextures {
     this.sheet = this.array(square, Float32Array.from([0, 1, 0, 1, 0, 1, 0, 1]), Uint32Array.from([0, 1, 2, 2, 1, 3]));
   }
 
-  /** A painter with the layers of the cast; undefined layers are waited for. */
+  /** The textures with the layers of the cast; undefined layers are waited for. */
   static async open(gl: WebGL2RenderingContext, library: Library, anatomy: Anatomy, skin: Mesh): Promise<SkinTextures> {
     return new SkinTextures(gl, await library.layers(), skin, anatomy.traits);
   }

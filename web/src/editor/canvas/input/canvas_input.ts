@@ -1,3 +1,5 @@
+/** Mouse, touch, pen and keys on the canvas: from events to drags, selections and views. */
+
 import type { Pair } from "../math/vectors";
 import type { Needle } from "../model/needles";
 import { withoutPlace } from "../model/net_edits";

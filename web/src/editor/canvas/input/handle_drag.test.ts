@@ -153,7 +153,7 @@ describe("dragged handles", () => {
     store = new DraftStore(() => Promise.reject(new Error("handle 2 is moved too far")));
     store.receive(draftOf(recipeOf()));
     input = handsOf(store);
-    store.listen("notices", () => input.settle());
+    store.listen("notices", () => input.takeAnswer());
     const [x, y] = at(2);
     input.press([x, y], event());
     input.drag([x + 300, y], event());

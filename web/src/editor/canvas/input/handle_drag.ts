@@ -143,7 +143,7 @@ export class HandleDrag {
   }
 
   /** The server has answered, or refused: the hand begins from what it has now, unless it is ahead. */
-  settle(): void {
+  takeAnswer(): void {
     if (this.ahead || this.now === undefined) return;
     this.now = undefined;
     this.place.faceScene.move(this.moves);

@@ -17,7 +17,7 @@ const view = (yaw = 0, pitch = 0) =>
     { centre: [0, 0, 0.09], radius: 0.06 },
   );
 
-/** A workbench that remembers what it is told. */
+/** A store that remembers what it is told. */
 class Told implements DragStore {
   live = still();
   readonly livePulls = NO_PULLS;

@@ -20,7 +20,7 @@ export interface DragContext {
   muscles: readonly Muscle[];
 }
 
-/** What of the workbench a hand moves. */
+/** What of the store a hand moves. */
 export interface DragStore {
   live: Float64Array;
   readonly livePulls: ReadonlyMap<string, number>;
@@ -84,7 +84,7 @@ export class NeedleDrag {
     this.surface = figure.live.slice();
     this.target = this.foot();
     this.origin = pointer;
-    this.settle(pointer);
+    this.restart(pointer);
   }
 
   /** The pointer is here now; `pull`: off the surface. */
@@ -92,7 +92,7 @@ export class NeedleDrag {
     this.catchUp();
     if (pull !== this.pulling) {
       this.pulling = pull;
-      if (this.used) this.settle(pointer); // else it begins where it was taken
+      if (this.used) this.restart(pointer); // else it begins where it was taken
     }
     this.put(pull ? this.offSurface(pointer) : this.onSurface(pointer));
   }
@@ -107,7 +107,7 @@ export class NeedleDrag {
     if (off !== 0) this.put(add(from, times(this.axis(), off)));
     else {
       this.origin = [x, y];
-      this.settle(this.origin);
+      this.restart(this.origin);
       this.put(this.onSurface([x + right / each, y - up / each]));
     }
   }
@@ -148,7 +148,7 @@ export class NeedleDrag {
   }
 
   /** Begins again from where everything is. */
-  private settle(pointer: Pair): void {
+  private restart(pointer: Pair): void {
     this.before = this.store.live.slice();
     this.origin = pointer;
     this.target = this.foot();

@@ -1,6 +1,6 @@
 /**
  * The sculptor's map of space: of all smooth maps through some points the one that bends least (|r|^3 with an affine
- * part; omote.model.sculpt.warp), linear in the points' moves.
+ * part; omote.model.sculpting.sculpt.warp), linear in the points' moves.
  */
 
 import { WARP_UNIT } from "../../../link/constants";

@@ -1,4 +1,4 @@
-/** The face editor's company: the face under work, once large and at rest, and again with other expressions beside it. */
+/** The scene of the face editor: the face under work, once large and at rest, and again with other expressions beside it. */
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
 import type { FaceRecipe, HandlesAsset } from "../../../link/editing_messages";
@@ -21,7 +21,7 @@ const WORN: readonly { label: string; expressions: readonly string[] }[] = [
   { label: "Jaw open", expressions: ["jawOpen"] },
 ];
 
-/** One picture of the face: the fields that the canvas draws of a member of its company. */
+/** One picture of the face: the fields that the canvas draws of any face. */
 export interface FacePicture {
   source: string;
   document: FaceDocument;
@@ -128,7 +128,7 @@ export class FaceScene {
   front(n: number): void {
     const [first, chosen] = [this.all[0], this.all[n]];
     if (first === undefined || chosen === undefined) return;
-    this.all = [chosen, ...this.all.filter((sitter) => sitter !== chosen)];
+    this.all = [chosen, ...this.all.filter((picture) => picture !== chosen)];
   }
 
   /** Brings the pictures up to a time (seconds); whether anything moved. `ahead`: a hand shows more than was answered. */
@@ -158,14 +158,14 @@ export class FaceScene {
     [this.item, this.shape, this.under, this.handles] = [item, shape, under, handles];
     this.made = shape.at(handles.moves).slice();
     this.dress(document.look);
-    for (const sitter of this.all) {
-      sitter.truth = truths[WORN.findIndex(({ label }) => label === sitter.label)] as Float32Array;
-      [sitter.source, sitter.document] = [content, { ...document, label: sitter.label }];
+    for (const picture of this.all) {
+      picture.truth = truths[WORN.findIndex(({ label }) => label === picture.label)] as Float32Array;
+      [picture.source, picture.document] = [content, { ...document, label: picture.label }];
     }
     this.pose();
-    this.all.forEach((sitter, n) => {
-      ease(sitter, fresh ? sitter.figure.base : (shown[n] as Float32Array), fresh ? -Infinity : time);
-      this.differences.set(sitter.label, differenceOf(sitter.figure.offset, sitter.truth, sitter.figure.rest));
+    this.all.forEach((picture, n) => {
+      ease(picture, fresh ? picture.figure.base : (shown[n] as Float32Array), fresh ? -Infinity : time);
+      this.differences.set(picture.label, differenceOf(picture.figure.offset, picture.truth, picture.figure.rest));
     });
   }
 
@@ -193,7 +193,7 @@ export class FaceScene {
     if (wanted === this.look) return;
     this.look = wanted;
     const skinTexture = this.skinTextures.paint(look, this.side);
-    for (const sitter of this.all) sitter.skinTexture = skinTexture;
+    for (const picture of this.all) picture.skinTexture = skinTexture;
   }
 
   /** Puts every picture where the handles lead: what moves the face at rest moves it with any expression. */

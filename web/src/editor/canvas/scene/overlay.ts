@@ -95,7 +95,7 @@ export class Overlay {
     this.layer.remove();
   }
 
-  /** Something of the workbench changed. */
+  /** Something of the store changed. */
   hear(): void {
     const { store } = this.stage;
     const pulled = JSON.stringify([store.options.muscles, [...store.livePulls], store.muscles.length]);
