@@ -113,10 +113,8 @@ export class FaceView {
     this.called = pose;
     const names = namesOf(pose);
     const faces = this.sourceCrossfade.wanted("faces", [...names.faces, ...coming.faces]);
-    this.residency.want(
-      faces,
-      this.sourceCrossfade.wanted("expressions", [...names.expressions, ...coming.expressions]),
-    );
+    const expressions = this.sourceCrossfade.wanted("expressions", [...names.expressions, ...coming.expressions]);
+    this.residency.want(faces, expressions);
     this.hair.want(faces);
   }
 
