@@ -16,16 +16,16 @@ from types import ModuleType
 
 import msgspec
 
-from omote.edit import messages as editing
-from omote.model.lines import RUNGS
-from omote.model.sculpt import WARP_UNIT
-from omote.model.socket import FAR, NEAR
+from omote.edit.protocol import messages as editing
+from omote.model.space.lid_lip_lines import RUNGS
+from omote.model.sculpting.sculpt import WARP_UNIT
+from omote.model.space.eye_socket import FAR, NEAR
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
-from omote.perform.transition import DEFAULT_EASING, EASINGS
+from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.show import messages
-from omote.show.part_pictures import ARCH, ARCH_DEPTH, TOOTH_REACH
-from omote.show.skin_picture import HAIRLINE, LAYERS
+from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
+from omote.interchange.skin_texture import HAIRLINE, LAYERS
 
 FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
 HEAD = "// Written by tools/messages.py from {}. Do not edit: run `python tools/messages.py`.\n"

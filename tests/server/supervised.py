@@ -4,8 +4,8 @@ import os
 import sys
 from pathlib import Path
 
-from omote.server.lock import lock_show
-from omote.server.supervisor import Supervisor, listen_on
+from omote.server.persistence.lock import lock_show
+from omote.server.supervision.supervisor import Supervisor, listen_on
 
 PROGRAM = (sys.executable, "-m", "tests.server.synthetic_server")
 

@@ -206,7 +206,7 @@ export class Library {
     });
   }
 
-  /** The layers of the skin (tools/baking/mask.py says what they hold): they lie one below the other in one picture. */
+  /** The layers of the skin (tools/baking/skin/mask.py says what they hold): they lie one below the other in one picture. */
   layers(): Promise<ImageBitmap[]> {
     this.picture ??= fetchWithRetry(this.manifest.mask, this.read).then((bytes) =>
       cutSquares(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "image/png" })),

@@ -3,7 +3,7 @@
 import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
 import { SKIN_COLOURS } from "./skin_colour_shaders";
 
-/** The slope that 0 and 1 of the layer `relief` stand for (tools/baking/skin_relief.py: STEEPEST). */
+/** The slope that 0 and 1 of the layer `relief` stand for (tools/baking/skin/relief.py: STEEPEST). */
 const STEEPEST = 0.8;
 
 /**
