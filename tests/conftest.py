@@ -11,9 +11,9 @@ from hypothesis import settings
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.perform.easing import EASINGS
 from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
-from omote.perform.easing import EASINGS
 from tests import synthetic
 
 settings.register_profile("omote", deadline=None, derandomize=True, max_examples=60)
