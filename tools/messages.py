@@ -17,15 +17,15 @@ from types import ModuleType
 import msgspec
 
 from omote.edit.protocol import messages as editing
-from omote.model.space.lid_lip_lines import RUNGS
-from omote.model.sculpting.sculpt import WARP_UNIT
-from omote.model.space.eye_socket import FAR, NEAR
-from omote.perform.lights import FIRST_LIGHT, LIGHTS
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
-from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.show import messages
 from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE, LAYERS
+from omote.model.sculpting.sculpt import WARP_UNIT
+from omote.model.space.eye_socket import FAR, NEAR
+from omote.model.space.lid_lip_lines import RUNGS
+from omote.perform.easing import DEFAULT_EASING, EASINGS
+from omote.perform.lights import FIRST_LIGHT, LIGHTS
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
+from omote.show import messages
 
 FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
 HEAD = "// Written by tools/messages.py from {}. Do not edit: run `python tools/messages.py`.\n"
@@ -45,7 +45,7 @@ def interface(struct: type[msgspec.Struct]) -> str:
     """One exported interface, with the docstring as its comment."""
     config = struct.__struct_config__
     hints = typing.get_type_hints(struct)
-    fields = [f"  {config.tag_field}: {_quoted(config.tag)};"] if config.tag is not None else []
+    fields = [f"  {config.tag_field}: {_quote(config.tag)};"] if config.tag is not None else []
     fields += [f"  {field.name}: {type_script(hints[field.name])};" for field in msgspec.structs.fields(struct)]
     lines = inspect.cleandoc(struct.__doc__ or "").replace("\n\n", "\n").splitlines()
     comment = f"/** {lines[0]} */" if len(lines) == 1 else "/**\n" + "".join(f" * {line}\n" for line in lines) + " */"
@@ -56,7 +56,7 @@ def show_module() -> str:
     """The messages of the show's link in TypeScript, the same text for the same messages."""
     constants = [
         f"export const PROTOCOL_VERSION = {messages.PROTOCOL_VERSION};",
-        f"export const LINK_PATH = {_quoted(messages.LINK_PATH)};",
+        f"export const LINK_PATH = {_quote(messages.LINK_PATH)};",
         f"/** States per second. */\nexport const STATE_RATE = {messages.STATE_RATE:g};",
     ]
     unions = [_union("FromClient", messages.CLIENT_MESSAGES), _union("FromServer", messages.SERVER_MESSAGES)]
@@ -67,7 +67,7 @@ def editing_module() -> str:
     """The messages of the editors' link in TypeScript, recipes and what is kept of them included."""
     constants = [
         f"export const EDITING_VERSION = {editing.EDITING_VERSION};",
-        f"export const EDITING_PATH = {_quoted(editing.EDITING_PATH)};",
+        f"export const EDITING_PATH = {_quote(editing.EDITING_PATH)};",
         f"/** Bytes; no message of an editor is longer. */\nexport const EDITING_LIMIT = {editing.EDITING_LIMIT};",
     ]
     unions = [_union("FromEditor", editing.EDITOR_MESSAGES), _union("ToEditor", editing.ANSWERS)]
@@ -132,7 +132,7 @@ def _module(source: ModuleType, constants: list[str], structs: list[type[msgspec
 
 def _generic(origin: object, arguments: tuple[object, ...], annotation: object) -> str:
     if origin is typing.Literal:
-        return " | ".join(map(_quoted, arguments))
+        return " | ".join(map(_quote, arguments))
     if origin in (typing.Union, types.UnionType):
         return " | ".join(map(type_script, arguments))
     if origin is list or (origin is tuple and arguments[1:] == (...,)):
@@ -159,7 +159,7 @@ def _union(name: str, members: tuple[type[msgspec.Struct], ...]) -> str:
     )
 
 
-def _quoted(value: object) -> str:
+def _quote(value: object) -> str:
     return f'"{value}"'
 
 

@@ -57,7 +57,7 @@ def state(page: Page) -> dict[str, Any]:
 
 
 def wait_for(page: Page, condition: str, seconds: float = 30) -> None:
-    """Waits until a condition on `state`, `desk` or the `page` element holds, looking in every frame.
+    """Waits until a condition on `state`, `authored_work` or the `page` element holds, looking in every frame.
 
     Written out because Playwright's own wait evaluates strings in the page, which its content security policy forbids.
     """

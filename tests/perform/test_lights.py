@@ -2,12 +2,12 @@
 
 import pytest
 
-from omote.perform.lights import FIRST_LIGHT, LIGHTS, light_named
+from omote.perform.lights import FIRST_LIGHT, LIGHTS, check_light
 
 
 @pytest.mark.parametrize("name", LIGHTS)
 def test_each_is_known_by_its_name(name: str) -> None:
-    assert light_named(name) == name
+    assert check_light(name) == name
     assert LIGHTS[name]
 
 
@@ -17,4 +17,4 @@ def test_a_show_begins_with_one_of_them() -> None:
 
 def test_another_is_refused_with_what_there_is() -> None:
     with pytest.raises(ValueError, match="there is no light 'candle'; choose one of theatre, portrait, flat"):
-        light_named("candle")
+        check_light("candle")
