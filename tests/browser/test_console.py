@@ -15,7 +15,7 @@ expect.set_options(timeout=15_000)  # nothing here measures time; busy machines 
 OpenPage = Callable[..., Page]
 Console = Callable[..., Page]
 
-DESK = "document.querySelector('omote-console').rig.desk"
+DESK = "document.querySelector('omote-console').context.store"
 AT_REST = """
     state.faces.generic === 1 && state.expressions.neutral === 1 && Object.keys(state.channels).length === 0
     && [...state.head, ...state.gaze, state.face_fader, state.expression_fader].every((value) => value === 0)
@@ -65,7 +65,7 @@ def wait_for(page: Page, condition: str, seconds: float = 30) -> None:
         const tooLate = performance.now() + {1000 * seconds};
         const holds = () => {{
             const page = document.querySelector("omote-console");
-            const desk = page?.rig.desk;
+            const desk = page?.context.store;
             const state = desk?.state;
             return Boolean(desk) && ({condition});
         }};

@@ -123,7 +123,7 @@ def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> N
         expect(page.locator(".notice a")).to_have_attribute("href", f"/editor?kind={kind}&name={name}")
     with page.context.expect_page() as opened:
         page.locator(".notice a").click()
-    until(opened.value, f"document.querySelector('omote-editor')?.rig?.bench.item?.name === {name!r}")
+    until(opened.value, f"document.querySelector('omote-editor')?.context?.store.item?.name === {name!r}")
     expect(page.locator(".notice")).to_contain_text("under Own")
 
 
@@ -137,7 +137,7 @@ def test_the_pencil_of_an_own_thing_opens_it_and_calls_nothing(console: Console)
     with page.context.expect_page() as opened:
         pencil.focus()
         pencil.press("Enter")
-    until(opened.value, f"document.querySelector('omote-editor')?.rig?.bench.item?.name === {kept['name']!r}")
+    until(opened.value, f"document.querySelector('omote-editor')?.context?.store.item?.name === {kept['name']!r}")
     pencil.click()  # in the same tab
     assert len(page.context.pages) == 2
     assert page.evaluate(f"{DESK}.state.face_call") is None
@@ -192,17 +192,17 @@ def test_another_tablet_opens_with_the_same_layout(console: Console) -> None:
     region(page, "mouth")
     page.locator("[data-kind='arkit']").click()
     page.get_by_role("button", name="Link R L").click()
-    arranged = page.evaluate(f"{DESK}.arrangement")
+    arranged = page.evaluate(f"{DESK}.layout")
     page.evaluate(f"""async () => {{
         for (;;) {{
             const answer = await fetch("/layouts/console");
             const {{ version, ...found }} = answer.status === 200 ? await answer.json() : {{}};
-            if (JSON.stringify(found) === JSON.stringify({DESK}.arrangement)) return;
+            if (JSON.stringify(found) === JSON.stringify({DESK}.layout)) return;
             await new Promise(requestAnimationFrame);
         }}
     }}""")
     other = console()
-    assert other.evaluate(f"{DESK}.arrangement") == arranged
+    assert other.evaluate(f"{DESK}.layout") == arranged
     expect(other.locator("[data-kind='arkit']")).to_have_attribute("aria-selected", "true")
     expect(fader(other, "mouthFunnel")).to_be_visible()
 
@@ -210,9 +210,9 @@ def test_another_tablet_opens_with_the_same_layout(console: Console) -> None:
 def test_a_layout_that_cannot_be_read_is_told_and_ignored(open_page: OpenPage) -> None:
     page = open_page("/console?layout=broken")
     wait_for(page, "desk.online && desk.faces.length > 0")
-    first = page.evaluate(f"{DESK}.arrangement")
+    first = page.evaluate(f"{DESK}.layout")
     page.route("**/layouts/broken", lambda route: route.fulfill(status=200, body="{not json"))
     page.reload()
     wait_for(page, "desk.online && desk.faces.length > 0")
     expect(page.locator(".notice")).to_contain_text("cannot be read")
-    assert page.evaluate(f"{DESK}.arrangement") == first
+    assert page.evaluate(f"{DESK}.layout") == first

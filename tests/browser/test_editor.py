@@ -16,7 +16,7 @@ expect.set_options(timeout=20_000)  # nothing here measures time; busy machines 
 OpenPage = Callable[..., Page]
 Editor = Callable[..., Page]
 
-BENCH = "document.querySelector('omote-editor').rig.bench"
+BENCH = "document.querySelector('omote-editor').context.store"
 SETTLED = "bench.draft !== null && canvas !== undefined && canvas.settled()"
 REACH = 5e-5
 """Metres within which a dragged point lies where it was put."""
@@ -39,7 +39,7 @@ def wait_for(page: Page, condition: str, seconds: float = 60) -> None:
     page.evaluate(f"""() => new Promise((done, fail) => {{
         const tooLate = performance.now() + {1000 * seconds};
         const holds = () => {{
-            const bench = document.querySelector("omote-editor")?.rig.bench;
+            const bench = document.querySelector("omote-editor")?.context.store;
             const canvas = window.omoteEditor;
             return Boolean(bench) && ({condition});
         }};
@@ -146,7 +146,7 @@ def test_a_newcomer_makes_a_crooked_smile_with_what_the_page_says(editor: Editor
     tile = console.locator(".expressions .tile", has_text="Crooked smile")
     tile.click()
     name = tile.get_attribute("data-name")
-    desk = "document.querySelector('omote-console').rig.desk"
+    desk = "document.querySelector('omote-console').context.store"
     expect(tile).to_have_class(re.compile(r"\bair\b"))
     assert console.evaluate(f"{desk}.state.expressions[{name!r}]") > 0
     console.evaluate(f"{desk}.panic()")

@@ -16,7 +16,7 @@ import omote
 OpenPage = Callable[..., Page]
 Floats = NDArray[np.float64]
 
-BENCH = "document.querySelector('omote-editor').rig.bench"
+BENCH = "document.querySelector('omote-editor').context.store"
 CANVAS = "document.querySelector('omote-editor').shadowRoot.querySelector('canvas')"
 FACES = ["generic", "dog", "child", "old"]
 TOLERANCE = 1e-6
@@ -36,7 +36,7 @@ def wait_for(page: Page, condition: str, seconds: float = 60) -> None:
     page.evaluate(f"""() => new Promise((done, fail) => {{
         const tooLate = performance.now() + {1000 * seconds};
         const look = () => {{
-            const [bench, probe] = [document.querySelector("omote-editor")?.rig.bench, window.omoteEditor];
+            const [bench, probe] = [document.querySelector("omote-editor")?.context.store, window.omoteEditor];
             if (bench && probe && ({condition})) done();
             else if (performance.now() < tooLate) requestAnimationFrame(look);
             else fail(new Error("never came: " + {condition!r}));

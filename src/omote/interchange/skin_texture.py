@@ -1,4 +1,4 @@
-"""Paints the skin's albedo texture: what the stage's skin shader (skin_colours.ts) computes, without light."""
+"""Paints the skin's albedo texture: what the stage's skin shader (skin_colour_shaders.ts) computes, without light."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ Points = NDArray[np.float64]
 LAYERS = ("mask", "marks", "patches", "relief", "finish")
 LINING = (0.62, 0.16, 0.14)
 
-# Angle from straight ahead, radians, and the height where hair begins, metres over the eyes (stage/anatomy.ts).
-_HAIRLINE = np.array(
+# Angle from straight ahead, radians, and the height where hair begins, metres over the eyes.
+HAIRLINE = np.array(
     [(0, 0.079), (0.35, 0.077), (0.6, 0.071), (0.76, 0.06), (0.9, 0.04), (1.02, 0.02), (1.12, 0.0), (1.24, -0.006),
      (1.34, 0.008), (1.6, 0.022), (1.9, 0.0), (2.2, -0.045), (3.2, -0.07)]
 )  # fmt: skip
@@ -47,7 +47,7 @@ def build_canvas(layers: Picture, skin: BakedMesh, generic: Points) -> Canvas:
 def hairline(points: Points) -> Points:
     """How much hair grows at points (n, 3) of the generic face, 0..1."""
     x, y, z = points.T
-    height = np.interp(np.abs(np.arctan2(x, z - 0.03)), _HAIRLINE[:, 0], _HAIRLINE[:, 1])
+    height = np.interp(np.abs(np.arctan2(x, z - 0.03)), HAIRLINE[:, 0], HAIRLINE[:, 1])
     ear = np.where(y < 0.026, smooth_ramp(0.0, 1.0, (np.abs(x) - 0.0745) / 0.006), 0.0)
     return smooth_ramp(0.0, 1.0, (y - height) / 0.024 + 0.5) * (1.0 - ear)
 

@@ -1,4 +1,4 @@
-"""The lights that a show can call, by name; what they look like is the stages' own (`web/src/stage/light.ts`)."""
+"""The lights that a show can call, by name; what they look like is the stages' own (`web/src/face/light/lights.ts`)."""
 
 from __future__ import annotations
 

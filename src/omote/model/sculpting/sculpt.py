@@ -30,7 +30,7 @@ FARTHEST = 0.06
 _NEAREST = 1e-4  # Two control points closer than this, metres, would tear the skin between them.
 _EXACT = 1e-7  # What a point on the midline may be off it, and how exactly control points arrive, metres.
 # Lengths are counted in this unit while solving, so that the affine part and the kernel are of one size.
-_UNIT = 0.05
+WARP_UNIT = 0.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -213,7 +213,7 @@ def _base(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face]) -> t
 
 
 def _local(points: Values, where: Values) -> Values:
-    result: Values = (where - points.mean(axis=0)) / _UNIT
+    result: Values = (where - points.mean(axis=0)) / WARP_UNIT
     return result
 
 
