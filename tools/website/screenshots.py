@@ -25,9 +25,9 @@ RENDERER = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "-
 PATIENCE = 120_000
 """Milliseconds that a busy machine may take for one state."""
 CORNER = """() => {
-    const bench = document.querySelector("omote-editor").rig.bench;
-    const rows = window.omoteEditor.positions(bench.work);
-    const lips = [...bench.library.lines.get("lips")];
+    const store = document.querySelector("omote-editor").context.store;
+    const rows = window.omoteEditor.positions(store.work);
+    const lips = [...store.library.lines.get("lips")];
     const corner = lips.reduce((best, row) => (rows[3 * row] > rows[3 * best] ? row : best));
     const place = [0, 1, 2].map((axis) => rows[3 * corner + axis]);
     const away = (one) => Math.hypot(...place.map((value, axis) => rows[3 * one.row + axis] - value));
@@ -54,16 +54,16 @@ def console(browser: Browser, address: str) -> Page:
     """The console half-way from one face to another, with a smile, all portraits drawn."""
     page = browser.new_page(viewport={"width": 1280, "height": 800})
     page.goto(f"{address}/console")
-    desk = "document.querySelector('omote-console')?.rig?.desk"
-    wait_for(page, f"{desk}?.online && {desk}.faces.length > 0")
+    store = "document.querySelector('omote-console')?.context?.store"
+    wait_for(page, f"{store}?.online && {store}.faces.length > 0")
     page.locator(".tile[data-name='smile']").click()
     page.locator(".tile[data-name='old']").click()
-    wait_for(page, f"{desk}.state.faces.old === 1 && {desk}.state.expressions.smile === 1")
+    wait_for(page, f"{store}.state.faces.old === 1 && {store}.state.expressions.smile === 1")
     page.locator(".faces omote-timing [data-seconds='4']").click()
     page.get_by_role("slider", name="face T-bar").scroll_into_view_if_needed()
     page.locator(".tile[data-name='child']").click()
     page.get_by_role("slider", name="face T-bar").focus()
-    wait_for(page, f"{desk}.state.faces.child > 0.2")
+    wait_for(page, f"{store}.state.faces.child > 0.2")
     return page
 
 
@@ -71,9 +71,9 @@ def editor(browser: Browser, address: str) -> Page:
     """The editor with a crooked smile dragged at one corner of the mouth, worn by all others."""
     page = browser.new_page(viewport={"width": 1280, "height": 800})
     page.goto(f"{address}/editor")
-    bench = "document.querySelector('omote-editor')?.rig?.bench"
-    settled = f"{bench}.draft !== null && window.omoteEditor.settled()"
-    wait_for(page, f"{bench}?.online && {bench}.library !== null && window.omoteEditor !== undefined")
+    store = "document.querySelector('omote-editor')?.context?.store"
+    settled = f"{store}.draft !== null && window.omoteEditor.settled()"
+    wait_for(page, f"{store}?.online && {store}.library !== null && window.omoteEditor !== undefined")
     page.locator("[data-new]").click()
     form = page.get_by_role("form", name="New expression")
     form.get_by_label("Name").fill("Crooked smile")
@@ -86,7 +86,7 @@ def editor(browser: Browser, address: str) -> Page:
     page.mouse.down()
     page.mouse.move(x + 12, y - 22, steps=8)
     page.mouse.up()
-    wait_for(page, f"{bench}.draft.undo === 1 && {settled}")
+    wait_for(page, f"{store}.draft.undo === 1 && {settled}")
     return page
 
 
@@ -94,9 +94,9 @@ def green(browser: Browser, address: str) -> Page:
     """A stage for a keyer: lit from everywhere, before a green that is the same in every pixel."""
     page = browser.new_page(viewport={"width": 960, "height": 540})
     page.goto(f"{address}/stage?light=flat&quality=medium")
-    wait_for(page, "window.omoteStage !== undefined")
-    wait_for(page, "document.querySelector('canvas') !== null")
-    page.wait_for_load_state("networkidle")
+    wait_for(page, "window.omoteStage?.counters().drawn > 0")
+    page.evaluate("window.omoteStage.hold({faces: {child: 1}, expressions: {smile: 1}})")
+    wait_for(page, "window.omoteStage.settled()")
     return page
 
 

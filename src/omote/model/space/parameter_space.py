@@ -368,8 +368,10 @@ def _thin_anchors(points: NDArray[np.float64], anchors: NDArray[np.int32]) -> ND
 def smoothed_scale(
     space: ParameterSpace, positions: NDArray[np.float64], /, *, rounds: int = 30
 ) -> NDArray[np.float64]:
-    """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings (docs/method.md,
-    "Detail transfer")."""
+    """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings.
+
+    docs/method.md, "Detail transfer".
+    """
     average = smoothing_matrix(space.triangles, space.vertex_count)
     here, there = np.zeros(space.vertex_count), np.zeros(space.vertex_count)
     for corner in range(3):
