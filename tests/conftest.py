@@ -86,6 +86,11 @@ def random_moves(seed: int, count: int) -> list[Command]:
     return found
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Long tests first; all others stay in their order."""
+    items.sort(key=lambda item: item.get_closest_marker("long") is None)
+
+
 @pytest.fixture(scope="session")
 def cast() -> Cast:
     """A small cast of three faces and twelve expressions, made without a file."""

@@ -10,13 +10,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page, expect, sync_playwright
 
+from tests.browser.waiting import PATIENCE
 from tools.browser import SENTENCE, find_browser
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 # llvmpipe instead of SwiftShader, which blocks the page's main thread.
 RENDERER = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]
+# Pages are put together by the processor: llvmpipe does the same work slower.
+PAGES = ["--disable-gpu-compositing", "--disable-gpu-rasterization"]
 # As stages run: a busy machine must not make Chromium kill its GPU process, nor refuse pictures after that.
 KIOSK = ["--disable-gpu-watchdog", "--disable-gpu-process-crash-limit", "--disable-domain-blocking-for-3d-apis"]
 QUIET = [
@@ -28,6 +31,8 @@ QUIET = [
 ]
 
 OpenPage = Callable[..., Page]
+
+expect.set_options(timeout=1000 * PATIENCE)
 
 
 @pytest.fixture(scope="session")
@@ -45,7 +50,7 @@ def playing(file: Path) -> Iterator[str]:
             yield _address(process)
         finally:
             process.terminate()
-            process.communicate(timeout=20)
+            process.communicate(timeout=PATIENCE)
 
 
 @pytest.fixture(scope="session")
@@ -56,7 +61,7 @@ def browser() -> Iterator[Browser]:
         pytest.fail(SENTENCE)
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(
-            executable_path=str(path), chromium_sandbox=False, args=[*RENDERER, *KIOSK, *QUIET]
+            executable_path=str(path), chromium_sandbox=False, args=[*RENDERER, *PAGES, *KIOSK, *QUIET]
         )
         yield chromium
         chromium.close()
@@ -71,6 +76,7 @@ def open_page(show: str, browser: Browser) -> Iterator[OpenPage]:
     def open_one(path: str, *, width: int = 1280, height: int = 800, **options: Any) -> Page:
         context = browser.new_context(viewport={"width": width, "height": height}, **options)
         contexts.append(context)
+        context.set_default_timeout(1000 * PATIENCE)
         page = context.new_page()
         page.on("pageerror", lambda error: errors.append(f"{path}: {error}"))
         page.goto(show + path)

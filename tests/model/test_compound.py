@@ -13,6 +13,8 @@ from omote.model.expression import Expression
 from omote.model.smooth import folds
 from tests.synthetic import cast, head, space
 
+pytestmark = pytest.mark.long
+
 UNITS = ("jawOpen", "eyeBlinkLeft", "mouthSmileRight", "mouthFunnel")
 
 

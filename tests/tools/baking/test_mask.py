@@ -9,6 +9,8 @@ from tools.baking.layout import unwrap
 from tools.baking.mask import LAYERS, paint_layers
 from tools.baking.texels import SIZE, Texels
 
+pytestmark = pytest.mark.long
+
 Pictures = dict[str, NDArray[np.float64]]
 
 
