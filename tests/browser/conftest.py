@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Page, expect, sync_playwright
 
 from tests.browser.waiting import PATIENCE
 from tools.browser import SENTENCE, find_browser
@@ -67,24 +67,63 @@ def browser() -> Iterator[Browser]:
         chromium.close()
 
 
+class Windows:
+    """Windows of one browser, each with a store of its own: to open one costs more than most pages."""
+
+    def __init__(self, browser: Browser) -> None:
+        self.browser = browser
+        self.free: list[BrowserContext] = []
+
+    def take(self) -> BrowserContext:
+        """A window that nobody has, with nothing in its store; a blank page keeps it open."""
+        if self.free:
+            return self.free.pop()
+        context = self.browser.new_context()
+        context.new_page()
+        return context
+
+    def give_back(self, context: BrowserContext, show: str) -> None:
+        """Closes what was opened and empties the store."""
+        blank, *opened = context.pages
+        for page in opened:
+            page.close()
+        tools = context.new_cdp_session(blank)
+        tools.send("Storage.clearDataForOrigin", {"origin": show, "storageTypes": "local_storage"})
+        tools.detach()
+        self.free.append(context)
+
+
+@pytest.fixture(scope="session")
+def windows(browser: Browser) -> Windows:
+    """The windows that tests take in turn."""
+    return Windows(browser)
+
+
 @pytest.fixture
-def open_page(show: str, browser: Browser) -> Iterator[OpenPage]:
-    """Opens a page of the show: `open_page("/console", width=1280, height=800)`; more options go to the context."""
-    contexts = []
+def open_page(show: str, windows: Windows) -> Iterator[OpenPage]:
+    """Opens a page of the show, each one somebody else's: `open_page("/console", width=1280, height=800)`.
+
+    More options (`has_touch`) are those of a context of Playwright.
+    """
+    taken: list[BrowserContext] = []
+    made: list[BrowserContext] = []
     errors: list[str] = []
 
     def open_one(path: str, *, width: int = 1280, height: int = 800, **options: Any) -> Page:
-        context = browser.new_context(viewport={"width": width, "height": height}, **options)
-        contexts.append(context)
+        context = windows.browser.new_context(**options) if options else windows.take()
+        (made if options else taken).append(context)
         context.set_default_timeout(1000 * PATIENCE)
         page = context.new_page()
+        page.set_viewport_size({"width": width, "height": height})
         page.on("pageerror", lambda error: errors.append(f"{path}: {error}"))
         page.goto(show + path)
         return page
 
     yield open_one
-    for context in contexts:
+    for context in made:
         context.close()
+    for context in taken:
+        windows.give_back(context, show)
     assert not errors, errors
 
 

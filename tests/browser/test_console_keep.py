@@ -123,12 +123,13 @@ def test_the_pencil_of_an_own_thing_opens_it_and_calls_nothing(console: Console)
     box = pencil.bounding_box()
     assert box is not None
     assert min(box["width"], box["height"]) >= 24  # WCAG 2.2, 2.5.8
+    before = len(page.context.pages)
     with page.context.expect_page() as opened:
         pencil.focus()
         pencil.press("Enter")
     wait_until(opened.value, f"document.querySelector('omote-editor')?.rig?.bench.item?.name === {kept['name']!r}")
     pencil.click()  # in the same tab
-    assert len(page.context.pages) == 2
+    assert len(page.context.pages) == before + 1
     assert page.evaluate(f"{DESK}.state.face_call") is None
     assert page.evaluate(f"{DESK}.state.faces") == {"generic": 1}
 

@@ -194,7 +194,7 @@ def test_nine_tiles_make_one_picture(stage: Callable[..., Page]) -> None:
         page = stage(query, width=width, height=height)
         hold(page, LAUGHING)
         seen = picture(page)
-        page.context.close()
+        page.close()
         return seen
 
     whole = shown("", 480, 360)
@@ -211,7 +211,7 @@ def test_a_bezel_hides_what_lies_behind_it(stage: Callable[..., Page]) -> None:
     whole = stage("", width=352, height=160)
     hold(whole, LAUGHING)
     everything = picture(whole)
-    whole.context.close()
+    whole.close()
     for column, left in ((0, 0), (1, 192)):
         page = stage(f"?tile={column},0&of=2x1&bezel=20", width=160, height=160)
         hold(page, LAUGHING)
