@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
@@ -16,7 +16,10 @@ from omote.perform.performer import Performer
 from omote.perform.transition import EASINGS
 from tests import synthetic
 
-settings.register_profile("omote", deadline=None, derandomize=True, max_examples=60)
+# No test depends on how fast a machine is.
+settings.register_profile(
+    "omote", deadline=None, derandomize=True, max_examples=60, suppress_health_check=[HealthCheck.too_slow]
+)
 settings.load_profile("omote")
 
 

@@ -14,7 +14,7 @@ from playwright.sync_api import Page, expect
 
 from tests.browser.pictures import picture
 from tests.browser.test_console import DESK, choose, console, fader, region, tile, wait_for
-from tests.browser.waiting import draw_rarely, floats, wait_until
+from tests.browser.waiting import draw_on_demand, floats, wait_until
 
 __all__ = ["console"]
 
@@ -30,7 +30,7 @@ def stage(open_page: OpenPage) -> Page:
     """A stage at its lowest quality that draws."""
     page = open_page("/stage?quality=lowest", width=480, height=480)
     wait_until(page, "window.omoteStage?.settled() === true")
-    draw_rarely(page)
+    draw_on_demand(page)
     return page
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from tests.browser.conftest import OpenPage
 from tests.browser.pictures import picture
-from tests.browser.waiting import draw_rarely, wait_until
+from tests.browser.waiting import draw_on_demand, wait_until
 
 READY = "window.omoteStage?.counters().drawn"
 HOLD = "pose => window.omoteStage.hold(pose)"
@@ -26,7 +26,7 @@ def test_a_keyer_finds_exactly_the_colour_it_was_told(open_page: OpenPage) -> No
 def test_a_light_changes_as_smoothly_as_its_weights(open_page: OpenPage) -> None:
     page = open_page("/stage?quality=lowest", width=160, height=160)
     wait_until(page, READY)
-    draw_rarely(page)
+    draw_on_demand(page)
     shown = []
     for weight in np.linspace(0.0, 1.0, 17):
         page.evaluate(HOLD, {"light": {"theatre": 1.0 - float(weight), "portrait": float(weight)}})

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page, expect
 
 from tests.browser.pictures import DECODE, picture
-from tests.browser.waiting import draw_rarely, wait_until
+from tests.browser.waiting import draw_on_demand, wait_until
 from tools.browser import SENTENCE, find_browser
 
 pytestmark = pytest.mark.long
@@ -61,11 +61,11 @@ def decoded(page: Page, path: Path) -> NDArray[np.int16]:
 
 
 def opened(open_page: OpenPage, query: str = "", *, live: bool = False) -> Page:
-    """A stage that draws; as often as its display asks only where it is to be `live`."""
+    """A stage that draws; one that is not `live` draws what it is to hold from then on."""
     page = open_page(f"/stage{query}", width=320, height=240)
     wait_until(page, "window.omoteStage?.counters().drawn")
     if not live:
-        draw_rarely(page)
+        draw_on_demand(page)
     return page
 
 
@@ -121,7 +121,7 @@ def test_another_level_fades_in(open_page: OpenPage) -> None:
 
 def test_the_operator_sees_the_level(open_page: OpenPage) -> None:
     # A level that a software renderer draws in time to say so, and not the one it would choose itself.
-    opened(open_page, "?quality=low")
+    opened(open_page, "?quality=low", live=True)
     level = open_page("/console").locator("omote-status .level")
     expect(level).to_contain_text("low")
     expect(level).not_to_contain_text("lowest")

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page
 
 from tests.browser.pictures import picture
-from tests.browser.waiting import draw_rarely, wait_until
+from tests.browser.waiting import draw_on_demand, wait_until
 
 pytestmark = pytest.mark.long
 
@@ -28,7 +28,7 @@ def look(page: Page, faces: dict[str, float]) -> NDArray[np.int16]:
 def stage(open_page: Callable[..., Page]) -> Page:
     page = open_page("/stage?quality=medium", width=320, height=320)
     wait_until(page, "window.omoteStage?.counters().drawn")
-    draw_rarely(page)
+    draw_on_demand(page)
     return page
 
 

@@ -18,7 +18,7 @@ from omote.perform.frame import Frame, Gaze, Head
 from omote.show.messages import FromServer, State
 from omote.show.state import state_of
 from tests.browser.pictures import picture
-from tests.browser.waiting import draw_rarely, floats, wait_until
+from tests.browser.waiting import draw_on_demand, floats, wait_until
 
 pytestmark = pytest.mark.long
 
@@ -37,13 +37,13 @@ def wait_for(page: Page, condition: str) -> None:
 
 @pytest.fixture
 def stage(open_page: OpenPage) -> Callable[..., Page]:
-    """Opens a stage and waits until it draws; it goes on as often as its display asks only where it is to be `live`."""
+    """Opens a stage and waits until it draws; one that is not `live` draws what it is to hold from then on."""
 
     def open_one(query: str = "", *, width: int = 320, height: int = 240, live: bool = False) -> Page:
         page = open_page(f"/stage{query}", width=width, height=height)
         wait_for(page, "stage.counters().drawn > 0")
         if not live:
-            draw_rarely(page)
+            draw_on_demand(page)
         return page
 
     return open_one

@@ -33,10 +33,7 @@ ENCODE = """() => {
     return btoa(text);
 }"""
 
-RARE_FRAMES = """() => {
-    const next = window.requestAnimationFrame.bind(window);
-    window.requestAnimationFrame = (draw) => setTimeout(() => next(draw), 1000);
-}"""
+NO_FRAMES = "() => { window.requestAnimationFrame = () => 0; }"
 
 
 def wait_until(page: Page, condition: str, given: str = "", told: str = "null") -> None:
@@ -57,9 +54,10 @@ def floats(page: Page, expression: str) -> NDArray[np.float64]:
     return np.frombuffer(base64.b64decode(page.evaluate(ENCODE % expression)), np.float64)
 
 
-def draw_rarely(page: Page) -> None:
-    """Has a page draw about once a second from now on, as on a very slow display.
+def draw_on_demand(page: Page) -> None:
+    """Has a stage draw only what its probe is told to `hold` from now on.
 
-    For pages that are only looked at when a probe has drawn them: in between they would take the machine from others.
+    It would draw the same picture sixty times a second; on llvmpipe that takes both cores, and what it has yet to draw
+    holds up every page after it.
     """
-    page.evaluate(RARE_FRAMES)
+    page.evaluate(NO_FRAMES)

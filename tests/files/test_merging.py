@@ -92,7 +92,7 @@ def test_a_head_whose_revision_is_lost_goes_to_the_newest_that_is_there() -> Non
 
 
 @given(histories)
-@settings(max_examples=10, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=10, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 def test_a_show_file_takes_the_changes(tmp_path: Path, after: list[list[Change]]) -> None:
     (tmp_path / "a.omote").unlink(missing_ok=True)
     good = started()
