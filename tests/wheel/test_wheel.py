@@ -176,6 +176,6 @@ def test_the_show_plays(address: str) -> None:
 
 def test_the_machine_is_said_to_be_able_to_play(scripts: Path, bare: dict[str, str]) -> None:
     check = "import omote.server.check as c; c.FRAME_SECONDS = 60.0; import omote.cli; omote.cli.main()"  # in its time
-    command = [scripts / "python", "-c", check, "check"]
+    command = [str(scripts / "python"), "-c", check, "check"]
     told = subprocess.run(command, env=bare, cwd=bare["HOME"], capture_output=True, text=True, check=False)
     assert (told.returncode, told.stderr) == (0, "")
