@@ -20,7 +20,7 @@ from rich.table import Table
 
 import omote
 from omote.model.cast import Cast
-from omote.perform.evaluate import evaluate
+from omote.perform.blending.evaluate import evaluate
 from omote.perform.frame import Frame
 
 WORST = 10

@@ -19,11 +19,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from benchmarks.saving import STEPS, Reference, changes, counted
-from omote.files.changes import Stored
-from omote.files.goodcopy import keep_good_copy
-from omote.files.inspection import verdicts
-from omote.files.showfile import JournalEntry, open_show
-from omote.server.restore import open_newest
+from omote.showfile.changes import Stored
+from omote.showfile.backup import keep_good_copy
+from omote.showfile.inspection import verdicts
+from omote.showfile.show_file import JournalEntry, open_show
+from omote.server.persistence.restore import open_newest
 
 NAME = "show.omote"
 COPIED, FLUSHED, MADE = 2 * STEPS, 4 * STEPS - 3, 4 * STEPS

@@ -31,15 +31,15 @@ from omote.geometry import mesh
 from omote.geometry.cylinder import wrap
 from omote.geometry.locate import Strip
 from omote.model.cast import Cast
-from omote.model.expression import Expression
-from omote.model.face import Face
-from omote.model.fitted import fit
-from omote.model.sheet import unwrapped
-from omote.model.space import Fans, InnerSkin, ParameterSpace
-from omote.model.transfer import Compiled, compile_expression, wear
-from omote.perform.blend import blend_four, gather_rows
-from omote.perform.evaluate import evaluate
-from omote.perform.fields import fields_of
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.space.skin_sheet import unwrapped
+from omote.model.space.parameter_space import Fans, InnerSkin, ParameterSpace
+from omote.model.transfer.paper_map import Compiled, compile_expression, wear
+from omote.perform.blending.weighted_sum import blend_four, gather_rows
+from omote.perform.blending.evaluate import evaluate
+from omote.perform.blending.expression_tables import fields_of
 from omote.perform.frame import Frame
 
 SIZES = (4_278, 50_000, 500_000)

@@ -36,8 +36,8 @@ from rich.table import Table
 import omote
 from omote.model.cast import Cast
 from omote.perform.axis import Axis, advanced, called, weights
-from omote.perform.compounds import Compounds
-from omote.perform.transition import DEFAULT_EASING, EASINGS, bump_rate
+from omote.perform.blending.compound_cache import Compounds
+from omote.perform.easing import DEFAULT_EASING, EASINGS, bump_rate
 
 SEED, COUNT, RATE = 1993, 10_000, 240
 SHORTEST, LONGEST = 0.5, 4.0

@@ -33,7 +33,7 @@ from numpy.typing import NDArray
 import omote
 from benchmarks.recovery import COMMAND, opened
 from omote.model.cast import Cast
-from omote.show.assets import compound_asset
+from omote.stage_data.assets import compound_asset
 from omote.show.messages import (
     LINK_PATH,
     PROTOCOL_VERSION,

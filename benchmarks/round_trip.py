@@ -16,12 +16,12 @@ from rich.table import Table
 
 import omote
 from omote.model.cast import Cast
-from omote.model.compound import compound, compound_parts, turned_eyes
-from omote.model.expression import Expression
-from omote.model.extract import extract
-from omote.model.face import Face
-from omote.model.fitted import fit
-from omote.model.transfer import compile_expression, slide
+from omote.model.transfer.compound import compound, compound_parts, turned_eyes
+from omote.model.space.expression import Expression
+from omote.model.transfer.extract import extract
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.transfer.paper_map import compile_expression, slide
 
 BAR_SHEET, BAR_REST, BAR_INSIDE = 0.001, 0.1, 0.99
 """Millimetres on the sheet, millimetres of inner skin and parts, share of moved vertices whose walks ended inside."""

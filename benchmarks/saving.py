@@ -24,7 +24,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from omote.files.changes import (
+from omote.showfile.changes import (
     Change,
     Draft,
     DropDraft,
@@ -38,17 +38,17 @@ from omote.files.changes import (
     PutRevision,
     Revision,
 )
-from omote.files.contents import content_key, pack_expression
-from omote.files.goodcopy import good_path
-from omote.files.inspection import verdicts
-from omote.files.proof import prove
-from omote.files.schema import migrate
-from omote.files.showfile import JournalEntry, ShowFile, open_show
-from omote.model.expression import Expression
-from omote.model.recipe import Recipe
-from omote.server.journal import JournalWriter
-from omote.server.restore import open_newest
-from omote.server.scribe import Fate, Scribe
+from omote.showfile.contents import content_key, pack_expression
+from omote.showfile.backup import good_path
+from omote.showfile.inspection import verdicts
+from omote.showfile.integrity import prove
+from omote.showfile.schema import migrate
+from omote.showfile.show_file import JournalEntry, ShowFile, open_show
+from omote.model.space.expression import Expression
+from omote.model.recipes.recipe import Recipe
+from omote.server.persistence.journal import JournalWriter
+from omote.server.persistence.restore import open_newest
+from omote.server.persistence.commit_thread import Fate, Scribe
 
 ITEMS, STEPS = 7, 4
 """Items that are edited in turn, and lists of changes that make one save of one."""

@@ -1,6 +1,6 @@
 """Two editors, a console and restarts: in 10,000 random steps nothing acknowledged is lost.
 
-The steps of `tests/edit/test_session.py` (edits, undo and redo, clashing saves, revisions brought back, deletions, what
+The steps of `tests/edit/session/test_edit_session.py` (edits, undo and redo, clashing saves, revisions brought back, deletions, what
 is on air kept, orders that fail, servers that start anew), drawn afresh at every run, over tables in memory and over
 real show files. Ends with 1, and prints the shortest history that fails, when any promise is broken. `--steps N`.
 """
@@ -18,9 +18,9 @@ from typing import Any
 from hypothesis import HealthCheck, settings
 from hypothesis.stateful import run_state_machine_as_test
 
-from omote.edit import messages as wire
-from omote.files.showfile import open_show
-from tests.edit.test_session import Authors, ShowTables
+from omote.edit.protocol import messages as wire
+from omote.showfile.show_file import open_show
+from tests.edit.session.test_edit_session import Authors, ShowTables
 
 LENGTH = 100
 """Steps of a history."""

@@ -9,13 +9,13 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from omote.edit import messages as wire
-from omote.edit.door import FEWEST_POINTS
-from omote.edit.on_air import OnAir
-from omote.edit.session import EditSession, Outcome
-from omote.edit.wire import encode, write_recipe
-from omote.edit.work import Bake, Baked, EditOrder, Flat, Renet, Solve
-from omote.files.changes import (
+from omote.edit.protocol import messages as wire
+from omote.edit.protocol.validation import FEWEST_POINTS
+from omote.edit.store.on_air_recipes import OnAir
+from omote.edit.session.edit_session import EditSession, Outcome
+from omote.edit.protocol.wire import encode, write_recipe
+from omote.edit.protocol.orders import Bake, Baked, EditOrder, Flat, Renet, Solve
+from omote.showfile.changes import (
     Change,
     Draft,
     DropDraft,
@@ -31,10 +31,10 @@ from omote.files.changes import (
     Revision,
     Stored,
 )
-from omote.files.contents import content_key
+from omote.showfile.contents import content_key
 from omote.model.cast import Cast
-from omote.model.recipe import KEY, FaceRecipe, Recipe, sources
-from omote.model.regions import REGIONS
+from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.model.sculpting.regions import REGIONS
 from omote.show.messages import Message
 
 MUSCLES = ("smiler", "frowner")

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from omote.model.cast import Cast
 from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
-from omote.perform.transition import EASINGS
+from omote.perform.easing import EASINGS
 from tests import synthetic
 
 # No test depends on how fast a machine is.

@@ -18,8 +18,8 @@ LONGEST_MODULE, LONGEST_BODY = 300, 25
 LONG_MODULES: dict[str, str] = {
     "benchmarks/evaluate.py": "one claim of four ratios at three sizes, and the peers they are measured against",
     "src/omote/show/messages.py": "every message and document once, in one file",
-    "tools/baking/people.py": "one recipe for each person, line by line",
-    "src/omote/edit/messages.py": "every message of an editor's link once, in one file",
+    "tools/baking/heads/people.py": "one recipe for each person, line by line",
+    "src/omote/edit/protocol/messages.py": "every message of an editor's link once, in one file",
     "web/src/link/editing.ts": "written by tools/messages.py from the one file above",
     "web/src/link/messages.ts": "written by tools/messages.py from show/messages.py",
     "benchmarks/interruptions.py": "one claim with its bound, its search for the maximum and its picture",

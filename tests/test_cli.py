@@ -12,12 +12,12 @@ from typer.testing import CliRunner
 
 from omote import cli
 from omote.cli import announce, app, has_screen
-from omote.files.glbread import read_glb
+from omote.interchange.formats.glb_reader import read_glb
 from omote.model.cast import Cast
-from omote.server.devtools import BrowserError
-from omote.server.lock import lock_show
-from omote.server.supervisor import Supervisor
-from omote.show.sheet import Setting, Sheet
+from omote.server.headless.devtools import BrowserError
+from omote.server.persistence.lock import lock_show
+from omote.server.supervision.supervisor import Supervisor
+from omote.stage_data.picture_grid import Setting, Sheet
 
 runner = CliRunner()
 HEAVY = ("numpy", "numba", "aiohttp", "scipy", "rich.console")
@@ -104,7 +104,7 @@ def drawn(small_cast: Cast, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Sheet
         asked.append((sheet, setting))
         return b"picture"
 
-    monkeypatch.setattr("omote.server.studio.draw_sheet", draw)
+    monkeypatch.setattr("omote.server.headless.picture_studio.draw_sheet", draw)
     return asked
 
 
@@ -169,7 +169,7 @@ def test_a_browser_that_does_not_draw_is_one_sentence_and_no_file(
     def missing(sheet: Sheet, setting: Setting) -> bytes:
         raise BrowserError("the browser ended before it had drawn; try again")
 
-    monkeypatch.setattr("omote.server.studio.draw_sheet", missing)
+    monkeypatch.setattr("omote.server.headless.picture_studio.draw_sheet", missing)
     done = runner.invoke(app, ["render", "-o", str(tmp_path / "a.png")])
     assert (done.exit_code, done.stderr) == (1, "omote: the browser ended before it had drawn; try again\n")
     assert list(tmp_path.iterdir()) == []
@@ -231,7 +231,7 @@ def test_pages_that_are_not_built_are_one_sentence(tmp_path: Path, monkeypatch: 
     def missing() -> None:
         raise FileNotFoundError("the pages are not built: run `make web`.")
 
-    monkeypatch.setattr("omote.server.bundle.read_bundle", missing)
+    monkeypatch.setattr("omote.server.http.static_pages.read_bundle", missing)
     done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
     assert (done.exit_code, done.stderr) == (1, "omote: the pages are not built: run `make web`.\n")
 

@@ -9,14 +9,14 @@ from typer.testing import CliRunner
 
 from omote.builtin import load_cast
 from omote.cli import app
-from omote.edit.adopt import mailed
+from omote.edit.store.import_items import mailed
 from omote.file_commands import moment
-from omote.files.changes import PutContent, PutItem, PutRevision
-from omote.files.contents import content_key, pack_expression
-from omote.files.exchange import encode
-from omote.files.showfile import ShowFile, open_show
+from omote.showfile.changes import PutContent, PutItem, PutRevision
+from omote.showfile.contents import content_key, pack_expression
+from omote.interchange.formats.expression_json import encode
+from omote.showfile.show_file import ShowFile, open_show
 from omote.model.cast import Cast
-from tests.files.ledger import item, revision
+from tests.showfile.ledger import item, revision
 
 RECIPE = b'{"kind":"expression","net":[],"vectors":[]}'
 

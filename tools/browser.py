@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from ctypes.util import find_library
 from pathlib import Path
 
-from omote.server.chromium import find_chromium
+from omote.server.headless.chromium import find_chromium
 
 ROOT = Path(__file__).resolve().parent.parent
 DOWNLOADS = ROOT / ".venv" / "browsers"

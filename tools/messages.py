@@ -11,7 +11,7 @@ from types import ModuleType
 
 import msgspec
 
-from omote.edit import messages as editing
+from omote.edit.protocol import messages as editing
 from omote.show import messages
 
 FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"

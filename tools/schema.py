@@ -1,6 +1,6 @@
-"""Writes docs/expression.schema.json from the types in files/exchange.py."""
+"""Writes docs/expression.schema.json from the types in interchange/formats/expression_json.py."""
 
-from omote.files.exchange import schema
+from omote.interchange.formats.expression_json import schema
 from tools.node import ROOT
 
 SCHEMA = ROOT / "docs" / "expression.schema.json"

@@ -15,7 +15,7 @@ from benchmarks.maps.piercing import balls_of, depth_in_balls, teeth_on, teeth_o
 from benchmarks.maps.source import Source
 from benchmarks.maps.sums import SumFigures, Sums
 from omote.model.cast import GENERIC
-from omote.model.face import Face
+from omote.model.space.face import Face
 
 Values = NDArray[np.float64]
 Mask = NDArray[np.bool_]

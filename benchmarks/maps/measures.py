@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.lines import Line
+from omote.model.space.lid_lip_lines import Line
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 import omote
 from omote.model.cast import GENERIC, Cast
-from omote.model.compound import compound, on_generic
-from omote.model.lines import Line
-from omote.model.space import ParameterSpace
-from omote.model.transfer import Compiled, compile_expression
+from omote.model.transfer.compound import compound, on_generic
+from omote.model.space.lid_lip_lines import Line
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.paper_map import Compiled, compile_expression
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]

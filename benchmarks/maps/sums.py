@@ -12,11 +12,11 @@ from benchmarks.maps.measures import turned_over
 from benchmarks.maps.methods import OURS
 from benchmarks.maps.piercing import balls_of
 from benchmarks.maps.source import Source
-from omote.model.face import Face
-from omote.model.fitted import fit
-from omote.model.lines import Line
-from omote.model.settling import settling_of
-from omote.perform.settle import Balls, allowance, settled
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.space.lid_lip_lines import Line
+from omote.model.transfer.corrective_regions import settling_of
+from omote.perform.blending.correctives import Balls, allowance, settled
 
 Values = NDArray[np.float64]
 Mask = NDArray[np.bool_]

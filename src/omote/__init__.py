@@ -7,20 +7,20 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from omote.builtin import load_cast as load_cast
-    from omote.files.sculptfile import read_sculpt as read_sculpt
+    from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
     from omote.model.cast import Cast as Cast
-    from omote.model.compound import compound as compound
-    from omote.model.control_net import ControlNet as ControlNet
-    from omote.model.expression import Expression as Expression
-    from omote.model.extract import extract as extract
-    from omote.model.face import Face as Face
-    from omote.model.regions import caricature as caricature
-    from omote.model.regions import regional as regional
-    from omote.model.sculpt import Sculpt as Sculpt
-    from omote.model.sculpt import sculpted as sculpted
-    from omote.model.space import ParameterSpace as ParameterSpace
-    from omote.perform.evaluate import evaluate as evaluate
-    from omote.perform.evaluate import evaluate_parts as evaluate_parts
+    from omote.model.transfer.compound import compound as compound
+    from omote.model.controls.control_net import ControlNet as ControlNet
+    from omote.model.space.expression import Expression as Expression
+    from omote.model.transfer.extract import extract as extract
+    from omote.model.space.face import Face as Face
+    from omote.model.sculpting.regions import caricature as caricature
+    from omote.model.sculpting.regions import regional as regional
+    from omote.model.sculpting.sculpt import Sculpt as Sculpt
+    from omote.model.sculpting.sculpt import sculpted as sculpted
+    from omote.model.space.parameter_space import ParameterSpace as ParameterSpace
+    from omote.perform.blending.evaluate import evaluate as evaluate
+    from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
     from omote.perform.performer import Performer as Performer
 
 __version__ = "0.1.0"
@@ -29,21 +29,21 @@ __version__ = "0.1.0"
 # second.
 _HOMES = {
     "Cast": "omote.model.cast",
-    "ControlNet": "omote.model.control_net",
-    "Expression": "omote.model.expression",
-    "Face": "omote.model.face",
-    "ParameterSpace": "omote.model.space",
+    "ControlNet": "omote.model.controls.control_net",
+    "Expression": "omote.model.space.expression",
+    "Face": "omote.model.space.face",
+    "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
-    "Sculpt": "omote.model.sculpt",
-    "caricature": "omote.model.regions",
-    "compound": "omote.model.compound",
-    "evaluate": "omote.perform.evaluate",
-    "evaluate_parts": "omote.perform.evaluate",
-    "extract": "omote.model.extract",
+    "Sculpt": "omote.model.sculpting.sculpt",
+    "caricature": "omote.model.sculpting.regions",
+    "compound": "omote.model.transfer.compound",
+    "evaluate": "omote.perform.blending.evaluate",
+    "evaluate_parts": "omote.perform.blending.evaluate",
+    "extract": "omote.model.transfer.extract",
     "load_cast": "omote.builtin",
-    "read_sculpt": "omote.files.sculptfile",
-    "regional": "omote.model.regions",
-    "sculpted": "omote.model.sculpt",
+    "read_sculpt": "omote.interchange.formats.sculpt_toml",
+    "regional": "omote.model.sculpting.regions",
+    "sculpted": "omote.model.sculpting.sculpt",
 }
 
 __all__ = [*_HOMES]

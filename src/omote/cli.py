@@ -15,7 +15,7 @@ from omote.file_commands import file_app
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
-    from omote.show.sheet import Sheet
+    from omote.stage_data.picture_grid import Sheet
 
 Output = Annotated[Path, typer.Option("--output", "-o", help="The picture to write: .png, .jpg.")]
 FacesOption = Annotated[list[str] | None, typer.Option("--face", help="A face; several mix: kaori=0.5, dog=0.5.")]
@@ -50,11 +50,11 @@ def show(
     """Opens a show: serves stage and console, and keeps them alive."""
     if sys.platform == "win32":
         fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
-    from omote.files.showfile import ShowFileError, default_path
-    from omote.server import bundle
-    from omote.server.lock import ShowLockedError, lock_show
-    from omote.server.restore import open_newest
-    from omote.server.supervisor import Supervisor, listen_on
+    from omote.showfile.show_file import ShowFileError, default_path
+    from omote.server.http import static_pages as bundle
+    from omote.server.persistence.lock import ShowLockedError, lock_show
+    from omote.server.persistence.restore import open_newest
+    from omote.server.supervision.supervisor import Supervisor, listen_on
 
     path = (file or default_path()).absolute()
     try:
@@ -99,8 +99,8 @@ def render(
     words |= {"face": "+".join(face or ["generic"]), "expression": "+".join(expression or [])}
 
     def sheet(cast: Cast) -> Sheet:
-        from omote.show.posing import pose_of, posed
-        from omote.show.sheet import Sheet
+        from omote.stage_data.pose_parser import pose_of, posed
+        from omote.stage_data.picture_grid import Sheet
 
         return Sheet([[pose_of(cast, posed(cast, **words))]])
 
@@ -123,7 +123,7 @@ def grid(
     """Draws pictures in rows and columns: faces by expressions, and by turns."""
 
     def sheet(cast: Cast) -> Sheet:
-        from omote.show import sheet
+        from omote.stage_data import picture_grid as sheet
 
         return sheet.grid(cast, faces=faces, expressions=expressions, turns=turns, light=light, labels=labels)
 
@@ -143,9 +143,9 @@ def export(
     from rich.progress import track
 
     from omote.builtin import load_mask, load_meshes
-    from omote.files.glb import check_name, glb_bytes
-    from omote.files.wholefile import check_writable, write_whole
-    from omote.show.export import Workbench, chosen, exported, worn_meshes
+    from omote.interchange.formats.glb_writer import check_name, glb_bytes
+    from omote.interchange.formats.atomic_file import check_writable, write_whole
+    from omote.interchange.export_face import Workbench, chosen, exported, worn_meshes
 
     try:
         check_name(output)
@@ -175,11 +175,11 @@ def check() -> None:
 
 def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: Any) -> None:
     """Draws a sheet into a file, or ends the command with a sentence and leaves no file behind."""
-    from omote.files.picturefile import picture_kind
-    from omote.files.wholefile import check_writable, write_whole
-    from omote.server.devtools import BrowserError
-    from omote.server.studio import draw_sheet
-    from omote.show.sheet import Setting, read_size
+    from omote.interchange.formats.picture_names import picture_kind
+    from omote.interchange.formats.atomic_file import check_writable, write_whole
+    from omote.server.headless.devtools import BrowserError
+    from omote.server.headless.picture_studio import draw_sheet
+    from omote.stage_data.picture_grid import Setting, read_size
 
     try:
         kind = picture_kind(output)
@@ -193,7 +193,7 @@ def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: 
 
 def announce(host: str, port: int, *, browser: bool) -> None:
     """Says where the pages are, and opens stage and console where there is a screen."""
-    from omote.server.address import here, reachable
+    from omote.server.http.address import here, reachable
 
     for url in reachable(host, port):
         typer.echo(f"  stage    {url}/stage\n  console  {url}/console\n  editor   {url}/editor")
@@ -222,8 +222,8 @@ def load_cast() -> Cast:
 
 def load_ensemble(path: Path) -> Cast:
     """The built-in cast with the own faces and expressions of a show file."""
-    from omote.files.inspection import inspect_show
-    from omote.show.ensemble import ensemble
+    from omote.showfile.inspection import inspect_show
+    from omote.stage_data.full_cast import ensemble
 
     found = inspect_show(path)
     return ensemble(load_cast(), found.stored, found.contents)

@@ -20,7 +20,7 @@ file_app = typer.Typer(help="Looks into show files.", no_args_is_help=True)
 @file_app.command("list")
 def list_items(file: ShowFileArgument, json: JsonOption = False) -> None:
     """Lists the own faces and expressions of a show file."""
-    from omote.files.inspection import inspect_show
+    from omote.showfile.inspection import inspect_show
 
     with refusals():
         stored = inspect_show(file).stored
@@ -43,7 +43,7 @@ def list_items(file: ShowFileArgument, json: JsonOption = False) -> None:
 @file_app.command()
 def check(file: ShowFileArgument) -> None:
     """Says what is in a show file, and whether all of it is right."""
-    from omote.files.inspection import verdicts
+    from omote.showfile.inspection import verdicts
 
     good = True
     with refusals():
@@ -67,7 +67,7 @@ def history(
     json: JsonOption = False,
 ) -> None:
     """Lists the revisions of an own face or expression, oldest first."""
-    from omote.files.inspection import inspect_show, item_named, revisions_of
+    from omote.showfile.inspection import inspect_show, item_named, revisions_of
 
     with refusals():
         stored = inspect_show(file).stored
@@ -100,10 +100,10 @@ def take_in(
 ) -> None:
     """Takes expressions or faces made elsewhere into a show file that no show plays."""
     from omote.builtin import load_cast
-    from omote.edit.adopt import adopted
-    from omote.server.closed import closed_show, wall_clock
-    from omote.server.customs import expressions_from, faces_from
-    from omote.show.ensemble import ensemble
+    from omote.edit.store.import_items import adopted
+    from omote.server.persistence.offline_show import closed_show, wall_clock
+    from omote.server.sandbox.import_files import expressions_from, faces_from
+    from omote.stage_data.full_cast import ensemble
 
     arrivals = []
     with refusals():
@@ -128,10 +128,10 @@ def give_out(
 ) -> None:
     """Writes an expression as a document that any crew can take in."""
     from omote.builtin import load_cast
-    from omote.edit.adopt import mail_of
-    from omote.files.exchange import encode
-    from omote.files.inspection import inspect_show
-    from omote.files.wholefile import check_writable, write_whole
+    from omote.edit.store.import_items import mail_of
+    from omote.interchange.formats.expression_json import encode
+    from omote.showfile.inspection import inspect_show
+    from omote.interchange.formats.atomic_file import check_writable, write_whole
 
     with refusals():
         check_writable(output)
@@ -158,8 +158,8 @@ def refusals() -> Iterator[None]:
     """Ends the command with a sentence and exit status 1 where a show file refuses."""
     import sqlite3
 
-    from omote.files.schema import ShowFileError
-    from omote.server.lock import ShowLockedError
+    from omote.showfile.schema import ShowFileError
+    from omote.server.persistence.lock import ShowLockedError
 
     try:
         yield

@@ -32,7 +32,7 @@ QUIET = [
 
 # `omote`, but a server that a busy machine holds up is not taken for one that hangs.
 PATIENT = f"""
-import omote.server.supervisor as supervisor
+import omote.server.supervision.supervisor as supervisor
 from omote.cli import main
 supervisor.HANG_SECONDS = supervisor.START_SECONDS = {PATIENCE}
 main()

@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page, expect
 
 import omote
-from omote.edit import messages as editing
-from omote.edit.messages import EDITING_PATH
+from omote.edit.protocol import messages as editing
+from omote.edit.protocol.messages import EDITING_PATH
 from omote.model.cast import Cast
 from omote.show import messages as wire
-from omote.show.assets import rest_positions, unpacked
+from omote.stage_data.assets import rest_positions, unpacked
 from omote.show.messages import LINK_PATH, CompoundAsset
 from omote.show.wire import decode_answer, encode
 from tests.browser.conftest import playing

@@ -5,7 +5,7 @@ import pytest
 
 from omote import load_cast
 from omote.builtin.binding import AXIS, JAW, LASHES, PARTS, STILL, PartMesh, head_space
-from omote.model.compound import predicted
+from omote.model.transfer.compound import predicted
 
 SPACE = load_cast().space
 MOTION = np.random.default_rng(2).normal(scale=0.01, size=(SPACE.vertex_count, 3))

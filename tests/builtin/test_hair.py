@@ -7,7 +7,7 @@ from scipy.spatial import cKDTree
 
 from omote.builtin import load_cast
 from omote.geometry.mesh import normals
-from omote.model.compound import compound
+from omote.model.transfer.compound import compound
 from omote.model.hair import carried
 
 CAST = load_cast()

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
-from omote.model.compound import compound
+from omote.model.transfer.compound import compound
 from omote.perform.axis import Axis, slot_rates, slots, weights
-from omote.perform.frozen import FrozenSlots
+from tests.perform.frozen_slots import FrozenSlots
 from omote.perform.mix import Weights
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot

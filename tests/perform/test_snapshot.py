@@ -13,7 +13,7 @@ from omote.perform.axis import Axis, Call
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, checked
-from omote.perform.transition import Glide
+from omote.perform.easing import Glide
 
 
 def running(cast: Cast) -> Snapshot:

@@ -11,17 +11,17 @@ import pytest_asyncio
 from aiohttp import web
 from aiohttp.test_utils import TestClient, TestServer
 
-from omote.edit import messages as editing
-from omote.edit import wire as edit_wire
-from omote.files.showfile import open_show
+from omote.edit.protocol import messages as editing
+from omote.edit.protocol import wire as edit_wire
+from omote.showfile.show_file import open_show
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
-from omote.server.app import ShowServer
-from omote.server.child import open_desks
-from omote.server.library import Library
-from omote.server.orders import Order
-from omote.server.restore import journal_entry, restore
-from omote.server.security import own_names
+from omote.server.http.app import ShowServer
+from omote.server.supervision.show_process import open_desks
+from omote.server.http.cast_documents import Library
+from omote.server.process.process_messages import Order
+from omote.server.persistence.restore import journal_entry, restore
+from omote.server.http.security import own_names
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from omote.show.wire import decode_answer, encode

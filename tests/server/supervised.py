@@ -4,9 +4,9 @@ import os
 import sys
 from pathlib import Path
 
-from omote.server import supervisor
-from omote.server.lock import lock_show
-from omote.server.supervisor import Supervisor, listen_on
+from omote.server.supervision import supervisor
+from omote.server.persistence.lock import lock_show
+from omote.server.supervision.supervisor import Supervisor, listen_on
 
 # A busy machine is no hanging server; one test says what is.
 supervisor.HANG_SECONDS = float(os.environ.get("SYNTHETIC_HANG", "60"))

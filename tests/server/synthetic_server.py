@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
 from omote.model.cast import Cast
-from omote.server.bundle import Page
-from omote.server.child import Material
-from omote.server.library import Library
-from omote.server.standby import main
+from omote.server.http.static_pages import Page
+from omote.server.supervision.show_process import Material
+from omote.server.http.cast_documents import Library
+from omote.server.supervision.standby import main
 from omote.show.session import ShowSession
 from tests import synthetic
 

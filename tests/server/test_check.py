@@ -29,7 +29,7 @@ def test_missing_pages_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     def missing() -> None:
         raise FileNotFoundError("the pages are not built: run `make web`.")
 
-    monkeypatch.setattr("omote.server.bundle.read_bundle", missing)
+    monkeypatch.setattr("omote.server.http.static_pages.read_bundle", missing)
     assert tried(check_pages) == (False, "the pages are not built: run `make web`.")
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from omote.edit.messages import ANSWERS, EDITOR_MESSAGES
+from omote.edit.protocol.messages import ANSWERS, EDITOR_MESSAGES
 
 ROOT = Path(__file__).parents[2]
 TOOL = ROOT / "tools" / "messages.py"

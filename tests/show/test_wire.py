@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.show.door import Refusal
+from omote.show.validation import Refusal
 from omote.show.messages import MESSAGE_LIMIT, SetChannel
 from omote.show.wire import decode, encode
 

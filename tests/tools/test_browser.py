@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from omote.server.chromium import COMMANDS
+from omote.server.headless.chromium import COMMANDS
 from tools import browser
 from tools.browser import SENTENCE, find_browser
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.files.scenes import plain_glb, put_together
+from tests.interchange.formats.scenes import plain_glb, put_together
 from tools.gltf import inspected
 
 

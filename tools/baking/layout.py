@@ -11,8 +11,8 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from tools.baking.basemesh import Floats, Ints
-from tools.baking.head import Piece
+from tools.baking.heads.basemesh import Floats, Ints
+from tools.baking.heads.head import Piece
 
 MARGIN = 0.008
 ROW_TOP = 0.80  # the small islands lie below this line

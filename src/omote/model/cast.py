@@ -10,12 +10,12 @@ from types import MappingProxyType
 
 import numpy as np
 
-from omote.model.expression import Expression
-from omote.model.face import Face, refuse_name
-from omote.model.fitted import fit
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face, refuse_name
+from omote.model.space.face_fit import fit
 from omote.model.hair import HairStyle
-from omote.model.space import ParameterSpace, Transfer
-from omote.model.transfer import compile_expression
+from omote.model.space.parameter_space import ParameterSpace, Transfer
+from omote.model.transfer.paper_map import compile_expression
 
 GENERIC, NEUTRAL = "generic", "neutral"
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from omote.perform.frame import CallStatus
 from omote.perform.mix import alone, combined, share_in_range
-from omote.perform.transition import (
+from omote.perform.easing import (
     HAND_SECONDS,
     Glide,
     bump,

@@ -14,7 +14,7 @@ from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.lights import light_named
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
 from omote.perform.snapshot import Playable, Snapshot, checked
-from omote.perform.transition import DEFAULT_EASING, easing_named
+from omote.perform.easing import DEFAULT_EASING, easing_named
 
 
 class Performer:

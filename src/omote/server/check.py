@@ -33,7 +33,7 @@ def tried(check: Callable[[], Verdict]) -> Verdict:
 
 def check_pages() -> Verdict:
     """The pages are built."""
-    from omote.server.bundle import read_bundle
+    from omote.server.http.static_pages import read_bundle
 
     pages = read_bundle()
     return True, f"pages: {len(pages)} files, {sum(len(page.body) for page in pages.values()) / 1024:.0f} KB"
@@ -41,9 +41,9 @@ def check_pages() -> Verdict:
 
 def check_frame() -> Verdict:
     """The cast is there, and a frame of it takes less time than it is shown."""
-    from omote.perform.evaluate import evaluate
+    from omote.perform.blending.evaluate import evaluate
     from omote.perform.performer import Performer
-    from omote.server.library import built_in
+    from omote.server.http.cast_documents import built_in
 
     cast = built_in().cast
     performer = Performer(cast)

@@ -11,9 +11,9 @@ import msgspec
 
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, names_held
-from omote.show import door
+from omote.show import validation as door
 from omote.show import messages as wire
-from omote.show.door import Refusal, number
+from omote.show.validation import Refusal, number
 from omote.show.state import state_of
 from omote.show.wire import decode
 

@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.show.door import Refusal
+from omote.show.validation import Refusal
 from omote.show.messages import MESSAGE_LIMIT, FromClient, FromServer
 
 Said = TypeVar("Said")

@@ -8,12 +8,12 @@ import pytest
 from numpy.typing import NDArray
 
 from tools.bake import CACHE
-from tools.baking.basemesh import BaseMesh, read_base_mesh
-from tools.baking.head import Head, cut_head
+from tools.baking.heads.basemesh import BaseMesh, read_base_mesh
+from tools.baking.heads.head import Head, cut_head
 from tools.baking.layout import unwrap
-from tools.baking.moves import Move, all_moves
+from tools.baking.heads.moves import Move, all_moves
 from tools.baking.package import VARIABLE, WHEEL, Package
-from tools.baking.texels import Texels, texels_of
+from tools.baking.skin.texels import Texels, texels_of
 
 
 @pytest.fixture(scope="session")

@@ -5,13 +5,13 @@ import pytest
 from numpy.typing import NDArray
 
 import omote
-from omote.model.compound import compound_parts, turned_eyes
-from omote.model.transfer import compile_expression
+from omote.model.transfer.compound import compound_parts, turned_eyes
+from omote.model.transfer.paper_map import compile_expression
 from tools.baking.expressions import PERFORMED, unit_weights
-from tools.baking.head import Head
+from tools.baking.heads.head import Head
 from tools.baking.layout import islands, unwrap
-from tools.baking.moves import Move, compose, jaw_vertices
-from tools.baking.neck import settle_throat
+from tools.baking.heads.moves import Move, compose, jaw_vertices
+from tools.baking.heads.neck import settle_throat
 
 Floats = NDArray[np.float64]
 

@@ -26,7 +26,7 @@ export interface Compound {
   scale: number;
   indices: Uint32Array;
   deltas: Int16Array;
-  /** What it uses up by itself of what sums may not (omote.perform.settle), where the cast says so. */
+  /** What it uses up by itself of what sums may not (omote.perform.blending.correctives), where the cast says so. */
   allowed: { places: Uint32Array; values: Float32Array } | undefined;
 }
 
@@ -204,7 +204,7 @@ export class Library {
     });
   }
 
-  /** The layers of the skin (tools/baking/mask.py says what they hold): they lie one below the other in one picture. */
+  /** The layers of the skin (tools/baking/skin/mask.py says what they hold): they lie one below the other in one picture. */
   layers(): Promise<ImageBitmap[]> {
     this.picture ??= insist(this.manifest.mask, this.read).then((bytes) =>
       cutSquares(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "image/png" })),

@@ -1,4 +1,4 @@
-// Written by tools/messages.py from src/omote/edit/messages.py. Do not edit: run `python tools/messages.py`.
+// Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
 export const EDITING_VERSION = 1;
 export const EDITING_PATH = "/editing";

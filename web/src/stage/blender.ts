@@ -23,7 +23,7 @@ export interface Eyeballs {
 export interface Mix {
   entries: readonly Entry[];
   rest: readonly Entry[];
-  /** Allowances, weighted and added (omote.perform.settle); undefined: nothing can be wrong, one compound is worn. */
+  /** Allowances, weighted and added (omote.perform.blending.correctives); undefined: nothing can be wrong, one compound is worn. */
   allowed: Float32Array | undefined;
 }
 

@@ -27,7 +27,7 @@ interface Target {
 type Textures = Record<string, WebGLTexture>;
 type Programs = Record<"gather" | "rung" | "part" | "normal" | "upright" | "spread", WebGLProgram>;
 
-/** Puts the sums of compounds right on the GPU, pass by pass as `omote.perform.settle` does. */
+/** Puts the sums of compounds right on the GPU, pass by pass as `omote.perform.blending.correctives` does. */
 export class Settler {
   /** Where the plain sum is drawn to, and the mixed face without expression: all positions. */
   readonly mixed: WebGLFramebuffer;

@@ -6,7 +6,7 @@ export const RUNGS = 32;
 /** Texels in a line of every texture of the settling. */
 export const DATA_WIDTH = 128;
 
-/** How sums are put right (omote.perform.settle), ready for the GPU: all counts in places of `rows`. */
+/** How sums are put right (omote.perform.blending.correctives), ready for the GPU: all counts in places of `rows`. */
 export interface Settling {
   document: SettlingDocument;
   /** Rows of the positions that may move. */

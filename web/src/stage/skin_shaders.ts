@@ -1,7 +1,7 @@
 import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "./shader_heads";
 import { SKIN_COLOURS } from "./skin_colours";
 
-/** The slope that 0 and 1 of the layer `relief` stand for (tools/baking/skin_relief.py: STEEPEST). */
+/** The slope that 0 and 1 of the layer `relief` stand for (tools/baking/skin/relief.py: STEEPEST). */
 const STEEPEST = 0.8;
 
 /**

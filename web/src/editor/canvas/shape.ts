@@ -1,8 +1,8 @@
-/** A face under its handles, as the server makes it (omote.model.handles.dragged): warped, eyeballs round, lids on them. */
+/** A face under its handles, as the server makes it (omote.model.recipes.face_handles.dragged): warped, eyeballs round, lids on them. */
 
 import { Warp } from "./warp";
 
-// In radii of an eyeball: skin below NEAR keeps its height over it exactly, skin above FAR goes free (model/socket.py).
+// In radii of an eyeball: skin below NEAR keeps its height over it exactly, skin above FAR goes free (model/space/eye_socket.py).
 const [NEAR, FAR] = [1.12, 1.6];
 const EXACT = 1e-6; // metres
 const ROUNDS = 12; // of looking for the face at rest: each brings it nearer by a few times

@@ -1,6 +1,6 @@
 /**
  * The sculptor's map of space: of all smooth maps through some points the one that bends least (|r|^3 with an affine
- * part; omote.model.sculpt.warp), linear in the points' moves.
+ * part; omote.model.sculpting.sculpt.warp), linear in the points' moves.
  */
 
 const UNIT = 0.05; // metres; lengths are counted in it, so that kernel and affine part are of one size

@@ -1,0 +1,393 @@
+"""Every message between an editor page and the server; `tools/messages.py` mirrors them in `web/src/link/editing.ts`.
+
+One WebSocket at `/editing`, binary MessagePack maps with a `type` tag, as on the show's link (`show/messages.py`).
+Every request carries a number of the page's own; it is answered with the same number: `done`, `draft`, `saved` or
+`refused`.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, get_args
+
+import msgspec
+
+from omote.showfile.changes import Kind
+from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
+from omote.show.messages import Message, Name
+
+EDITING_VERSION = 1
+EDITING_PATH = "/editing"
+EDITING_LIMIT = 65536
+"""Bytes; no message of an editor is longer."""
+
+EditorId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
+Text = Annotated[str, msgspec.Meta(max_length=200)]
+Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
+Rows = Annotated[list[int], msgspec.Meta(max_length=400)]
+Vectors = Annotated[list[Vector], msgspec.Meta(max_length=400)]
+Layers = Annotated[list[Layer], msgspec.Meta(max_length=200)]
+Pulls = Annotated[list[Pull], msgspec.Meta(max_length=40)]
+
+# --- editor to server -------------------------------------------------------------------------------------------------
+
+
+class Greet(Message, frozen=True):
+    """Opens the link; nothing else is heard before it. `editor` is kept by the browser, so a reload finds its draft."""
+
+    editor: EditorId
+    name: Name
+    version: int
+
+
+class CreateExpression(Message, frozen=True):
+    """A new expression, opened at once; start: what it begins from, by weight (built-in names, or `#` and a content
+    key; empty: neutral); on_air: from what is on air now instead."""
+
+    request: int
+    label: Name
+    start: dict[str, float]
+    on_air: bool
+
+
+class CreateFace(Message, frozen=True):
+    """A new face, opened at once, from a mix of faces (sources by weight); on_air: from what is on air now instead."""
+
+    request: int
+    label: Name
+    base: dict[str, float]
+    on_air: bool
+
+
+class OpenItem(Message, frozen=True):
+    """Opens an item: this editor's draft of it, made from its newest revision where there is none."""
+
+    request: int
+    item: int
+
+
+class CloseItem(Message, frozen=True):
+    """Leaves an item; the draft stays."""
+
+    request: int
+    item: int
+
+
+class DragPoints(Message, frozen=True):
+    """Control points (places in the net) let go at targets (metres, on this face): solved until they lie there.
+
+    `vectors`: where the page's linearisation puts all points of the net, the start of the solve."""
+
+    request: int
+    item: int
+    face: Name
+    points: Rows
+    targets: Vectors
+    vectors: Vectors
+
+
+class SetVectors(Message, frozen=True):
+    """Vectors of the whole net at once: numeric entry, nudges, mirror, reset. `what` goes into the history."""
+
+    request: int
+    item: int
+    vectors: Vectors
+    what: Text
+
+
+class SetNet(Message, frozen=True):
+    """Other control points (rows of the sheet): the field stays, the net is woven anew."""
+
+    request: int
+    item: int
+    net: Rows
+
+
+class SetLayers(Message, frozen=True):
+    """The layers under the control points."""
+
+    request: int
+    item: int
+    layers: Layers
+
+
+class SetPulls(Message, frozen=True):
+    """The muscles' contractions."""
+
+    request: int
+    item: int
+    pulls: Pulls
+
+
+class SetEyes(Message, frozen=True):
+    """Eyeballs' angles (left yaw, pitch, right yaw, pitch, radians) and pupils."""
+
+    request: int
+    item: int
+    eyes: tuple[float, float, float, float]
+    pupil: float
+
+
+class Flatten(Message, frozen=True):
+    """Bakes layers, muscles and control points into one field, on which the points stand at rest again."""
+
+    request: int
+    item: int
+
+
+class SetFace(Message, frozen=True):
+    """The whole recipe of a face. `what` goes into the history."""
+
+    request: int
+    item: int
+    recipe: FaceRecipe
+    what: Text
+
+
+class Undo(Message, frozen=True):
+    """One step back in the draft."""
+
+    request: int
+    item: int
+
+
+class Redo(Message, frozen=True):
+    """One step forward again."""
+
+    request: int
+    item: int
+
+
+class Save(Message, frozen=True):
+    """Makes the draft a revision, which plays from now on, unless another editor saved meanwhile: then it is kept
+    aside."""
+
+    request: int
+    item: int
+    note: Text
+
+
+class BringBack(Message, frozen=True):
+    """Makes an old revision (one aside too) the newest step of the draft; saving it makes it play."""
+
+    request: int
+    item: int
+    revision: int
+
+
+class Describe(Message, frozen=True):
+    """What people read of an item, and where it stands."""
+
+    request: int
+    item: int
+    label: Name
+    tags: Tags
+    place: float
+
+
+class Duplicate(Message, frozen=True):
+    """A new item with the newest revision of another, under another label."""
+
+    request: int
+    item: int
+    label: Name
+
+
+class Delete(Message, frozen=True):
+    """Takes an item out of the cast; its revisions stay. Refused while it is on air."""
+
+    request: int
+    item: int
+
+
+class Restore(Message, frozen=True):
+    """Undoes a deletion."""
+
+    request: int
+    item: int
+
+
+class AskHistory(Message, frozen=True):
+    """Asks for the revisions of an item."""
+
+    request: int
+    item: int
+
+
+# --- server to editor -------------------------------------------------------------------------------------------------
+
+
+class ItemDocument(msgspec.Struct, frozen=True):
+    """An own item as lists show it; `content`: `#` and the key of what plays, "" before its first save; `editors`:
+    names of those who have it open."""
+
+    id: int
+    kind: Kind
+    name: str
+    label: str
+    tags: list[str]
+    place: float
+    head: int
+    content: str
+    deleted: bool
+    editors: list[str]
+
+
+class RevisionDocument(msgspec.Struct, frozen=True):
+    """A revision as the history shows it; `content`: `#` and a key: any face can be asked to wear it."""
+
+    number: int
+    parent: int
+    content: str
+    written: float
+    editor: str
+    note: str
+    aside: bool
+
+
+class MuscleDocument(msgspec.Struct, frozen=True):
+    """A muscle: its field at full contraction, little-endian f32 (V, 3): dtheta, dh, R - 1; its line on S as rows of
+    the skin, from the bone to the skin (a sphincter: its ring)."""
+
+    name: str
+    label: str
+    kind: Literal["linear", "sheet", "sphincter"]
+    line: list[int]
+    field: bytes
+
+
+class NetDocument(msgspec.Struct, frozen=True):
+    """A control net: `net` (n,) rows of the skin under its points; `triangles` (t, 3) u16 places, rings beyond n;
+    `corners` (V, 3) u16 places and `weights` (V, 3) f32: the field at vertex v is the weighted sum of its corners'
+    vectors (places from n on rest); off the sheet all weights are zero. All little-endian. `mirror`: for each point
+    the place of its mirror image, its own on the midline, -1 for none."""
+
+    net: list[int]
+    triangles: bytes
+    corners: bytes
+    weights: bytes
+    mirror: list[int]
+
+
+class Greeted(Message, frozen=True):
+    """Answers greet: the muscles, the regions, `masks`: how much each region owns of each vertex of the skin,
+    (regions, V) u8 little-endian, 255 all; `followers`, `anchors`, `shares`: the rows (skin, then parts, as in the
+    manifest) that follow the sheet, (f,) u32, (f, k) u32, (f, k) f32; all items."""
+
+    version: int
+    digest: str
+    muscles: list[MuscleDocument]
+    regions: list[str]
+    masks: bytes
+    followers: bytes
+    anchors: bytes
+    shares: bytes
+    items: list[ItemDocument]
+
+
+class Items(Message, frozen=True):
+    """All items, whenever one has changed, and the digest of the cast that pages may load now."""
+
+    digest: str
+    items: list[ItemDocument]
+
+
+class DraftState(Message, frozen=True, tag="draft"):
+    """The draft as it is after a request: its recipe, `content` (`#` and a key that `/compounds/` serves), how many
+    steps can be undone and redone, whether it differs from revision `base`, what the last step was.
+
+    `net` goes with the first draft of an expression and whenever the net changed. `miss`: how far the worst dragged
+    point is from where it was put, metres. `others`: names of other editors at this item.
+    """
+
+    request: int
+    item: int
+    recipe: Recipe | FaceRecipe
+    content: str
+    undo: int
+    redo: int
+    base: int
+    dirty: bool
+    what: str
+    net: NetDocument | None
+    miss: float
+    others: list[str]
+
+
+class Saved(Message, frozen=True):
+    """A draft became a revision; `aside`: another editor had saved meanwhile, and what plays is `head`, theirs."""
+
+    request: int
+    item: int
+    revision: int
+    head: int
+    aside: bool
+    sentence: str
+
+
+class History(Message, frozen=True):
+    """The revisions of an item, oldest first."""
+
+    request: int
+    item: int
+    revisions: list[RevisionDocument]
+
+
+class Done(Message, frozen=True):
+    """A request was carried out."""
+
+    request: int
+
+
+class EditRefused(Message, frozen=True, tag="refused"):
+    """A request was not carried out, and why, in one sentence; request -1: what came was no request."""
+
+    request: int
+    reason: str
+
+
+FromEditor = (
+    Greet
+    | CreateExpression
+    | CreateFace
+    | OpenItem
+    | CloseItem
+    | DragPoints
+    | SetVectors
+    | SetNet
+    | SetLayers
+    | SetPulls
+    | SetEyes
+    | Flatten
+    | SetFace
+    | Undo
+    | Redo
+    | Save
+    | BringBack
+    | Describe
+    | Duplicate
+    | Delete
+    | Restore
+    | AskHistory
+)
+ToEditor = Greeted | Items | DraftState | Saved | History | Done | EditRefused
+
+EDITOR_MESSAGES: tuple[type[Message], ...] = get_args(FromEditor)
+ANSWERS: tuple[type[Message], ...] = get_args(ToEditor)
+
+
+# --- documents over HTTP ----------------------------------------------------------------------------------------------
+
+
+class TangentsAsset(msgspec.Struct, frozen=True):
+    """How a face answers to a field, `/tangents/FACE-CONTENT`: (3, V, 3) f32 little-endian, metres on the face per
+    radian of dtheta, per metre of dh and per unit of R - 1, at each vertex of the sheet (zero off it)."""
+
+    tangents: bytes
+
+
+class HandlesAsset(msgspec.Struct, frozen=True):
+    """Handles of the face editor, `/handles`: rows of the skin, their labels, `mirror` places as in a net."""
+
+    points: list[int]
+    labels: list[str]
+    mirror: list[int]

@@ -1,0 +1,54 @@
+"""Names and labels: a name is a key of the cast for ever, a label is what people read and may change."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable
+from itertools import count
+
+from omote.show.validation import Refusal
+
+LONGEST_LABEL = 80
+_LONGEST_SLUG = 60
+
+
+def checked_label(label: str, what: str = "the label") -> str:
+    """`label` without blanks around it; Refusal where nobody could read it."""
+    text = label.strip()
+    if not 1 <= len(text) <= LONGEST_LABEL or not text.isprintable():
+        shown = repr(label)[:LONGEST_LABEL]
+        raise Refusal(f"{what} is {shown}: give 1 to {LONGEST_LABEL} printable characters.")
+    return text
+
+
+def checked_tags(tags: Iterable[str]) -> tuple[str, ...]:
+    """The tags in the order given, each once; Refusal where nobody could read one."""
+    return tuple(dict.fromkeys(checked_label(tag, "a tag") for tag in tags))
+
+
+def checked_text(text: str) -> str:
+    """`text` without blanks around it, nothing at all too; Refusal where it cannot be read."""
+    if not text.isprintable():
+        raise Refusal(f"the note is {text[:LONGEST_LABEL]!r}: give printable characters.")
+    return text.strip()
+
+
+def slug(label: str, otherwise: str) -> str:
+    """The label in small ASCII letters, digits and `_`; `otherwise` where nothing of it is left."""
+    plain = unicodedata.normalize("NFKD", label).encode("ascii", "ignore").decode().lower()
+    return re.sub(r"[^a-z0-9]+", "_", plain).strip("_")[:_LONGEST_SLUG].rstrip("_") or otherwise
+
+
+def new_name(label: str, otherwise: str, taken: Iterable[str]) -> str:
+    """A name for a label that is none of those taken, large and small letters being the same."""
+    used = {name.casefold() for name in taken}
+    stem = slug(label, otherwise)
+    candidates = (stem if number == 1 else f"{stem}_{number}" for number in count(1))
+    return next(name for name in candidates if name not in used)
+
+
+def new_label(stem: str, taken: Iterable[str]) -> str:
+    """`stem` with the lowest number from 1 that no label taken has."""
+    used = {label.casefold() for label in taken}
+    return next(label for label in (f"{stem} {number}" for number in count(1)) if label.casefold() not in used)

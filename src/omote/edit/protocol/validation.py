@@ -1,0 +1,136 @@
+"""The door for numbers of editors: a recipe comes through whole and unchanged, or is refused with a sentence."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.recipes.recipe import FaceRecipe, Recipe, Vector
+from omote.model.sculpting.regions import REGIONS
+from omote.show.validation import Quantity, Refusal, number
+
+DTHETA = Quantity("dtheta of a control point (radians)", -math.pi, math.pi)
+DH = Quantity("dh of a control point (metres)", -0.5, 0.5)
+RATIO = Quantity("R of a control point", 0.2, 5.0)
+TARGET = Quantity("where a point is put (metres)", -1.0, 1.0)
+WEIGHT = Quantity("a weight", -2.0, 2.0)
+CONTRACTION = Quantity("a muscle's contraction", -1.0, 2.0)
+EYE = Quantity("an angle of an eyeball (radians)", -math.pi / 2, math.pi / 2)
+PUPIL = Quantity("a pupil", -2.0, 2.0)
+AMOUNT = Quantity("the amount of caricature", -1.0, 4.0)
+MOVE = Quantity("a handle's move (metres)", -0.5, 0.5)
+PLACE = Quantity("a place in the list", -1e9, 1e9)
+
+FEWEST_POINTS, MOST_POINTS = 3, 400
+MOST_LAYERS, MOST_PULLS, MOST_FACES = 200, 40, 40
+LONGEST_LABEL = 200
+_UNITY = 1e-3
+"""How far the weights of a mix of faces may sum from one."""
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """What recipes may speak of: on_sheet (V,) bool, which vertices of the skin lie on the sheet; the muscles."""
+
+    on_sheet: NDArray[np.bool_]
+    muscles: frozenset[str]
+
+
+def check_recipe(recipe: Recipe | FaceRecipe, bounds: Bounds) -> None:
+    """Refusal where a number of the recipe is out of its range, or it speaks of what is not there."""
+    if isinstance(recipe, FaceRecipe):
+        _check_face(recipe, bounds)
+    else:
+        _check_expression(recipe, bounds)
+
+
+def check_targets(targets: Iterable[Vector]) -> None:
+    """Refusal where a dragged point is put out of reach."""
+    for target in targets:
+        for coordinate in target:
+            number(coordinate, TARGET)
+
+
+def check_vectors(vectors: Sequence[Vector], net: Sequence[int]) -> None:
+    """Refusal where there is not one vector for each control point, or one of them is out of range."""
+    if len(vectors) != len(net):
+        raise Refusal(f"there are {len(vectors)} vectors for {len(net)} control points: send one for each.")
+    for dtheta, dh, ratio in vectors:
+        number(dtheta, DTHETA)
+        number(dh, DH)
+        number(ratio, RATIO)
+
+
+def check_net(net: Sequence[int], bounds: Bounds) -> None:
+    """Refusal where control points are too few or many, stand on one vertex, or off the sheet."""
+    if not FEWEST_POINTS <= len(net) <= MOST_POINTS:
+        raise Refusal(f"there are {len(net)} control points: a net has {FEWEST_POINTS} to {MOST_POINTS}.")
+    _check_rows(net, len(bounds.on_sheet), "control point")
+    for row in net:
+        if not bounds.on_sheet[row]:
+            raise Refusal(f"a control point stands on vertex {row}, off the sheet: choose one on the outer skin.")
+
+
+def _check_expression(recipe: Recipe, bounds: Bounds) -> None:
+    check_net(recipe.net, bounds)
+    check_vectors(recipe.vectors, recipe.net)
+    _check_count(len(recipe.layers), MOST_LAYERS, "layers")
+    for layer in recipe.layers:
+        number(layer.weight, WEIGHT)
+        if len(layer.label) > LONGEST_LABEL or not layer.label.isprintable():
+            raise Refusal(
+                f"a layer is labelled {layer.label[:80]!r}: give at most {LONGEST_LABEL} printable characters."
+            )
+        if layer.region is not None:
+            _check_region(layer.region)
+    _check_count(len(recipe.pulls), MOST_PULLS, "muscles")
+    pulled = [pull.muscle for pull in recipe.pulls]
+    for pull in recipe.pulls:
+        number(pull.contraction, CONTRACTION)
+        if pull.muscle not in bounds.muscles:
+            raise Refusal(f"there is no muscle {pull.muscle[:80]!r}: choose from {', '.join(sorted(bounds.muscles))}.")
+        if pulled.count(pull.muscle) > 1:
+            raise Refusal(f"muscle {pull.muscle!r} is there twice: give each once.")
+    for angle in recipe.eyes:
+        number(angle, EYE)
+    number(recipe.pupil, PUPIL)
+
+
+def _check_face(recipe: FaceRecipe, bounds: Bounds) -> None:
+    _check_count(len(recipe.base), MOST_FACES, "faces")
+    whole = math.fsum(number(weight, WEIGHT) for weight in recipe.base.values())
+    if abs(whole - 1.0) > _UNITY:
+        raise Refusal(f"the weights of the faces sum to {whole:.4g}: a mix of faces sums to 1.")
+    for region in recipe.regions:
+        _check_region(region)
+    number(recipe.amount, AMOUNT)
+    if len(recipe.moves) != len(recipe.points):
+        raise Refusal(f"there are {len(recipe.moves)} moves for {len(recipe.points)} handles: send one for each.")
+    _check_count(len(recipe.points), MOST_POINTS, "handles")
+    _check_rows(recipe.points, len(bounds.on_sheet), "handle")
+    for move in recipe.moves:
+        for coordinate in move:
+            number(coordinate, MOVE)
+
+
+def _check_rows(rows: Sequence[int], count: int, what: str) -> None:
+    for row in rows:
+        if not 0 <= row < count:
+            raise Refusal(f"a {what} stands on vertex {row}: the skin has vertices 0 to {count - 1}.")
+    if len(set(rows)) != len(rows):
+        twice = next(row for row in rows if list(rows).count(row) > 1)
+        raise Refusal(f"two {what}s stand on vertex {twice}: keep one of them.")
+
+
+def _check_region(region: str) -> None:
+    if region not in REGIONS:
+        raise Refusal(f"there is no region {region[:80]!r}: choose from {', '.join(REGIONS)}.")
+
+
+def _check_count(count: int, most: int, what: str) -> None:
+    if count > most:
+        raise Refusal(f"there are {count} {what}: at most {most} can be kept.")

@@ -1,0 +1,54 @@
+"""Editors' messages and recipes to bytes and back."""
+
+from __future__ import annotations
+
+import msgspec
+
+from omote.edit.protocol.messages import EDITING_LIMIT, FromEditor, HandlesAsset, TangentsAsset, ToEditor
+from omote.edit.protocol.orders import Baked
+from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.show.validation import Refusal
+from omote.show.wire import message_in
+
+_encoder = msgspec.msgpack.Encoder()
+_from_editor: msgspec.msgpack.Decoder[FromEditor] = msgspec.msgpack.Decoder(FromEditor)
+_to_editor: msgspec.msgpack.Decoder[ToEditor] = msgspec.msgpack.Decoder(ToEditor)
+_baked = msgspec.msgpack.Decoder(Baked)
+_recipe: msgspec.json.Decoder[Recipe | FaceRecipe] = msgspec.json.Decoder(Recipe | FaceRecipe)
+_json = msgspec.json.Encoder()
+
+
+def encode(message: FromEditor | ToEditor | TangentsAsset | HandlesAsset | Baked) -> bytes:
+    """The bytes of a message, a document or an answer of the workshop."""
+    return _encoder.encode(message)
+
+
+def decode(data: bytes) -> FromEditor:
+    """The editor's message in `data`; Refusal for bytes that are none."""
+    return message_in(data, _from_editor, EDITING_LIMIT)
+
+
+def decode_answer(data: bytes) -> ToEditor:
+    """The server's message in `data`, for editors written in Python; msgspec.DecodeError for bytes that are none."""
+    return _to_editor.decode(data)
+
+
+def decode_baked(data: bytes) -> Baked:
+    """The workshop's answer in `data`; Refusal for bytes that are none."""
+    try:
+        return _baked.decode(data)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError, OverflowError) as error:
+        raise Refusal(f"the workshop's answer cannot be read ({str(error)[:200]}): try again.") from error
+
+
+def write_recipe(recipe: Recipe | FaceRecipe) -> bytes:
+    """A recipe as the show file keeps it (JSON); the same recipe gives the same bytes."""
+    return _json.encode(recipe)
+
+
+def read_recipe(data: bytes) -> Recipe | FaceRecipe:
+    """The recipe in JSON that `write_recipe` wrote; Refusal for anything else."""
+    try:
+        return _recipe.decode(data)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise Refusal(f"the recipe that is kept cannot be read ({str(error)[:200]}): open another revision.") from error

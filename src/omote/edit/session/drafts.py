@@ -1,0 +1,204 @@
+"""What requests do to a draft: begin it, add a step, go back and forth between its steps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from msgspec.structs import replace
+
+from omote.edit.protocol import messages as wire
+from omote.edit.protocol.validation import check_net, check_recipe, check_targets, check_vectors
+from omote.edit.store.authored_state import DraftKey, Ledger
+from omote.edit.protocol.names import checked_text
+from omote.edit.session.plan import Authored, Plan, Result
+from omote.edit.protocol.wire import read_recipe, write_recipe
+from omote.edit.protocol.orders import Baked, EditOrder, Flat, Renet, Solve
+from omote.showfile.changes import Draft, Edit, Item, PutDraft, PutEdit
+from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.show.validation import Refusal
+from omote.show.messages import Message
+
+Shown = Recipe | FaceRecipe
+
+
+def open_item(authored: Authored, item: Item, editor: str) -> Plan:
+    """The editor's draft of an item as it is, or made from what plays."""
+    ledger, key = authored.ledger, (item.id, editor)
+    head = ledger.head(item)
+    if key in ledger.drafts and (head is None or not _is_outdated(ledger, key)):
+        recipe = read_recipe(ledger.shown(key).recipe)
+        return Plan(authored.bake(recipe, weave=True), lambda _: Result(draft=key, opened=item.id, whole=True))
+    if head is None:
+        return _open_unsaved(authored, item, editor)
+    what = f"revision {head.number} of {head.editor}"
+    return begin(authored, item, editor, read_recipe(head.recipe), what, base=item.head)
+
+
+def begin(authored: Authored, item: Item, editor: str, recipe: Shown, what: str, *, base: int) -> Plan:
+    """A draft that shows a recipe; where the editor has one already, one more step of it."""
+    key = item.id, editor
+
+    def finish(baked: Baked) -> Result:
+        number = authored.ledger.drafts[key].cursor + 1 if key in authored.ledger.drafts else 0
+        changes = (
+            *authored.kept(baked.recipe),
+            PutDraft(Draft(item.id, editor, base, number)),
+            PutEdit(Edit(item.id, editor, number, write_recipe(baked.recipe), what)),
+        )
+        return Result(changes, draft=key, opened=item.id, whole=True)
+
+    return Plan(authored.bake(recipe, weave=True), finish)
+
+
+def edit(authored: Authored, key: DraftKey, message: Message) -> Plan:
+    """One more step of a draft, as the request says."""
+    recipe = read_recipe(authored.ledger.shown(key).recipe)
+    if isinstance(recipe, FaceRecipe) != isinstance(message, wire.SetFace):
+        kind, other = ("face", "an expression") if isinstance(recipe, FaceRecipe) else ("expression", "a face")
+        raise Refusal(f"item {key[0]} is {'a' if kind == 'face' else 'an'} {kind}, but what came is for {other}.")
+    order, what = EDITS[type(message)](authored, recipe, message)
+    return Plan(order, lambda baked: _stepped(authored, key, baked, what))
+
+
+def step(authored: Authored, key: DraftKey, steps: int) -> Plan:
+    """Another of the draft's steps shown: -1 undoes one, 1 does one again."""
+    draft, edits = authored.ledger.drafts[key], authored.ledger.edits[key]
+    cursor = draft.cursor + steps
+    if not 0 <= cursor < len(edits):
+        raise Refusal("there is nothing to undo: this is how the draft began." if steps < 0 else "nothing was undone.")
+    now, then = (read_recipe(edits[place].recipe) for place in (draft.cursor, cursor))
+    whole = _net(now) != _net(then)
+    changes = (PutDraft(replace(draft, cursor=cursor)),)
+    return Plan(authored.bake(then, weave=whole), lambda _: Result(changes, draft=key, whole=whole))
+
+
+def bring_back(authored: Authored, key: DraftKey, number: int) -> Plan:
+    """One more step of a draft: an old revision as it was."""
+    revision = authored.ledger.revisions.get(key[0], {}).get(number)
+    if revision is None:
+        raise Refusal(f"there is no revision {number}: open the history again.")
+    recipe = read_recipe(revision.recipe)
+    what = f"revision {number} of {revision.editor}, brought back"
+    return Plan(authored.bake(recipe, weave=True), lambda baked: _stepped(authored, key, baked, what))
+
+
+def is_dirty(ledger: Ledger, key: DraftKey) -> bool:
+    """Whether a draft shows anything else than the revision it is based on."""
+    base, shown = ledger.revisions.get(key[0], {}).get(ledger.drafts[key].base), ledger.shown(key)
+    if base is None or base.recipe == shown.recipe:
+        return base is None
+    try:  # what another program wrote may be the same recipe in other bytes, or none that can be read
+        return read_recipe(base.recipe) != read_recipe(shown.recipe)
+    except Refusal:
+        return True
+
+
+def _is_outdated(ledger: Ledger, key: DraftKey) -> bool:
+    """Whether nothing of a draft is the editor's own any more, and another revision plays."""
+    draft = ledger.drafts[key]
+    at_its_end = draft.cursor == len(ledger.edits[key]) - 1
+    return draft.base != ledger.items[key[0]].head and at_its_end and not is_dirty(ledger, key)
+
+
+def _open_unsaved(authored: Authored, item: Item, editor: str) -> Plan:
+    """A draft of what nobody has saved begins where another editor's is: theirs with the most steps."""
+    ledger = authored.ledger
+    others = [key for key in ledger.drafts if key[0] == item.id]
+    if not others:
+        raise Refusal(f"nothing of {item.label!r} is kept: delete it and begin anew.")
+    theirs = ledger.shown(max(others, key=lambda key: (len(ledger.edits[key]), key[1])))
+    return begin(authored, item, editor, read_recipe(theirs.recipe), "another editor's draft", base=0)
+
+
+def _stepped(authored: Authored, key: DraftKey, baked: Baked, what: str) -> Result:
+    draft, shown = authored.ledger.drafts[key], authored.ledger.shown(key)
+    check_recipe(baked.recipe, authored.bounds)
+    data = write_recipe(baked.recipe)
+    if data == shown.recipe:
+        return Result(draft=key, miss=baked.miss)
+    whole = _net(read_recipe(shown.recipe)) != _net(baked.recipe)
+    number = draft.cursor + 1
+    changes = (
+        *authored.kept(baked.recipe),
+        PutEdit(Edit(*key, number, data, what)),
+        PutDraft(replace(draft, cursor=number)),
+    )
+    return Result(changes, draft=key, whole=whole, miss=baked.miss)
+
+
+def _net(recipe: Shown) -> tuple[int, ...]:
+    return recipe.net if isinstance(recipe, Recipe) else ()
+
+
+# --- what each request makes of a recipe ------------------------------------------------------------------------------
+
+Ordered = tuple[EditOrder, str]
+
+
+def _drag(authored: Authored, recipe: Recipe, drag: wire.DragPoints) -> Ordered:
+    if not drag.points:
+        raise Refusal("no point was dragged: send at least one.")
+    if len(drag.targets) != len(drag.points):
+        raise Refusal(f"there are {len(drag.targets)} targets for {len(drag.points)} points: send one for each.")
+    for place in drag.points:
+        if not 0 <= place < len(recipe.net) or drag.points.count(place) > 1:
+            raise Refusal(f"point {place} was dragged: points are 0 to {len(recipe.net) - 1}, each at most once.")
+    check_targets(drag.targets)
+    check_vectors(drag.vectors, recipe.net)
+    face = authored.sources.resolve("face", drag.face)
+    contents = authored.sources.contents(recipe, face)
+    order = Solve(recipe, contents, face, tuple(drag.points), tuple(drag.targets), tuple(drag.vectors))
+    count = len(drag.points)
+    return order, f"drag of {count} points" if count > 1 else "drag of a point"
+
+
+def _set_vectors(authored: Authored, recipe: Recipe, wanted: wire.SetVectors) -> Ordered:
+    return _changed(authored, replace(recipe, vectors=tuple(wanted.vectors)), checked_text(wanted.what))
+
+
+def _set_net(authored: Authored, recipe: Recipe, wanted: wire.SetNet) -> Ordered:
+    check_net(wanted.net, authored.bounds)
+    net = tuple(wanted.net)
+    if net == recipe.net:
+        return authored.bake(recipe), ""
+    added = len(net) - len(recipe.net)
+    what = "control points moved" if not added else f"{abs(added)} control points {'added' if added > 0 else 'removed'}"
+    return Renet(recipe, authored.sources.contents(recipe), net), what
+
+
+def _set_layers(authored: Authored, recipe: Recipe, wanted: wire.SetLayers) -> Ordered:
+    return _changed(authored, replace(recipe, layers=tuple(wanted.layers)), "layers")
+
+
+def _set_pulls(authored: Authored, recipe: Recipe, wanted: wire.SetPulls) -> Ordered:
+    return _changed(authored, replace(recipe, pulls=tuple(wanted.pulls)), "muscles")
+
+
+def _set_eyes(authored: Authored, recipe: Recipe, wanted: wire.SetEyes) -> Ordered:
+    return _changed(authored, replace(recipe, eyes=wanted.eyes, pupil=wanted.pupil), "eyes")
+
+
+def _flatten(authored: Authored, recipe: Recipe, _: wire.Flatten) -> Ordered:
+    return Flat(recipe, authored.sources.contents(recipe)), "all baked into one field"
+
+
+def _set_face(authored: Authored, _: FaceRecipe, wanted: wire.SetFace) -> Ordered:
+    return _changed(authored, wanted.recipe, checked_text(wanted.what))
+
+
+def _changed(authored: Authored, recipe: Shown, what: str) -> Ordered:
+    return authored.bake(authored.checked(recipe)), what
+
+
+EDITS: Mapping[type[Message], Callable[[Authored, Any, Any], Ordered]] = {
+    wire.DragPoints: _drag,
+    wire.SetVectors: _set_vectors,
+    wire.SetNet: _set_net,
+    wire.SetLayers: _set_layers,
+    wire.SetPulls: _set_pulls,
+    wire.SetEyes: _set_eyes,
+    wire.Flatten: _flatten,
+    wire.SetFace: _set_face,
+}
+"""The order of each request that changes a recipe, and what the history says of it."""

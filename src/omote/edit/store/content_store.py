@@ -1,0 +1,99 @@
+"""Contents by key: those that the show file keeps, and for a while those that drafts pass through."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import chain
+from typing import TypeVar
+
+from omote.edit.protocol.messages import NetDocument
+from omote.edit.protocol.wire import write_recipe
+from omote.edit.protocol.orders import Bake, Baked, EditOrder
+from omote.showfile.changes import PutContent
+from omote.model.recipes.recipe import FaceRecipe, Recipe
+
+PASSING = 2048
+"""Contents of drafts that are remembered, so that undo needs no mathematics."""
+_NETS = 16
+_RECIPES = 4096
+
+Key = TypeVar("Key")
+Value = TypeVar("Value")
+
+
+class Shelf(Mapping[str, bytes]):
+    """Bytes by key, and which recipe made which; kept: what the show file has, looked up when asked for."""
+
+    def __init__(self, kept: Mapping[str, bytes]) -> None:
+        self._kept = kept
+        self._given: dict[str, bytes] = {}
+        self._passing: dict[str, bytes] = {}
+        self._keys: dict[bytes, str] = {}
+        self._nets: dict[tuple[int, ...], NetDocument] = {}
+
+    def __getitem__(self, key: str) -> bytes:
+        for place in (self._passing, self._given):
+            if key in place:
+                return place[key]
+        return self._kept[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(dict.fromkeys(chain(self._kept, self._given, self._passing)))
+
+    def __len__(self) -> int:
+        return len(list(iter(self)))
+
+    def __contains__(self, key: object) -> bool:
+        return key in self._passing or key in self._given or key in self._kept
+
+    def keep(self, key: str) -> tuple[PutContent, ...]:
+        """What the show file must be given so that it has this content: nothing when it has it already."""
+        if key in self._given or key in self._kept:
+            return ()
+        self._given = {old: data for old, data in self._given.items() if old not in self._kept}
+        self._given[key] = self._passing.pop(key)
+        return (PutContent(key, self._given[key]),)
+
+    def know(self, recipe: bytes, key: str) -> None:
+        """Remembers that a recipe (JSON) makes the content of this key."""
+        _remember(self._keys, recipe, key, _RECIPES)
+
+    def hold(self, contents: Mapping[str, bytes]) -> None:
+        """Remembers contents for a while."""
+        for key, data in contents.items():
+            if key not in self._given and key not in self._kept:
+                _remember(self._passing, key, data, PASSING)
+
+    def take(self, order: EditOrder, baked: Baked) -> None:
+        """Remembers what the workshop made of an order, and what it was made from."""
+        self.hold({**order.contents, **baked.contents})
+        self.know(write_recipe(baked.recipe), baked.key)
+        if isinstance(order, Bake):
+            self.know(write_recipe(order.recipe), baked.key)
+        if isinstance(baked.recipe, Recipe) and baked.net is not None:
+            _remember(self._nets, baked.recipe.net, baked.net, _NETS)
+
+    def key(self, recipe: bytes) -> str:
+        """The key of what a recipe (JSON) makes, "" where that is not remembered."""
+        return self._keys.get(recipe, "")
+
+    def recall(self, order: EditOrder) -> Baked | None:
+        """The answer to an order where it is known already."""
+        if not isinstance(order, Bake):
+            return None
+        key, net = self._keys.get(write_recipe(order.recipe)), self.net(order.recipe)
+        if key is None or key not in self or (order.weave and net is None):
+            return None
+        return Baked(order.recipe, key, {}, net)
+
+    def net(self, recipe: Recipe | FaceRecipe) -> NetDocument | None:
+        """The document of a recipe's net, where it is remembered."""
+        return None if isinstance(recipe, FaceRecipe) else self._nets.get(recipe.net)
+
+
+def _remember(table: dict[Key, Value], key: Key, value: Value, most: int) -> None:
+    """Puts a value at the young end of a table and lets the oldest go beyond `most`."""
+    table.pop(key, None)
+    table[key] = value
+    while len(table) > most:
+        del table[next(iter(table))]

@@ -1,0 +1,157 @@
+"""Expressions from outside as items of a show file, and items as documents for mailing (`files.exchange`)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from omote.edit.protocol.names import checked_label, checked_tags, new_name
+from omote.edit.protocol.wire import read_recipe, write_recipe
+from omote.showfile.changes import Change, Item, Kind, PutContent, PutItem, PutRevision, Revision, Stored
+from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
+from omote.interchange.formats.expression_json import Control, ExpressionFile, dense_of, expression_of, space_digest
+from omote.model.cast import Cast, Look
+from omote.model.recipes.compose_expression import composed
+from omote.model.controls.default_net import default_net
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, Vector
+from omote.model.space.parameter_space import ParameterSpace
+from omote.perform.limits import known
+
+EDITOR = "import"
+"""Who a revision from outside is by."""
+EXACT = 1e-12
+"""How nearly control points say what the dense field says, for the expression to be made of them alone."""
+
+
+@dataclass(frozen=True, eq=False)
+class Arrival:
+    """Something from outside: an expression or a face with its look, and the recipe where more is known than that."""
+
+    label: str
+    made: Expression | tuple[Face, Look]
+    tags: tuple[str, ...] = ()
+    note: str = ""
+    recipe: Recipe | None = None
+
+
+def adopted(cast: Cast, stored: Stored, arrivals: Iterable[Arrival], /, *, wall: float) -> list[Change]:
+    """The changes that put arrivals into a show file as new items; wall: seconds since 1970."""
+    taken = {*cast.faces, *cast.expressions, *(item.name for item in stored.items)}
+    number = max((item.id for item in stored.items), default=0)
+    place = max((item.place for item in stored.items), default=0.0)
+    changes: list[Change] = []
+    for step, arrival in enumerate(arrivals, start=1):
+        kind: Kind = "expression" if isinstance(arrival.made, Expression) else "face"
+        label = checked_label(arrival.label)
+        name = new_name(label, kind, taken)
+        taken.add(name)
+        item = Item(number + step, kind, name, label, checked_tags(arrival.tags), place + step, head=1)
+        changes += _saved(cast.space, item, arrival, wall)
+    return changes
+
+
+def opened(space: ParameterSpace, document: ExpressionFile, /, *, note: str = "") -> Arrival:
+    """What a document brings: the dense field on its own head, else its control points on this one.
+
+    ValueError, in a sentence, where it fits this head in neither way.
+    """
+    recipe = None if document.control is None else _netted(space, document.control)
+    at_home = document.space == space_digest(space)
+    if document.dense is not None and at_home:
+        expression = expression_of(space, document.dense)
+        recipe = recipe if recipe is not None and _same(composed(space, recipe, {}), expression) else None
+    elif recipe is not None:
+        expression = composed(space, recipe, {})
+    else:
+        raise ValueError(
+            f"{document.label!r} was made on another head ({document.space}) and not by control points alone; "
+            f"expected {space_digest(space)}: have it exported from the same version of Omote"
+        )
+    return Arrival(document.label, expression, tuple(document.tags), note, recipe)
+
+
+def mailed(
+    space: ParameterSpace, label: str, tags: Iterable[str], expression: Expression, recipe: Recipe | None = None
+) -> ExpressionFile:  # fmt: skip
+    """The document of an expression; with its control points where it is made of nothing else."""
+    alone = recipe is not None and recipe == Recipe(recipe.net, recipe.vectors) and _stands(space, recipe)
+    made_of = [] if recipe is None else [f"{each.label} x {each.weight:g}" for each in recipe.layers]
+    made_of += [] if recipe is None else [f"{pull.muscle} x {pull.contraction:g}" for pull in recipe.pulls]
+    return ExpressionFile(
+        omote="expression",
+        version=1,
+        label=label,
+        tags=list(tags),
+        space=space_digest(space),
+        control=_control(space, recipe) if recipe is not None and alone else None,
+        dense=dense_of(expression),
+        made_of=made_of,
+    )
+
+
+def mail_of(cast: Cast, stored: Stored, contents: Mapping[str, bytes], name: str, /) -> ExpressionFile:
+    """The document of an own expression by its name, else of one of the cast; ValueError where there is none."""
+    revisions = {(revision.item, revision.number): revision for revision in stored.revisions}
+    for item in stored.items:
+        if (item.kind, item.name) == ("expression", name) and (item.id, item.head) in revisions:
+            head = revisions[item.id, item.head]
+            recipe = read_recipe(head.recipe)
+            made = unpack_expression(contents[head.content])
+            return mailed(cast.space, item.label, item.tags, made, recipe if isinstance(recipe, Recipe) else None)
+    own = [item.name for item in stored.items if item.kind == "expression" and item.head]
+    known(name, [*own, *cast.expressions], "expression")
+    return mailed(cast.space, cast.titles[name].label, (), cast.expressions[name])
+
+
+def _saved(space: ParameterSpace, item: Item, arrival: Arrival, wall: float) -> list[Change]:
+    made = arrival.made
+    content = pack_expression(made) if isinstance(made, Expression) else pack_face(*made)
+    key = content_key(content)
+    recipe = arrival.recipe or (_grounded(space, key) if item.kind == "expression" else FaceRecipe({KEY + key: 1.0}))
+    revision = Revision(item.id, 1, 0, write_recipe(recipe), key, wall, EDITOR, arrival.note)
+    return [PutContent(key, content), PutItem(item), PutRevision(revision)]
+
+
+def _grounded(space: ParameterSpace, key: str) -> Recipe:
+    """The recipe of a field as it is, under control points that rest."""
+    net = default_net(space)
+    return Recipe(net, ((0.0, 0.0, 1.0),) * len(net), ground=KEY + key)
+
+
+def _stands(space: ParameterSpace, recipe: Recipe) -> bool:
+    """Whether each control point stands on this head and has a vector: files of other programs say anything."""
+    there = all(0 <= row < space.vertex_count and space.on_sheet[row] for row in recipe.net)
+    return there and len(recipe.net) == len(recipe.vectors)
+
+
+def _control(space: ParameterSpace, recipe: Recipe) -> Control:
+    rows = list(recipe.net)
+    places = zip(space.theta[rows].tolist(), space.h[rows].tolist(), strict=True)
+    return Control(points=list(places), vectors=list(recipe.vectors))
+
+
+def _netted(space: ParameterSpace, control: Control) -> Recipe:
+    """The recipe of control points, each on the vertex nearest to its place on S."""
+    if len(control.points) != len(control.vectors):
+        raise ValueError(f"{len(control.points)} control points have {len(control.vectors)} vectors; export anew")
+    sheet = np.flatnonzero(space.on_sheet & (space.welded == np.arange(space.vertex_count)))
+    radius = float(np.mean(space.cylinder.unroll(space.points[sheet])[2]))
+    rows, vectors = dict[int, None](), list[Vector]()
+    for (theta, h), vector in zip(control.points, control.vectors, strict=True):
+        turn = np.angle(np.exp(1j * (space.theta[sheet] - theta)))
+        row = int(sheet[np.hypot(radius * turn, space.h[sheet] - h).argmin()])
+        if row not in rows:  # on a coarser head two places may be one
+            rows[row] = None
+            vectors.append(vector)
+    return Recipe(tuple(rows), tuple(vectors))
+
+
+def _same(one: Expression, other: Expression) -> bool:
+    fields = ("dtheta", "dh", "ratio", "residual", "eyes")
+    off = [np.abs(getattr(one, name) - getattr(other, name)).max(initial=0.0) for name in fields]
+    still = not any(rest.any() for each in (one, other) for rest in each.parts.values())
+    return max(off) <= EXACT and still and one.pupil == other.pupil

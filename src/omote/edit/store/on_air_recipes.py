@@ -1,0 +1,72 @@
+"""What is on air, as recipes that make the same again."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from omote.edit.store.sources import Sources
+from omote.showfile.changes import Kind
+from omote.model.cast import NEUTRAL
+from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
+from omote.show.validation import Refusal
+from omote.show.messages import State
+
+
+@dataclass(frozen=True)
+class OnAir:
+    """Weights by name of what is seen now, and the names of what is coming: called, or held by a T-bar."""
+
+    faces: Mapping[str, float] = field(default_factory=dict)
+    expressions: Mapping[str, float] = field(default_factory=dict)
+    channels: Mapping[str, float] = field(default_factory=dict)
+    coming: frozenset[str] = frozenset()
+
+    @property
+    def names(self) -> frozenset[str]:
+        """All that must not be taken away now."""
+        weights = (self.faces, self.expressions, self.channels)
+        return self.coming | {name for each in weights for name, weight in each.items() if weight}
+
+
+def seen(state: State) -> OnAir:
+    """What a state of the show says is on air; channels as they act, what the gaze adds included."""
+    calls = (call for call in (state.face_call, state.expression_call) if call is not None)
+    names = (*state.channels, *(name for name in state.lids if name not in state.channels))
+    channels = {name: state.channels.get(name, 0.0) + state.lids.get(name, 0.0) for name in names}
+    return OnAir(state.faces, state.expressions, channels, frozenset(call.target for call in calls))
+
+
+def neutral(net: tuple[int, ...]) -> Recipe:
+    """The recipe of an expression at rest, on a net."""
+    return Recipe(net=net, vectors=((0.0, 0.0, 1.0),) * len(net))
+
+
+def recipe_on_air(kind: Kind, on_air: OnAir, net: tuple[int, ...], sources: Sources) -> Recipe | FaceRecipe:
+    """The face or the expression that is seen now."""
+    if kind == "face":
+        return face_of(on_air.faces, sources)
+    together = (*on_air.expressions.items(), *on_air.channels.items())
+    return expression_of([(name, weight) for name, weight in together if weight], net, sources)
+
+
+def face_of(weights: Mapping[str, float], sources: Sources) -> FaceRecipe:
+    """A mix of faces; Refusal for none."""
+    base: dict[str, float] = {}
+    for name, weight in weights.items():
+        source = sources.resolve("face", name)
+        if weight:
+            base[source] = base.get(source, 0.0) + weight
+    if not base:
+        raise Refusal("the new face begins from no face: give the face that it is made from.")
+    return FaceRecipe(base=base)
+
+
+def expression_of(weights: list[tuple[str, float]], net: tuple[int, ...], sources: Sources) -> Recipe:
+    """A recipe of layers; what is at rest needs none."""
+    layers = tuple(
+        Layer(sources.resolve("expression", name), sources.label("expression", name), weight)
+        for name, weight in weights
+        if name != NEUTRAL and weight
+    )
+    return Recipe(net=net, vectors=neutral(net).vectors, layers=layers)

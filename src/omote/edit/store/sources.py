@@ -1,0 +1,77 @@
+"""What a recipe may be made from: names of the built-in cast, and contents by key."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+
+from omote.edit.store.authored_state import Ledger
+from omote.edit.store.content_store import Shelf
+from omote.showfile.changes import Kind
+from omote.model.cast import Cast
+from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.perform.limits import known
+from omote.show.validation import Refusal
+
+
+class Sources:
+    """Finds what sources mean now; a name of an own item becomes the key of what it plays, for ever."""
+
+    def __init__(self, base: Cast, ledger: Ledger, shelf: Shelf) -> None:
+        self._built_in = {"face": base.faces, "expression": base.expressions}
+        self._titles = {name: title.label for name, title in base.titles.items()}
+        self._ledger, self._shelf = ledger, shelf
+
+    def resolve(self, kind: Kind, source: str) -> str:
+        """A name of the built-in cast, or `#` and the key of a content that is there; Refusal for anything else."""
+        if source.startswith(KEY):
+            if source.removeprefix(KEY) in self._shelf:
+                return source
+            raise Refusal(f"what {source[:80]!r} names is not there any more: choose it again.")
+        own = self._ledger.named(source)
+        if own is None or own.kind != kind or own.deleted:
+            return self._of_the_cast(kind, source)
+        head = self._ledger.head(own)
+        if head is None:
+            raise Refusal(f"nothing of {own.label!r} has been saved yet: save it first.")
+        return KEY + head.content
+
+    def resolved(self, recipe: Recipe | FaceRecipe) -> Recipe | FaceRecipe:
+        """The recipe with every source resolved."""
+        if isinstance(recipe, Recipe):
+            layers = tuple(replace(x, source=self.resolve("expression", x.source)) for x in recipe.layers)
+            ground = None if recipe.ground is None else self.resolve("expression", recipe.ground)
+            return replace(recipe, layers=layers, ground=ground)
+        base: dict[str, float] = {}
+        for source, weight in recipe.base.items():
+            found = self.resolve("face", source)
+            base[found] = base.get(found, 0.0) + weight
+        regions = {region: self.resolve("face", source) for region, source in recipe.regions.items()}
+        return replace(recipe, base=base, regions=regions)
+
+    def label(self, kind: Kind, source: str) -> str:
+        """What people read of a source."""
+        own = self._ledger.named(source)
+        if own is not None and own.kind == kind:
+            return own.label
+        key = source.removeprefix(KEY)
+        for item, revisions in self._ledger.revisions.items():
+            if any(revision.content == key for revision in revisions.values()):
+                return self._ledger.items[item].label
+        return self._titles.get(source, source[:12] if source.startswith(KEY) else source)
+
+    def contents(self, recipe: Recipe | FaceRecipe, *more: str) -> dict[str, bytes]:
+        """The bytes of everything that a recipe names, and of `more` sources; Refusal where one is gone."""
+        keys = (source.removeprefix(KEY) for source in sorted({*sources(recipe), *more}) if source.startswith(KEY))
+        try:
+            return {key: self._shelf[key] for key in keys}
+        except KeyError as error:
+            raise Refusal(f"content {str(error.args[0])[:80]!r} is not there any more: choose it again.") from error
+
+    def _of_the_cast(self, kind: Kind, source: str) -> str:
+        built_in = self._built_in[kind]
+        own = (item.name for item in self._ledger.items.values() if item.kind == kind and not item.deleted)
+        try:
+            known(source, built_in if source in built_in else sorted({*own, *built_in}), kind)
+        except ValueError as error:
+            raise Refusal(f"{error}.") from error
+        return source

@@ -1,0 +1,176 @@
+"""Expressions as JSON documents that crews mail to each other (docs/exchange.md, docs/expression.schema.json).
+
+`dense` is the whole field, number for number, on the head that `space` names. `control`, where an expression is made of
+control points alone, says the same by places on S, for any head.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from typing import Annotated, Any, Literal
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.space.expression import Expression
+from omote.model.space.parameter_space import ParameterSpace
+
+LARGEST = 32 * 2**20
+"""Bytes of a document at most."""
+MOST_POINTS, MOST_ROWS = 400, 200_000
+FARTHEST_TURN, FARTHEST_MOVE, WIDEST, NARROWEST = 7.0, 10.0, 100.0, 1e-3
+"""Radians, metres, ratios of radii: no face does more."""
+
+Row = Annotated[int, msgspec.Meta(ge=0, lt=MOST_ROWS)]
+Rows = Annotated[list[Row], msgspec.Meta(max_length=MOST_ROWS)]
+Turn = Annotated[float, msgspec.Meta(ge=-FARTHEST_TURN, le=FARTHEST_TURN)]
+Move = Annotated[float, msgspec.Meta(ge=-FARTHEST_MOVE, le=FARTHEST_MOVE)]
+Ratio = Annotated[float, msgspec.Meta(ge=NARROWEST, le=WIDEST)]
+Turns = Annotated[list[Turn], msgspec.Meta(max_length=MOST_ROWS)]
+Moves = Annotated[list[Move], msgspec.Meta(max_length=MOST_ROWS)]
+Ratios = Annotated[list[Ratio], msgspec.Meta(max_length=MOST_ROWS)]
+Vector = tuple[Move, Move, Move]
+Vectors = Annotated[list[Vector], msgspec.Meta(max_length=MOST_ROWS)]
+Text = Annotated[str, msgspec.Meta(max_length=200)]
+
+
+class Control(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Control points at theta (radians) and h (metres), and of each dtheta (radians), dh (metres) and R."""
+
+    points: Annotated[list[tuple[Turn, Move]], msgspec.Meta(max_length=MOST_POINTS)]
+    vectors: Annotated[list[tuple[Turn, Move, Ratio]], msgspec.Meta(max_length=MOST_POINTS)]
+
+
+class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What moves on the sheet: rows of vertices, and dtheta (radians), dh (metres) and R of each."""
+
+    rows: Rows
+    dtheta: Turns
+    dh: Moves
+    ratio: Ratios
+
+
+class Rest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What moves beyond what follows from the skin: rows, and metres on the generic face."""
+
+    rows: Rows
+    moves: Vectors
+
+
+class Dense(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """An expression, number for number; inner: rows of the inner skin; eyes: yaw and pitch, left and right."""
+
+    sheet: Sheet
+    inner: Rest
+    parts: Annotated[dict[Text, Rest], msgspec.Meta(max_length=64)]
+    eyes: tuple[Turn, Turn, Turn, Turn]
+    pupil: Annotated[float, msgspec.Meta(ge=-10.0, le=10.0)]
+    radius: Literal["origin", "surface"]
+    transfer: Literal["smooth", "paper"]
+
+
+class ExpressionFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """An expression for mailing; space: the digest of the generic head that rows belong to; made_of: for people."""
+
+    omote: Literal["expression"]
+    version: Literal[1]
+    label: Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
+    tags: Annotated[list[Text], msgspec.Meta(max_length=64)]
+    space: Annotated[str, msgspec.Meta(pattern="^[0-9a-f]{24}$")]
+    control: Control | None = None
+    dense: Dense | None = None
+    made_of: Annotated[list[Text], msgspec.Meta(max_length=1000)] = []
+
+
+def space_digest(space: ParameterSpace, /) -> str:
+    """A name for exactly this generic head with its parts and rules, 24 hexadecimal digits."""
+    state = hashlib.blake2b(digest_size=12)
+    for array in (space.points, space.triangles, *(part.points for part in space.parts.values())):
+        state.update(np.ascontiguousarray(array).data)
+    state.update(repr((*space.parts, *space.rules)).encode())
+    return state.hexdigest()
+
+
+def dense_of(expression: Expression, /) -> Dense:
+    """An expression as numbers, those that rest left out."""
+    moved = np.flatnonzero((expression.dtheta != 0.0) | (expression.dh != 0.0) | (expression.ratio != 1.0))
+    fields = (getattr(expression, name)[moved].tolist() for name in ("dtheta", "dh", "ratio"))
+    yaw_left, pitch_left, yaw_right, pitch_right = expression.eyes.ravel().tolist()
+    return Dense(
+        sheet=Sheet(moved.tolist(), *fields),
+        inner=_rest(expression.residual),
+        parts={name: _rest(values) for name, values in sorted(expression.parts.items()) if values.any()},
+        eyes=(yaw_left, pitch_left, yaw_right, pitch_right),
+        pupil=expression.pupil,
+        radius=msgspec.convert(expression.radius, Literal["origin", "surface"]),
+        transfer=msgspec.convert(expression.transfer, Literal["smooth", "paper"]),
+    )
+
+
+def expression_of(space: ParameterSpace, dense: Dense, /) -> Expression:
+    """The expression in a document, on its own head; ValueError where rows or lengths do not belong together."""
+    sheet, count = dense.sheet, space.vertex_count
+    rows = _checked(sheet.rows, count, "the sheet", (sheet.dtheta, sheet.dh, sheet.ratio))
+    if not space.on_sheet[rows].all():
+        raise ValueError("the sheet of the document has rows of inner skin; export it anew")
+    fields = {name: np.full(count, rest) for name, rest in (("dtheta", 0.0), ("dh", 0.0), ("ratio", 1.0))}
+    for name, values in fields.items():
+        values[rows] = getattr(sheet, name)
+    strange = sorted(dense.parts.keys() - space.parts.keys())
+    if strange:
+        raise ValueError(f"the document moves a part {strange[0]!r}; expected some of {', '.join(space.parts)}")
+    return Expression(
+        **fields,
+        residual=_laid_out(dense.inner, len(space.inner.vertices), "inner skin"),
+        parts={name: _laid_out(rest, len(space.parts[name].points), name) for name, rest in dense.parts.items()},
+        eyes=np.reshape(dense.eyes, (2, 2)),
+        radius=dense.radius,
+        transfer=dense.transfer,
+        pupil=dense.pupil,
+    )
+
+
+def encode(document: ExpressionFile, /) -> bytes:
+    """The document as JSON; ValueError, in a sentence, where it holds what no reader would take."""
+    data = msgspec.json.format(msgspec.json.encode(document), indent=0) + b"\n"
+    decode(data)
+    return data
+
+
+def decode(data: bytes, /) -> ExpressionFile:
+    """The document in JSON; ValueError, in a sentence, for what is none: NaN and numbers without end included."""
+    if len(data) > LARGEST:
+        raise ValueError(f"the document has {len(data)} bytes; expected {LARGEST} at most")
+    try:
+        return msgspec.json.decode(data, type=ExpressionFile)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise ValueError(f"this is no expression of Omote as docs/exchange.md has it ({error})") from error
+
+
+def schema() -> bytes:
+    """The JSON Schema of documents, as docs/expression.schema.json holds it."""
+    found = {"$schema": "https://json-schema.org/draft/2020-12/schema", **msgspec.json.schema(ExpressionFile)}
+    return msgspec.json.format(msgspec.json.encode(found), indent=2) + b"\n"
+
+
+def _rest(values: NDArray[np.float64]) -> Rest:
+    moved = np.flatnonzero(values.any(axis=1))
+    return Rest(moved.tolist(), [(x, y, z) for x, y, z in values[moved].tolist()])
+
+
+def _laid_out(rest: Rest, count: int, what: str) -> NDArray[np.float64]:
+    values = np.zeros((count, 3))
+    rows = _checked(rest.rows, count, what, (rest.moves,))
+    if len(rows):
+        values[rows] = rest.moves
+    return values
+
+
+def _checked(rows: list[int], count: int, what: str, columns: tuple[list[Any], ...]) -> NDArray[np.int64]:
+    found = np.array(rows, np.int64)
+    if any(len(column) != len(rows) for column in columns):
+        raise ValueError(f"the rows of {what} and their values differ in number; export the document anew")
+    if len(found) and (found.max() >= count or len(np.unique(found)) < len(found)):
+        raise ValueError(f"the rows of {what} are not {count} at most, each once; export the document anew")
+    return found

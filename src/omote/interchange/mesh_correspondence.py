@@ -1,0 +1,133 @@
+"""Which vertices of the cast the vertices of a file are, and which of its faces is meant."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from omote.builtin import BakedMesh
+from omote.interchange.formats.glb_reader import Piece
+from omote.model.cast import Cast
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+
+Points = NDArray[np.float64]
+Meshes = dict[str, Points]
+
+SKIN = "skin"
+NEAR = 2e-4
+"""Metres by which a file may miss a face of the cast that it is: programs round."""
+_NUMBERED = re.compile(r"\.\d{3}$")  # what Blender adds to a name that is there already
+
+
+@dataclass(frozen=True, eq=False)
+class Likeness:
+    """A head of our topology: rest by mesh (n, 3) metres, what targets add by name and mesh; face: whose rest it is."""
+
+    face: str
+    rest: Meshes
+    moves: dict[str, Meshes]
+
+
+def sizes(cast: Cast) -> dict[str, int]:
+    """How many vertices each mesh has: the skin, then the parts."""
+    return {SKIN: cast.space.vertex_count} | {name: len(part.points) for name, part in cast.space.parts.items()}
+
+
+def rest_of(cast: Cast, face: str) -> Meshes:
+    """The meshes of a face of the cast at rest."""
+    fitted = fit(cast.space, cast.faces[face])
+    meshes = {SKIN: fitted.positions, **fitted.parts}
+    return {name: points.astype(np.float64) for name, points in meshes.items()}
+
+
+def likeness(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece], /) -> Likeness:
+    """The head in a file's pieces; face: "" where its rest is no face of the cast.
+
+    Vertices are told by what the file says of them, else by their order, else by where they lie on a face of the cast.
+    ValueError, in a sentence, where no piece is a head of our topology.
+    """
+    found: dict[str, tuple[Points, dict[str, Points]]] = {}
+    for piece in pieces:
+        name, rows = _told(cast, meshes, piece)
+        if name:
+            _gather(cast, found, name, rows, piece)
+    if SKIN not in found or np.isnan(found[SKIN][0]).any():
+        raise ValueError(
+            f"there is no head of ours in this file: expected a mesh with the {cast.space.vertex_count} vertices of "
+            "the cast's skin, in their order or with the attribute _VID; export one from Omote and shape that"
+        )
+    whole = {name: (rest, moves) for name, (rest, moves) in found.items() if not np.isnan(rest).any()}
+    rest = {name: points for name, (points, _) in whole.items()}
+    labels = dict.fromkeys(label for _, moves in whole.values() for label in moves)
+    moves = {label: {name: moved[label] for name, (_, moved) in whole.items() if label in moved} for label in labels}
+    return Likeness(nearest_face(cast, rest[SKIN]), rest, moves)
+
+
+def nearest_face(cast: Cast, skin: Points) -> str:
+    """The face of the cast whose skin (V, 3) this is, "" for none."""
+    off = {name: float(np.abs(face.positions - skin).max()) for name, face in cast.faces.items()}
+    best = min(off, key=off.__getitem__)
+    return best if off[best] <= NEAR else ""
+
+
+def _told(cast: Cast, meshes: Sequence[BakedMesh], piece: Piece) -> tuple[str, NDArray[np.int64]]:
+    """Which mesh a piece belongs to and which rows of it its vertices are; "" where it belongs to none."""
+    named = _NUMBERED.sub("", piece.name)
+    counts, none = sizes(cast), np.zeros(0, np.int64)
+    if piece.rows is not None:
+        name = named if named in counts else SKIN
+        return (name, piece.rows) if piece.rows.max() < counts[name] else ("", none)
+    for mesh in meshes:
+        if len(piece.points) == len(mesh.source) and (mesh.name in (named, SKIN)):
+            return mesh.name, mesh.source.astype(np.int64)
+    for name, count in counts.items():
+        if len(piece.points) == count and name in (named, SKIN):
+            return name, np.arange(count)
+    rows = _by_place(cast, piece.points)
+    return ("", none) if rows is None else (SKIN, rows)
+
+
+def _by_place(cast: Cast, points: Points) -> NDArray[np.int64] | None:
+    """The rows of the skin at points (n, 3), in any order, where they all lie on vertices of one face."""
+    if not cast.space.vertex_count * 0.9 <= len(points) <= cast.space.vertex_count * 2:
+        return None
+    for face in cast.faces.values():
+        far, rows = cKDTree(face.positions).query(points, distance_upper_bound=NEAR)
+        if np.isfinite(far).all():
+            return np.asarray(rows, np.int64)
+    return None
+
+
+def _gather(
+    cast: Cast, found: dict[str, tuple[Points, dict[str, Points]]], name: str, rows: NDArray[np.int64], piece: Piece
+) -> None:  # fmt: skip
+    """Adds a piece to what is known of its mesh; a doubled vertex of the skin goes with its twin."""
+    count = sizes(cast)[name]
+    rest, moves = found.setdefault(name, (np.full((count, 3), np.nan), {}))
+    twins = cast.space.welded if name == SKIN else np.arange(count)
+    _fill(rest, rows, piece.points, twins)
+    for label, moved in piece.moves.items():
+        _fill(moves.setdefault(label, np.full((count, 3), np.nan)), rows, moved, twins)
+        np.copyto(moves[label], 0.0, where=np.isnan(moves[label]) & ~np.isnan(rest))
+
+
+def _fill(values: Points, rows: NDArray[np.int64], given: Points, twins: NDArray[np.integer]) -> None:
+    values[rows] = given
+    lost = np.isnan(values).any(axis=1)
+    known = np.full_like(values, np.nan)
+    known[twins[rows]] = given
+    values[lost] = known[twins[lost]]
+
+
+def as_face(cast: Cast, like: Likeness, name: str = "") -> Face:
+    """The face whose rest a likeness has: one of the cast (by name, or found), else the file's own."""
+    if chosen := name or like.face:
+        return cast.faces[chosen]
+    parts = {part: points for part, points in like.rest.items() if part != SKIN}
+    return Face("imported", like.rest[SKIN], parts)

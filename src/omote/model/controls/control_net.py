@@ -1,0 +1,211 @@
+"""The control net: how artists write expressions (paper, section 2.3; method.md, section 4)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy import sparse
+from scipy.spatial import Delaunay
+
+from omote.geometry import mesh
+from omote.geometry.cylinder import wrap
+from omote.geometry.locate import Strip
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.controls.upper_lower import apart, held, own_side, sides
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.paper_map import slide
+
+Values = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+# Points of each still ring that closes the net at neck and crown.
+_RING = 16
+_LEAN = 1e-5
+
+
+@dataclass(frozen=True, eq=False)
+class ControlNet:
+    """Points on S joined by a Delaunay net that is periodic in theta, and each vertex's place in it; made by `build`.
+
+    theta, h (n,) radians and metres, the artist's points first, then the two rings; triangles (t, 3); corners, weights
+    (V, 3): the points around each vertex and its barycentric weights (eq. 1), all zero off the sheet. No vertex has its
+    weights from across an opening of lids or lips.
+    """
+
+    space: ParameterSpace
+    theta: Values
+    h: Values
+    triangles: Indices
+    corners: Indices
+    weights: Values
+    own: int
+
+    @cached_property
+    def basis(self) -> sparse.csr_array:
+        """The weights as a matrix (V, n), so that a field is `basis @ values` (eq. 2)."""
+        rows = np.repeat(np.arange(len(self.corners)), 3)
+        shape = (len(self.corners), len(self.theta))
+        return sparse.coo_array((self.weights.ravel(), (rows, self.corners.ravel())), shape=shape).tocsr()
+
+    @staticmethod
+    def build(space: ParameterSpace, theta: ArrayLike, h: ArrayLike) -> ControlNet:
+        """The net of the points (theta, h) (n,), radians and metres, with a still ring at neck and crown.
+
+        Raises ValueError on values that are not finite, fewer than three points, points off the sheet's heights and
+        points
+        at the same place.
+        """
+        theta, h = _checked(space, theta, h)
+        low, high = _heights(space)
+        margin = 0.02 * (high - low)
+        turns = wrap(2 * np.pi * np.arange(_RING) / _RING)
+        # The upper ring is turned by half a step: four points of two rings on one circle would have two Delaunay nets.
+        all_theta = np.concatenate([theta, turns, wrap(turns + np.pi / _RING)])
+        all_h = np.concatenate([h, np.full(_RING, low - margin), np.full(_RING, high + margin)])
+        metric = float(space.cylinder.unroll(space.points[space.on_sheet])[2].mean())
+        triangles, unrolled = _periodic_delaunay(all_theta, all_h, metric)
+        if len(mesh.boundary_edges(triangles)) != 2 * _RING:
+            raise ValueError(
+                f"{len(theta)} control points join each other around both sides of the head; "
+                "expected enough points, all around, that every edge of the net is the only one between its ends"
+            )
+        corners, weights = _around(space, all_theta, all_h, triangles, unrolled, metric)
+        return ControlNet(space, all_theta, all_h, triangles, corners, weights, len(theta))
+
+    def expression(self, values: ArrayLike, /) -> Expression:
+        """The expression that these vectors at the control points give: eq. 2.
+
+        values (own, 3) or, the rings moving too, (n, 3): dtheta (radians), dh (metres), R. Raises ValueError on other
+        shapes, values that are not finite and ratios that are not positive.
+        """
+        given = np.asarray(values, dtype=np.float64)
+        if given.ndim != 2 or given.shape not in ((self.own, 3), (len(self.theta), 3)):
+            raise ValueError(
+                f"values has shape {given.shape}; expected ({self.own}, 3), or ({len(self.theta)}, 3) with the rings"
+            )
+        bad = np.flatnonzero(~np.isfinite(given).all(axis=1) | (given[:, 2] <= 0))
+        if len(bad):
+            raise ValueError(f"values[{bad[0]}] is {given[bad[0]]}; expected finite dtheta and dh and a positive R")
+        still = np.tile([0.0, 0.0, 1.0], (len(self.theta) - len(given), 1))
+        field = np.concatenate([given, still]) - [0.0, 0.0, 1.0]
+        dtheta, dh, over = (self.basis @ field).T
+        inner = np.zeros((len(self.space.inner.vertices), 3))
+        return Expression(dtheta, dh, 1.0 + over, inner, radius=self.space.radius, transfer=self.space.transfer)
+
+    def points_on(self, face: Face, /) -> Values:
+        """Where the artist's control points lie on a face: (own, 3) metres (paper, figure 6: the needles)."""
+        triangles, weights = self._landing()
+        result: Values = (weights[..., None] * fit(self.space, face).positions[triangles]).sum(axis=1)
+        return result
+
+    def drag(self, face: Face, point: int, target: ArrayLike, /) -> tuple[float, float]:
+        """The vector (dtheta, dh) that carries a control point to where target (3,), metres, lies on a face.
+
+        The target is slid onto the face along its cylinder radius. Raises ValueError on a point that is not in the net
+        and on a target that is not finite.
+        """
+        if not 0 <= point < self.own:
+            raise ValueError(f"control point {point} does not exist; expected 0 to {self.own - 1}")
+        goal = mesh.checked_points(np.reshape(target, (1, -1)), name="target")
+        near = self._landing()[0][point, :1].astype(np.int32)
+        landing = slide(self.space, fit(self.space, face).positions.astype(np.float64), goal, near)
+        corners = self.space.location_triangles[landing.triangles[0]]
+        first = self.space.theta[corners[0]]
+        theta = first + landing.weights[0] @ wrap(self.space.theta[corners] - first)
+        dtheta = wrap(np.array(theta - self.theta[point]))
+        return float(dtheta), float(landing.weights[0] @ self.space.h[corners] - self.h[point])
+
+    def _landing(self) -> tuple[Indices, Values]:
+        theta, h = self.theta[: self.own], self.h[: self.own]
+        start = _nearest_vertices(self.space, theta, h)
+        landing = self.space.locate(theta, h, start)
+        return self.space.location_triangles[landing.triangles], landing.weights
+
+
+def _checked(space: ParameterSpace, theta: ArrayLike, h: ArrayLike) -> tuple[Values, Values]:
+    angles, heights = np.asarray(theta, dtype=np.float64), np.asarray(h, dtype=np.float64)
+    if angles.ndim != 1 or angles.shape != heights.shape or len(angles) < 3:
+        raise ValueError(
+            f"theta {angles.shape} and h {heights.shape} of a control net; expected two arrays (n,) with n >= 3"
+        )
+    low, high = _heights(space)
+    bad = np.flatnonzero(~np.isfinite(angles) | ~np.isfinite(heights) | (heights <= low) | (heights >= high))
+    if len(bad):
+        raise ValueError(
+            f"control point {bad[0]} is at theta = {angles[bad[0]]}, h = {heights[bad[0]]}; expected finite values "
+            f"with h between {low:.4g} and {high:.4g}"
+        )
+    angles = wrap(angles)
+    if len(np.unique(np.stack([angles, heights], axis=1).round(9), axis=0)) < len(angles):
+        raise ValueError("two control points are at the same place on S; expected each at its own")
+    return angles, heights
+
+
+def _heights(space: ParameterSpace) -> tuple[float, float]:
+    h = space.h[space.on_sheet]
+    return float(h.min()), float(h.max())
+
+
+def _periodic_delaunay(theta: Values, h: Values, metric: float) -> tuple[Indices, Values]:
+    """The Delaunay triangles of one period, theta scaled to metres, and their unwrapped corner angles (t, 3).
+
+    Three periods are triangulated; a triangle is kept once, where its lowest-numbered corner lies in the middle one.
+    """
+    count = len(theta)
+    shifts = np.repeat([-2 * np.pi, 0.0, 2 * np.pi], count)
+    unrolled = np.tile(theta, 3) + shifts
+    # Four points of a symmetric net often lie on one circle; leaning a little, every period cuts them the same way.
+    leaning = unrolled * metric + _LEAN * np.tile(h, 3)
+    found = Delaunay(np.stack([leaning, np.tile(h, 3)], axis=1)).simplices
+    owner = found % count
+    lowest = np.take_along_axis(found, owner.argmin(axis=1)[:, None], axis=1)[:, 0]
+    kept = found[(lowest >= count) & (lowest < 2 * count)]
+    corners, height = unrolled[kept], np.tile(h, 3)[kept]
+    doubled = (corners[:, 1] - corners[:, 0]) * (height[:, 2] - height[:, 0]) - (corners[:, 2] - corners[:, 0]) * (
+        height[:, 1] - height[:, 0]
+    )
+    kept[doubled < 0] = kept[doubled < 0][:, ::-1]
+    kept = kept[np.abs(doubled) > 1e-12]
+    return np.ascontiguousarray(kept % count, np.int32), unrolled[kept]
+
+
+def _around(
+    space: ParameterSpace, theta: Values, h: Values, triangles: Indices, unrolled: Values, metric: float
+) -> tuple[Indices, Values]:  # fmt: skip
+    """The points around each vertex (V, 3) and its weights (V, 3), from its own side of lids and lips."""
+    strip = Strip.of(unrolled, h[triangles], mesh.neighbours(triangles))
+    sheet = np.flatnonzero(space.on_sheet)
+    landing = strip.locate(space.theta[sheet], space.h[sheet], np.zeros(len(sheet), np.int32))
+    landed, found = landing.triangles.copy(), landing.weights.copy()
+    of_vertices, of_points = sides(space)[:, sheet], sides(space)[:, _nearest_vertices(space, theta, h)]
+    across = np.flatnonzero(apart(of_vertices, of_points[:, triangles[landed]]))
+    middle = unrolled.mean(axis=1, keepdims=True)
+    plane = np.stack([(unrolled - middle + wrap(middle)) * metric, h[triangles]], axis=2)
+    where = np.stack([space.theta[sheet[across]] * metric, space.h[sheet[across]]], axis=1)
+    own = own_side(of_vertices[:, across], of_points, triangles, plane, where)
+    across, where, own = across[own >= 0], where[own >= 0], own[own >= 0]
+    landed[across], found[across] = own, held(_barycentric(plane[own], where))
+    corners = np.zeros((space.vertex_count, 3), np.int32)
+    weights = np.zeros((space.vertex_count, 3))
+    corners[sheet], weights[sheet] = triangles[landed], found
+    return corners, weights
+
+
+def _barycentric(corners: Values, where: Values) -> Values:
+    """The weights (n, 3) of points (n, 2) in triangles with corners (n, 3, 2), beyond their edges too."""
+    sides = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)
+    two = np.linalg.solve(sides, (where - corners[:, 0])[..., None])[..., 0]
+    return np.column_stack([1.0 - two.sum(axis=1), two])
+
+
+def _nearest_vertices(space: ParameterSpace, theta: Values, h: Values) -> Indices:
+    sheet = np.flatnonzero(space.on_sheet)
+    metric = float(space.cylinder.unroll(space.points[sheet])[2].mean())
+    across = wrap(theta[:, None] - space.theta[sheet]) * metric
+    result: Indices = sheet[np.hypot(across, h[:, None] - space.h[sheet]).argmin(axis=1)].astype(np.int32)
+    return result

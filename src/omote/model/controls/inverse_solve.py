@@ -1,0 +1,197 @@
+"""Control points put where a hand let them go, on the face on which it dragged them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from omote.geometry.cylinder import wrap
+from omote.model.transfer.compound import carrier, on_generic, worn
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.transfer.smooth_map import carried
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.paper_map import locate_field
+from omote.model.controls.net_field import Weave
+
+Values = NDArray[np.float64]
+
+CLOSE = 4e-5
+"""Metres within which a solve is content; what people are promised is 5e-5."""
+MOST = 22
+"""Compounds that each way of giving may take."""
+
+# Where skin folds the map to a face jumps, and a target may lie in the gap. Then the points around the dragged ones
+# give way by so much of their change: that moves the gap.
+_GIVING = (0.05, 0.1, 0.2, 0.35)
+# So many steps are Broyden's, those after them so much of a translation; no step is longer, metres; one whose answer is
+# less than this share of it says nothing.
+_QUASI, _SHORTER, _STRIDE, _TELLING = 10, 0.6, 0.03, 1e-3
+_LEAST_RATIO = 0.05
+# No fold holds a point back by so many metres: what still misses by more after so many compounds is out of reach.
+_LOST, _PATIENCE = 0.01, 6
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """Vectors (n, 3) of the whole net, how far the worst dragged point is from its target, metres, and how many
+    compounds it took."""
+
+    vectors: Values
+    miss: float
+    compounds: int
+
+
+def solved(
+    space: ParameterSpace, face: Face, under: Expression, weave: Weave, vectors: ArrayLike, points: Sequence[int],
+    targets: ArrayLike, /,
+) -> Solved:  # fmt: skip
+    """Vectors with which control points `points` (places in the net) lie at targets (m, 3), metres, on a face.
+
+    under: the expression without the net's field; vectors (n, 3): where to start. Only those of the points change, and
+    of their neighbours a little where skin folds and nothing else would do; the miss says how well it went.
+    Raises ValueError on places that are none, other shapes and numbers that are not finite.
+    """
+    start = np.array(vectors, np.float64)
+    weave.field(start)
+    goal, chosen = _checked_targets(weave, points, targets), np.array(points, np.int64)
+    drag = _Drag(space, face, under, weave, start, chosen)
+    return _found(drag, goal)
+
+
+@dataclass(frozen=True, eq=False)
+class _Drag:
+    """What a solve works on; its unknowns are where the generic head's vertices under the points go, (m, 3) metres:
+    there the map to any face is nearly a translation."""
+
+    space: ParameterSpace
+    face: Face
+    under: Expression
+    weave: Weave
+    start: Values
+    chosen: NDArray[np.int64]
+    give: float = 0.0
+
+    @cached_property
+    def rows(self) -> NDArray[np.int64]:
+        """The vertices under the dragged points."""
+        return np.array(self.weave.rows)[self.chosen]
+
+    @cached_property
+    def beneath(self) -> Values:
+        """The field without the net's (V, 3): dtheta, dh, R - 1."""
+        return np.stack([self.under.dtheta, self.under.dh, self.under.ratio - 1.0], axis=1)
+
+    def vectors(self, places: Values) -> Values:
+        """The net's vectors (n, 3) with which the generic head's points go to places (m, 3)."""
+        theta, h, radius = self.space.cylinder.unroll(places)
+        at = self.rows
+        there = np.stack([
+            wrap(theta - self.space.theta[at]), h - self.space.h[at], radius / self._radii,
+        ], axis=1)  # fmt: skip
+        result = self.start.copy()
+        result[self.chosen] = there - self.beneath[at]
+        if self.give:
+            result += self.give * self._around @ (result - self.start)
+        return result
+
+    def places(self) -> Values:
+        """Where the start puts the points on the generic head, (m, 3)."""
+        at = self.rows
+        dtheta, dh, over = (self.beneath[at] + self.start[self.chosen]).T
+        theta, radius = self.space.theta[at] + dtheta, over * self._radii
+        axis = self.space.cylinder
+        return np.stack(
+            [axis.x + radius * np.sin(theta), self.space.h[at] + dh, axis.z + radius * np.cos(theta)], axis=1
+        )
+
+    def worn(self, places: Values) -> Values:
+        """Where the points lie on the face, (m, 3), when they are at places on the generic head."""
+        dtheta, dh, over = (self.beneath + self.weave.field(self.vectors(places))).T
+        ratios = np.maximum(1.0 + over, _LEAST_RATIO)
+        compiled = locate_field(self.space, dtheta, dh, ratios, self.under.residual, {})
+        if self.space.transfer == "paper":
+            return worn(self.space, self.face, compiled)[self.rows].astype(np.float64)
+        return carried(carrier(self.space, self.face), on_generic(self.space, compiled))[self.rows]
+
+    @cached_property
+    def _around(self) -> Values:
+        """How much each point of the net (n, n) goes with the dragged ones that it is joined to: their mean."""
+        count = len(self.weave.rows)
+        joined = np.zeros((len(self.weave.net.theta),) * 2)
+        for one, other in ((0, 1), (1, 2), (2, 0)):
+            ends = self.weave.net.triangles[:, [one, other]]
+            joined[ends[:, 0], ends[:, 1]] = joined[ends[:, 1], ends[:, 0]] = 1.0
+        joined = joined[:count, :count]
+        joined[self.chosen] = 0.0
+        joined[:, np.setdiff1d(np.arange(count), self.chosen)] = 0.0
+        result: Values = joined / np.maximum(joined.sum(axis=1, keepdims=True), 1.0)
+        return result
+
+    @cached_property
+    def _radii(self) -> Values:
+        return self.space.cylinder.unroll(self.space.points[self.rows])[2]
+
+
+def _found(drag: _Drag, goal: Values) -> Solved:
+    """The first way of giving that meets the goal, or the one that comes nearest."""
+    best = _approached(drag, goal)
+    count = best.compounds
+    for give in _GIVING:
+        if not CLOSE < best.miss <= _LOST or not drag._around.any():
+            break
+        found = _approached(replace(drag, give=give), goal)
+        count += found.compounds
+        best = min(best, found, key=lambda one: one.miss)
+    return replace(best, compounds=count)
+
+
+def _approached(drag: _Drag, goal: Values) -> Solved:
+    """Broyden's method (1965) on the places, from the answer of a translation; when that does not end, shorter steps
+    of the translation itself, which a jump of the map does not lead astray. A goal out of reach is soon given up."""
+    places, answer = drag.places(), np.eye(goal.size)
+    lack = (goal - drag.worn(places)).ravel()
+    best, least, count, vain = places, _worst(lack), 1, 0
+    while least > CLOSE and count < MOST and (least <= _LOST or vain < _PATIENCE):
+        quasi = count < _QUASI
+        step = answer @ lack if quasi else _SHORTER * lack
+        step *= min(1.0, _STRIDE / max(_worst(step), 1e-12))
+        places = places + step.reshape(-1, 3)
+        after = (goal - drag.worn(places)).ravel()
+        count += 1
+        if quasi:
+            answer = _updated(answer, step, lack - after)
+        lack, vain = after, vain + 1
+        if _worst(lack) < least:
+            best, least, vain = places, _worst(lack), 0
+    return Solved(drag.vectors(best), least, count)
+
+
+def _updated(answer: Values, step: Values, change: Values) -> Values:
+    """The inverse Jacobian after a step that changed the lack so; as it was where the step says nothing."""
+    along = step @ answer
+    scale = float(along @ change)
+    if abs(scale) < _TELLING * float(step @ step):
+        return answer
+    result: Values = answer + np.outer(step - answer @ change, along) / scale
+    return result
+
+
+def _worst(lack: Values) -> float:
+    return float(np.linalg.norm(lack.reshape(-1, 3), axis=1).max(initial=0.0))
+
+
+def _checked_targets(weave: Weave, points: Sequence[int], targets: ArrayLike) -> Values:
+    for point in points:
+        if isinstance(point, bool) or not 0 <= point < len(weave.rows):
+            raise ValueError(f"control point {point!r} does not exist; expected 0 to {len(weave.rows) - 1}")
+    if len(set(points)) < len(points):
+        raise ValueError(f"control points {list(points)} are dragged; expected each of them once")
+    goal = np.asarray(targets, np.float64)
+    if goal.shape != (len(points), 3) or not np.isfinite(goal).all():
+        raise ValueError(f"targets have shape {goal.shape}; expected finite metres ({len(points)}, 3)")
+    return goal

@@ -1,0 +1,31 @@
+"""Tangents: how a face answers to a small field, so that pages can show a drag before it is let go."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.transfer.compound import carrier
+from omote.model.space.face import Face
+from omote.model.space.parameter_space import ParameterSpace
+
+Values = NDArray[np.float64]
+
+
+def generic_tangents(space: ParameterSpace, /) -> Values:
+    """Where the generic head's vertices go, (3, V, 3): metres per radian of dtheta, per metre of dh, per unit of R - 1;
+    zero off the sheet. Its points keep their cylinder coordinates, so these are exact."""
+    away = space.points - [space.cylinder.x, 0.0, space.cylinder.z]
+    flat = np.zeros(space.vertex_count)
+    turning = np.stack([away[:, 2], flat, -away[:, 0]], axis=1)
+    rising = np.stack([flat, flat + 1.0, flat], axis=1)
+    swelling = np.stack([away[:, 0], flat, away[:, 2]], axis=1)
+    result: Values = np.stack([turning, rising, swelling]) * space.on_sheet[:, None]
+    return result
+
+
+def tangents(space: ParameterSpace, face: Face, /) -> Values:
+    """How each vertex of a face's sheet answers to the field there, (3, V, 3): metres per radian of dtheta, metre of dh
+    and unit of R - 1; ValueError where the face does not belong to the space."""
+    ready = carrier(space, face)
+    return generic_tangents(space) * ready.growth[:, None]

@@ -1,0 +1,187 @@
+"""What a recipe adds up to: ground, layers, muscles and control points, as one expression."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.geometry import mesh
+from omote.model.space.expression import Expression
+from omote.model.controls.mirror import mirrored
+from omote.model.controls.face_muscles import muscle_fields
+from omote.model.recipes.recipe import KEY, Layer, Recipe
+from omote.model.sculpting.regions import REGIONS, Region, region_weights
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.paper_map import compile_expression
+from omote.model.controls.net_field import Weave, woven
+
+Values = NDArray[np.float64]
+
+HEAVIEST = 4.0
+"""A layer's weight, and a muscle's contraction, at most, either way."""
+
+
+@dataclass
+class _Sum:
+    """What is added up: field (V, 3) of dtheta, dh and R - 1, residual (inner, 3), parts, eyes (2, 2), pupil."""
+
+    field: Values
+    residual: Values
+    parts: dict[str, Values]
+    eyes: Values
+    pupil: float = 0.0
+
+
+def composed(
+    space: ParameterSpace, recipe: Recipe, sources: Mapping[str, Expression], /, weave: Weave | None = None
+) -> Expression:  # fmt: skip
+    """The expression that a recipe stands for: fields add as dtheta, dh and R - 1, and so do residuals, parts, eyes and
+    pupils.
+
+    sources: the expressions that it names; weave: of its net, where it is known. Raises ValueError on what it names and
+    nobody knows, numbers that are not finite, weights beyond HEAVIEST and radii that are not positive.
+    """
+    total = _nothing(space)
+    if recipe.ground is not None:
+        _add(space, total, _found(space, sources, recipe.ground), Layer(recipe.ground, ""))
+    for layer in recipe.layers:
+        expression = _found(space, sources, layer.source)
+        _add(space, total, mirrored(space, expression) if layer.mirrored else expression, layer)
+    for pull in recipe.pulls:
+        total.field += _amount(pull.contraction, f"contraction of muscle {pull.muscle!r}") * pulled(space, pull.muscle)
+    total.field += (weave or woven(space, recipe.net)).field(recipe.vectors)
+    eyes = mesh.checked_numbers(recipe.eyes, name="eyes of a recipe")
+    total.eyes += eyes.reshape(2, 2)
+    total.pupil += recipe.pupil
+    return _expression(space, total)
+
+
+def pulled(space: ParameterSpace, name: str, /) -> Values:
+    """The field (V, 3) of a muscle at full contraction; ValueError on a name that is none."""
+    fields = muscle_fields(space)
+    if name not in fields:
+        raise ValueError(f"there is no muscle {name!r}; expected one of {', '.join(fields) or 'none on this head'}")
+    return fields[name]
+
+
+def shifted(
+    space: ParameterSpace, ground: Expression | None, field: Values, /
+) -> Expression:  # fmt: skip
+    """A ground (None: at rest) with a field (V, 3) of dtheta, dh and R - 1 added; ValueError on radii that are not
+    positive."""
+    total = _nothing(space)
+    if ground is not None:
+        _add(space, total, ground, Layer("", ""))
+    total.field += field
+    return _expression(space, total)
+
+
+def _nothing(space: ParameterSpace) -> _Sum:
+    still = np.zeros((len(space.inner.vertices), 3))
+    return _Sum(np.zeros((space.vertex_count, 3)), still, {}, np.zeros((2, 2)))
+
+
+def _found(space: ParameterSpace, sources: Mapping[str, Expression], name: str) -> Expression:
+    if name not in sources:
+        what = "own content" if name.startswith(KEY) else "expression of the cast"
+        raise ValueError(f"a recipe names {name!r}; there is no such {what}: choose another layer")
+    compile_expression(space, sources[name], 0.0)
+    return sources[name]
+
+
+def _amount(number: float, what: str) -> float:
+    if isinstance(number, bool) or not isinstance(number, int | float) or not abs(number) <= HEAVIEST:
+        raise ValueError(f"{what} is {number!r}; expected a number from {-HEAVIEST:g} to {HEAVIEST:g}")
+    return float(number)
+
+
+def _add(space: ParameterSpace, total: _Sum, expression: Expression, layer: Layer) -> None:
+    weight = _amount(layer.weight, f"weight of layer {layer.label or layer.source!r}")
+    mask = _mask(space, layer.region)
+    field = np.stack([expression.dtheta, expression.dh, expression.ratio - 1.0], axis=1)
+    total.field += weight * mask.skin[:, None] * field
+    total.residual += weight * mask.skin[space.inner.vertices, None] * expression.residual
+    for name, rest in expression.parts.items():
+        total.parts[name] = total.parts.get(name, 0.0) + weight * mask.parts[name][:, None] * rest
+    total.eyes += weight * mask.eyes[:, None] * expression.eyes
+    total.pupil += weight * float(mask.eyes.mean()) * expression.pupil
+
+
+@dataclass(frozen=True, eq=False)
+class _Mask:
+    """How much of everything a layer moves: skin (V,), parts (n,) by name, the eyeballs' turn (2,)."""
+
+    skin: Values
+    parts: Mapping[str, Values]
+    eyes: Values
+
+
+_masks: WeakKeyDictionary[ParameterSpace, dict[str | None, _Mask]] = WeakKeyDictionary()
+
+
+def _mask(space: ParameterSpace, region: str | None) -> _Mask:
+    """The mask of a region, None for everything, made once."""
+    known = _masks.setdefault(space, {})
+    if region not in known:
+        known[region] = _made(space, region)
+    return known[region]
+
+
+def _made(space: ParameterSpace, region: str | None) -> _Mask:
+    if region is None:
+        whole = {name: np.ones(len(part.points)) for name, part in space.parts.items()}
+        return _Mask(np.ones(space.vertex_count), whole, np.ones(2))
+    if region not in REGIONS:
+        raise ValueError(f"there is no region {region!r}; expected one of {', '.join(REGIONS)}")
+    return _regional(space, region)
+
+
+def _regional(space: ParameterSpace, region: Region) -> _Mask:
+    """Parts by where they lie; eyeballs and their turn belong to the eyes alone, who looks half-way looks nowhere."""
+    eyes = 1.0 if region == "eyes" else 0.0
+    parts = {
+        name: np.full(len(part.points), eyes) if part.eye else region_weights(space, part.points)[region]
+        for name, part in space.parts.items()
+    }
+    return _Mask(region_weights(space)[region], parts, np.full(2, eyes))
+
+
+def _expression(space: ParameterSpace, total: _Sum) -> Expression:
+    sheet = space.on_sheet[:, None]
+    dtheta, dh, over = np.where(sheet, total.field, 0.0).T
+    low = int(over.argmin())
+    if not over[low] > -1.0:
+        raise ValueError(
+            f"this sum brings the radius at vertex {low} to {1.0 + over[low]:.3g} of itself; expected a positive one: "
+            "give layers and muscles less weight, or pull the points there less deep"
+        )
+    return Expression(
+        dtheta, dh, 1.0 + over, total.residual, total.parts, total.eyes, space.radius, space.transfer, total.pupil
+    )
+
+
+def renetted(
+    space: ParameterSpace, recipe: Recipe, ground: Expression | None, net: Sequence[int], /
+) -> tuple[Recipe, Weave, Expression | None]:  # fmt: skip
+    """The same expression under another net: the recipe, whose ground the caller names, its weave, and that ground.
+
+    The new points carry the old control field where they stand; what the new net cannot say of it goes into the ground
+    (None: there is still none), so that nothing moves. ValueError as `woven`.
+    """
+    before = woven(space, recipe.net).field(recipe.vectors)
+    weave = woven(space, net)
+    vectors = before[list(weave.rows)] + [0.0, 0.0, 1.0]
+    left = before - weave.field(vectors)
+    rows = tuple((float(a), float(b), float(c)) for a, b, c in vectors)
+    woven_anew = _with(recipe, weave.rows, rows)
+    if not np.abs(left).max(initial=0.0) > 1e-12:
+        return woven_anew, weave, ground
+    return woven_anew, weave, shifted(space, ground, left)
+
+
+def _with(recipe: Recipe, net: tuple[int, ...], vectors: tuple[tuple[float, float, float], ...]) -> Recipe:
+    return Recipe(net, vectors, recipe.ground, recipe.layers, recipe.pulls, recipe.eyes, recipe.pupil)

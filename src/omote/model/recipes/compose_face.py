@@ -1,0 +1,157 @@
+"""What a face's recipe makes: a mix of faces, regions of others, caricature, handles; and the look with it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.cast import TRAITS, Look
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.recipes.face_handles import dragged
+from omote.model.recipes.recipe import FaceRecipe
+from omote.model.sculpting.regions import REGIONS, Region, caricature, regional
+from omote.model.space.parameter_space import ParameterSpace
+
+Values = NDArray[np.float64]
+
+MOST_AMOUNT = 3.0
+"""Of caricature."""
+_SUM = 1e-3  # How far weights of faces may be from summing to one: what is on air was rounded on its way.
+
+# What of a look lies in which region; the rest goes with the mix.
+_OF_REGIONS: Mapping[Region, tuple[str, ...]] = {
+    "brows": ("brow", "brows"),
+    "eyes": ("iris", "iris_size", "slit", "lashes", "makeup"),
+    "cheeks": ("blush", "freckles"),
+    "mouth": ("lip", "gloss"),
+    "jaw": ("stubble",),
+    "skull": ("hair", "hair_style", "scalp"),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Dressed:
+    """A face and its look."""
+
+    face: Face
+    look: Look
+
+
+def composed_face(
+    space: ParameterSpace, name: str, recipe: FaceRecipe, sources: Mapping[str, Dressed], /
+) -> Dressed:  # fmt: skip
+    """The face that a recipe stands for, under a name: base, then regions, then caricature, then handles.
+
+    sources: the faces that it names. Raises ValueError on faces, regions and handles that nobody knows, weights that do
+    not sum to one, and what makes no face of this space.
+    """
+    shares = _shares(recipe, sources)
+    chosen = {_region(region): _found(sources, source) for region, source in recipe.regions.items()}
+    face = mixed(space, name, [(sources[source].face, share) for source, share in shares.items()])
+    if chosen:
+        face = regional(space, name, {region: one.face for region, one in chosen.items()}, rest=face)
+    if not 0.0 <= recipe.amount <= MOST_AMOUNT:
+        raise ValueError(
+            f"the amount of caricature is {recipe.amount!r}; expected a number from 0 (the generic face) to "
+            f"{MOST_AMOUNT:g}, 1 for none"
+        )
+    if recipe.amount != 1.0:
+        face = caricature(space, face, recipe.amount)
+    if len(recipe.points) or len(recipe.moves):
+        face = dragged(space, face, name, rows=recipe.points, moves=recipe.moves)
+    look = mixed_look([(sources[source].look, share) for source, share in shares.items()])
+    worn = {trait: getattr(one.look, trait) for region, one in chosen.items() for trait in _OF_REGIONS.get(region, ())}
+    return Dressed(Face(name, face.positions, face.parts), Look(**{**vars(look), **worn}))
+
+
+def mixed(space: ParameterSpace, name: str, faces: Sequence[tuple[Face, float]], /) -> Face:
+    """The mix of faces by shares that sum to one, skin and parts, named `name`."""
+    skin = np.zeros(space.points.shape)
+    parts = {part: np.zeros(one.points.shape) for part, one in space.parts.items()}
+    for face, share in faces:
+        fitted = fit(space, face)
+        skin += share * fitted.positions.astype(np.float64)
+        for part, points in parts.items():
+            points += share * fitted.parts[part].astype(np.float64)
+    return Face(name, skin, parts)
+
+
+def mixed_look(looks: Sequence[tuple[Look, float]], /) -> Look:
+    """The mix of looks by shares that sum to one: colours in linear light, as the stage mixes them.
+
+    Hair is one style, whole, on the scalp that goes with it: a mixed hairline would fit none. It is that of the largest
+    share (of styles worn by several, all their shares) where half of the mix or more wear any; its colour is mixed from
+    all who wear hair.
+    """
+    style = _style(looks)
+    wearers = _scaled([(look, share) for look, share in looks if look.hair_style == style])
+    haired = _scaled([(look, share) for look, share in looks if look.hair_style]) or looks
+    found: dict[str, str | float] = {"hair_style": style}
+    for trait in (field.name for field in fields(Look) if field.name != "hair_style"):
+        those = wearers if trait == "scalp" else haired if trait == "hair" else looks
+        worn = [(getattr(look, trait), share) for look, share in those]
+        if trait in TRAITS:
+            low, high = TRAITS[trait]
+            found[trait] = min(max(sum(float(value) * share for value, share in worn), low), high)
+        else:
+            found[trait] = _colour(worn)
+    return Look(**found)  # type: ignore[arg-type]
+
+
+def _style(looks: Sequence[tuple[Look, float]]) -> str:
+    """The hair style of a mix, "" for none."""
+    shares: dict[str, float] = {}
+    for look, share in looks:
+        shares[look.hair_style] = shares.get(look.hair_style, 0.0) + share
+    if shares.pop("", 0.0) > sum(shares.values()):
+        return ""
+    return max(shares, key=lambda style: shares[style])
+
+
+def _scaled(looks: Sequence[tuple[Look, float]]) -> list[tuple[Look, float]]:
+    """The same looks, their shares scaled to sum to one."""
+    total = sum(share for _, share in looks)
+    return [(look, share / total) for look, share in looks if share > 0.0]
+
+
+def _colour(worn: list[tuple[str, float]]) -> str:
+    linear = sum((share * _linear(colour) for colour, share in worn), np.zeros(3))
+    coded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 0.0) ** (1 / 2.4) - 0.055)
+    return "#" + "".join(f"{int(byte):02x}" for byte in np.clip(np.rint(255 * coded), 0, 255))
+
+
+def _linear(colour: str) -> Values:
+    """The linear light of "#rrggbb" (IEC 61966-2-1): (3,), 0 to 1."""
+    coded = np.frombuffer(bytes.fromhex(colour[1:]), np.uint8) / 255
+    result: Values = np.where(coded <= 0.04045, coded / 12.92, ((coded + 0.055) / 1.055) ** 2.4)
+    return result
+
+
+def _shares(recipe: FaceRecipe, sources: Mapping[str, Dressed]) -> dict[str, float]:
+    if not recipe.base:
+        raise ValueError("the base of this face is empty; expected at least one face, such as generic by 1")
+    for source, weight in recipe.base.items():
+        _found(sources, source)
+        if not 0.0 <= weight <= 1.0:
+            raise ValueError(f"face {source!r} has weight {weight!r} in the base; expected a number from 0 to 1")
+    total = sum(recipe.base.values())
+    if abs(total - 1.0) > _SUM:
+        raise ValueError(f"the weights of the base sum to {total:.4g}; expected 1: scale them")
+    return {source: weight / total for source, weight in recipe.base.items() if weight}
+
+
+def _found(sources: Mapping[str, Dressed], source: str) -> Dressed:
+    if source not in sources:
+        raise ValueError(f"there is no face {source!r}; expected one of {', '.join(sources) or 'none'}")
+    return sources[source]
+
+
+def _region(name: str) -> Region:
+    for region in REGIONS:
+        if region == name:
+            return region
+    raise ValueError(f"there is no region {name!r}; expected some of {', '.join(REGIONS)}")

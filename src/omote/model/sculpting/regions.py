@@ -1,0 +1,190 @@
+"""Regions of the face, for mixes of faces part by part, and caricature; both are smooth over the skin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.distance import cdist
+
+from omote.geometry import mesh
+from omote.model.space.face import Face
+from omote.model.space.face_fit import Fitted, fit
+from omote.model.sculpting.extrapolation import grown, unfolded
+from omote.model.space.similarity import Similarity, similarity
+from omote.model.space.eye_socket import heights, radius_of, seated
+from omote.model.space.parameter_space import ParameterSpace
+
+Values = NDArray[np.float64]
+Region = Literal["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "ears", "skull"]
+REGIONS: tuple[Region, ...] = get_args(Region)
+_NOWHERE = np.zeros((1, 3))
+
+# What a caricature enlarges are the turns and stretches that a bell of this width leaves, in distances between the
+# eyes.
+_BELL = 0.3
+
+
+@dataclass(frozen=True)
+class _Spot:
+    """Where a region lies on the generic head: its middle and its half-widths."""
+
+    region: Region
+    middle: tuple[float, float, float]
+    widths: tuple[float, float, float]
+
+
+# In distances between the eyes, from the point midway between them; x counts on both sides.
+_SPOTS = (
+    _Spot("brows", (0.45, 0.40, 0.30), (0.55, 0.20, 0.45)),
+    _Spot("eyes", (0.50, 0.00, 0.15), (0.32, 0.20, 0.40)),
+    _Spot("nose", (0.00, -0.42, 0.50), (0.24, 0.42, 0.45)),
+    _Spot("cheeks", (0.80, -0.65, 0.00), (0.30, 0.40, 0.50)),
+    _Spot("mouth", (0.00, -1.10, 0.35), (0.50, 0.25, 0.50)),
+    _Spot("jaw", (0.35, -1.60, 0.10), (0.70, 0.35, 0.80)),
+    _Spot("ears", (1.30, -0.20, -1.35), (0.25, 0.75, 0.55)),
+    _Spot("skull", (0.00, 1.20, -1.10), (1.20, 0.80, 1.40)),
+    _Spot("skull", (0.00, -0.40, -2.00), (1.00, 1.60, 0.90)),
+)
+
+
+def region_weights(space: ParameterSpace, where: Values | None = None, /) -> dict[Region, Values]:
+    """How much each region owns of each point, (n,) from 0 to 1, summing to one; without points: of the skin (V, 3).
+
+    A soft choice of the nearest spot (Gaussian falloff), so it changes smoothly over the skin and through space. Raises
+    ValueError where the space has no two eyeballs to measure the head by.
+    """
+    points = space.points if where is None else where
+    middle, unit = eye_frame(space)
+    local = (points - middle) / unit
+    local[:, 0] = np.abs(local[:, 0])
+    nearness = np.stack([-(((local - spot.middle) / spot.widths) ** 2).sum(axis=1) for spot in _SPOTS])
+    share = np.exp(nearness - nearness.max(axis=0))
+    share /= share.sum(axis=0)
+    found: dict[Region, Values] = {region: np.zeros(len(points)) for region in REGIONS}
+    for spot, row in zip(_SPOTS, share, strict=True):
+        found[spot.region] = found[spot.region] + row
+    return found
+
+
+def regional(
+    space: ParameterSpace, name: str, faces: Mapping[Region, Face], /, *, rest: Face | None = None
+) -> Face:  # fmt: skip
+    """A face with each region from another face, smooth at the borders; regions that are not named come from `rest`
+    (without it from the generic face). Each face is first turned, scaled and moved so that its borders lie on those of
+    the rest (of the face around the skull, where every region is named), so faces of all sizes mix. One face everywhere
+    gives that face. ValueError on a region that is none."""
+    strange = [region for region in faces if region not in REGIONS]
+    if strange:
+        raise ValueError(f"there is no region {strange[0]!r}; expected some of {', '.join(REGIONS)}")
+    generic = rest or Face("generic", space.points, {name: part.points for name, part in space.parts.items()})
+    chosen = {region: fit(space, faces.get(region, generic)) for region in REGIONS}
+    whole = fit(space, generic) if len(faces) < len(REGIONS) else chosen["skull"]
+    laid = _laid(space, chosen, whole)
+    weights = region_weights(space)
+    skin = sum((weights[region][:, None] * laid[region](face.positions) for region, face in chosen.items()), _NOWHERE)
+    parts = {}
+    for part in space.parts.values():
+        # An eyeball is round: one weight for all of it, that of the skin that places it; the others bend like the skin.
+        shares = region_weights(space, part.points)
+        if part.eye:
+            shares = {region: np.full(len(part.points), weights[region][part.ring].mean()) for region in REGIONS}
+        rows = (shares[region][:, None] * laid[region](face.parts[part.name]) for region, face in chosen.items())
+        parts[part.name] = sum(rows, _NOWHERE)
+    wanted = {}
+    for eye in _eyes(space):
+        over = ((weights[region], _heights(face, eye)) for region, face in chosen.items())
+        wanted[eye] = sum((weight * height for weight, height in over), np.zeros(1))
+    return _checked(space, name, skin, parts, wanted)
+
+
+def _laid(space: ParameterSpace, chosen: Mapping[Region, Fitted], whole: Fitted) -> dict[Region, Similarity]:
+    """How each region's face is laid on the whole one: by the border of all regions that the face gives."""
+    weights, area = region_weights(space), _areas(space)
+    found: dict[Region, Similarity] = {}
+    for region, face in chosen.items():
+        own = sum((weights[other] for other in REGIONS if chosen[other] is face), np.zeros(1))
+        found[region] = similarity(face.positions, whole.positions, area * own * (1.0 - own))
+    return found
+
+
+def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
+    """What distinguishes a face from the generic one, times amount: 0 the generic face, 1 the face, 2 twice itself.
+
+    Up to one it is the linear mix; beyond, only the smooth form grows, by its turns and stretches, so that wrinkles and
+    lids stay what they are and nothing folds. It is named after face and amount ("kaori_150"). Raises ValueError on an
+    amount that is not finite or that tears the face.
+    """
+    if not np.isfinite(amount):
+        raise ValueError(f"a caricature's amount is {amount!r}; expected a finite number such as 1.5")
+    fitted = fit(space, face)
+    within, beyond = min(amount, 1.0), max(amount - 1.0, 0.0)
+    name = f"{face.name}_{100 * amount:.0f}"
+    skin = space.points + within * (fitted.positions - space.points)
+    parts = {name: part.points + within * (fitted.parts[name] - part.points) for name, part in space.parts.items()}
+    if beyond == 0.0:
+        return _checked(space, name, skin, parts, {})
+    further = grown(space.points, skin, space.triangles, beyond, _BELL * eye_frame(space)[1])
+    for part in space.parts.values():
+        moves = _bell(space, further - skin, part.points)
+        parts[part.name] = _ball(parts[part.name], moves, part.points, beyond) if part.eye else parts[part.name] + moves
+    eyes = _eyes(space)
+    lidded = seated(further, {eye: parts[eye] for eye in eyes}, {eye: _heights(fitted, eye) for eye in eyes})
+    return _checked(space, name, unfolded(skin, lidded, space.skin_triangles), parts, {})
+
+
+def _ball(ball: Values, moves: Values, generic: Values, beyond: float) -> Values:
+    """An eyeball (n, 3) that goes with its surroundings and grows once more as it did from the generic one."""
+    size = (radius_of(ball) / radius_of(generic)) ** beyond
+    middle = ball.mean(axis=0)
+    result: Values = middle + moves.mean(axis=0) + size * (ball - middle)
+    return result
+
+
+def _bell(space: ParameterSpace, difference: Values, where: Values) -> Values:
+    """The sheet's difference (V, 3), each point's the mean under a bell around it."""
+    width = _BELL * eye_frame(space)[1]
+    sheet = np.unique(space.skin_triangles)
+    square = cdist(where, space.points[sheet], "sqeuclidean") / (2.0 * width * width)
+    bell = _areas(space)[sheet] * np.exp(square.min(axis=1, keepdims=True) - square)
+    result: Values = bell @ difference[sheet] / bell.sum(axis=1, keepdims=True)
+    return result
+
+
+def _areas(space: ParameterSpace) -> Values:
+    """Area of the sheet's triangles around each vertex (V,), square metres, three times."""
+    area = np.zeros(space.vertex_count)
+    for corner in range(3):
+        np.add.at(area, space.skin_triangles[:, corner], mesh.areas(space.points, space.skin_triangles))
+    return area
+
+
+def eye_frame(space: ParameterSpace) -> tuple[Values, float]:
+    """The point midway between the eyes (3,) and their distance, metres, on the generic face; ValueError where
+    it has no two eyeballs."""
+    eyes = [part.points.mean(axis=0) for part in space.parts.values() if part.eye]
+    if len(eyes) != 2:
+        raise ValueError(
+            f"the space has {len(eyes)} eyeballs; expected two, by which the regions of the head are measured"
+        )
+    return (eyes[0] + eyes[1]) / 2, float(np.linalg.norm(eyes[0] - eyes[1]))
+
+
+def _eyes(space: ParameterSpace) -> list[str]:
+    return [name for name, part in space.parts.items() if part.eye]
+
+
+def _heights(fitted: Fitted, eye: str) -> Values:
+    return heights(fitted.positions, fitted.parts[eye])
+
+
+def _checked(
+    space: ParameterSpace, name: str, skin: Values, parts: dict[str, Values], wanted: Mapping[str, Values]
+) -> Face:  # fmt: skip
+    """The face, fitted, its lids at the wanted heights over its eyeballs."""
+    face = Face(name, seated(skin, {eye: parts[eye] for eye in wanted}, wanted), parts)
+    fit(space, face)
+    return face

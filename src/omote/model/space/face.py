@@ -1,0 +1,66 @@
+"""Faces: global deformation data (paper, section 2.1)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from omote.geometry import mesh
+from omote.model.space.parts import similarity
+
+LONGEST_NAME = 80
+"""Characters; what a message of a console may hold (`show/messages.py`)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Face:
+    """One shape with the topology of the generic face.
+
+    positions (V, 3) metres, skin and inner skin, kept as float32; parts: positions (n, 3) by part name, where the face
+    knows better than the bindings. Raises ValueError on other shapes and on values that are not finite; that it fits a
+    space is checked where it is used.
+    """
+
+    name: str
+    positions: NDArray[np.floating]
+    parts: Mapping[str, NDArray[np.floating]] = field(default_factory=lambda: MappingProxyType({}))
+
+    def __post_init__(self) -> None:
+        refuse_name(self.name, "a face")
+        if not isinstance(self.parts, Mapping):
+            raise TypeError(
+                f"parts of face {self.name!r} are a {type(self.parts).__name__}; expected a mapping by part name"
+            )
+        object.__setattr__(self, "positions", _frozen(self.positions, f"positions of face {self.name!r}"))
+        parts = {part: _frozen(points, f"part {part!r} of face {self.name!r}") for part, points in self.parts.items()}
+        object.__setattr__(self, "parts", MappingProxyType(parts))
+
+
+def refuse_name(name: object, what: str, /) -> None:
+    """Raises ValueError on a name that nobody could call on the wire, where names are keys, or read on a console."""
+    if not isinstance(name, str) or not 1 <= len(name) <= LONGEST_NAME or not name.isprintable():
+        shown = repr(name)
+        raise ValueError(
+            f"{what} is named {shown[:LONGEST_NAME]}; expected a text of 1 to {LONGEST_NAME} printable characters"
+        )
+
+
+def _frozen(points: ArrayLike, name: str) -> NDArray[np.float32]:
+    result = np.ascontiguousarray(mesh.checked_points(points, name=name), dtype=np.float32)
+    result.setflags(write=False)
+    return result
+
+
+def aligned(
+    points: NDArray[np.float64], generic: NDArray[np.float64], /, *, rows: NDArray[np.int32]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Rotation (3, 3) and shift (3,) that bring a face nearest to the generic one, size kept (method.md, section 3).
+
+    points, generic (V, 3); rows: the vertices that decide (the sheet's). Apply as `points @ rotation.T + shift`.
+    """
+    _, rotation, _ = similarity(points[rows], generic[rows])
+    return rotation, generic[rows].mean(axis=0) - rotation @ points[rows].mean(axis=0)

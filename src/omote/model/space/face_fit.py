@@ -1,0 +1,93 @@
+"""A face checked against a space, with what every compound on it needs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.space.face import Face
+from omote.model.space.parts import place, size_ratio
+from omote.model.space.skin_sheet import refuse_axis_outside, refuse_degenerate
+from omote.model.space.parameter_space import ParameterSpace, smoothed_scale
+
+Floats = NDArray[np.float32]
+
+
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """A face checked against a space, with what every compound on it needs.
+
+    positions (V, 3), radii (V,) to the axis, scale (inner,) of the residuals; parts (n, 3) placed, their size ratios
+    and centres.
+    """
+
+    positions: Floats
+    radii: Floats
+    scale: Floats
+    parts: Mapping[str, Floats]
+    sizes: Mapping[str, float]
+    centres: Mapping[str, NDArray[np.float64]]
+
+    def ball_radius(self, eye: str) -> float:
+        """The radius of an eyeball by its part's name, metres: the mean distance of its vertices to their centre."""
+        return float(np.linalg.norm(self.parts[eye] - self.centres[eye], axis=1).mean())
+
+
+_fitted: WeakKeyDictionary[Face, tuple[ParameterSpace, Fitted]] = WeakKeyDictionary()
+
+
+def fit(space: ParameterSpace, face: Face, /) -> Fitted:
+    """The face ready for compounds, remembered as long as the face lives.
+
+    Raises ValueError where the face has another topology, triangles without area, or does not stand around the axis;
+    TypeError where it is none.
+    """
+    if not isinstance(face, Face):
+        raise TypeError(f"the face is a {type(face).__name__}; expected an omote.Face, such as cast.faces['generic']")
+    known = _fitted.get(face)
+    if known is None or known[0] is not space:
+        known = (space, _fit(space, face))
+        _fitted[face] = known
+    return known[1]
+
+
+def _fit(space: ParameterSpace, face: Face) -> Fitted:
+    _refuse_misfit(space, face)
+    points = face.positions.astype(np.float64)
+    parts = {
+        name: np.asarray(face.parts.get(name, place(part, space.points, points)), np.float32)
+        for name, part in space.parts.items()
+    }
+    _, _, radii = space.cylinder.unroll(points)
+    return Fitted(
+        positions=np.asarray(face.positions, np.float32),
+        radii=radii.astype(np.float32),
+        scale=smoothed_scale(space, points)[space.inner.vertices].astype(np.float32),
+        parts=MappingProxyType(parts),
+        sizes=MappingProxyType(
+            {name: size_ratio(part, parts[name].astype(np.float64)) for name, part in space.parts.items()}
+        ),
+        centres=MappingProxyType({name: points.astype(np.float64).mean(axis=0) for name, points in parts.items()}),
+    )
+
+
+def _refuse_misfit(space: ParameterSpace, face: Face) -> None:
+    if len(face.positions) != space.vertex_count:
+        raise ValueError(
+            f"face {face.name!r} has {len(face.positions)} vertices; "
+            f"expected the {space.vertex_count} of the generic face: bring it to the same topology first"
+        )
+    for name, points in face.parts.items():
+        if name not in space.parts or len(points) != len(space.parts[name].points):
+            known = {part: len(space.parts[part].points) for part in space.parts}
+            raise ValueError(
+                f"face {face.name!r} has a part {name!r} of {len(points)} vertices; expected parts of {known}"
+            )
+    positions = face.positions.astype(np.float64)
+    refuse_degenerate(positions, space.triangles)
+    refuse_axis_outside(positions, space.location_triangles, space.cylinder)

@@ -1,0 +1,236 @@
+"""The parameter space S: the generic face unrolled (method.md, section 2; paper, section 2.1)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from types import MappingProxyType
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from omote.geometry import mesh
+from omote.geometry.cylinder import Cylinder
+from omote.geometry.laplacian import harmonic_weights, smoothing
+from omote.geometry.locate import Landing, Strip
+from omote.model.space import skin_sheet as sheet
+from omote.model.space.lid_lip_lines import Kind, Line, find_line
+from omote.model.space.parts import Part
+
+Radius = Literal["origin", "surface"]
+RADIUS_RULES: tuple[Radius, ...] = ("origin", "surface")
+Transfer = Literal["smooth", "paper"]
+TRANSFERS: tuple[Transfer, ...] = ("smooth", "paper")
+
+# More anchors than this along the sheet's boundary add nothing to the inner skin and make large heads slow to set up.
+_MOST_ANCHORS = 400
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class InnerSkin:
+    """The vertices that are not on the sheet and how they follow it: vertices (n,), anchors (n, k) on the sheet,
+    weights (n, k)."""
+
+    vertices: NDArray[np.int32]
+    anchors: NDArray[np.int32]
+    weights: NDArray[np.float32]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fans:
+    """The location triangles around each vertex: those of vertex v are triangles[starts[v]:starts[v + 1]]."""
+
+    starts: NDArray[np.int32]
+    triangles: NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class ParameterSpace:
+    """The generic face, its cylinder and the one-layered sheet on which expressions live; made by `build`.
+
+    points (V, 3) metres and triangles (F, 3) of the generic face; skin_triangles: the sheet; membranes: triangles
+    over its holes, for location only; theta, h (V,) radians and metres; radius: which rule gives a moved point its
+    radius; transfer: which map carries expressions to other faces; lines: where lids and lips meet.
+    """
+
+    points: NDArray[np.float64]
+    triangles: NDArray[np.int32]
+    skin_triangles: NDArray[np.int32]
+    membranes: NDArray[np.int32]
+    cylinder: Cylinder
+    radius: Radius
+    theta: NDArray[np.float64]
+    h: NDArray[np.float64]
+    strip: Strip
+    fans: Fans
+    inner: InnerSkin
+    on_sheet: NDArray[np.bool_]
+    parts: Mapping[str, Part] = field(default_factory=lambda: MappingProxyType({}))
+    transfer: Transfer = "smooth"
+    lines: tuple[Line, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name in ("points", "triangles", "skin_triangles", "membranes", "theta", "h", "on_sheet"):
+            view = getattr(self, name).view()
+            view.setflags(write=False)
+            object.__setattr__(self, name, view)
+
+    @staticmethod
+    def build(
+        points: ArrayLike, triangles: ArrayLike, radius: Radius = "origin", *,
+        axis: tuple[float, float] | None = None, transfer: Transfer = "smooth",
+    ) -> ParameterSpace:  # fmt: skip
+        """The parameter space of any head, y up, +z forward: axis, skin sheet and membranes are found here.
+
+        points (V, 3) metres, triangles (F, 3) counter-clockwise from outside, axis (x, z) where it is known. Raises
+        ValueError on arrays that are no mesh, on triangles without area, on an axis outside the head and where no sheet
+        is found (method.md, section 2).
+        """
+        _refuse_unknown(radius, RADIUS_RULES, "radius")
+        _refuse_unknown(transfer, TRANSFERS, "transfer")
+        checked = mesh.checked_points(points)
+        faces = mesh.checked_triangles(triangles, len(checked))
+        sheet.refuse_degenerate(checked, faces)
+        joined = mesh.weld(checked)
+        cylinder = _cylinder(sheet.find_axis(checked, faces) if axis is None else axis)
+        theta, h, _ = cylinder.unroll(checked)
+        skin, membranes = sheet.cut(checked, joined[faces], theta, h, cylinder)
+        corners = np.concatenate([joined[faces[skin]], membranes])
+        sheet.refuse_axis_outside(checked, corners, cylinder)
+        strip = Strip.of(sheet.unwrapped(theta, corners), h[corners], mesh.neighbours(corners))
+        on_sheet = np.isin(joined, corners)
+        return ParameterSpace(
+            points=checked, triangles=faces, skin_triangles=faces[skin], membranes=membranes, cylinder=cylinder,
+            radius=radius, transfer=transfer, theta=theta, h=h, strip=strip, fans=_fans(corners, joined),
+            inner=_inner_skin(checked, faces, on_sheet), on_sheet=on_sheet,
+        )  # fmt: skip
+
+    @property
+    def rules(self) -> tuple[Radius, Transfer]:
+        """The rules under which fields on this space are taken and applied."""
+        return self.radius, self.transfer
+
+    @property
+    def vertex_count(self) -> int:
+        """Vertices of the skin, V."""
+        return len(self.points)
+
+    @cached_property
+    def welded(self) -> NDArray[np.int32]:
+        """For each vertex, the first one at its place (V,): texture seams double vertices."""
+        return _read_only(mesh.weld(self.points))
+
+    @cached_property
+    def sheet_triangles(self) -> NDArray[np.int32]:
+        """The sheet (F, 3), seams welded."""
+        return _read_only(self.welded[self.skin_triangles])
+
+    @cached_property
+    def location_triangles(self) -> NDArray[np.int32]:
+        """Sheet and membranes (L, 3), seams welded: what points are located in."""
+        return _read_only(np.concatenate([self.sheet_triangles, self.membranes]))
+
+    def with_parts(self, *parts: Part) -> ParameterSpace:
+        """This space with these parts bound to it."""
+        return replace(self, parts=MappingProxyType({**self.parts, **{part.name: part for part in parts}}))
+
+    def with_line(self, name: str, kind: Kind, near: ArrayLike, /) -> ParameterSpace:
+        """This space with a line of lids or lips named: the one around the opening nearest to a point (3,), metres."""
+        (goal,) = mesh.checked_points(np.reshape(near, (1, -1)), name="near")
+        line = find_line(name, kind, self.points, self.sheet_triangles, self.membranes, self.cylinder, goal)
+        return replace(self, lines=(*(known for known in self.lines if known.name != name), line))
+
+    def under(self, transfer: Transfer, /) -> ParameterSpace:
+        """This space with another transfer rule; expressions are taken anew in it."""
+        _refuse_unknown(transfer, TRANSFERS, "transfer")
+        return replace(self, transfer=transfer)
+
+    def locate(self, theta: NDArray[np.float64], h: NDArray[np.float64], vertices: NDArray[np.int32], /) -> Landing:
+        """The triangles of S that hold the points (theta, h) (N,), walking from the fans of vertices (N,) on the
+        sheet."""
+        return self.strip.locate(theta, h, self.fans.triangles[self.fans.starts[vertices]])
+
+
+def refuse_no_space(space: object, /) -> None:
+    """Raises TypeError where a space was expected and something else came."""
+    if not isinstance(space, ParameterSpace):
+        raise TypeError(f"the space is a {type(space).__name__}; expected an omote.ParameterSpace, such as cast.space")
+
+
+def _refuse_unknown(value: object, rules: tuple[str, ...], name: str) -> None:
+    if not isinstance(value, str) or value not in rules:
+        raise ValueError(f"{name} is {value!r}; expected one of {', '.join(map(repr, rules))}")
+
+
+def _cylinder(axis: ArrayLike) -> Cylinder:
+    place = mesh.checked_numbers(axis, name="axis")
+    if place.shape != (2,):
+        raise ValueError(f"axis has shape {place.shape}; expected two numbers, x and z in metres")
+    if len(mesh.out_of_reach(place)):
+        raise ValueError(f"axis is {place}; expected finite metres, x and z, at most {mesh.FARTHEST:g} from zero")
+    return Cylinder(float(place[0]), float(place[1]))
+
+
+def _read_only(indices: NDArray[np.int32]) -> NDArray[np.int32]:
+    indices.setflags(write=False)
+    return indices
+
+
+def _fans(corners: NDArray[np.int32], joined: NDArray[np.int32]) -> Fans:
+    owner, triangle = corners.ravel(), np.repeat(np.arange(len(corners), dtype=np.int32), 3)
+    order = np.argsort(owner, kind="stable")
+    counts = np.bincount(owner, minlength=len(joined))
+    starts = np.concatenate([[0], np.cumsum(counts)])
+    if np.array_equal(joined, np.arange(len(joined))):
+        return Fans(starts.astype(np.int32), triangle[order])
+    # A doubled vertex has the fan of its first copy.
+    copies = counts[joined]
+    ends = np.concatenate([[0], np.cumsum(copies)]).astype(np.int32)
+    rows = np.repeat(starts[joined] - ends[:-1], copies) + np.arange(ends[-1])
+    return Fans(ends, triangle[order][rows])
+
+
+def _inner_skin(points: NDArray[np.float64], triangles: NDArray[np.int32], on_sheet: NDArray[np.bool_]) -> InnerSkin:
+    joined = mesh.weld(points)
+    corners = joined[triangles]
+    free = ~on_sheet
+    across = np.unique(corners[free[corners].any(axis=1)])
+    anchors = _thinned(points, across[on_sheet[across]].astype(np.int32))
+    own = free & (joined == np.arange(len(points)))
+    names, weights = harmonic_weights(points, corners, own, anchors)
+    vertices = np.flatnonzero(free).astype(np.int32)
+    first = np.searchsorted(np.flatnonzero(own), joined[vertices])
+    names, weights = names[first], weights[first]
+    names, weights = sheet.bind_islands(points, vertices, np.flatnonzero(on_sheet), names, weights)
+    return InnerSkin(vertices, np.ascontiguousarray(names, np.int32), np.ascontiguousarray(weights, np.float32))
+
+
+def _thinned(points: NDArray[np.float64], anchors: NDArray[np.int32]) -> NDArray[np.int32]:
+    """At most _MOST_ANCHORS of the anchors, far from each other."""
+    if len(anchors) <= _MOST_ANCHORS:
+        return anchors
+    distance = np.full(len(anchors), np.inf)
+    chosen = np.empty(_MOST_ANCHORS, dtype=np.int64)
+    here = 0
+    for i in range(_MOST_ANCHORS):
+        chosen[i] = here
+        distance = np.minimum(distance, ((points[anchors] - points[anchors[here]]) ** 2).sum(axis=1))
+        here = int(distance.argmax())
+    return np.sort(anchors[chosen])
+
+
+def smoothed_scale(
+    space: ParameterSpace, positions: NDArray[np.float64], /, *, rounds: int = 30
+) -> NDArray[np.float64]:
+    """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings (method.md,
+    section 3)."""
+    average = smoothing(space.triangles, space.vertex_count)
+    here, there = np.zeros(space.vertex_count), np.zeros(space.vertex_count)
+    for corner in range(3):
+        np.add.at(here, space.triangles[:, corner], mesh.areas(positions, space.triangles))
+        np.add.at(there, space.triangles[:, corner], mesh.areas(space.points, space.triangles))
+    for _ in range(rounds):
+        here, there = average @ here, average @ there
+    return np.sqrt(np.divide(here, there, out=np.ones_like(here), where=there > 0))

@@ -1,0 +1,191 @@
+"""Finds the axis of a head, its one-layered skin sheet and the membranes over the sheet's holes (method.md, section
+2)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from omote.geometry import mesh
+from omote.geometry.cylinder import Cylinder, wrap
+from omote.geometry.outer_layer import one_layer
+from omote.geometry.membrane import close_loop
+
+Points = NDArray[np.float64]
+Triangles = NDArray[np.int32]
+
+# A triangle that spans more of the circle than this contains the axis or nearly so: S is not flat there.
+_WIDEST = 0.9 * np.pi
+
+
+def refuse_degenerate(points: Points, triangles: Triangles, /) -> None:
+    """Raises ValueError where a triangle has no area (relative to the mesh's size)."""
+    size = float(np.ptp(points, axis=0).max())
+    flat = np.flatnonzero(mesh.areas(points, triangles) <= 1e-13 * size * size)
+    if len(flat):
+        raise ValueError(
+            f"triangle {flat[0]} (vertices {triangles[flat[0]]}) has no area, and {len(flat) - 1} more; "
+            "expected a mesh without degenerate triangles: merge or remove them"
+        )
+
+
+def find_axis(points: Points, triangles: Triangles, /) -> tuple[float, float]:
+    """(x, z) of a vertical axis inside the skull: the mean centre of slices through the upper half of the largest
+    piece."""
+    labels = mesh.components(mesh.weld(points)[triangles], len(points))
+    head = points[labels[mesh.weld(points)] == 0]
+    low, high = head[:, 1].min(), head[:, 1].max()
+    centres = []
+    for share in np.linspace(0.6, 0.9, 13):
+        slice_ = head[np.abs(head[:, 1] - (low + share * (high - low))) < 0.04 * (high - low)]
+        if len(slice_):
+            centres.append((slice_[:, [0, 2]].min(axis=0) + slice_[:, [0, 2]].max(axis=0)) / 2)
+    if not centres:
+        raise ValueError(
+            f"no vertex lies in the upper half of the mesh, between heights {low:.4g} and {high:.4g}; "
+            "expected a head, y up and +z forward"
+        )
+    x, z = np.mean(centres, axis=0)
+    return float(x), float(z)
+
+
+def refuse_axis_outside(points: Points, corners: Triangles, cylinder: Cylinder, /) -> None:
+    """Raises ValueError where the axis does not run inside the head: the winding number of sheet and membranes decides.
+
+    points (V, 3), corners (L, 3) sheet and membranes. Tried at five heights in the upper half of the sheet.
+    """
+    low, high = points[corners, 1].min(), points[corners, 1].max()
+    for share in np.linspace(0.5, 0.85, 5):
+        probe = np.array([cylinder.x, low + share * (high - low), cylinder.z])
+        if winding_number(points, corners, probe) < 0.5:
+            raise ValueError(
+                f"the axis at x = {cylinder.x:.4g}, z = {cylinder.z:.4g} is outside the head at height {probe[1]:.4g}; "
+                "expected a head, y up and +z forward, counter-clockwise triangles, that stands around the axis"
+            )
+
+
+def winding_number(points: Points, triangles: Triangles, probe: NDArray[np.float64], /) -> float:
+    """How often the surface wraps around a point: 1 inside a closed surface, 0 outside (van Oosterom & Strackee
+    1983)."""
+    a, b, c = (points[triangles[:, corner]] - probe for corner in range(3))
+    la, lb, lc = (np.linalg.norm(side, axis=1) for side in (a, b, c))
+    triple = (a * np.cross(b, c)).sum(axis=1)
+    flat = la * lb * lc + (a * b).sum(axis=1) * lc + (b * c).sum(axis=1) * la + (c * a).sum(axis=1) * lb
+    return float(np.arctan2(triple, flat).sum() / (2 * np.pi))
+
+
+def unwrapped(theta: NDArray[np.float64], corners: Triangles, /) -> NDArray[np.float64]:
+    """theta of each triangle's corners (L, 3), continuous within the triangle across the seam."""
+    first = theta[corners[:, :1]]
+    return first + wrap(theta[corners] - first)
+
+
+def cut(
+    points: Points, corners: Triangles, theta: NDArray[np.float64], h: NDArray[np.float64], cylinder: Cylinder, /
+) -> tuple[NDArray[np.bool_], Triangles]:  # fmt: skip
+    """The skin sheet and the membranes over its holes.
+
+    corners (F, 3) with seams welded. The sheet is the flood fill, from a forehead triangle, over triangles that face
+    outward in S, the outer one wherever two lie over each other: S has one layer. Returns the mask (F,) of the sheet
+    and the membranes (m, 3).
+    """
+    keep = outward(theta, h, corners)
+    seed = _forehead(points, corners, keep, cylinder)
+    keep = _flood(corners, keep, seed)
+    metric = float(np.hypot(points[:, 0] - cylinder.x, points[:, 2] - cylinder.z)[corners[keep]].mean())
+    keep = _flood(corners, _outermost(points, corners, keep, theta, h, cylinder, metric), seed)
+    if keep.sum() < 16:
+        raise ValueError(
+            f"the skin sheet has {keep.sum()} triangles; "
+            "expected a head whose forehead faces +z, wound counter-clockwise"
+        )
+    plane = np.stack([theta * metric, h], axis=1)
+    return keep, _membranes(corners[keep], theta, plane, metric)
+
+
+def outward(theta: NDArray[np.float64], h: NDArray[np.float64], corners: Triangles, /) -> NDArray[np.bool_]:
+    """Which triangles have positive area in S and do not hold the axis: (F,)."""
+    unrolled, height = unwrapped(theta, corners), h[corners]
+    span = wrap(np.roll(unrolled, -1, axis=1) - unrolled)
+    whole = (np.abs(span).max(axis=1) < _WIDEST) & (np.abs(span.sum(axis=1)) < 1.0)
+    a, b = unrolled[:, 1:] - unrolled[:, :1], height[:, 1:] - height[:, :1]
+    doubled = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    result: NDArray[np.bool_] = whole & (doubled > 1e-12 * np.ptp(h))
+    return result
+
+
+def _forehead(points: Points, corners: Triangles, keep: NDArray[np.bool_], cylinder: Cylinder) -> int:
+    """The foremost outward triangle that a ray straight ahead meets at three quarters of the largest piece's height."""
+    labels = mesh.components(corners, len(points))
+    head = np.unique(corners[labels[corners[:, 0]] == 0])
+    height = np.quantile(points[head, 1], [0.0, 1.0]) @ [0.25, 0.75]
+    relative = points[corners] - [cylinder.x, height, cylinder.z]
+    u, w = relative[..., 0], relative[..., 1]
+    edges = np.roll(u, -1, axis=1) * np.roll(w, -2, axis=1) - np.roll(u, -2, axis=1) * np.roll(w, -1, axis=1)
+    hit = keep & (edges >= 0).all(axis=1) & (relative[..., 2].mean(axis=1) > 0) & (labels[corners[:, 0]] == 0)
+    if not hit.any():
+        raise ValueError(
+            f"no outward triangle lies straight ahead of the axis at x = {cylinder.x:.4g}, z = {cylinder.z:.4g}, "
+            f"height {height:.4g}; expected a head, y up and +z forward, wound counter-clockwise"
+        )
+    return int(np.where(hit, relative[..., 2].mean(axis=1), -np.inf).argmax())
+
+
+def _flood(corners: Triangles, keep: NDArray[np.bool_], seed: int) -> NDArray[np.bool_]:
+    across = mesh.neighbours(corners)
+    rows, sides = np.nonzero((across >= 0) & keep[:, None])
+    others = across[rows, sides]
+    linked = keep[others]
+    graph = coo_array((np.ones(linked.sum(), np.int8), (rows[linked], others[linked])), shape=(len(corners),) * 2)
+    _, label = connected_components(graph, directed=False)
+    result: NDArray[np.bool_] = keep & (label == label[seed])
+    return result
+
+
+def _outermost(
+    points: Points, corners: Triangles, keep: NDArray[np.bool_], theta: NDArray[np.float64], h: NDArray[np.float64],
+    cylinder: Cylinder, metric: float,
+) -> NDArray[np.bool_]:  # fmt: skip
+    radius = np.hypot(points[:, 0] - cylinder.x, points[:, 2] - cylinder.z)[corners].mean(axis=1)
+    unrolled = unwrapped(theta, corners) * metric
+    rows = np.flatnonzero(keep)
+    left = np.ones(len(rows), np.bool_)
+    cell = float(mesh.edge_lengths(points, corners[rows]).mean()) * 2
+    one_layer(unrolled[rows], h[corners[rows]], radius[rows], 2 * np.pi * metric, cell, left)
+    result = keep.copy()
+    result[rows[~left]] = False
+    return result
+
+
+def _membranes(sheet: Triangles, theta: NDArray[np.float64], plane: Points, metric: float) -> Triangles:
+    """Triangles over every hole of the sheet; the rims that go once around the axis (neck, crown) stay open."""
+    found = [np.zeros((0, 3), np.int32)]
+    for loop in mesh.boundary_loops(sheet, plane, period=2 * np.pi * metric):
+        hole = loop[::-1]
+        steps = wrap(np.roll(theta[hole], -1) - theta[hole])
+        if abs(steps.sum()) > np.pi:
+            continue
+        around = theta[hole[0]] + np.concatenate([[0.0], np.cumsum(steps[:-1])])
+        found.append(hole[close_loop(np.stack([around * metric, plane[hole, 1]], axis=1))])
+    return np.concatenate(found).astype(np.int32)
+
+
+def bind_islands(
+    points: Points, vertices: NDArray[np.int32], sheet: NDArray[np.int64], anchors: NDArray[np.int32], weights:
+    NDArray[np.float64], /
+) -> tuple[NDArray[np.int32], NDArray[np.float64]]:  # fmt: skip
+    """Gives vertices that no path along the mesh joins to the sheet (their weights are all zero) their four nearest
+    on it."""
+    alone = np.flatnonzero(weights.sum(axis=1) < 0.5)
+    if len(alone) == 0:
+        return anchors, weights
+    distance, nearest = cKDTree(points[sheet]).query(points[vertices[alone]], k=4)
+    share = 1.0 / np.maximum(distance, 1e-9)
+    anchors, weights = anchors.copy(), weights.copy()
+    anchors[alone[:, None], np.arange(4)] = sheet[nearest]
+    weights[alone] = 0.0
+    weights[alone[:, None], np.arange(4)] = share / share.sum(axis=1, keepdims=True)
+    return anchors, weights

@@ -1,0 +1,198 @@
+"""Where sums of compounds are put right: the skin around eyes and mouth, worked out once per space.
+
+Each compound alone folds and pierces nothing that the generic face does not. Sums do: a blink and a squint push one lid
+through the other, two lip shapes turn small triangles over. `omote.perform.blending.correctives` puts that right; here is what it
+needs to know of the topology, in places of `rows`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+from scipy.sparse.linalg import splu
+
+from omote.model.transfer.eyeball_clearance import REACH as BALL_REACH
+from omote.model.space.lid_lip_lines import RUNGS, Kind, chains
+from omote.model.space.parts import Part
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.fold_repair import sheet_of
+
+Indices = NDArray[np.int32]
+Values = NDArray[np.float64]
+
+# The skin within so many widths of the widest line is put right.
+REACH = 1.0
+# What parts two lids dies out over this share of their line's width; where less than LEAST of it is left it is cut off.
+FADE, LEAST = 0.2, 0.03
+
+
+@dataclass(frozen=True, eq=False)
+class Crossing:
+    """One line of lids or lips: its rungs, and how the skin around it gives way where they cross.
+
+    vertices, weights (RUNGS, 4): the rungs, as in Line; near (p,): who gives way; side (p,): how far up (+) or down
+    (-), one at the line; share (p,): at which share of the line, 0 at its right corner.
+    """
+
+    kind: Kind
+    vertices: Indices
+    weights: Values
+    near: Indices
+    side: Values
+    share: Values
+
+
+@dataclass(frozen=True, eq=False)
+class Settling:
+    """The skin that sums of compounds can fold or pierce.
+
+    rows (m,): its vertices; all else counts in them: crossings of lids and lips; triangles (t, 3); lids (r,) around
+    eyeballs and which of `eyes`, part names, it is (r,). followers (f,): inner skin that moves with rows, by anchors
+    and weights (f, k). sticking: names of parts that stick to the skin under them.
+    """
+
+    rows: Indices
+    crossings: tuple[Crossing, ...]
+    triangles: Indices
+    lids: Indices
+    eye: Indices
+    eyes: tuple[str, ...]
+    followers: Indices
+    anchors: Indices
+    weights: NDArray[np.float32]
+    sticking: tuple[str, ...]
+
+    @property
+    def size(self) -> int:
+        """How many numbers say what one compound is allowed: of triangles, then of rungs, then of lids."""
+        return len(self.triangles) + RUNGS * len(self.crossings) + len(self.lids)
+
+
+_settlings: WeakKeyDictionary[ParameterSpace, Settling | None] = WeakKeyDictionary()
+
+
+def settling_of(space: ParameterSpace, /) -> Settling | None:
+    """The settling of a space, worked out once; None where no line is named or the paper's map carries."""
+    if space not in _settlings:
+        _settlings[space] = _settling(space) if space.lines and space.transfer == "smooth" else None
+    return _settlings[space]
+
+
+def _settling(space: ParameterSpace) -> Settling:
+    rows = _around(space)
+    place = np.full(space.vertex_count, -1, np.int32)
+    place[rows] = np.arange(len(rows))
+    corners = place[space.sheet_triangles]
+    eyes = {name: part for name, part in space.parts.items() if part.eye}
+    eye = _nearest_eye(space.points[rows], list(eyes.values()))
+    anchors, weights, followers = _followers(space, place)
+    return Settling(
+        rows=rows,
+        crossings=_crossings(space, place),
+        triangles=np.ascontiguousarray(corners[(corners >= 0).all(axis=1)]),
+        lids=np.flatnonzero(eye >= 0).astype(np.int32), eye=eye[eye >= 0], eyes=tuple(eyes),
+        followers=followers, anchors=anchors, weights=weights,
+        sticking=tuple(name for name, part in space.parts.items() if _sticks(part)),
+    )  # fmt: skip
+
+
+def _around(space: ParameterSpace) -> Indices:
+    """The sheet's vertices within REACH of the lines."""
+    used = np.unique(space.sheet_triangles).astype(np.int32)
+    loops = np.concatenate([line.loop for line in space.lines])
+    far = REACH * max(float(np.ptp(space.points[line.loop, 0])) for line in space.lines)
+    nearest = np.full(len(used), np.inf)
+    for vertex in loops:
+        nearest = np.minimum(nearest, np.linalg.norm(space.points[used] - space.points[vertex], axis=1))
+    return used[nearest < far]
+
+
+def _nearest_eye(points: Values, eyes: list[Part]) -> Indices:
+    """Which eyeball each point (m, 3) lies around, -1 around none."""
+    result, closest = np.full(len(points), -1, np.int32), np.full(len(points), np.inf)
+    for number, part in enumerate(eyes):
+        centre = part.points.mean(axis=0)
+        radius = float(np.linalg.norm(part.points - centre, axis=1).mean())
+        distance = np.linalg.norm(points - centre, axis=1)
+        result[(distance < BALL_REACH * radius) & (distance < closest)] = number
+        closest = np.minimum(closest, distance)
+    return result
+
+
+def _sticks(part: Part) -> bool:
+    """Whether the part's vertices move each with the skin under it, not all alike with the jaw or the head."""
+    return bool(part.weights.any() and (part.anchors != part.anchors[0]).any())
+
+
+def _followers(space: ParameterSpace, place: Indices) -> tuple[Indices, NDArray[np.float32], Indices]:
+    """Anchors, weights and vertices of the inner skin that hangs on rows; anchors elsewhere weigh nothing."""
+    inner = space.inner
+    anchors = place[inner.anchors]
+    weights = np.where(anchors >= 0, inner.weights, np.float32(0.0)).astype(np.float32)
+    hangs = weights.any(axis=1)
+    return np.maximum(anchors, 0)[hangs], weights[hangs], inner.vertices[hangs]
+
+
+# ---- how skin gives way
+
+
+def _crossings(space: ParameterSpace, place: Indices) -> tuple[Crossing, ...]:
+    points, matrices = space.points.astype(np.float64), _membrane(space.points, space.sheet_triangles)
+    fields = [_giving_way(points, line.loop, place >= 0, matrices) for line in space.lines]
+    strongest = np.abs([side for side, _ in fields]).argmax(axis=0)  # each vertex gives way to one line
+    found = []
+    for number, (line, (side, share)) in enumerate(zip(space.lines, fields, strict=True)):
+        near = np.flatnonzero((side != 0) & (strongest == number))
+        found.append(Crossing(line.kind, place[line.vertices], line.weights, place[near], side[near], share[near]))
+    return tuple(found)
+
+
+def _giving_way(
+    points: Values, loop: Indices, within: NDArray[np.bool_], matrices: tuple[sparse.csr_array, Values]
+) -> tuple[Values, Values]:  # fmt: skip
+    """Side and share (V,) around one line, zero beyond its reach: a membrane on springs, held at the line."""
+    fixed, side, share = _on_line(points, loop)
+    stiffness, mass = matrices
+    length = FADE * float(np.ptp(points[loop, 0]))
+    free = within.copy()
+    free[fixed] = False
+    matrix = sparse.csr_array(stiffness + sparse.diags_array(mass / length**2))
+    spread = _spread(matrix, np.flatnonzero(free), fixed, np.stack([side, np.ones(len(fixed)), share], axis=1))
+    sides = np.sign(spread[:, 0]) * np.maximum(np.abs(spread[:, 0]) - LEAST, 0.0) / (1.0 - LEAST)
+    return sides, np.minimum(np.maximum(spread[:, 2] / np.maximum(spread[:, 1], LEAST), 0.0), 1.0)
+
+
+def _membrane(points: Values, triangles: Indices) -> tuple[sparse.csr_array, Values]:
+    """Stiffness (V, V) and lumped mass (V,) of a sheet, linear elements."""
+    sheet = sheet_of(points, points, triangles)
+    area = 0.5 * np.linalg.norm(sheet.normals, axis=1)
+    energy = np.einsum("tkd,tld,t->tkl", sheet.gradients, sheet.gradients, area)
+    rows, cols = np.repeat(triangles, 3, axis=1).ravel(), np.tile(triangles, (1, 3)).ravel()
+    shape = (len(points), len(points))
+    mass: Values = np.bincount(triangles.ravel(), np.repeat(area / 3.0, 3), minlength=len(points)).astype(np.float64)
+    return sparse.coo_array((energy.ravel(), (rows, cols)), shape=shape).tocsr(), mass
+
+
+def _on_line(points: Values, loop: Indices) -> tuple[Indices, Values, Values]:
+    """The vertices of a loop, which side they are on (corners on none), and their share of its half."""
+    names, sides, shares = [], [], []
+    for chain, side in zip(chains(points, loop), (1.0, -1.0), strict=True):
+        length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points[chain], axis=0), axis=1))])
+        inside = slice(0, None) if side > 0 else slice(1, -1)  # the corners once
+        names.append(chain[inside])
+        sides.append(np.where((length == 0) | (length == length[-1]), 0.0, side)[inside])
+        shares.append((length / length[-1])[inside])
+    return np.concatenate(names), np.concatenate(sides), np.concatenate(shares)
+
+
+def _spread(matrix: sparse.csr_array, free: NDArray[np.intp], fixed: Indices, values: Values) -> Values:
+    """Values (n, k) given on fixed vertices, spread over free ones; zero elsewhere: (V, k)."""
+    result = np.zeros((matrix.shape[0], values.shape[1]))
+    rows = matrix[free]
+    result[free] = splu(sparse.csc_array(rows[:, free])).solve(-(rows[:, fixed] @ values))
+    result[fixed] = values
+    return result

@@ -1,0 +1,152 @@
+"""Lids and lips close on a face as far as on the source (method.md, section 3, step 2)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+from scipy.sparse.linalg import splu
+
+from omote.model.space.lid_lip_lines import RUNGS, Line
+from omote.model.transfer.fold_repair import Sheet
+
+Values = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+BINS = 3
+# A correction dies out over this share of the line's width, and is nothing beyond REACH widths.
+LENGTH, REACH = 0.2, 1.5
+# Of the source's relative opening: what lids may differ without being corrected, nothing at contact.
+TOLERANCE = 0.026
+# Lips open as the mouth is wide; widths that differ by less than this share change nothing: people's amplitudes do not
+# grow with their heads.
+ALIKE = 0.09
+# Where the jaw goes with the lips in full: (distance to the lids - to the lips) / their sum.
+JAW = 0.4
+_UP = np.array([0.0, 1.0, 0.0])
+
+
+@dataclass(frozen=True, eq=False)
+class Contact:
+    """How one line of a face is opened and closed.
+
+    bins (b, RUNGS): hats along the line; source, target (RUNGS, 3): directions along which openings are measured on the
+    generic face and on this one; ratios (RUNGS,): how much longer the rungs are here; rest, origin (b,): openings at
+    rest
+    there and here (lips); least (b,): the rungs' lengths here, summed; near (m,), answer (m, b, 3): the displacement of
+    the vertices near the line that opens a bin by one metre.
+    """
+
+    line: Line
+    bins: Values
+    source: Values
+    target: Values
+    ratios: Values
+    there: Values
+    here: Values
+    growth: float
+    lengths: Values
+    near: Indices
+    answer: Values
+
+
+def contact_of(line: Line, generic: Values, positions: Values, sheet: Sheet, /) -> Contact:
+    """The contact of a line on a face with positions (V, 3); generic (V, 3): the face on which expressions were
+    made."""
+    there, here = line.rungs(generic), line.rungs(positions)
+    long_there, long_here = np.linalg.norm(there, axis=1), np.linalg.norm(here, axis=1)
+    lips = line.kind == "lips"
+    source = np.tile(_UP, (RUNGS, 1)) if lips else there / long_there[:, None]
+    target = np.tile(_UP, (RUNGS, 1)) if lips else here / long_here[:, None]
+    widths = [float(np.ptp(points[line.loop, 0])) for points in (generic, positions)]
+    near, answer = _answers(line, target, positions, sheet, widths[1])
+    return Contact(
+        line, hats(), source, target, long_here / long_there, (source * there).sum(axis=1), (target * here).sum(axis=1),
+        _growth(widths[1] / widths[0]), long_here, near, answer,
+    )  # fmt: skip
+
+
+def _growth(ratio: float) -> float:
+    """How much larger lips open where the mouth is `ratio` times as wide."""
+    far = np.log(ratio)
+    return float(np.exp(np.sign(far) * max(abs(far) - ALIKE, 0.0)))
+
+
+def hats() -> Values:
+    """Hat functions over the rungs that sum to one: (BINS, RUNGS)."""
+    shares = (np.arange(RUNGS) + 0.5) / RUNGS * BINS - 0.5
+    result: Values = np.maximum(0.0, 1.0 - np.abs(shares - np.arange(BINS)[:, None]))
+    result /= result.sum(axis=0)
+    return result
+
+
+def _answers(line: Line, target: Values, positions: Values, sheet: Sheet, width: float) -> tuple[Indices, Values]:
+    """The smoothest displacements near the line that open each bin alone: M^-1 C' (C M^-1 C')^-1."""
+    used = np.unique(sheet.triangles)
+    distance = np.full(len(used), np.inf)
+    for vertex in line.loop:
+        distance = np.minimum(distance, np.linalg.norm(positions[used] - positions[vertex], axis=1))
+    near = used[distance < REACH * width].astype(np.int32)
+    place = np.full(len(positions), -1)
+    place[near] = np.arange(len(near))
+    openings = np.zeros((BINS, len(near), 3))
+    weighted = np.einsum("br,rk,rc->brkc", hats(), line.weights, target)
+    for column in range(4):
+        for rung in range(RUNGS):
+            openings[:, place[line.vertices[rung, column]]] += weighted[:, rung, column]
+    solver = splu(sparse.csc_array(_stiffness(sheet, near, place, LENGTH * width)))
+    flat = np.stack([solver.solve(np.ascontiguousarray(openings[:, :, c].T)) for c in range(3)], axis=2)
+    gram = np.einsum("bvc,vdc->bd", openings, flat)
+    return near, np.einsum("vbc,bd->vdc", flat, np.linalg.inv(gram))
+
+
+def _stiffness(sheet: Sheet, near: Indices, place: NDArray[np.int64], length: float) -> sparse.csr_array:
+    """M = D'D + diag(valence / 3 / length^2) on the near vertices, those beyond held."""
+    touched = np.flatnonzero((place[sheet.triangles] >= 0).any(axis=1))
+    corners, slopes = place[sheet.triangles[touched]], sheet.gradients[touched]
+    energy = np.einsum("tkd,tld->tkl", slopes, slopes)
+    rows, cols = np.repeat(corners, 3, axis=1).ravel(), np.tile(corners, (1, 3)).ravel()
+    inside = (rows >= 0) & (cols >= 0)
+    shape = (len(near), len(near))
+    matrix = sparse.coo_array((energy.ravel()[inside], (rows[inside], cols[inside])), shape=shape).tocsr()
+    valence = (sheet.starts[near + 1] - sheet.starts[near]) / 3.0
+    return sparse.csr_array(matrix + sparse.diags_array(valence / length**2))
+
+
+def closed(contact: Contact, positions: Values, moved: Values, /) -> None:
+    """Opens or closes the line of positions (V, 3), in place, as far as moved (V, 3), the generic face, has it."""
+    source = (contact.source * contact.line.rungs(moved)).sum(axis=1)
+    now = (contact.target * contact.line.rungs(positions)).sum(axis=1)
+    if contact.line.kind == "lips":
+        lack = contact.bins @ (contact.here + contact.growth * (source - contact.there) - now)
+    else:
+        lack = contact.bins @ (contact.ratios * source - now)
+        lengths = contact.bins @ contact.lengths
+        slack = TOLERANCE * np.abs(contact.bins @ (contact.ratios * source) / lengths) * lengths
+        lack = np.sign(lack) * np.maximum(np.abs(lack) - slack, 0.0)
+    positions[contact.near] += np.einsum("vbc,b->vc", contact.answer, lack)
+
+
+def growth_of(generic: Values, contacts: tuple[Contact, ...], /) -> Values:
+    """How much larger a displacement of the generic face (V, 3) becomes at each vertex, (V,).
+
+    The jaw goes with lips that open less: as they do where a vertex is nearer to the lips than to the lids, by one
+    around these, smoothly between.
+    """
+    growth, lids = np.ones(len(generic)), np.full(len(generic), np.inf)
+    for contact in contacts:
+        if contact.line.kind == "lids":
+            lids = np.minimum(lids, _distance(generic, contact.line))
+    for contact in contacts:
+        if contact.line.kind == "lips" and np.isfinite(lids).all():
+            lips = _distance(generic, contact.line)
+            share = np.minimum(np.maximum((lids - lips) / (lids + lips) / JAW, 0.0), 1.0)
+            growth += (min(contact.growth, 1.0) - 1.0) * share * share * (3.0 - 2.0 * share)
+    return growth
+
+
+def _distance(points: Values, line: Line) -> Values:
+    result: Values = np.linalg.norm(points[:, None] - points[line.loop], axis=2).min(axis=1)
+    return result

@@ -1,0 +1,110 @@
+"""The mouth bag: the inner skin behind the lips."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array, csr_array
+from scipy.sparse.csgraph import connected_components, dijkstra
+from scipy.spatial import cKDTree
+
+from omote.model.space.parameter_space import ParameterSpace
+
+Values = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class Bag:
+    """The mouth bag of a space, seams welded.
+
+    vertices (m,); triangles (t, 3) of the mesh that touch it; rows (n,): the row in `vertices` of each inner vertex, or
+    -1; away (m,): metres along the mesh to the skin; around (m, k): the rows of each one's neighbours, its own where it
+    has fewer; starts (m,): sheet vertices near which a walk to the skin outside begins; over (k,): the bag and the skin
+    within REACH of it.
+    """
+
+    vertices: Indices
+    triangles: Indices
+    rows: Indices
+    away: Values
+    around: NDArray[np.int64]
+    starts: Indices
+    over: Indices
+
+
+# The bag is behind skin that is no farther from it than this, metres.
+REACH = 0.03
+
+_bags: WeakKeyDictionary[ParameterSpace, tuple[Bag, ...]] = WeakKeyDictionary()
+
+
+def bag_of(space: ParameterSpace, /) -> Bag | None:
+    """The mouth bag of a space, remembered as long as it lives; None where no lips are named or none is behind."""
+    if space not in _bags:
+        _bags[space] = tuple(_found(space))
+    return next(iter(_bags[space]), None)
+
+
+def _found(space: ParameterSpace) -> Sequence[Bag]:
+    lips = next((line.loop for line in space.lines if line.kind == "lips"), None)
+    corners = space.welded[space.triangles]
+    vertices = np.zeros(0, np.int32) if lips is None else _behind(corners, ~space.on_sheet, lips)
+    if len(vertices) == 0:
+        return ()
+    triangles = corners[np.isin(corners, vertices).any(axis=1)].astype(np.int32)
+    place = np.full(space.vertex_count, -1, np.int32)
+    place[vertices] = np.arange(len(vertices), dtype=np.int32)
+    rows = place[space.welded[space.inner.vertices]]
+    away, around = _from_skin(space, triangles, vertices), _around(triangles, place, len(vertices))
+    near, _ = cKDTree(space.points[vertices]).query(space.points)
+    over = np.flatnonzero(near < REACH).astype(np.int32)
+    return (Bag(vertices, triangles, rows, away, around, _outside(space, vertices), over),)
+
+
+def _behind(corners: Indices, inner: NDArray[np.bool_], lips: Indices) -> Indices:
+    """The inner vertices that are joined to the lips' line by inner vertices."""
+    ends = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
+    ends = ends[inner[ends].all(axis=1)]
+    graph = coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(len(inner), len(inner)))
+    _, label = connected_components(graph, directed=False)
+    touching = corners[np.isin(corners, lips).any(axis=1)].ravel()
+    met = np.unique(label[touching[inner[touching]]])
+    return np.unique(corners[inner[corners] & np.isin(label[corners], met)]).astype(np.int32)
+
+
+def _from_skin(space: ParameterSpace, triangles: Indices, vertices: Indices) -> Values:
+    """How far along the mesh the bag's vertices are from the sheet, metres."""
+    ends = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    lengths = np.linalg.norm(space.points[ends[:, 0]] - space.points[ends[:, 1]], axis=1)
+    ends, first = np.unique(np.sort(ends, axis=1), axis=0, return_index=True)
+    shape = (space.vertex_count, space.vertex_count)
+    graph = csr_array((lengths[first], (ends[:, 0], ends[:, 1])), shape=shape)
+    rim = np.unique(triangles[space.on_sheet[triangles]])
+    result: Values = dijkstra(graph, directed=False, indices=rim, min_only=True)[vertices]
+    return result
+
+
+def _around(triangles: Indices, place: Indices, count: int) -> NDArray[np.int64]:
+    ends = place[np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])]
+    ends = ends[(ends >= 0).all(axis=1)]
+    ends = np.unique(np.concatenate([ends, ends[:, ::-1]]), axis=0)
+    degree = np.bincount(ends[:, 0], minlength=count)
+    result = np.tile(np.arange(count)[:, None], (1, max(1, int(degree.max(initial=0)))))
+    first = np.concatenate([[0], np.cumsum(degree)[:-1]])
+    result[ends[:, 0], np.arange(len(ends)) - first[ends[:, 0]]] = ends[:, 1]
+    return result
+
+
+def _outside(space: ParameterSpace, vertices: Indices) -> Indices:
+    """The sheet vertices nearest on S."""
+    sheet = np.flatnonzero(space.on_sheet & (space.welded == np.arange(space.vertex_count)))
+    radius = float(np.hypot(space.points[sheet, 0], space.points[sheet, 2]).mean())
+    plane = np.stack([space.theta * radius, space.h], axis=1)
+    _, nearest = cKDTree(plane[sheet]).query(plane[vertices])
+    result: Indices = sheet[nearest].astype(np.int32)
+    return result

@@ -1,0 +1,128 @@
+"""The mouth bag on a face: it stays inside the head, behind the skin that is worn (docs/transfer.md)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.transfer.mouth_bag import Bag, bag_of
+from omote.model.space.face import Face
+from omote.model.space.eye_socket import falling
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.paper_map import slide
+
+Floats = NDArray[np.float32]
+Values = NDArray[np.float64]
+
+_floors: WeakKeyDictionary[Face, tuple[ParameterSpace, Values]] = WeakKeyDictionary()
+
+# How far behind the skin the bag stays, where it is as far behind it on the generic face at rest, metres; less toward
+# the lips, nothing at them and in full beyond FREE along the mesh.
+MARGIN, FREE = 0.0015, 0.014
+# A push spreads over so many rings, from one to the next this share of it; then what is still outside by more than
+# EXACT metres is pushed again.
+RINGS, SHARE, ROUNDS, EXACT = 4, 0.75, 12, 1e-6
+# What has moved by less, metres, has not moved.
+MOVED = 1e-5
+# Skin that the ray from the axis only grazes, cosines below MET, says little of what lies behind it: bag may lie SLACK
+# metres in front of it where it is parallel to the ray, less toward MET.
+MET, SLACK = 0.2, 0.02
+
+
+@dataclass(frozen=True, eq=False)
+class Depths:
+    """How far behind the skin each vertex of a bag lies: depth (m,) metres along the skin's normal, less than zero in
+    front; more where the skin is only grazed; inward (m, 3): the way to go deeper."""
+
+    depth: Values
+    inward: Values
+
+
+def depths(space: ParameterSpace, bag: Bag, positions: Values, /) -> Depths:
+    """The depths of a bag behind the worn sheet of positions (V, 3), seen from the cylinder's axis."""
+    points = positions[bag.vertices]
+    landing = slide(space, positions, points, bag.starts)
+    corners = positions[space.location_triangles[landing.triangles]]
+    surface = (landing.weights[..., None] * corners).sum(axis=1)
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
+    ahead = points - [space.cylinder.x, 0.0, space.cylinder.z]
+    ahead[:, 1] = 0.0
+    ahead /= np.maximum(np.linalg.norm(ahead, axis=1, keepdims=True), 1e-9)
+    grazed = np.maximum(MET - (ahead * normal).sum(axis=1), 0.0) / MET
+    depth = ((surface - points) * normal).sum(axis=1) + SLACK * grazed
+    return Depths(np.where(landing.inside, depth, np.inf), -normal)
+
+
+def kept(space: ParameterSpace, bag: Bag, /) -> Values:
+    """How far behind the skin of any face the bag has to lie, (m,) metres."""
+    ramp = 1.0 - falling(bag.away / FREE)
+    result: Values = ramp * np.clip(depths(space, bag, space.points).depth, 0.0, MARGIN)
+    return result
+
+
+def lack(wanted: Values, here: Depths, /) -> Values:
+    """How much deeper a bag would have to lie, (m,) metres, to be as far behind the skin as wanted (m,)."""
+    result: Values = np.maximum(wanted - here.depth, 0.0)
+    return result
+
+
+def tucked(space: ParameterSpace, bag: Bag, wanted: Values, positions: Values, /) -> Values:
+    """Where the bag of positions (V, 3) goes, (m, 3), to lie as far behind the skin as wanted (m,), its neighbours with
+    it, so that no dent is left."""
+    result = positions.copy()
+    for _ in range(ROUNDS):
+        here = depths(space, bag, result)
+        push = lack(wanted, here)
+        if push.max() < EXACT:
+            break
+        for _ in range(RINGS):
+            push = np.maximum(push, SHARE * push[bag.around].max(axis=1))
+        result[bag.vertices] += push[:, None] * here.inward
+    placed: Values = result[bag.vertices]
+    return placed
+
+
+def kept_inside(space: ParameterSpace, face: Face, positions: Floats, /) -> Floats:
+    """A face's compound (V, 3) with the mouth bag behind its skin; the generic face's own is the source and stays."""
+    bag = bag_of(space)
+    if bag is None or np.array_equal(face.positions, space.points.astype(np.float32)):
+        return positions
+    if _still(bag, positions, face.positions):
+        return positions
+    return put(space, bag, positions, tucked(space, bag, floor(space, face, bag), positions.astype(np.float64)))
+
+
+def lined(space: ParameterSpace, positions: Floats, /) -> Floats:
+    """A face at rest (V, 3) with the mouth bag as far behind its skin as on the generic face: for faces as they are
+    made."""
+    bag = bag_of(space)
+    if bag is None:
+        return positions
+    return put(space, bag, positions, tucked(space, bag, kept(space, bag), positions.astype(np.float64)))
+
+
+def _still(bag: Bag, positions: Floats, rest: Floats) -> bool:
+    """Whether neither the bag nor the skin over it has moved by MOVED: then it is as far inside as at rest."""
+    return bool(np.abs(positions[bag.over] - rest[bag.over]).max() < MOVED)
+
+
+def put(space: ParameterSpace, bag: Bag, positions: Floats, placed: Values, /) -> Floats:
+    """Positions (V, 3) with the bag at placed (m, 3), on both sides of its seams."""
+    rows = np.flatnonzero(bag.rows >= 0)
+    result = positions.copy()
+    result[space.inner.vertices[rows]] = placed[bag.rows[rows]]
+    return result
+
+
+def floor(space: ParameterSpace, face: Face, bag: Bag, /) -> Values:
+    """How far behind the skin of a face the bag has to lie, (m,) metres: no farther than it does at rest."""
+    known = _floors.get(face)
+    if known is None or known[0] is not space:
+        wanted = kept(space, bag)
+        known = (space, wanted - lack(wanted, depths(space, bag, face.positions.astype(np.float64))))
+        _floors[face] = known
+    return known[1]

@@ -1,0 +1,195 @@
+"""The paper's map between a face and S: slide, compile, wear (paper, section 2.2; method.md, section 3)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from numbers import Real
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from omote.geometry.locate import Landing, walk_face
+from omote.geometry.mesh import FARTHEST
+from omote.model.space.expression import Expression
+from omote.model.space.face_fit import Fitted
+from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
+
+Floats = NDArray[np.float32]
+Indices = NDArray[np.int32]
+
+_WEIGHTS = f"expected a number from {-FARTHEST:g} to {FARTHEST:g}"
+
+
+@dataclass(frozen=True, eq=False)
+class Compiled:
+    """An expression located once, for any face: vertex v goes to weights[v] of indices[v] (V, 3), its radius times
+    ratios[v].
+
+    residual (inner, 3) and the expression's parts come weighted; inside (V,) tells which walks ended in a triangle.
+    """
+
+    indices: Indices
+    weights: Floats
+    ratios: Floats
+    residual: Floats
+    parts: Mapping[str, NDArray[np.float64]]
+    inside: NDArray[np.bool_]
+
+
+def _checked_weight(weight: object) -> float:
+    if isinstance(weight, bool) or not isinstance(weight, Real):
+        raise TypeError(f"weight must be a number, not {weight!r}; 1 wears the expression as it is")
+    try:
+        number = float(weight)
+    except OverflowError as error:
+        raise ValueError(f"weight is far too large; {_WEIGHTS}") from error
+    if not abs(number) <= FARTHEST:  # also catches NaN
+        raise ValueError(f"weight is {number}; {_WEIGHTS}")
+    return number
+
+
+def _refuse_foreign(space: ParameterSpace, expression: Expression) -> None:
+    refuse_no_space(space)
+    if not isinstance(expression, Expression):
+        raise TypeError(
+            f"the expression is a {type(expression).__name__}; "
+            "expected an omote.Expression, such as cast.expressions['smile']"
+        )
+    if len(expression.dtheta) != space.vertex_count or len(expression.residual) != len(space.inner.vertices):
+        raise ValueError(
+            f"the expression has {len(expression.dtheta)} vertices, {len(expression.residual)} of them inner skin; "
+            f"expected {space.vertex_count} and {len(space.inner.vertices)}: it was made on another space"
+        )
+    for rule in ("radius", "transfer"):
+        mine, own = getattr(expression, rule), getattr(space, rule)
+        if mine != own:
+            raise ValueError(
+                f"the expression was taken with {rule}={mine!r} and the space has {rule}={own!r}; "
+                "fields made under different rules do not mix: extract it again in this space"
+            )
+    for name, residual in expression.parts.items():
+        if name not in space.parts or len(residual) != len(space.parts[name].points):
+            raise ValueError(
+                f"the expression moves a part {name!r} of {len(residual)} vertices; the space has {sorted(space.parts)}"
+            )
+
+
+def slide(
+    space: ParameterSpace, points: NDArray[np.float64], targets: NDArray[np.float64], vertices: Indices, /
+) -> Landing:
+    """Where targets (N, 3) come down on a face with points (V, 3) along their cylinder radius, walking from vertices
+    (N,)."""
+    count = len(vertices)
+    start = space.fans.triangles[space.fans.starts[vertices]]
+    triangles, weights, inside = np.empty(count, np.int32), np.empty((count, 3)), np.empty(count, np.bool_)
+    walk_face(
+        points, space.location_triangles, space.strip.neighbours, space.cylinder.x, space.cylinder.z,
+        targets, start, triangles, weights, inside,
+    )  # fmt: skip
+    return Landing(triangles, weights, inside)
+
+
+def compile_expression(space: ParameterSpace, expression: Expression, /, weight: float = 1.0) -> Compiled:
+    """The expression located on S, to be worn by any face; weight scales the field: w dtheta, w dh, 1 + w (R - 1).
+
+    Raises ValueError on an expression of another space or rule and on a weight that is not finite or turns a radius
+    over; TypeError on what is no space, expression or number.
+    """
+    _refuse_foreign(space, expression)
+    weight = _checked_weight(weight)
+    ratios = 1.0 + weight * (expression.ratio - 1.0)
+    if ratios.min() <= 0:
+        raise ValueError(
+            f"weight {weight} brings a radius to {ratios.min():.3g} of itself; expected a weight that keeps it positive"
+        )
+    return locate_field(
+        space, weight * expression.dtheta, weight * expression.dh, ratios, weight * expression.residual,
+        {name: weight * rest for name, rest in expression.parts.items()},
+    )  # fmt: skip
+
+
+def locate_field(
+    space: ParameterSpace, dtheta: NDArray[np.float64], dh: NDArray[np.float64], ratios: NDArray[np.float64],
+    residual: NDArray[np.float64], parts: Mapping[str, NDArray[np.float64]], /,
+) -> Compiled:  # fmt: skip
+    """A field on S located: one walk per moved vertex of the sheet (paper, section 2.2, step 2a)."""
+    count = space.vertex_count
+    indices = np.repeat(np.arange(count, dtype=np.int32)[:, None], 3, axis=1)
+    weights = np.zeros((count, 3), np.float32)
+    weights[:, 0] = 1.0
+    inside = np.ones(count, np.bool_)
+    moved = np.flatnonzero(space.on_sheet & ((dtheta != 0) | (dh != 0))).astype(np.int32)
+    landing = space.locate(space.theta[moved] + dtheta[moved], space.h[moved] + dh[moved], moved)
+    indices[moved], weights[moved], inside[moved] = (
+        space.location_triangles[landing.triangles],
+        landing.weights,
+        landing.inside,
+    )
+    return Compiled(indices, weights, ratios.astype(np.float32), residual.astype(np.float32), dict(parts), inside)
+
+
+def wear(space: ParameterSpace, fitted: Fitted, compiled: Compiled, /, out: Floats | None = None) -> Floats:
+    """The compound (V, 3) of a fitted face and a compiled expression: one gather, one rescale, the inner skin behind
+    it."""
+    out = np.empty_like(fitted.positions) if out is None else out
+    inner = space.inner
+    axis = np.float32(space.cylinder.x), np.float32(space.cylinder.z)
+    gather(
+        fitted.positions,
+        compiled.indices,
+        compiled.weights,
+        compiled.ratios,
+        fitted.radii,
+        *axis,
+        space.radius == "origin",
+        out,
+    )
+    follow(fitted.positions, inner.vertices, inner.anchors, inner.weights, compiled.residual, fitted.scale, out)
+    return out
+
+
+@njit(cache=True, fastmath={"contract"}, error_model="numpy")
+def gather(
+    positions: Floats, indices: Indices, weights: Floats, ratios: Floats, radii: Floats, x: np.float32, z: np.float32,
+    origin: bool, out: Floats,
+) -> None:  # fmt: skip
+    """Kernel of the compound on the sheet (paper, section 2.2, steps 2b, 2c); no trigonometry: theta and h are kept
+    by scaling."""
+    for v in range(len(indices)):
+        i, j, k = indices[v, 0], indices[v, 1], indices[v, 2]
+        a, b, c = weights[v, 0], weights[v, 1], weights[v, 2]
+        dx = a * positions[i, 0] + b * positions[j, 0] + c * positions[k, 0] - x
+        dy = a * positions[i, 1] + b * positions[j, 1] + c * positions[k, 1]
+        dz = a * positions[i, 2] + b * positions[j, 2] + c * positions[k, 2] - z
+        if origin:
+            here = np.sqrt(dx * dx + dz * dz)
+            scale = ratios[v] * radii[v] / here if here > np.float32(0.0) else ratios[v]
+        else:
+            scale = ratios[v]
+        out[v, 0] = x + scale * dx
+        out[v, 1] = dy
+        out[v, 2] = z + scale * dz
+
+
+@njit(cache=True, fastmath={"contract"}, error_model="numpy")
+def follow(
+    positions: Floats, vertices: Indices, anchors: Indices, weights: Floats, residual: Floats, scale: Floats, out:
+    Floats
+) -> None:  # fmt: skip
+    """Moves the inner skin by its anchors' displacement and the expression's own residual; reads and writes out."""
+    for n in range(len(vertices)):
+        v = vertices[n]
+        dx, dy, dz = scale[n] * residual[n, 0], scale[n] * residual[n, 1], scale[n] * residual[n, 2]
+        for k in range(anchors.shape[1]):
+            w = weights[n, k]
+            if w == np.float32(0.0):
+                continue
+            a = anchors[n, k]
+            dx += w * (out[a, 0] - positions[a, 0])
+            dy += w * (out[a, 1] - positions[a, 1])
+            dz += w * (out[a, 2] - positions[a, 2])
+        out[v, 0] = positions[v, 0] + dx
+        out[v, 1] = positions[v, 1] + dy
+        out[v, 2] = positions[v, 2] + dz

@@ -1,0 +1,214 @@
+"""Where everything is: the positions of a frame (method.md, section 5). The head's direction is left to the stage."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.cast import NEUTRAL, Cast
+from omote.model.transfer.compound import generic_face, moved_parts, predicted, turned_eyes
+from omote.model.space.face_fit import Fitted, fit
+from omote.model.transfer.corrective_regions import settling_of
+from omote.model.transfer.paper_map import Compiled, wear
+from omote.perform.blending.weighted_sum import weighted_sum
+from omote.perform.channels import effective_channels, eye_angles
+from omote.perform.blending.compound_cache import compounds_of
+from omote.perform.blending.expression_tables import fields_of
+from omote.perform.frame import Frame
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, known, within
+from omote.perform.mix import combined
+from omote.perform.blending.correctives import Balls, settled
+
+Floats = NDArray[np.float32]
+Mode = Literal["bilinear", "exact"]
+MODES: tuple[Mode, ...] = ("bilinear", "exact")
+FARTHEST = 10.0
+"""A weight's size at most: mixes made by hand may go far beyond their ends, and stay finite."""
+ROUNDING = 1e-4
+
+
+def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
+    """The skin and inner skin (V, 3) of a frame, metres.
+
+    bilinear (paper, eq. 3, with channels): sum_i s_i [sum_j t_j P_ij + sum_k c_k (P_ik - M_i)];
+    exact: the face sum_i s_i M_i wears the expression sum_j t_j D_j + sum_k c_k D_k, located anew (transfer="paper");
+    with transfer="smooth" the generic face wears it so, and the faces follow by their own compounds.
+    Raises ValueError on an unknown mode, on names that are not in the cast, on weights that are not finite or do not
+    sum to one on an axis, and on channels out of range; TypeError on what is no number.
+    """
+    _refuse_unplayable(cast, frame, mode)
+    channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
+    return _settled(cast, frame, channels, _mixed(cast, frame, channels, mode))
+
+
+def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
+    """The parts of a frame, {part: (n, 3)} metres, eyeballs turned about their centres.
+
+    Formulas and errors as in `evaluate`.
+    """
+    _refuse_unplayable(cast, frame, mode)
+    channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
+    mixed = _mixed(cast, frame, channels, mode)
+    exact = mode == "exact"
+    moved = _exact_parts(cast, frame, channels, mixed) if exact else _bilinear_parts(cast, frame, channels)
+    moved |= _stuck(cast, frame, channels, mixed, moved)
+    fitted = [(weight, fit(cast.space, cast.faces[face])) for face, weight in frame.faces.items()]
+    centres = {part: _sum((weight, face.centres[part]) for weight, face in fitted) for part in cast.space.parts}
+    return turned_eyes(cast.space, moved, centres, eye_angles(cast.expressions, frame.expressions, channels))
+
+
+def _mixed(cast: Cast, frame: Frame, channels: Mapping[str, float], mode: Mode) -> Floats:
+    return _exact(cast, frame, channels) if mode == "exact" else _bilinear(cast, frame, channels)
+
+
+def warm(cast: Cast) -> None:
+    """Compiles every kernel that a frame of this cast needs, so that no frame of the show does."""
+    name = next(iter(cast.faces))
+    for mode in MODES:
+        evaluate(cast, Frame({name: 1.0}, {NEUTRAL: 1.0}), mode)
+        evaluate_parts(cast, Frame({name: 1.0}, {NEUTRAL: 1.0}), mode)
+
+
+def _pairs(frame: Frame, channels: Mapping[str, float]) -> dict[tuple[str, str], float]:
+    """The weight of every compound: s_i (t_j + c_j)."""
+    worn = combined(((1.0, frame.expressions), (1.0, channels)))
+    return {(face, name): s * weight for face, s in frame.faces.items() for name, weight in worn.items()}
+
+
+def _rests(frame: Frame, channels: Mapping[str, float]) -> dict[str, float]:
+    """The weight of every face at rest, which the channels' own compounds hold too often: -s_i sum_k c_k."""
+    doubled = math.fsum(channels.values())
+    return {face: -s * doubled for face, s in frame.faces.items()} if doubled else {}
+
+
+def _bilinear(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
+    compounds = compounds_of(cast)
+    terms = [(cast.faces[face].positions, weight) for face, weight in _rests(frame, channels).items()]
+    terms += [(compounds.skin(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
+    return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
+
+
+def _settled(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
+    """The mix put right where compounds together fold or pierce what none does alone."""
+    settling = settling_of(cast.space)
+    pairs = {key: abs(weight) for key, weight in _pairs(frame, channels).items() if key[1] != NEUTRAL and weight}
+    if settling is None or not pairs:
+        return mixed
+    compounds, fitted = compounds_of(cast), [fit(cast.space, cast.faces[face]) for face in frame.faces]
+    factors = list(frame.faces.values())
+    angles = eye_angles(cast.expressions, frame.expressions, channels)
+    balls = [Balls.of(face, settling.eyes, angles) for face in fitted]
+    whole = Balls(
+        np.asarray(_sum((s, ball.centres) for s, ball in zip(factors, balls, strict=True))),
+        np.asarray(sum(s * ball.radii for s, ball in zip(factors, balls, strict=True))), angles,
+    )  # fmt: skip
+    rest = weighted_sum([face.positions for face in fitted], factors)
+    allowed = weighted_sum([compounds.allowance(*key) for key in pairs], list(pairs.values()))
+    return settled(settling, rest, mixed, allowed, whole)
+
+
+def _stuck(
+    cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats, moved: Mapping[str, Floats]
+) -> dict[str, Floats]:  # fmt: skip
+    """The parts that stick to the skin, gone with it where it settled."""
+    settling = settling_of(cast.space)
+    if settling is None:
+        return {}
+    settled_skin = _settled(cast, frame, channels, mixed)
+    if settled_skin is mixed:
+        return {}
+    move = settled_skin.astype(np.float64) - mixed
+    return {part: (moved[part] + predicted(cast.space, part, move)).astype(np.float32) for part in settling.sticking}
+
+
+def _exact(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
+    weights = combined(((1.0, frame.expressions), (1.0, channels)))
+    worn = fields_of(cast).mixed(weights)
+    if cast.space.transfer == "paper":
+        return wear(cast.space, _mixed_face(cast, frame.faces), worn)
+    return _bilinear(cast, frame, channels) + _bent(cast, weights, worn)
+
+
+def _bent(cast: Cast, weights: Mapping[str, float], worn: Compiled) -> Floats:
+    """What the generic face wears when fields add on S, less the same mix of its compounds: (V, 3), metres.
+
+    The smooth map carries displacements, and carries this one as it is: nothing where one expression is worn.
+    """
+    source = fit(cast.space, generic_face(cast.space))
+    compounds = compounds_of(cast)
+    terms = [(wear(cast.space, source, worn), 1.0), (source.positions, math.fsum(weights.values()) - 1.0)]
+    terms += [(compounds.source(name), -weight) for name, weight in weights.items()]
+    return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
+
+
+def _mixed_face(cast: Cast, weights: Mapping[str, float]) -> Fitted:
+    """The face sum s_i M_i, ready to wear; sizes of residuals and parts mix like the positions."""
+    fitted = [fit(cast.space, cast.faces[face]) for face in weights]
+    factors = list(weights.values())
+    positions = weighted_sum([face.positions for face in fitted], factors)
+    cylinder = cast.space.cylinder
+    radii = np.hypot(positions[:, 0] - np.float32(cylinder.x), positions[:, 2] - np.float32(cylinder.z))
+    return Fitted(
+        positions=positions,
+        radii=radii,
+        scale=weighted_sum([face.scale for face in fitted], factors),
+        parts={part: weighted_sum([face.parts[part] for face in fitted], factors) for part in cast.space.parts},
+        sizes={
+            part: sum(s * face.sizes[part] for s, face in zip(factors, fitted, strict=True))
+            for part in cast.space.parts
+        },
+        centres={},
+    )
+
+
+def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> dict[str, Floats]:
+    worn = combined(((1.0, frame.expressions), (1.0, channels)))
+    face = _mixed_face(cast, frame.faces)
+    moving = {part: [name for name in worn if part in cast.expressions[name].parts] for part in cast.space.parts}
+    rest = {
+        part: _sum((worn[name], cast.expressions[name].parts[part]) for name in names) for part, names in moving.items()
+    }
+    return moved_parts(cast.space, face, mixed, rest)
+
+
+def _bilinear_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dict[str, Floats]:
+    compounds = compounds_of(cast)
+    terms = [(fit(cast.space, cast.faces[face]).parts, weight) for face, weight in _rests(frame, channels).items()]
+    terms += [(compounds.parts(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
+    factors = [weight for _, weight in terms]
+    return {part: weighted_sum([parts[part] for parts, _ in terms], factors) for part in cast.space.parts}
+
+
+def _sum(terms: Iterable[tuple[float, NDArray[np.float64]]]) -> NDArray[np.float64]:
+    """The sum of weight times points, each (3,) or (n, 3)."""
+    return sum((weight * points for weight, points in terms), start=np.zeros(3))
+
+
+def _refuse_unplayable(cast: Cast, frame: Frame, mode: str) -> None:
+    if not isinstance(cast, Cast) or not isinstance(frame, Frame):
+        raise TypeError(f"evaluate got {type(cast).__name__} and {type(frame).__name__}; expected a Cast and a Frame")
+    if not isinstance(mode, str) or mode not in MODES:
+        raise ValueError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}")
+    _refuse_no_average(frame.faces, cast.faces, "face")
+    _refuse_no_average(frame.expressions, cast.expressions, "expression")
+    for name, weight in _pairs_of(frame.channels, "channel"):
+        within(weight, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {known(name, cast.expressions, 'channel')}")
+
+
+def _refuse_no_average(weights: Mapping[str, float], names: Mapping[str, object], what: str) -> None:
+    total = math.fsum(
+        within(weight, -FARTHEST, FARTHEST, f"the weight of the {what} {known(name, names, what)}")
+        for name, weight in _pairs_of(weights, what)
+    )
+    if abs(total - 1.0) > ROUNDING:
+        raise ValueError(f"the weights of the frame's {what}s sum to {total:.6g}; expected one: a mix is an average")
+
+
+def _pairs_of(weights: Mapping[str, float], what: str) -> Iterable[tuple[str, float]]:
+    if not isinstance(weights, Mapping):
+        raise TypeError(f"the frame's {what}s are {type(weights).__name__}; expected weights by name")
+    return weights.items()

@@ -1,0 +1,111 @@
+"""The fields of all expressions of a cast as tables, so that a mix of them is one product and one walk over S."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from omote.model.cast import Cast
+from omote.model.space.expression import Expression
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.paper_map import Compiled
+from omote.perform.blending.weighted_sum import sum_rows
+
+Floats = NDArray[np.float32]
+
+SMALLEST_RATIO = 0.05
+"""Many channels may add up to a radius below nothing; the surface stops short of the axis then."""
+
+
+class Fields:
+    """Tables of the expressions on one space: sheet fields and residuals, one row per expression.
+
+    expressions: those to mix, all made on the space. What is precomputed: the tables, and where each walk starts.
+    """
+
+    def __init__(self, space: ParameterSpace, expressions: Mapping[str, Expression]) -> None:
+        self._rows = {name: row for row, name in enumerate(expressions)}
+        self._space = space
+        self._sheet = np.flatnonzero(space.on_sheet).astype(np.int32)
+        self._starts = space.fans.triangles[space.fans.starts[self._sheet]]
+        self._leaders = _leaders(space, self._sheet)
+        self._corners = np.ascontiguousarray(space.location_triangles)
+        self._places = space.theta[self._sheet], space.h[self._sheet]
+        self._table = _table([_sheet_row(expression, self._sheet) for expression in expressions.values()])
+        self._residuals = _table([expression.residual.ravel() for expression in expressions.values()])
+
+    def mixed(self, weights: Mapping[str, float]) -> Compiled:
+        """The expression sum of weight times field, located on S: dtheta, dh, R - 1 and residuals add; no parts."""
+        names, factors = list(weights), np.array(list(weights.values()), np.float32)
+        rows = np.array([self._rows[name] for name in names], np.int64)
+        field = _product(self._table, rows, factors).reshape(3, -1)
+        residual = _product(self._residuals, rows, factors).reshape(-1, 3)
+        return self._located(field, residual)
+
+    def _located(self, field: Floats, residual: Floats) -> Compiled:
+        space = self._space
+        theta, h = self._places[0] + field[0], self._places[1] + field[1]
+        landing = space.strip.locate(theta, h, self._starts, leaders=self._leaders)
+        indices, weights = np.empty((space.vertex_count, 3), np.int32), np.empty((space.vertex_count, 3), np.float32)
+        ratios, ended = np.empty(space.vertex_count, np.float32), np.empty(space.vertex_count, np.bool_)
+        landed = landing.triangles, landing.weights, landing.inside
+        _spread(self._sheet, self._corners, *landed, field[2], indices, weights, ratios, ended)
+        return Compiled(indices, weights, ratios, residual, {}, ended)
+
+
+_of_cast: WeakKeyDictionary[Cast, Fields] = WeakKeyDictionary()
+
+
+def fields_of(cast: Cast) -> Fields:
+    """The fields of a cast, the same ones as long as the cast lives."""
+    if cast not in _of_cast:
+        _of_cast[cast] = Fields(cast.space, cast.expressions)
+    return _of_cast[cast]
+
+
+def _leaders(space: ParameterSpace, sheet: NDArray[np.int32]) -> NDArray[np.int32]:
+    """For each vertex of the sheet a neighbour that comes before it, or -1: neighbours come down near each other."""
+    row = np.full(space.vertex_count, -1, np.int32)
+    row[sheet] = np.arange(len(sheet), dtype=np.int32)
+    corners = row[space.skin_triangles]
+    ends = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
+    late, early = ends.max(axis=1), ends.min(axis=1)
+    leaders = np.full(len(sheet), -1, np.int32)
+    np.maximum.at(leaders, late[early >= 0], early[early >= 0])
+    return leaders
+
+
+def _sheet_row(expression: Expression, sheet: NDArray[np.int32]) -> NDArray[np.float64]:
+    return np.concatenate([expression.dtheta[sheet], expression.dh[sheet], expression.ratio[sheet] - 1.0])
+
+
+def _table(rows: Sequence[NDArray[np.float64]]) -> Floats:
+    return np.stack(rows).astype(np.float32)
+
+
+def _product(table: Floats, rows: NDArray[np.int64], factors: Floats) -> Floats:
+    total = np.empty(table.shape[1], np.float32)
+    sum_rows(table, rows, factors, total)
+    return total
+
+
+@njit(cache=True)
+def _spread(
+    sheet: NDArray[np.int32], corners: NDArray[np.int32], triangles: NDArray[np.int32], landed: NDArray[np.float64],
+    inside: NDArray[np.bool_], stretch: Floats, indices: NDArray[np.int32], weights: Floats, ratios: Floats,
+    ended: NDArray[np.bool_],
+) -> None:  # fmt: skip
+    """Writes the landings of the sheet's vertices into rows of all vertices; the others stay where they are."""
+    for v in range(len(indices)):
+        indices[v, 0] = indices[v, 1] = indices[v, 2] = v
+        weights[v, 0], weights[v, 1], weights[v, 2] = 1.0, 0.0, 0.0
+        ratios[v], ended[v] = 1.0, True
+    for n in range(len(sheet)):
+        v, t = sheet[n], triangles[n]
+        for k in range(3):
+            indices[v, k], weights[v, k] = corners[t, k], landed[n, k]
+        ratios[v], ended[v] = max(SMALLEST_RATIO, 1.0 + stretch[n]), inside[n]

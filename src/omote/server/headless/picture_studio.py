@@ -1,0 +1,105 @@
+"""Pictures without a window: the stage's own page, served on loopback to a browser that nobody sees."""
+
+from __future__ import annotations
+
+import asyncio
+import base64
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from urllib.parse import urlencode
+
+import msgspec
+from aiohttp import web
+
+from omote.perform.performer import Performer
+from omote.server.http.app import ShowServer
+from omote.server.http.static_pages import Page, read_bundle
+from omote.server.headless.chromium import find_chromium, open_chromium
+from omote.server.headless.devtools import BrowserError, DevTools
+from omote.server.http.cast_documents import Library, built_in
+from omote.server.http.security import own_names
+from omote.show.session import ShowSession
+from omote.stage_data.picture_grid import Setting, Sheet
+
+OPENED = """new Promise((open, refuse) => {
+    const look = () => {
+        const notice = document.getElementById("notice")?.textContent;
+        if (window.omoteStage) open(true);
+        else if (notice) refuse(notice);
+        else setTimeout(look, 20);
+    };
+    look();
+})"""
+OPENING = 60.0
+"""Seconds a page may take to open on a slow machine."""
+
+
+class Studio:
+    """A page that draws sheets."""
+
+    def __init__(self, tools: DevTools, target: str, session: str) -> None:
+        self._tools, self._target, self._session = tools, target, session
+
+    async def draw(self, sheet: Sheet) -> bytes:
+        """The sheet as a file; BrowserError where the browser cannot draw it."""
+        words = msgspec.json.encode(sheet).decode()
+        drawn = await self._tools.evaluate(self._session, f"window.omoteStage.sheet({words})")
+        return base64.b64decode(drawn)
+
+    async def close(self) -> None:
+        """Closes the page."""
+        await self._tools.call("Target.closeTarget", targetId=self._target)
+
+
+def draw_sheet(sheet: Sheet, setting: Setting) -> bytes:
+    """A sheet as a file, by a browser that starts and ends with this call.
+
+    FileNotFoundError where there is no browser, cast or page; BrowserError where the browser does not draw.
+    """
+    browser = find_chromium()
+
+    async def drawn() -> bytes:
+        async with open_house(built_in(), read_bundle()) as address, open_chromium(browser) as tools:
+            return await (await open_studio(tools, address, setting)).draw(sheet)
+
+    return asyncio.run(drawn())
+
+
+@asynccontextmanager
+async def open_house(library: Library, pages: dict[str, Page]) -> AsyncIterator[str]:
+    """The address of a server for one browser, on loopback and a port of its own; no show, nothing is played."""
+    session = ShowSession(library.cast, Performer(library.cast))
+    server = ShowServer(session, library, pages)
+    runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
+    await runner.setup()
+    try:
+        site = web.TCPSite(runner, "127.0.0.1", 0)
+        await site.start()
+        yield f"http://127.0.0.1:{runner.addresses[0][1]}"
+    finally:
+        await server.links.hang_up()
+        await runner.cleanup()
+        library.close()
+
+
+def query(setting: Setting) -> str:
+    """The address of a stage of this setting, from its question mark on."""
+    words = {"quality": setting.quality, "background": setting.background}
+    if setting.transparent:
+        words["transparent"] = "1"
+    return "?" + urlencode({name: word for name, word in words.items() if word is not None})
+
+
+async def open_studio(tools: DevTools, address: str, setting: Setting) -> Studio:
+    """A stage of this setting; BrowserError, with the page's own sentence, where it does not open."""
+    target = await tools.call("Target.createTarget", url="about:blank")
+    attached = await tools.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)
+    session = str(attached["sessionId"])
+    size = {"width": setting.width, "height": setting.height, "deviceScaleFactor": 1, "mobile": False}
+    await tools.call("Emulation.setDeviceMetricsOverride", session=session, **size)
+    await tools.call("Page.navigate", session=session, url=f"{address}/stage{query(setting)}")
+    try:
+        await asyncio.wait_for(tools.evaluate(session, OPENED), OPENING)
+    except TimeoutError:
+        raise BrowserError(f"the stage did not open within {OPENING:g} s; try again, or a lower quality") from None
+    return Studio(tools, str(target["targetId"]), session)

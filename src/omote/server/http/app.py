@@ -1,0 +1,205 @@
+"""The web server of one show: pages, documents, and the link."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Awaitable, Callable, Mapping
+from dataclasses import replace
+
+from aiohttp import WSMsgType, web
+
+from omote.edit.protocol.messages import EDITING_PATH
+from omote.edit.store.on_air_recipes import OnAir, seen
+from omote.server.http.static_pages import PAGES, Page
+from omote.server.http.cast_reload import Casting
+from omote.server.persistence.authored_work import Desk
+from omote.server.http.editor_link import NO_FILE, Editing
+from omote.server.http.cast_documents import Library
+from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
+from omote.server.http.security import add_headers, guard, mute_strangers
+from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
+from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Refused, State
+from omote.show.session import Outgoing, ShowSession, Wish
+from omote.show.wire import encode
+
+FOR_EVER = "public, max-age=31536000, immutable"
+ALWAYS_ASK = "no-cache"
+MESSAGEPACK = "application/msgpack"
+
+Clock = Callable[[], float]
+
+
+class ShowServer:
+    """A session with its links, its documents and its pages."""
+
+    def __init__(
+        self, session: ShowSession, library: Library, pages: Mapping[str, Page], *, clock: Clock = time.monotonic
+    ) -> None:
+        self.session, self.library, self.links, self.clock = session, library, Links(), clock
+        self.editing: Editing | None = None
+        self._pages = pages
+        self._state: State | None = None
+
+    def edit(self, desk: Desk | None, reopen: Callable[[], Desk | None], report: Callable[[str], None]) -> None:
+        """Lets editors in; before `application`."""
+        self.editing = Editing(
+            desk,
+            self.library,
+            Casting(self.session, self.library, report),
+            reopen=reopen,
+            on_air=self.on_air,
+            tell=lambda who, message: self.links.answer(who, encode(message)),
+            announce=self.announce,
+            report=report,
+            clock=self.clock,
+        )
+
+    def on_air(self) -> OnAir:
+        """What is seen now; coming is also what was called since the last tick."""
+        found, (faces, expressions) = seen(self._state) if self._state else OnAir(), self.session.names_held()
+        return replace(found, coming=found.coming | faces | expressions)
+
+    def application(self, names: frozenset[str]) -> web.Application:
+        """The aiohttp application; `names` are the hosts it answers to, beside addresses in figures."""
+        mute_strangers()
+        application = web.Application(middlewares=[guard(names)], client_max_size=MESSAGE_LIMIT)
+        application.on_response_prepare.append(add_headers)
+        application.router.add_get(LINK_PATH, self.link)
+        if self.editing is not None:
+            application.router.add_get(EDITING_PATH, self.editing.link)
+        application.router.add_get("/layouts/{name}", self.layout)
+        application.router.add_get("/manifest", self.manifest)
+        application.router.add_get("/assets/{name}", self.asset)
+        application.router.add_get("/compounds/{base}/{face}/{expression}", self.compound)
+        application.router.add_get("/tangents/{base}/{face}", self.tangents)
+        application.router.add_get("/handles", self.handles)
+        application.router.add_get("/contents/{key}", self.content)
+        for path in (*PAGES, "/{page:.+}"):
+            application.router.add_get(path, self.page)
+        return application
+
+    def tick(self) -> None:
+        """One state for everybody."""
+        now = self.clock()
+        state = self._state = self.session.tick(now)
+        self.links.broadcast(encode(state), now)
+        self.library.serve(state)
+
+    def call_the_roll(self) -> None:
+        """Tells everybody who is connected."""
+        now = self.clock()
+        self.announce(self.session.crew_now(now))
+
+    def announce(self, message: FromServer) -> None:
+        """The same to everybody."""
+        data = encode(message)
+        for link in self.links:
+            self.links.answer(link.who, data)
+
+    async def hang_up(self) -> None:
+        """Tells every page that the server goes."""
+        await asyncio.gather(self.links.hang_up(), *([self.editing.close()] if self.editing else []))
+
+    async def link(self, request: web.Request) -> web.WebSocketResponse:
+        """A browser's link, from its first byte to its last."""
+        ws = LinkSocket(heartbeat=HEARTBEAT)
+        transport = await ws.let_in(request)
+        if transport is None:
+            return ws
+        link = self.links.open(ws, transport)
+        try:
+            await self._listen(link)
+        finally:
+            self.links.close(link)
+            self.session.leave(link.who)
+        return ws
+
+    async def manifest(self, request: web.Request) -> web.Response:
+        """What the cast is made of."""
+        tag = f'"{self.library.troupe.digest}"'
+        headers = {"Cache-Control": ALWAYS_ASK, "ETag": tag}
+        if request.headers.get("If-None-Match") == tag:
+            return web.Response(status=304, headers=headers)
+        return web.Response(body=await self.library.manifest(), content_type=MESSAGEPACK, headers=headers)
+
+    async def asset(self, request: web.Request) -> web.Response:
+        """A face, or the mask, by the name of its content."""
+        kept = {"Cache-Control": FOR_EVER}
+        if request.path == self.library.mask_url:
+            return web.Response(body=self.library.mask, content_type="image/png", headers=kept)
+        data = self.library.assets.get(request.path)
+        if data is None:
+            raise web.HTTPNotFound(text="there is no such asset in this cast: load /manifest again.")
+        return web.Response(body=data, content_type=MESSAGEPACK, headers=kept)
+
+    async def compound(self, request: web.Request) -> web.Response:
+        """A face wearing an expression, by their sources."""
+        names = request.match_info
+        return await self._computed(request, lambda: self.library.compound(names["face"], names["expression"]))
+
+    async def tangents(self, request: web.Request) -> web.Response:
+        """How a face answers to fields, by its source."""
+        return await self._computed(request, lambda: self.library.tangents(request.match_info["face"]))
+
+    async def handles(self, request: web.Request) -> web.Response:
+        """The handles of the face editor."""
+        return await self._computed(request, self.library.handles, keep=ALWAYS_ASK)
+
+    async def content(self, request: web.Request) -> web.Response:
+        """An own face by its content."""
+        return await self._computed(request, lambda: self.library.face(request.match_info["key"]))
+
+    async def _computed(
+        self, request: web.Request, make: Callable[[], Awaitable[bytes]], keep: str = FOR_EVER
+    ) -> web.Response:
+        """What is made now if need be, and as a rule is the same for ever under its address."""
+        if request.match_info.get("base", self.library.cast.digest) != self.library.cast.digest:
+            raise web.HTTPNotFound(text="the cast has changed: load /manifest again.")
+        try:
+            data = await make()
+        except KeyError as error:
+            raise web.HTTPNotFound(text=f"there is no {str(error)[:80]} in this cast: load /manifest again.") from error
+        except RefusedOrderError as error:
+            raise web.HTTPNotFound(text=f"{error}.") from error
+        except FailedOrderError as error:
+            raise web.HTTPServiceUnavailable(text=f"{error}.") from error
+        return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": keep})
+
+    async def layout(self, request: web.Request) -> web.Response:
+        """A page's document, as `set_layout` kept it; 204 where none is: a browser calls a 404 an error."""
+        found = None if self.editing is None else self.editing.layout(request.match_info["name"])
+        if found is None:
+            return web.Response(status=204, headers={"Cache-Control": ALWAYS_ASK})
+        return web.Response(body=found, content_type="application/json", headers={"Cache-Control": ALWAYS_ASK})
+
+    async def page(self, request: web.Request) -> web.Response:
+        """A page, or one of its files."""
+        page = self._pages.get(request.path)
+        if page is None:
+            raise web.HTTPNotFound(
+                text="there is no such page; the stage is at /stage, the console at /console, the editor at /editor."
+            )
+        keep = FOR_EVER if page.immutable else ALWAYS_ASK
+        return web.Response(body=page.body, content_type=page.content_type, headers={"Cache-Control": keep})
+
+    async def _listen(self, link: Link) -> None:
+        async for message in link.socket:
+            await link.turn(self.clock)
+            if message.type is WSMsgType.BINARY:
+                self._deliver(self.session.hear(link.who, message.data, self.clock()))
+                self._keep(self.session.take_wishes())
+            elif message.type is WSMsgType.TEXT:
+                reason = "text came, but messages are binary MessagePack."
+                self._deliver([Outgoing(link.who, Refused(reason))])
+
+    def _keep(self, wishes: list[Wish]) -> None:
+        for wish in wishes:
+            if self.editing is None:
+                self._deliver([Outgoing(wish.who, Refused(NO_FILE))])
+            else:
+                self.editing.wish(wish)
+
+    def _deliver(self, outgoing: list[Outgoing]) -> None:
+        for each in outgoing:
+            self.links.answer(each.who, encode(each.message))

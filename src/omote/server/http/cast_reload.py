@@ -1,0 +1,69 @@
+"""Puts own things into the show's cast while it plays, and takes them out again, but never what is on air."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from omote.model.cast import Cast
+from omote.server.http.cast_documents import Library
+from omote.show.messages import CastChanged
+from omote.show.session import ShowSession
+from omote.stage_data.playing_cast import Own, Troupe, troupe_of
+
+Report = Callable[[str], None]
+
+
+class Casting:
+    """The cast of a session, and its documents."""
+
+    def __init__(self, session: ShowSession, library: Library, report: Report) -> None:
+        self._session, self._library, self._report = session, library, report
+
+    async def recast(self, own: tuple[Own, ...], contents: Mapping[str, bytes]) -> CastChanged:
+        """Plays these own things beside the built-in cast, and what to tell everybody.
+
+        Own things on air that are not among them stay until the next time. All documents are there before the first
+        page hears of them.
+        """
+        library, tried = self._library, None
+        while True:
+            wanted = (*own, *self._still_on_air(own))
+            troupe = gathered(library.cast, wanted, contents, self._report, before=library.troupe)
+            await library.prepare(troupe)
+            try:
+                changed = self._session.recast(troupe)
+            except ValueError:
+                if wanted == tried:
+                    raise
+                tried = wanted  # something was called meanwhile
+                continue
+            library.play(troupe)
+            return changed
+
+    def _still_on_air(self, own: tuple[Own, ...]) -> list[Own]:
+        faces, expressions = self._session.names_held()
+        stays = {(each.kind, each.name) for each in own}
+        return [
+            each
+            for each in self._library.troupe.own
+            if (each.kind, each.name) not in stays and each.name in (faces if each.kind == "face" else expressions)
+        ]
+
+
+def gathered(
+    base: Cast, own: tuple[Own, ...], contents: Mapping[str, bytes], report: Report, *, before: Troupe | None = None
+) -> Troupe:
+    """The cast with all own things that can play; the operator is told of those that cannot.
+
+    At the start of a show (`before` None) what played before is believed to play again: a server must be back soon.
+    """
+    troupe = troupe_of(base, (), contents)
+    try:
+        return troupe_of(base, own, contents, before=before, check=before is not None)
+    except (ValueError, KeyError):
+        for each in own:  # one by one, to leave out as few as possible
+            try:
+                troupe = troupe_of(base, (*troupe.own, each), contents, before=troupe)
+            except (ValueError, KeyError) as error:
+                report(f"the own {each.kind} {each.label!r} cannot play ({error}); it is left out.")
+        return troupe

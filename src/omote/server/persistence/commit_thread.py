@@ -1,0 +1,139 @@
+"""Writes authored work beside the show, in order: what is told to be committed is on the disk."""
+
+from __future__ import annotations
+
+import sqlite3
+import threading
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from omote.showfile.changes import Change
+from omote.showfile.backup import keep_good_copy
+from omote.showfile.schema import ShowFileError
+from omote.showfile.show_file import ShowFile
+
+RETRY_SECONDS = 1.0
+"""How long the scribe waits for a disk that failed."""
+QUIET_SECONDS = 5.0
+"""How long nothing must have been committed before the good copy is made."""
+
+
+@dataclass(frozen=True)
+class Fate:
+    """What became of a list of changes.
+
+    "committed": on the disk, for good. "waiting": the disk failed; the changes are kept and tried again, in order, and
+    another fate follows. "refused": they will never be made, none of them. sentence: why, where not committed.
+    """
+
+    state: Literal["committed", "waiting", "refused"]
+    sentence: str = ""
+
+
+Told = Callable[[Fate], None]
+
+
+@dataclass(frozen=True)
+class _Job:
+    changes: tuple[Change, ...]
+    told: Told
+
+
+class Scribe:
+    """A thread that commits lists of changes one after the other, and keeps the good copy.
+
+    show: the scribe's own (`ShowFile.again`); it closes it. Fates are told on the scribe's thread.
+    """
+
+    def __init__(
+        self,
+        show: ShowFile,
+        report: Callable[[str], None],
+        *,
+        retry_seconds: float = RETRY_SECONDS,
+        quiet_seconds: float = QUIET_SECONDS,
+    ) -> None:
+        self._show, self._report = show, report
+        self._retry_seconds, self._quiet_seconds = retry_seconds, quiet_seconds
+        self._queue: deque[_Job] = deque()
+        self._waiting = threading.Condition()
+        self._closing = self._failing = False
+        self._stale = True  # the good copy is older than the file: a file that opened well deserves one
+        self._thread = threading.Thread(target=self._run, name="scribe", daemon=True)
+        self._thread.start()
+
+    def commit(self, changes: Sequence[Change], told: Told) -> None:
+        """Hands over changes that belong together; returns at once."""
+        with self._waiting:
+            if not self._closing:
+                self._queue.append(_Job(tuple(changes), told))
+                self._waiting.notify()
+                return
+        told(Fate("refused", f"{self._show.path} is being closed; start the show again and repeat it."))
+
+    def close(self) -> None:
+        """Commits what is left, keeps a good copy and closes the file; waits five seconds at most."""
+        with self._waiting:
+            self._closing = True
+            self._waiting.notify()
+        self._thread.join(timeout=5.0)
+
+    def _run(self) -> None:
+        while True:
+            with self._waiting:
+                quiet = self._quiet_seconds if self._stale else None
+                self._waiting.wait_for(lambda: self._queue or self._closing, timeout=quiet)
+                job, closing = (self._queue[0] if self._queue else None), self._closing
+            if job is not None:
+                self._carry_out(job)
+                self._queue.popleft()
+            elif closing:
+                break
+            else:
+                self._keep_good_copy()
+        if self._stale:
+            self._keep_good_copy()
+        self._show.close()
+
+    def _carry_out(self, job: _Job) -> None:
+        fate = self._tried(job)
+        if fate.state == "waiting":
+            self._tell(job, fate)
+        while fate.state == "waiting":
+            with self._waiting:
+                last = self._waiting.wait_for(lambda: self._closing, timeout=self._retry_seconds)
+            fate = self._tried(job)
+            if last and fate.state == "waiting":
+                fate = Fate("refused", fate.sentence)
+        self._tell(job, fate)
+
+    def _tried(self, job: _Job) -> Fate:
+        try:
+            self._show.apply(job.changes)
+        except sqlite3.OperationalError as error:
+            sentence = f"{self._show.path} cannot be written ({error}); your work is kept in memory and tried again."
+            if not self._failing:
+                self._report(sentence)
+            self._failing = True
+            return Fate("waiting", sentence)
+        except (sqlite3.Error, ValueError, TypeError, OverflowError) as error:
+            return Fate("refused", f"{self._show.path} cannot keep this ({error}); undo it, or do it again.")
+        self._failing, self._stale = False, True
+        return Fate("committed")
+
+    def _tell(self, job: _Job, fate: Fate) -> None:
+        try:
+            job.told(fate)
+        except RuntimeError:
+            pass  # a loop that has ended hears nothing any more
+        except Exception as error:  # whatever it is, later changes are still to be kept
+            self._report(f"what became of a change ({fate.state}) could not be told: {error!r}.")
+
+    def _keep_good_copy(self) -> None:
+        self._stale = False
+        try:
+            self._stale = not keep_good_copy(self._show)
+        except (sqlite3.Error, OSError, ShowFileError) as error:
+            self._report(f"no good copy of {self._show.path} could be made ({error}); the one of before stays.")

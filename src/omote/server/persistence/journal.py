@@ -1,0 +1,72 @@
+"""Writes the journal beside the show: a slow or broken disk never holds up a tick."""
+
+from __future__ import annotations
+
+import sqlite3
+import threading
+from collections.abc import Callable
+from functools import partial
+
+from omote.showfile.show_file import JournalEntry, ShowFile
+
+FLUSH_SECONDS = 1.0
+"""How often the journal is made to survive a loss of power."""
+
+
+class JournalWriter:
+    """A thread that writes the newest state; older ones that it could not write in time are dropped.
+
+    A second thread flushes: syncing a disk takes tens of milliseconds, and a state must not wait for it.
+    """
+
+    def __init__(self, show: ShowFile, report: Callable[[str], None], *, flush_seconds: float = FLUSH_SECONDS) -> None:
+        self._show, self._report = show, report
+        self._newest: JournalEntry | None = None
+        self._closing = False
+        self._waiting = threading.Condition()
+        self._failing = False
+        self._flush_seconds, self._done = flush_seconds, threading.Event()
+        self._thread = threading.Thread(target=self._run, name="journal", daemon=True)
+        self._flusher = threading.Thread(target=self._flush, name="journal-flush", daemon=True)
+        self._thread.start()
+        self._flusher.start()
+
+    def offer(self, entry: JournalEntry) -> None:
+        """Hands over the newest state; returns at once."""
+        with self._waiting:
+            self._newest = entry
+            self._waiting.notify()
+
+    def close(self) -> None:
+        """Writes what is left and closes the file; waits two seconds at most."""
+        with self._waiting:
+            self._closing = True
+            self._waiting.notify()
+        self._thread.join(timeout=2.0)
+        self._flusher.join(timeout=2.0)
+
+    def _run(self) -> None:
+        while True:
+            with self._waiting:
+                self._waiting.wait_for(lambda: self._newest is not None or self._closing)
+                entry, self._newest = self._newest, None
+            if entry is None:
+                break
+            self._failing = not self._tried(partial(self._show.write_journal, entry))
+        self._done.set()
+        self._show.close()
+
+    def _flush(self) -> None:
+        show = self._show.again()
+        while not self._done.wait(self._flush_seconds):
+            self._tried(show.flush)
+        show.close()
+
+    def _tried(self, work: Callable[[], None]) -> bool:
+        try:
+            work()
+        except sqlite3.Error as error:
+            if not self._failing:
+                self._report(f"the journal {self._show.path} cannot be written ({error}); the show goes on without it.")
+            return False
+        return True

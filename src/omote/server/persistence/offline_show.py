@@ -1,0 +1,36 @@
+"""Show files that no show plays, opened for a command."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from omote.showfile.show_file import ShowFile, open_show
+from omote.server.persistence.lock import lock_show
+
+
+@contextmanager
+def closed_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
+    """The show file, ours alone until the end; new: made where there is none.
+
+    FileNotFoundError where there is none, ShowLockedError where a show plays it, ShowFileError where it cannot be used.
+    """
+    if not new and not path.is_file():
+        raise FileNotFoundError(f"there is no show file {path}; `omote show {path}` makes one")
+    lock = lock_show(path.absolute())
+    try:
+        file = open_show(path.absolute())
+        try:
+            yield file
+        finally:
+            file.close()
+    finally:
+        os.close(lock)
+
+
+def wall_clock() -> float:
+    """Seconds since 1970, for people who read a history."""
+    return time.time_ns() / 1e9

@@ -1,0 +1,115 @@
+"""Brings a show back from its file: nothing in the file can keep the show from starting."""
+
+from __future__ import annotations
+
+import sqlite3
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import msgspec
+
+from omote.showfile.recovery import Rescue, finish, is_lost, rescue_show
+from omote.showfile.show_file import CorruptShowFileError, JournalEntry, ShowFile, ShowFileError, open_show
+from omote.perform.performer import Performer
+from omote.perform.snapshot import Playable
+from omote.server.process.process_messages import Order
+from omote.show.session import SessionSnapshot, ShowSession
+
+Report = Callable[[str], None]
+
+
+def open_journal(path: Path, report: Report) -> ShowFile | None:
+    """The show file's newest good state (`open_newest`); None when the disk allows no file at all."""
+    try:
+        return open_newest(path, report)
+    except (ShowFileError, OSError) as error:
+        report(f"{error} The show goes on without a journal.")
+        return None
+
+
+def open_newest(path: Path, report: Report) -> ShowFile:
+    """The show file, made when there is none; a corrupt or lost one is kept and its newest good state opened.
+
+    ShowFileError with a sentence where it cannot be used; then it is untouched.
+    """
+    try:
+        finish(path)
+        try:
+            if is_lost(path):
+                raise CorruptShowFileError(f"{path} is {'empty' if path.exists() else 'not there'}.")
+            return open_show(path)
+        except CorruptShowFileError as error:
+            report(f"{error} {_said(rescue_show(path))}")
+            return open_show(path)
+    except (sqlite3.Error, OSError) as error:
+        raise ShowFileError(f"{path} cannot be used ({error}); free the disk or name another file.") from error
+
+
+def _said(rescue: Rescue) -> str:
+    kept = "" if rescue.kept is None else f"it is kept as {rescue.kept}; "
+    newer = f"{rescue.newer} {'change' if rescue.newer == 1 else 'changes'}"
+    if rescue.copied is None:
+        opened = f"{newer} of authored work could be read and go on" if rescue.newer else "the show starts neutral"
+        return _sentence(f"{kept}there is no good copy of it: {opened}.")
+    made = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(rescue.copied))
+    more = f", with {newer} made after it" if rescue.newer else ""
+    return _sentence(f"{kept}opened instead: its good copy of {made}{more}.")
+
+
+def _sentence(text: str) -> str:
+    return text[0].upper() + text[1:]
+
+
+def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report) -> ShowSession:
+    """The session of the journal's last state, under a new epoch; a neutral one when none can be played."""
+    last = _last_entry(show, report)
+    epoch = next_epoch(last.epoch, order.epoch)
+    session = None if order.neutral else _played_on(cast, last, epoch, report)
+    if session is not None:
+        _record(show, session, None, report)
+        return session
+    session = ShowSession(cast, Performer(cast), epoch=epoch)
+    _record(show, session, last, report)
+    return session
+
+
+def journal_entry(session: ShowSession) -> JournalEntry:
+    """The session as it is now, for the journal."""
+    return JournalEntry(session.epoch, time.monotonic(), msgspec.msgpack.encode(session.snapshot()))
+
+
+def next_epoch(journal: int, order: int) -> int:
+    """An epoch above all before it: of this file, of this supervisor, and, by the calendar, of other show files."""
+    return max(journal + 1, order, int(time.time()))  # noqa: TID251  (orders starts of servers; drives nothing)
+
+
+def _last_entry(show: ShowFile | None, report: Report) -> JournalEntry:
+    try:
+        return show.journal() if show else JournalEntry(0, 0.0, None)
+    except sqlite3.Error as error:
+        report(f"the journal cannot be read ({error}); the show starts neutral.")
+        return JournalEntry(0, 0.0, None)
+
+
+def _record(show: ShowFile | None, session: ShowSession, aside: JournalEntry | None, report: Report) -> None:
+    """Puts the new epoch into the journal, and a last state that is not played on aside."""
+    if show is None:
+        return
+    try:
+        if aside is not None:
+            show.set_aside(aside, "not played on: it could not be, or the servers that started from it died")
+        show.write_journal(journal_entry(session))
+    except sqlite3.Error as error:
+        report(f"the journal cannot be written ({error}); the show goes on.")
+
+
+def _played_on(cast: Playable, entry: JournalEntry, epoch: int, report: Report) -> ShowSession | None:
+    if entry.snapshot is None:
+        return None
+    try:
+        snapshot = msgspec.msgpack.decode(entry.snapshot, type=SessionSnapshot)
+        return ShowSession.restored(cast, snapshot, epoch=epoch)
+    except (ValueError, TypeError, RecursionError) as error:
+        report(f"the last state cannot be played ({error}); it is kept aside and the show starts neutral.")
+        return None

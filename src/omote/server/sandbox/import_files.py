@@ -1,0 +1,62 @@
+"""What comes from outside into a show file: files by their kinds, what they bring, and how well it was taken."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from omote.builtin import load_meshes
+from omote.edit.store.import_items import Arrival, opened
+from omote.interchange.formats import expression_json as exchange
+from omote.model.cast import Cast
+from omote.perform.limits import known
+from omote.server.sandbox.child_reader import read_apart
+from omote.interchange.import_meshes import face_in, taken
+
+DOCUMENT = ".json"
+FAR = 5e-5
+"""Metres; what an expression misses the shape it came from by is told from here on."""
+
+Brought = tuple[Arrival, str]
+
+
+def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> Iterator[Brought]:
+    """Each expression in the files, with a sentence about it; face: the face of the cast that shapes start from.
+
+    ValueError, in a sentence, for files that hold none; OSError where one cannot be read.
+    """
+    _refuse_missing(paths)
+    documents = [path for path in paths if path.suffix.lower() == DOCUMENT]
+    for path in documents:
+        if path.stat().st_size > exchange.LARGEST:
+            raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {exchange.LARGEST} at most")
+        try:
+            arrival = opened(cast.space, exchange.decode(path.read_bytes()), note=path.name)
+        except ValueError as error:
+            raise ValueError(f"{path.name}: {error}") from error
+        yield arrival, f"{arrival.label}, from {path.name}"
+    shapes = {path.stem: read_apart(path) for path in paths if path not in documents}
+    if not shapes:
+        return
+    for each in taken(cast, load_meshes(), shapes, face=face):
+        off = f"; it misses its shape by up to {1000 * each.error:.2f} mm" if each.error > FAR else ""
+        note = f"from {', '.join(path.name for path in paths)}"[:200]
+        yield Arrival(each.label, each.expression, note=note), f"{each.label}, taken from {each.face}{off}"
+
+
+def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator[Brought]:
+    """Each head at rest in the files as a face; look: the face of the cast whose colours it wears, "" for its own.
+
+    Errors as `expressions_from`.
+    """
+    _refuse_missing(paths)
+    for path in paths:
+        face, own = face_in(cast, load_meshes(), path.stem, read_apart(path))
+        worn = cast.looks[known(look, cast.faces, "face")] if look else own
+        yield Arrival(path.stem, (face, worn), note=f"from {path.name}"), f"{path.stem}, a face"
+
+
+def _refuse_missing(paths: Sequence[Path]) -> None:
+    for path in paths:
+        if not path.is_file():
+            raise FileNotFoundError(f"there is no file {path}; name one that is there")

@@ -1,0 +1,142 @@
+"""The process that waits warmed up and makes servers of itself.
+
+Starting Python, loading the cast and its kernels takes longer than an audience forgives, so it is done once, here. An
+order makes a copy of this process (`fork`) in milliseconds, and the copy plays. The standby has no thread and no event
+loop, so that copies are whole. It lives as long as its supervisor, and each server as long as its own pipe.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import gc
+import os
+import select
+import signal
+import socket
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from omote.perform.performer import Performer
+from omote.server.supervision.show_process import Material, Pipes, built_in_material, report, run
+from omote.server.process.fork import copied
+from omote.server.http.cast_documents import Library
+from omote.server.process.process_messages import Ended, Order, Ready, Started, take_order, tell
+from omote.server.process.priority import first_in_line
+from omote.stage_data.assets import compound_asset
+from omote.show.messages import STATE_RATE
+
+END_SECONDS = 3.0
+"""How long servers may take to end when their supervisor is gone."""
+
+Start = Callable[[Order, int, int], int]
+
+
+def main(arguments: list[str] | None = None, load: Callable[[], Material] = built_in_material) -> int:
+    """Warms up, says so, and makes servers as ordered; the exit status."""
+    options = _options(arguments)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to all; the supervisor decides
+    try:
+        material = load()
+        warm(material.library)
+    except (OSError, ValueError) as error:
+        report(str(error))
+        return 1
+    with socket.socket(fileno=options.line) as line:
+
+        def start(order: Order, control: int, pulse: int) -> int:
+            pipes = Pipes(options.listen, control, pulse)
+            return fork(line, lambda: run(material, order, show=options.show, pipes=pipes))
+
+        first_in_line()
+        tell(line, Ready())
+        obey(line, start)
+    return 0
+
+
+def warm(library: Library) -> None:
+    """Does once all that is slow the first time: kernels are compiled or loaded, caches filled."""
+    cast = library.cast
+    face = next(iter(cast.faces.values()))
+    for expression in list(cast.expressions)[:2]:
+        compound_asset(cast, face, expression)
+    Performer(cast).advance(1.0 / STATE_RATE)
+    _ = library.bench.craft, library.bench.net, library.bench.welcome
+    gc.collect()
+    gc.freeze()  # copies share this memory with us as long as nobody touches it
+
+
+def obey(line: socket.socket, start: Start) -> None:
+    """Starts a server for each order and reports each that ended, until the supervisor is gone."""
+    wake, woken = os.pipe()
+    os.set_blocking(wake, False)
+    os.set_blocking(woken, False)
+    signal.set_wakeup_fd(woken)
+    signal.signal(signal.SIGCHLD, lambda *_: None)
+    servers: set[int] = set()
+    while True:
+        readable = select.select([line.fileno(), wake], [], [])[0]
+        if wake in readable:
+            os.read(wake, 4096)
+            for ended in gone():
+                servers.discard(ended.pid)
+                tell(line, ended)
+        if line.fileno() in readable:
+            taken = take_order(line)
+            if taken is None:
+                return see_out(servers, wake)
+            order, control, pulse = taken
+            pid = start(order, control, pulse)
+            servers.add(pid)
+            tell(line, Started(pid))
+            os.close(control)
+            os.close(pulse)
+
+
+def see_out(servers: set[int], wake: int) -> None:
+    """Waits until servers whose supervisor is gone have ended, and kills those that do not."""
+    deadline = time.monotonic() + END_SECONDS
+    while (servers := servers - {ended.pid for ended in gone()}) and (left := deadline - time.monotonic()) > 0:
+        select.select([wake], [], [], left)
+        with contextlib.suppress(BlockingIOError):
+            os.read(wake, 4096)
+    for pid in servers:
+        os.kill(pid, signal.SIGKILL)
+        os.waitpid(pid, 0)
+
+
+def fork(line: socket.socket, play: Callable[[], None]) -> int:
+    """The process id of a copy of this process that plays and ends; it leaves the line to its parent."""
+
+    def played() -> None:
+        line.close()
+        play()
+
+    return copied(played)
+
+
+def gone() -> list[Ended]:
+    """The servers that have ended since the last call."""
+    ended: list[Ended] = []
+    while True:
+        try:
+            pid, status = os.waitpid(-1, os.WNOHANG)
+        except ChildProcessError:
+            return ended
+        if pid == 0:
+            return ended
+        ended.append(Ended(pid, os.waitstatus_to_exitcode(status)))
+
+
+def _options(arguments: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="omote.server.supervision.standby", description=__doc__)
+    parser.add_argument("--show", type=Path, required=True)
+    parser.add_argument("--listen", type=int, required=True)
+    parser.add_argument("--line", type=int, required=True)
+    return parser.parse_args(arguments)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

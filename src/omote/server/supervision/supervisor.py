@@ -1,0 +1,265 @@
+"""Keeps a server playing: one plays, a standby waits to make the next.
+
+The supervisor owns the listening socket, so browsers that come back while no server plays wait in its queue and are
+heard by the next one. It does little else, so that nothing can bring it down. A server is gone when its pulse pipe
+ends (at once, whatever killed it) and hangs when its pulse stops. The pipes to servers and standby tell them to end by
+ending themselves, so nothing outlives the supervisor.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import selectors
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from omote.server.supervision.crash_loop import Blame
+from omote.server.process.process_messages import Ended, News, Order, Ready, Started, give_order, read_news
+from omote.server.process.priority import first_in_line
+
+PROGRAM = (sys.executable, "-m", "omote.server.supervision.standby")
+HANG_SECONDS = 1.0
+"""Silence of a playing server after which it is replaced."""
+START_SECONDS = 10.0
+"""The same, from its order to its first tick."""
+END_SECONDS = 3.0
+"""How long servers may take to end when told to."""
+PAUSE_SECONDS = 2.0
+"""Pause before another try when a standby, or a server that never ticked, died."""
+FAILURES = 6
+"""Servers that die before their first tick until the supervisor gives up, when none has ever ticked."""
+WAIT_SECONDS = 0.25
+
+Report = Callable[[str], None]
+
+
+@dataclass(eq=False)
+class Standby:
+    """The standby process and the line to it."""
+
+    process: subprocess.Popen[bytes]
+    line: socket.socket
+    ready: bool = False
+
+
+@dataclass(eq=False)
+class Server:
+    """A server; its end of `control` ends it, `pulse` comes from it; `pid` is known once the standby has told it."""
+
+    control: int
+    pulse: int
+    pid: int | None = None
+    playing: bool = False
+    heard: float = field(default_factory=time.monotonic)
+
+    def hangs(self, now: float) -> bool:
+        """Whether it has been silent for too long."""
+        return now - self.heard > (HANG_SECONDS if self.playing else START_SECONDS)
+
+
+class Supervisor:
+    """Starts, watches and replaces the servers of one show; `opened` is called when the first of them plays."""
+
+    def __init__(
+        self,
+        listen: socket.socket,
+        lock: int,
+        show: Path,
+        *,
+        report: Report,
+        opened: Callable[[], None],
+        program: Sequence[str] = PROGRAM,
+    ) -> None:
+        self._listen, self._lock, self._show, self._program = listen, lock, show, tuple(program)
+        self._report, self._opened = report, opened
+        self._standby: Standby | None = None
+        self._server: Server | None = None
+        self._blame = Blame()
+        self._epoch = self._failures = 0
+        self._not_before = self._checked = 0.0
+        self._played = self._ending = False
+        self._selector = selectors.DefaultSelector()
+
+    def run(self) -> int:
+        """Keeps the show playing until a signal ends it; exit status 1 when no server could ever play."""
+        wake, woken = socket.socketpair()
+        woken.setblocking(False)
+        self._selector.register(wake, selectors.EVENT_READ)
+        before = signal.set_wakeup_fd(woken.fileno(), warn_on_full_buffer=False)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, self._end)
+        try:
+            while not self._ending:
+                if not self._keep_playing(time.monotonic()):
+                    return 1
+                self._listen_to_all()
+            return 0
+        finally:
+            signal.set_wakeup_fd(before)
+            self._end_all()
+            self._selector.close()
+            wake.close()
+            woken.close()
+
+    def _end(self, *_: object) -> None:
+        self._ending = True
+
+    def _keep_playing(self, now: float) -> bool:
+        if self._server is not None and now - self._checked > HANG_SECONDS / 2:
+            self._server.heard = now  # we got no time ourselves, so its silence proves nothing
+        self._checked = now
+        if self._server is not None and self._server.hangs(now):
+            self._report("the server hangs; another one takes over.")
+            if not self._server.playing:
+                self._blame.hung(now)
+            self._lose_server(self._server)
+        if now >= self._not_before:
+            if self._standby is None:
+                self._standby = self._start_standby()
+            if self._server is None and self._standby.ready:
+                self._server = self._start_server(self._standby, now)
+        hopeless = self._standby is None or self._failures >= FAILURES
+        return self._played or not hopeless
+
+    def _start_standby(self) -> Standby:
+        ours, theirs = socket.socketpair()
+        handed = {"--listen": self._listen.fileno(), "--line": theirs.fileno()}
+        words = [word for name, descriptor in handed.items() for word in (name, str(descriptor))]
+        process = subprocess.Popen(
+            [*self._program, "--show", str(self._show), *words],
+            stdin=subprocess.DEVNULL,
+            pass_fds=(*handed.values(), self._lock),
+            start_new_session=True,  # Ctrl-C reaches the supervisor only
+            env={"OPENBLAS_NUM_THREADS": "1", **os.environ},  # and a process of one thread can be copied
+        )
+        theirs.close()
+        standby = Standby(process, ours)
+        self._selector.register(ours, selectors.EVENT_READ, standby)
+        return standby
+
+    def _start_server(self, standby: Standby, now: float) -> Server | None:
+        neutral = self._blame.blames_state(now)
+        if neutral:
+            self._report("the servers that started from the last state died; the show starts again from neutral.")
+        self._epoch += 1
+        control, ours = os.pipe()
+        theirs, pulse = os.pipe()
+        try:
+            give_order(standby.line, Order(epoch=self._epoch, neutral=neutral), control, pulse)
+        except OSError:
+            os.close(ours)
+            os.close(theirs)
+            return None
+        finally:
+            os.close(control)
+            os.close(pulse)
+        server = Server(ours, theirs)
+        self._selector.register(theirs, selectors.EVENT_READ, server)
+        return server
+
+    def _listen_to_all(self) -> None:
+        for key, _ in self._selector.select(WAIT_SECONDS):
+            if isinstance(key.data, Standby):
+                self._hear_standby(key.data)
+            elif isinstance(key.data, Server):
+                self._hear_server(key.data)
+
+    def _hear_standby(self, standby: Standby) -> None:
+        try:
+            lines = standby.line.recv(65536)
+        except ConnectionError:
+            lines = b""
+        if not lines:
+            self._lose_standby(standby)
+        for news in read_news(lines):
+            self._hear_news(standby, news)
+
+    def _hear_news(self, standby: Standby, news: News) -> None:
+        match news:
+            case Ready():
+                standby.ready = True
+            case Started(pid) if self._server is not None and self._server.pid is None:
+                self._server.pid = pid
+            case Ended(_, code):
+                self._blame.ended(time.monotonic(), code)
+
+    def _hear_server(self, server: Server) -> None:
+        if not os.read(server.pulse, 4096):
+            self._report("the server is gone; another one takes over.")
+            self._lose_server(server)
+            return
+        server.heard = time.monotonic()
+        if not server.playing:
+            server.playing = True
+            self._failures = 0
+            first_in_line()
+            if not self._played:
+                self._played = True
+                self._opened()
+
+    def _lose_server(self, server: Server) -> None:
+        if server.pid is not None:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(server.pid, signal.SIGKILL)
+        self._selector.unregister(server.pulse)
+        os.close(server.pulse)
+        os.close(server.control)
+        self._server = None
+        if not server.playing:  # trying again at once would help nobody
+            self._failures += 1
+            self._not_before = time.monotonic() + (PAUSE_SECONDS if self._failures >= FAILURES else 0.0)
+
+    def _lose_standby(self, standby: Standby) -> None:
+        self._selector.unregister(standby.line)
+        standby.line.close()
+        standby.process.kill()
+        status = standby.process.wait()
+        self._standby = None
+        if self._played:
+            self._report(f"the standby ended (status {status}); another one is started.")
+            self._not_before = time.monotonic() + (0.0 if standby.ready else PAUSE_SECONDS)
+
+    def _end_all(self) -> None:
+        if self._server is not None:
+            os.close(self._server.control)
+            self._wait_for_end(self._server.pulse)
+            os.close(self._server.pulse)
+        if self._standby is not None:
+            self._standby.line.close()
+            try:
+                self._standby.process.wait(2 * END_SECONDS)  # it sees its servers out
+            except subprocess.TimeoutExpired:
+                self._standby.process.kill()
+                self._standby.process.wait()
+
+    def _wait_for_end(self, pulse: int) -> None:
+        deadline = time.monotonic() + END_SECONDS
+        with selectors.DefaultSelector() as selector:
+            selector.register(pulse, selectors.EVENT_READ)
+            while (left := deadline - time.monotonic()) > 0:
+                if selector.select(left) and not os.read(pulse, 4096):
+                    return
+        if self._server is not None and self._server.pid is not None:
+            os.kill(self._server.pid, signal.SIGKILL)
+
+
+def listen_on(host: str, port: int) -> socket.socket:
+    """The listening socket of a show; OSError, in a sentence, when the port is taken or the address is not ours."""
+    if not host:
+        raise OSError("--host is empty: give 127.0.0.1 for this machine alone, 0.0.0.0 for the whole network.")
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    try:
+        return socket.create_server((host, port), family=family, backlog=512)
+    except (OSError, UnicodeError) as error:
+        number = error.errno if isinstance(error, OSError) and error.errno else 0
+        reason = os.strerror(number) if number > 0 else str(error).split(" (while")[0]
+        if number <= 0:  # not even looked up
+            raise OSError(f"{host} is no address of this machine ({reason}): name another with --host.") from error
+        raise OSError(f"port {port} on {host} cannot be opened ({reason}): name another with --port.") from error

@@ -1,0 +1,132 @@
+"""What a hand of the workshop works at: orders as bytes in, what was made of them as bytes out.
+
+Orders carry all that they need beside the built-in cast, so any hand can make any of them; a hand keeps what it
+unpacked last.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Mapping
+from functools import cached_property
+
+import msgspec
+
+from omote.edit.compute.order_runner import Craft
+from omote.edit.compute.welcome import greeting
+from omote.edit.compute.handles_asset import handles_asset
+from omote.edit.protocol.messages import Greeted
+from omote.edit.protocol.orders import Contents, EditOrder
+from omote.showfile.contents import content_kind, unpack_expression, unpack_face
+from omote.model.cast import Cast, Look
+from omote.model.controls.default_net import default_net
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.recipes.recipe import KEY
+from omote.stage_data.assets import compound_asset, content_asset
+from omote.show.wire import encode
+
+KEPT = 64
+"""Contents that a hand keeps unpacked: a megabyte each at most."""
+
+
+class CompoundOrder(msgspec.Struct, frozen=True, tag=True):
+    """A face wearing an expression, by their sources; answered with a `CompoundAsset`."""
+
+    face: str
+    expression: str
+    contents: Contents
+
+
+class TangentsOrder(msgspec.Struct, frozen=True, tag=True):
+    """How a face answers to a field, by its source; answered with a `TangentsAsset`."""
+
+    face: str
+    contents: Contents
+
+
+class FaceOrder(msgspec.Struct, frozen=True, tag=True):
+    """An own face by the key of its content; answered with a `ContentAsset`."""
+
+    key: str
+    contents: Contents
+
+
+class HandlesOrder(msgspec.Struct, frozen=True, tag=True):
+    """The handles of the face editor; answered with a `HandlesAsset`."""
+
+
+ShopOrder = CompoundOrder | TangentsOrder | FaceOrder | HandlesOrder | EditOrder
+
+_order: msgspec.msgpack.Decoder[ShopOrder] = msgspec.msgpack.Decoder(ShopOrder)
+
+
+class Bench:
+    """Makes orders on one built-in cast; ValueError, with a sentence, for those that cannot be."""
+
+    def __init__(self, cast: Cast) -> None:
+        self.cast = cast
+        self._unpacked: OrderedDict[str, Expression | tuple[Face, Look]] = OrderedDict()
+
+    def make(self, data: bytes) -> bytes:
+        """What an order, as bytes, is answered with, as bytes."""
+        order = _order.decode(data)
+        if isinstance(order, CompoundOrder):
+            face, _ = self._face(order.face, order.contents)
+            return encode(compound_asset(self.cast, face, self._expression(order.expression, order.contents)))
+        if isinstance(order, FaceOrder):
+            return encode(content_asset(self.cast, order.key, *self._face(KEY + order.key, order.contents)))
+        if isinstance(order, TangentsOrder):
+            return encode(self.craft.tangents_asset(order.face, order.contents))
+        if isinstance(order, HandlesOrder):
+            return encode(handles_asset(self.cast.space))
+        return encode(self.craft.perform(order))
+
+    @cached_property
+    def welcome(self) -> Greeted:
+        """What does not change of the answer to an editor who greets."""
+        return greeting(self.cast)
+
+    @cached_property
+    def net(self) -> tuple[int, ...]:
+        """The control points of a new expression."""
+        return default_net(self.cast.space)
+
+    @cached_property
+    def craft(self) -> Craft:
+        """Whoever makes editors' orders."""
+        return Craft(self.cast)
+
+    def _face(self, source: str, contents: Mapping[str, bytes]) -> tuple[Face, Look]:
+        if not source.startswith(KEY):
+            if source not in self.cast.faces:
+                raise ValueError(f"there is no face {source[:80]!r} in this cast")
+            return self.cast.faces[source], self.cast.looks[source]
+        found = self._content(source.removeprefix(KEY), contents)
+        if isinstance(found, Expression):
+            raise ValueError(f"{source[:80]} is an expression, not a face")
+        return found
+
+    def _expression(self, source: str, contents: Mapping[str, bytes]) -> Expression:
+        if not source.startswith(KEY):
+            if source not in self.cast.expressions:
+                raise ValueError(f"there is no expression {source[:80]!r} in this cast")
+            return self.cast.expressions[source]
+        found = self._content(source.removeprefix(KEY), contents)
+        if not isinstance(found, Expression):
+            raise ValueError(f"{source[:80]} is a face, not an expression")
+        return found
+
+    def _content(self, key: str, contents: Mapping[str, bytes]) -> Expression | tuple[Face, Look]:
+        if key not in self._unpacked:
+            if key not in contents:
+                raise ValueError(f"the content {key[:80]!r} did not come with its order")
+            self._unpacked[key] = _unpacked(key, contents[key])
+        self._unpacked.move_to_end(key)
+        while len(self._unpacked) > KEPT:
+            self._unpacked.popitem(last=False)
+        return self._unpacked[key]
+
+
+def _unpacked(key: str, data: bytes) -> Expression | tuple[Face, Look]:
+    return unpack_face(data, key) if content_kind(data) == "face" else unpack_expression(data)

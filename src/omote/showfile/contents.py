@@ -1,0 +1,229 @@
+"""Contents: own expressions and faces as bytes, which are kept, sent to the workshop and named by their hash.
+
+`OMOC`, a version, then zlib over MessagePack: arrays little-endian, an expression's as float64 so that it comes back
+exactly, and only the rows that move; a face's as float32, as faces are kept. The same object gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import zlib
+from collections.abc import Mapping
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.showfile.changes import Kind
+from omote.model.cast import Look
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+
+MAGIC, VERSION = b"OMOC", 1
+MOST_BYTES = 2**25
+"""Of what is unpacked: a dozen times the built-in cast's largest face; a bomb is refused before it is unpacked."""
+MOST_NUMBERS = 2**22
+"""In all arrays together: rows at rest take no bytes, so they are counted apart."""
+
+Numbers = NDArray[np.floating[Any]]
+DOUBLE, SINGLE = np.dtype("<f8"), np.dtype("<f4")
+
+
+class ContentError(ValueError):
+    """The bytes are no content, and why, in one sentence."""
+
+
+class _Array(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields=True):
+    """shape; places: u32 rows that do not rest, or None for all; values of these rows."""
+
+    shape: tuple[int, ...]
+    places: bytes | None
+    values: bytes
+
+
+class _Expression(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="expression"):
+    dtheta: _Array
+    dh: _Array
+    ratio: _Array
+    residual: _Array
+    parts: dict[str, _Array]
+    eyes: _Array
+    radius: str
+    transfer: str
+    pupil: float
+
+
+class _Face(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="face"):
+    positions: _Array
+    parts: dict[str, _Array]
+    look: dict[str, str | float]
+
+
+_Content = _Expression | _Face
+
+
+def content_key(data: bytes, /) -> str:
+    """The name of these bytes for ever: 24 hexadecimal digits."""
+    return hashlib.blake2b(data, digest_size=12).hexdigest()
+
+
+def content_kind(data: bytes, /) -> Kind:
+    """What the bytes hold; ContentError where they are no content."""
+    return "face" if isinstance(_opened(data), _Face) else "expression"
+
+
+def pack_expression(expression: Expression, /) -> bytes:
+    """An expression as bytes."""
+    whole = {name: _sparse(getattr(expression, name)) for name in ("dtheta", "dh", "residual")}
+    parts = {name: _sparse(expression.parts[name]) for name in sorted(expression.parts)}
+    return _closed(
+        _Expression(
+            **whole,
+            ratio=_sparse(expression.ratio, rest=1.0),
+            parts=parts,
+            eyes=_dense(expression.eyes, DOUBLE),
+            radius=expression.radius,
+            transfer=expression.transfer,
+            pupil=expression.pupil,
+        )
+    )
+
+
+def unpack_expression(data: bytes, /) -> Expression:
+    """The expression in bytes, exactly; ContentError where there is none.
+
+    That it fits a space is checked where it is used.
+    """
+    found = _opened(data)
+    if not isinstance(found, _Expression):
+        raise ContentError("this content is a face; expected an expression")
+    _refuse_too_many(found.dtheta, found.dh, found.ratio, found.residual, found.eyes, *found.parts.values())
+    try:
+        return Expression(
+            **{name: _filled(getattr(found, name)) for name in ("dtheta", "dh", "residual", "eyes")},
+            ratio=_filled(found.ratio, rest=1.0),
+            parts={name: _filled(part) for name, part in found.parts.items()},
+            radius=found.radius,
+            transfer=found.transfer,
+            pupil=found.pupil,
+        )
+    except (ValueError, TypeError) as error:
+        raise ContentError(f"this content holds no expression: {error}") from error
+
+
+def pack_face(face: Face, look: Look, /) -> bytes:
+    """A face and its look as bytes, without its name."""
+    parts = {name: _dense(face.parts[name], SINGLE) for name in sorted(face.parts)}
+    return _closed(_Face(_dense(face.positions, SINGLE), parts, dict(vars(look))))
+
+
+def unpack_face(data: bytes, /, name: str) -> tuple[Face, Look]:
+    """The face in bytes, under a name, and its look; ContentError where there is none.
+
+    That it fits a space, and that the cast has its hair, is checked where it is used.
+    """
+    found = _opened(data)
+    if not isinstance(found, _Face):
+        raise ContentError("this content is an expression; expected a face")
+    _refuse_too_many(found.positions, *found.parts.values())
+    try:
+        parts = {part: _filled(points, dtype=SINGLE) for part, points in found.parts.items()}
+        return Face(name, _filled(found.positions, dtype=SINGLE), parts), _look(found.look)
+    except (ValueError, TypeError) as error:
+        raise ContentError(f"this content holds no face: {error}") from error
+
+
+def _look(traits: Mapping[str, Any]) -> Look:
+    strange = [name for name in traits if name not in Look.__dataclass_fields__]
+    if strange:
+        raise ContentError(f"its look has {strange[0]!r}, which this Omote does not know: update Omote")
+    style = traits.get("hair_style", "")
+    if not isinstance(style, str):
+        raise ContentError(f"hair_style of its look is {style!r}; expected a name")
+    return Look(**traits)
+
+
+def _closed(content: _Content) -> bytes:
+    plain = msgspec.msgpack.encode(content)
+    if len(plain) > MOST_BYTES:
+        raise ContentError(f"this content takes {len(plain)} bytes; expected at most {MOST_BYTES}: use fewer vertices")
+    return MAGIC + bytes([VERSION]) + zlib.compress(plain, 6)
+
+
+def _opened(data: bytes) -> _Content:
+    if data[: len(MAGIC)] != MAGIC or len(data) <= len(MAGIC):
+        raise ContentError(f"these {len(data)} bytes do not begin as a content does; expected one that Omote packed")
+    if data[len(MAGIC)] != VERSION:
+        raise ContentError(
+            f"this content has version {data[len(MAGIC)]}; this Omote reads version {VERSION}: update Omote"
+        )
+    try:
+        content: _Content = msgspec.msgpack.decode(_inflated(data[len(MAGIC) + 1 :]), type=_Content)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise ContentError(f"this content cannot be read ({error}); expected one that Omote packed") from error
+    return content
+
+
+def _inflated(packed: bytes) -> bytes:
+    inflater = zlib.decompressobj()
+    try:
+        plain = inflater.decompress(packed, MOST_BYTES)
+    except zlib.error as error:
+        raise ContentError(f"this content is damaged ({error}); take it from another copy") from error
+    if inflater.unconsumed_tail:
+        raise ContentError(f"this content unpacks to more than {MOST_BYTES} bytes; expected less")
+    if not inflater.eof or inflater.unused_data:
+        what = "goes on after its end" if inflater.eof else "is cut off"
+        raise ContentError(f"this content {what}; take it from another copy")
+    return plain
+
+
+def _dense(values: Numbers, dtype: np.dtype[Any]) -> _Array:
+    return _Array(values.shape, None, _laid_out(np.asarray(values, dtype)))
+
+
+def _sparse(values: Numbers, rest: float = 0.0) -> _Array:
+    """Only the rows whose bits differ from rest, where these are fewer; -0.0 is none of rest's."""
+    double = np.ascontiguousarray(values, DOUBLE)
+    moved = double.view("<u8") != np.array(rest, DOUBLE).view("<u8")
+    places = np.flatnonzero(moved.reshape(len(double), -1).any(axis=1)) if double.size else np.empty(0, np.intp)
+    if 2 * len(places) > len(double):
+        return _dense(double, DOUBLE)
+    return _Array(double.shape, places.astype("<u4").tobytes(), _laid_out(double[places]))
+
+
+def _laid_out(values: Numbers) -> bytes:
+    """First bytes of all numbers, then second ones, ...: exponents are alike, so this packs smaller."""
+    return np.ascontiguousarray(values).view(np.uint8).reshape(-1, values.itemsize).T.tobytes()
+
+
+def _refuse_too_many(*arrays: _Array) -> None:
+    total = 0
+    for array in arrays:
+        if len(array.shape) > 2 or any(not 0 <= length <= MOST_NUMBERS for length in array.shape):
+            raise ContentError(f"an array of this content has shape {array.shape}; expected rows of numbers")
+        total += int(np.prod(array.shape, dtype=np.int64))
+    if total > MOST_NUMBERS:
+        raise ContentError(f"this content holds {total} numbers; expected at most {MOST_NUMBERS}")
+
+
+def _filled(array: _Array, *, rest: float = 0.0, dtype: np.dtype[Any] = DOUBLE) -> NDArray[Any]:
+    """The array whole; ContentError where places or values are not what the shape says."""
+    result = np.full(array.shape, rest, dtype)
+    rows = np.arange(len(result)) if array.places is None else _places(array.places, len(result))
+    width = result[:1].size or 1
+    if len(array.values) != len(rows) * width * dtype.itemsize:
+        raise ContentError(f"an array of shape {array.shape} has {len(array.values)} bytes for {len(rows)} rows")
+    raw = np.frombuffer(array.values, np.uint8).reshape(dtype.itemsize, -1).T
+    result[rows] = np.ascontiguousarray(raw).view(dtype).reshape(result[rows].shape)
+    return result
+
+
+def _places(data: bytes, count: int) -> NDArray[np.int64]:
+    if len(data) % 4:
+        raise ContentError(f"the places of an array have {len(data)} bytes; expected four for each")
+    places = np.frombuffer(data, "<u4").astype(np.int64)
+    if len(places) and (places[-1] >= count or (np.diff(places) <= 0).any()):
+        raise ContentError(f"the places of an array are not rows 0 to {count - 1}, each once and rising")
+    return places

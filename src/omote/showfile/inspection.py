@@ -1,0 +1,147 @@
+"""What is in a show file, and whether all of it is right; read only, also while a show plays it."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import msgspec
+
+from omote.showfile.authored_rows import read_all, read_contents
+from omote.showfile.changes import Draft, Item, Kind, Revision, Stored
+from omote.showfile.contents import ContentError, content_kind
+from omote.showfile.backup import good_path
+from omote.showfile.integrity import examined, prove, reading
+from omote.showfile.schema import SCHEMA_VERSION, ShowFileError
+from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+
+AUTHORED_SINCE = 2
+"""The first schema with authored work."""
+
+
+@dataclass(frozen=True)
+class Inspection:
+    """A show file's schema, the epoch of its last state (0 for none), its authored work."""
+
+    version: int
+    epoch: int
+    stored: Stored = field(default_factory=Stored)
+    contents: Mapping[str, bytes] = field(default_factory=dict)
+
+
+def inspect_show(path: Path, /) -> Inspection:
+    """All of a show file; ShowFileError with a sentence where there is none, or it is damaged."""
+    version = examined(path)
+    if version == 0:
+        raise ShowFileError(f"there is no show file {path}; omote show makes one.")
+    with contextlib.closing(reading(path)) as connection:
+        connection.execute("BEGIN")  # one state, whatever is committed meanwhile
+        row = connection.execute("SELECT epoch FROM journal").fetchone()
+        epoch = int(row[0]) if row else 0
+        if version < AUTHORED_SINCE:
+            return Inspection(version, epoch)
+        return Inspection(version, epoch, read_all(connection), dict(read_contents(connection)))
+
+
+def item_named(stored: Stored, name: str, kind: Kind | None = None, /) -> Item:
+    """The item of this name; ShowFileError names those there are, or asks which kind."""
+    found = [item for item in stored.items if item.name == name and kind in (None, item.kind)]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise ShowFileError(f"there is a face and an expression {name!r}; say which with --kind.")
+    names = ", ".join(item.name for item in stored.items if kind in (None, item.kind)) or "none yet"
+    raise ShowFileError(f"there is no own face or expression {name!r}; there are: {names}.")
+
+
+def revisions_of(stored: Stored, item: Item, /) -> list[Revision]:
+    """An item's revisions, oldest first."""
+    return [revision for revision in stored.revisions if revision.item == item.id]
+
+
+def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
+    """Whether each thing about a show file is right, each in a sentence; the first that is not may be the last."""
+    try:
+        found = inspect_show(path)
+    except ShowFileError as error:
+        yield False, str(error)
+        yield from _copies(path)
+        return
+    newest = "" if found.version == SCHEMA_VERSION else f", which omote show brings to {SCHEMA_VERSION}"
+    yield True, f"{path.name} is whole: schema {found.version}{newest}"
+    yield True, "it holds no state of a show yet" if not found.epoch else f"it holds the state of epoch {found.epoch}"
+    size = sum(map(len, found.contents.values())) / 1e6
+    yield True, f"{len(found.contents)} contents, {size:.1f} MB, and each is what its key says"
+    yield from _authored(found)
+    yield from _copies(path)
+
+
+def _authored(found: Inspection) -> Iterator[tuple[bool, str]]:
+    stored = found.stored
+    wrong = [*_wrong_revisions(found), *_wrong_steps(found)]
+    counts = (
+        f"{sum(item.kind == kind and not item.deleted for item in stored.items)} own {kind}s"
+        for kind in ("face", "expression")
+    )
+    yield True, f"{', '.join(counts)}, {len(stored.revisions)} revisions"
+    yield True, f"{len(stored.drafts)} drafts with {len(stored.edits)} steps, {len(stored.layouts)} layouts"
+    for sentence in wrong:
+        yield False, sentence
+
+
+def _wrong_revisions(found: Inspection) -> Iterator[str]:
+    items = {item.id: item for item in found.stored.items}
+    for revision in found.stored.revisions:
+        item = items[revision.item]
+        what = f"revision {revision.number} of {item.name}"
+        try:
+            kind = content_kind(found.contents[revision.content])
+        except ContentError as error:
+            yield f"{what}: {error}"
+        else:
+            if kind != item.kind:
+                yield f"{what} makes no {item.kind}, but a different kind: {kind}"
+        yield from _wrong_recipe(revision.recipe, what, found.contents)
+
+
+def _wrong_steps(found: Inspection) -> Iterator[str]:
+    names = {item.id: item.name for item in found.stored.items}
+    for draft in found.stored.drafts:
+        what = f"the draft of {names[draft.item]} by {draft.editor}"
+        numbers = [edit.number for edit in found.stored.edits if _is_step(edit.item, edit.editor, draft)]
+        if numbers != [*range(len(numbers))] or not draft.cursor < len(numbers):
+            yield f"{what} shows step {draft.cursor}; it has {numbers}"
+    for edit in found.stored.edits:
+        what = f"step {edit.number} of the draft of {names[edit.item]} by {edit.editor}"
+        yield from _wrong_recipe(edit.recipe, what, found.contents)
+
+
+def _is_step(item: int, editor: str, draft: Draft) -> bool:
+    return (item, editor) == (draft.item, draft.editor)
+
+
+def _wrong_recipe(data: bytes, what: str, contents: Mapping[str, bytes]) -> Iterator[str]:
+    try:
+        recipe: Recipe | FaceRecipe = msgspec.json.decode(data, type=Recipe | FaceRecipe)
+    except msgspec.DecodeError as error:
+        yield f"the recipe of {what} cannot be read ({error})"
+        return
+    for source in sorted(sources(recipe)):
+        if source.startswith(KEY) and source[len(KEY) :] not in contents:
+            yield f"the recipe of {what} names {source}, which is not there"
+
+
+def _copies(path: Path) -> Iterator[tuple[bool, str]]:
+    good = good_path(path)
+    if not good.exists():
+        yield True, "there is no good copy beside it yet; omote show makes one"
+    else:
+        try:
+            prove(good)
+            yield True, f"its good copy {good.name} is whole"
+        except ShowFileError as error:
+            yield False, f"its good copy is none: {error}"
+    for kept in sorted(path.parent.glob(f"{path.name}.corrupt-*[0-9]")):
+        yield True, f"{kept.name} is a corrupt file that was kept; delete it when nothing of it is missed"

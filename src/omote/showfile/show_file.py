@@ -1,0 +1,201 @@
+"""The show file: one SQLite file (`.omote`) with the journal of the live state and all authored work.
+
+The journal is one row that is written over and over, so the file stays small. In WAL mode a commit survives the death
+of the process at once; the loss of power, authored work at once too, the journal from the next `flush` on.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sqlite3
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from omote.showfile.authored_rows import apply_changes, read_all, read_contents, seal
+from omote.showfile.changes import Change, Stored
+from omote.showfile.integrity import examined
+from omote.showfile.schema import (
+    APPLICATION_ID,
+    SCHEMA_VERSION,
+    CorruptShowFileError,
+    ShowFileError,
+    migrate,
+)
+
+__all__ = [
+    "APPLICATION_ID",
+    "SCHEMA_VERSION",
+    "CorruptShowFileError",
+    "JournalEntry",
+    "ShowFile",
+    "ShowFileError",
+    "default_path",
+    "move_aside",
+    "open_show",
+]
+
+ASIDE_LIMIT = 20
+"""Snapshots kept that no server could start from; older ones go."""
+
+HIGHEST_EPOCH = 2**53
+"""Epochs are numbers in the browser too; beyond this they would not be told apart."""
+
+
+@dataclass(frozen=True)
+class JournalEntry:
+    """The last state of a show: under which epoch, at what monotonic time (s) it was written, the snapshot if any."""
+
+    epoch: int
+    written: float
+    snapshot: bytes | None
+
+
+class ShowFile:
+    """An open show file; made by `open_show`."""
+
+    def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
+        self._connection = connection
+        self._flushed: int | None = None
+        self.path = path
+
+    def stored(self) -> Stored:
+        """All authored work but the contents' bytes; sqlite3.Error where it cannot be read."""
+        return read_all(self._connection)
+
+    def contents(self) -> dict[str, bytes]:
+        """Every content's bytes (`files.contents`) by key; sqlite3.Error where they cannot be read."""
+        return dict(read_contents(self._connection))
+
+    def apply(self, changes: Iterable[Change]) -> None:
+        """Commits authored changes, all or none; they survive a loss of power when it returns.
+
+        sqlite3.OperationalError: not now; any other sqlite3.Error, ValueError or OverflowError: never.
+        """
+        self._connection.execute("PRAGMA synchronous = FULL")
+        try:
+            apply_changes(self._connection, changes)
+        finally:
+            with contextlib.suppress(sqlite3.Error):
+                self._connection.execute("PRAGMA synchronous = NORMAL")
+
+    def journal(self) -> JournalEntry:
+        """The last state; epoch 0 and no snapshot in a new file. sqlite3.Error where it cannot be read."""
+        row = self._connection.execute("SELECT epoch, written, snapshot FROM journal").fetchone()
+        entry = JournalEntry(*row) if row else JournalEntry(epoch=0, written=0.0, snapshot=None)
+        if not isinstance(entry.epoch, int) or not 0 <= entry.epoch <= HIGHEST_EPOCH:
+            raise sqlite3.DatabaseError(f"its epoch {entry.epoch} was written by no server")
+        return entry
+
+    def write_journal(self, entry: JournalEntry) -> None:
+        """Replaces the last state; returns when it is committed."""
+        with self._connection:
+            self._connection.execute(
+                "INSERT OR REPLACE INTO journal (slot, epoch, written, snapshot, sum) VALUES (1, ?, ?, ?, ?)",
+                (entry.epoch, entry.written, entry.snapshot, seal([entry.epoch, entry.snapshot])),
+            )
+
+    def set_aside(self, entry: JournalEntry, reason: str) -> None:
+        """Keeps a snapshot that no server could start from, and leaves the journal without one."""
+        with self._connection:
+            if entry.snapshot is not None:
+                values = (entry.epoch, reason, entry.snapshot)
+                self._connection.execute("INSERT OR REPLACE INTO journal_aside VALUES (?, ?, ?)", values)
+            self._connection.execute(
+                "DELETE FROM journal_aside WHERE epoch NOT IN "
+                "(SELECT epoch FROM journal_aside ORDER BY epoch DESC LIMIT ?)",
+                (ASIDE_LIMIT,),
+            )
+            self._connection.execute("UPDATE journal SET snapshot = NULL")
+
+    def again(self) -> ShowFile:
+        """The same file opened a second time, for another thread."""
+        connection = _connected(self.path)
+        try:
+            _set(connection)
+        except sqlite3.Error:
+            connection.close()
+            raise
+        return ShowFile(connection, self.path)
+
+    def flush(self) -> None:
+        """Makes all that is committed survive a loss of power.
+
+        Only where another connection has committed since the last time: a checkpoint that has nothing to do, while a
+        commit begins the log anew, can lose that commit (SQLite before 3.51.3, "the WAL-reset bug").
+        """
+        if self._version() == self._flushed:
+            return
+        self._connection.execute("PRAGMA wal_checkpoint(PASSIVE)").fetchone()
+        self._flushed = self._version()
+
+    def copy_into(self, path: Path) -> None:
+        """Copies the file as it is now, log and all, into a new file without a log; others may write meanwhile."""
+        copy = sqlite3.connect(path)
+        try:
+            copy.execute("PRAGMA synchronous = OFF")  # whoever puts it in place syncs it whole
+            self._connection.backup(copy)
+            copy.execute("PRAGMA journal_mode = DELETE").fetchone()
+        finally:
+            copy.close()
+
+    def close(self) -> None:
+        """Closes the file; its write-ahead log is merged."""
+        self._connection.close()
+
+    def _version(self) -> int:
+        (version,) = self._connection.execute("PRAGMA data_version").fetchone()
+        return int(version)
+
+
+def open_show(path: Path) -> ShowFile:
+    """The show file at `path`, made when there is none; ShowFileError when it cannot be used."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        version = examined(path)
+        connection = _connected(path)
+    except (OSError, sqlite3.Error) as error:
+        raise ShowFileError(f"{path} cannot be opened ({error}); name another file.") from error
+    try:
+        connection.execute("PRAGMA journal_mode = WAL").fetchone()
+        _set(connection)
+        migrate(connection, version)
+    except sqlite3.OperationalError as error:
+        connection.close()
+        raise ShowFileError(f"{path} cannot be written ({error}); name another file or make it writable.") from error
+    except sqlite3.DatabaseError as error:
+        connection.close()
+        raise CorruptShowFileError(f"{path} is no readable show file ({error}).") from error
+    return ShowFile(connection, path)
+
+
+def move_aside(path: Path) -> Path | None:
+    """Renames a corrupt show file, and its log, to the first free `<name>.corrupt-<n>`; gives the new path.
+
+    None where there is no file; a log without one is moved all the same.
+    """
+    names = [name for name in ("", "-wal", "-shm") if path.with_name(path.name + name).exists()]
+    number = 1
+    while any(path.with_name(f"{path.name}.corrupt-{number}{name}").exists() for name in names):
+        number += 1
+    kept = path.with_name(f"{path.name}.corrupt-{number}")
+    for name in names:
+        path.with_name(path.name + name).rename(kept.with_name(kept.name + name))
+    return kept if "" in names else None
+
+
+def default_path(environment: Mapping[str, str] = os.environ) -> Path:
+    """Where a show without a file keeps its journal: the user's state directory."""
+    state = environment.get("XDG_STATE_HOME") or environment.get("LOCALAPPDATA")
+    folder = Path(state) if state else Path.home() / ".local" / "state"
+    return folder / "omote" / "show.omote"
+
+
+def _connected(path: Path) -> sqlite3.Connection:
+    return sqlite3.connect(path, timeout=1.0, check_same_thread=False)
+
+
+def _set(connection: sqlite3.Connection) -> None:
+    connection.execute("PRAGMA foreign_keys = ON")
+    connection.execute("PRAGMA synchronous = NORMAL")

@@ -1,0 +1,233 @@
+"""The cast as documents for the pages: manifest, face assets, compounds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from hashlib import blake2b
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.builtin import BakedMesh
+from omote.model.cast import Cast, Look, Title
+from omote.model.transfer.compound import moved_parts, worn
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.hair import LINKS, HairStyle, carried
+from omote.model.recipes.recipe import KEY
+from omote.model.transfer.paper_map import compile_expression
+from omote.perform.lights import LIGHTS
+from omote.show import messages as wire
+from omote.show.messages import (
+    PROTOCOL_VERSION,
+    CompoundAsset,
+    ContentAsset,
+    ExpressionDocument,
+    FaceAsset,
+    FaceDocument,
+    HairAsset,
+    HairDocument,
+    Kind,
+    LightDocument,
+    LineDocument,
+    Manifest,
+    MeshDocument,
+)
+from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
+from omote.show.wire import little
+
+FINEST_STEP = 1e-6
+"""Metres per count at least: what moves less than half of it rests, so that compounds stay sparse."""
+MOST_COUNTS = 32767
+HAIR_STEP = 1e-5
+"""Metres per count of hair: it reaches a third of a metre from the middle of the eyes."""
+SKIN = "skin"
+
+Points = NDArray[np.float32]
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Documents:
+    """What the pages load: the manifest, and every asset of a face or a hair style by its address."""
+
+    manifest: Manifest
+    faces: dict[str, FaceAsset]
+    hair: dict[str, HairAsset]
+
+
+def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Documents:
+    """The manifest of a cast and its face assets; mask: where the mask picture is. ValueError for a mesh of no part."""
+    rests = {name: rest_positions(cast, face) for name, face in cast.faces.items()}
+    urls = {name: f"/assets/{content_name(rest.tobytes())}" for name, rest in rests.items()}
+    hair = {name: hair_asset(style) for name, style in cast.hair.items()}
+    combed = {name: f"/assets/{content_name(asset.points + asset.rows + asset.light)}" for name, asset in hair.items()}
+    starts, names = first_rows(cast), list(cast.expressions)
+    manifest = Manifest(
+        version=PROTOCOL_VERSION,
+        base=cast.digest,
+        digest=cast.digest,
+        vertices=sum(len(part.points) for part in cast.space.parts.values()) + cast.space.vertex_count,
+        skin=cast.space.vertex_count,
+        meshes=[_mesh_document(mesh, starts) for mesh in meshes],
+        lines=[LineDocument(line.name, little(line.loop, "<u4")) for line in cast.space.lines],
+        mask=mask,
+        faces=[_built_in_face(cast, name, url) for name, url in urls.items()],
+        expressions=[expression_document(name, cast.expressions[name], cast.titles[name], name) for name in names],
+        lights=[LightDocument(name, label) for name, label in LIGHTS.items()],
+        hair=[HairDocument(name, url) for name, url in combed.items()],
+        settling=settling_document(cast, starts),
+    )
+    return Documents(
+        manifest,
+        faces={urls[name]: FaceAsset(little(rest, "<f4")) for name, rest in rests.items()},
+        hair={combed[name]: asset for name, asset in hair.items()},
+    )
+
+
+def content_name(data: bytes) -> str:
+    """The name of exactly these bytes, hexadecimal."""
+    return blake2b(data, digest_size=12).hexdigest()
+
+
+def first_rows(cast: Cast) -> dict[str, int]:
+    """The first row of the skin and of each part of all positions: skin, then parts in the space's order."""
+    rows, row = {SKIN: 0}, cast.space.vertex_count
+    for name, part in cast.space.parts.items():
+        rows[name] = row
+        row += len(part.points)
+    return rows
+
+
+def rest_positions(cast: Cast, face: Face) -> Points:
+    """The positions of a face without expression, (vertices, 3) metres: skin, then the parts."""
+    fitted = fit(cast.space, face)
+    return np.concatenate([fitted.positions, *(fitted.parts[name] for name in cast.space.parts)])
+
+
+def compound_positions(cast: Cast, face: Face, expression: Expression) -> Points:
+    """The positions of a face wearing an expression, (vertices, 3) metres; eyeballs before their turn."""
+    fitted, compiled = fit(cast.space, face), compile_expression(cast.space, expression)
+    skin = worn(cast.space, face, compiled)
+    parts = moved_parts(cast.space, fitted, skin, compiled.parts)
+    return np.concatenate([skin, *(parts[name] for name in cast.space.parts)])
+
+
+def compound_asset(cast: Cast, face: Face, expression: str | Expression) -> CompoundAsset:
+    """The compound less its face, quantised: no vertex is further off than half of `scale` along each axis.
+
+    Face and expression need not be of the cast; an expression of the cast goes by its name.
+    """
+    own = cast.expressions[expression] if isinstance(expression, str) else expression
+    positions = compound_positions(cast, face, own)
+    moves = quantised(positions.astype(np.float64) - rest_positions(cast, face))
+    skin = positions[: cast.space.vertex_count]
+    return msgspec.structs.replace(moves, allowed=allowance_document(cast.space, face, own, skin))
+
+
+def content_asset(cast: Cast, key: str, face: Face, look: Look) -> ContentAsset:
+    """An own face by its content; ValueError where it does not belong to the cast's space, or wants other hair."""
+    if look.hair_style not in ("", *cast.hair):
+        raise ValueError(
+            f"the face has hair {look.hair_style!r}, which this cast has not: give it {', '.join(cast.hair)}"
+        )
+    document = face_document(cast, face, look, label=key, url=f"/contents/{key}", source=KEY + key)
+    return ContentAsset(document, little(rest_positions(cast, face), "<f4"))
+
+
+def hair_asset(style: HairStyle) -> HairAsset:
+    """A hair style, quantised: places to 10 micrometres, weights to a 255th."""
+    return HairAsset(
+        stations=style.points.shape[1],
+        links=LINKS,
+        width=style.width,
+        scale=HAIR_STEP,
+        points=little(np.rint(style.points / HAIR_STEP), "<i2"),
+        rows=little(style.rows, "<u4"),
+        weights=little(np.rint(style.weights * 255), "u1"),
+        anchors=little(style.anchors, "<u4"),
+        facing=little(np.rint(style.facing * 127), "i1"),
+        light=little(np.rint(style.light * 255), "u1"),
+    )
+
+
+def quantised(moves: NDArray[np.float64]) -> CompoundAsset:
+    """Moves (n, 3) in metres as whole counts of one scale, only those vertices that move at all."""
+    scale = float(max(np.abs(moves).max(initial=0.0) / MOST_COUNTS, FINEST_STEP))
+    counts = np.rint(moves / scale).astype(np.int16)
+    moved = np.flatnonzero(counts.any(axis=1))
+    return CompoundAsset(scale=scale, indices=little(moved, "<u4"), deltas=little(counts[moved], "<i2"))
+
+
+def unpacked(asset: CompoundAsset, count: int) -> NDArray[np.float64]:
+    """The moves (count, 3) in metres that a page reads from a compound."""
+    moves = np.zeros((count, 3))
+    moves[np.frombuffer(asset.indices, "<u4")] = np.frombuffer(asset.deltas, "<i2").reshape(-1, 3) * asset.scale
+    return moves
+
+
+def _mesh_document(mesh: BakedMesh, starts: dict[str, int]) -> MeshDocument:
+    if mesh.name not in starts:
+        raise ValueError(f"there is no part {mesh.name!r} to draw; the space has {', '.join(starts)}")
+    source = np.asarray(mesh.source, np.int64) + starts[mesh.name]
+    return MeshDocument(mesh.name, little(source, "<u4"), little(mesh.uv, "<f4"), little(mesh.triangles, "<u4"))
+
+
+def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, source: str) -> FaceDocument:
+    """What pages must know of a face; url: where its positions are."""
+    fitted = fit(cast.space, face)
+    eyes = {part.eye: name for name, part in cast.space.parts.items() if part.eye}
+    centres = {eye: fitted.centres[name] for eye, name in eyes.items()}
+    spans = [np.linalg.norm(fitted.parts[name] - centres[eye], axis=1).max() for eye, name in eyes.items()]
+    return FaceDocument(
+        name=face.name,
+        label=label,
+        url=url,
+        centres=(_vector(centres.get("left")), _vector(centres.get("right"))),
+        eye_radius=float(np.mean(spans)) if spans else 0.0,
+        ball_radii=ball_radii(cast.space, face),
+        extremes=[_vector(point) for point in extremes(outline(cast, face, look.hair_style))],
+        look=wire.Look(**asdict(look)),
+        source=source,
+    )
+
+
+def _built_in_face(cast: Cast, name: str, url: str) -> FaceDocument:
+    label = name.replace("_", " ").capitalize()
+    return face_document(cast, cast.faces[name], cast.looks[name], label=label, url=url, source=name)
+
+
+def outline(cast: Cast, face: Face, hair_style: str) -> Points:
+    """What a camera must hold of a face, (n, 3) metres: its skin, and the hair that it wears."""
+    style = cast.hair.get(hair_style)
+    if style is None:
+        return face.positions
+    strands = carried(style, cast.space.points, face.positions.astype(np.float64)).reshape(-1, 3)
+    return np.concatenate([face.positions, strands.astype(np.float32)])
+
+
+def extremes(positions: Points) -> Points:
+    """The farthest of positions (V, 3), (6, 3): least and greatest x, then y, then z."""
+    ends = [end for axis in range(3) for end in (positions[:, axis].argmin(), positions[:, axis].argmax())]
+    return positions[ends]
+
+
+def expression_document(name: str, expression: Expression, title: Title, source: str) -> ExpressionDocument:
+    """What pages must know of an expression."""
+    eyes = expression.eyes.ravel().tolist()
+    return ExpressionDocument(
+        name=name,
+        label=title.label,
+        kind=msgspec.convert(title.kind, Kind),
+        region=title.region,
+        eyes=(eyes[0], eyes[1], eyes[2], eyes[3]),
+        pupil=expression.pupil,
+        source=source,
+    )
+
+
+def _vector(point: NDArray[np.floating] | None) -> Vector:
+    return (0.0, 0.0, 0.0) if point is None else (float(point[0]), float(point[1]), float(point[2]))

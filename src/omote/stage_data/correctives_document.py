@@ -1,0 +1,83 @@
+"""What the stages need to put sums right as `omote.perform.blending.correctives` does: a document once, an allowance per compound."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.cast import Cast
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.transfer.corrective_regions import Crossing, Settling, settling_of
+from omote.model.space.parameter_space import ParameterSpace
+from omote.perform.blending.correctives import BULGE, CORNEA, ROUNDS, UPRIGHT, Balls, allowance
+from omote.perform.blending.orientation import EAGER, FLATTEST
+from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument
+from omote.show.wire import little
+
+Floats = NDArray[np.float32]
+Ints = NDArray[np.int32]
+
+
+def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | None:
+    """The settling of a cast's space, its rows those of all positions; starts: the first row of each part."""
+    settling = settling_of(cast.space)
+    if settling is None:
+        return None
+    followers, anchors, weights = _followers(cast, settling, starts)
+    return SettlingDocument(
+        rounds=ROUNDS, upright=UPRIGHT, eager=EAGER, flattest=FLATTEST, bulge=BULGE, cornea=CORNEA,
+        rows=little(settling.rows, "<u4"),
+        triangles=little(settling.triangles, "<u4"),
+        crossings=[_crossing(crossing) for crossing in settling.crossings],
+        lids=little(settling.lids, "<u4"), eye=little(settling.eye, "<u4"),
+        followers=little(followers, "<u4"), anchors=little(anchors, "<u4"), weights=little(weights, "<f4"),
+    )  # fmt: skip
+
+
+def _crossing(crossing: Crossing) -> CrossingDocument:
+    return CrossingDocument(
+        upward=crossing.kind == "lips",
+        vertices=little(crossing.vertices, "<u4"), weights=little(crossing.weights, "<f4"),
+        near=little(crossing.near, "<u4"), side=little(crossing.side, "<f4"), share=little(crossing.share, "<f4"),
+    )  # fmt: skip
+
+
+def _followers(cast: Cast, settling: Settling, starts: dict[str, int]) -> tuple[Ints, Ints, Floats]:
+    """Rows, anchors and weights of inner skin and of the parts that stick, the anchors in places of the settling."""
+    place = np.full(cast.space.vertex_count, -1)
+    place[settling.rows] = np.arange(len(settling.rows))
+    rows, anchors, weights = [settling.followers], [settling.anchors], [settling.weights]
+    width = settling.anchors.shape[1]
+    for name in settling.sticking:
+        part = cast.space.parts[name]
+        own = place[part.anchors]
+        share = np.where(own >= 0, part.weights, 0.0)
+        short = ((0, 0), (0, width - share.shape[1]))
+        hangs = share.any(axis=1)
+        rows.append((starts[name] + np.flatnonzero(hangs)).astype(np.int32))
+        anchors.append(np.pad(np.maximum(own, 0), short)[hangs].astype(np.int32))
+        weights.append(np.pad(share, short)[hangs].astype(np.float32))
+    return np.concatenate(rows), np.concatenate(anchors), np.concatenate(weights)
+
+
+def allowance_document(
+    space: ParameterSpace, face: Face, expression: Expression, skin: Floats
+) -> AllowanceDocument | None:
+    """What the compound of a face and an expression, skin (V, 3), uses up by itself."""
+    settling = settling_of(space)
+    if settling is None:
+        return None
+    allowed = allowance(settling, fit(space, face), expression, skin)
+    places = np.flatnonzero(allowed)
+    return AllowanceDocument(places=little(places, "<u4"), values=little(allowed[places], "<f4"))
+
+
+def ball_radii(space: ParameterSpace, face: Face) -> tuple[float, float]:
+    """The radii of a face's eyeballs, left and right, metres; zero where there is none."""
+    settling = settling_of(space)
+    if settling is None or len(settling.eyes) != 2:
+        return 0.0, 0.0
+    left, right = Balls.of(fit(space, face), settling.eyes, np.zeros((2, 2))).radii.tolist()
+    return left, right

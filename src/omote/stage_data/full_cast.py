@@ -1,0 +1,28 @@
+"""The built-in cast and all that a show file keeps, as one cast: for commands, which need no sources."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from omote.showfile.changes import Item, Stored
+from omote.showfile.contents import unpack_expression, unpack_face
+from omote.model.cast import Cast, Title
+
+
+def ensemble(base: Cast, stored: Stored, contents: Mapping[str, bytes], /) -> Cast:
+    """The base with every item that plays, under the items' names; KeyError where a content is missing."""
+    faces, looks, expressions, titles = dict(base.faces), dict(base.looks), dict(base.expressions), dict(base.titles)
+    for item, content in playing(stored):
+        data = contents[content]
+        if item.kind == "face":
+            faces[item.name], looks[item.name] = unpack_face(data, item.name)
+        else:
+            expressions[item.name], titles[item.name] = unpack_expression(data), Title(item.label)
+    return replace(base, faces=faces, looks=looks, expressions=expressions, titles=titles)
+
+
+def playing(stored: Stored, /) -> list[tuple[Item, str]]:
+    """Every item that plays, with the key of its content."""
+    saved = {(revision.item, revision.number): revision.content for revision in stored.revisions}
+    return [(item, saved[item.id, item.head]) for item in stored.items if item.head and not item.deleted]

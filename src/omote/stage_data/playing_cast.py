@@ -1,0 +1,167 @@
+"""The cast that plays: the built-in one, and what crews have made themselves."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+from types import MappingProxyType
+
+import msgspec
+
+from omote.showfile.changes import Kind
+from omote.showfile.contents import unpack_expression
+from omote.model.cast import NEUTRAL, Cast, Title
+from omote.model.space.expression import Expression
+from omote.model.recipes.recipe import KEY
+from omote.stage_data.assets import expression_document
+from omote.show.messages import ExpressionDocument, FaceDocument, Manifest
+
+OWN = "own"
+
+
+class Own(msgspec.Struct, frozen=True):
+    """An own face or expression as it plays; content: the key of its bytes."""
+
+    kind: Kind
+    name: str
+    label: str
+    tags: tuple[str, ...]
+    place: float
+    content: str
+
+    @property
+    def source(self) -> str:
+        """Its name in the addresses of compounds."""
+        return KEY + self.content
+
+
+class Repertoire(Mapping[str, Expression]):
+    """Expressions by name: the built-in ones, and own ones, which are unpacked when somebody first wants them.
+
+    own: keys of contents by name. A content that turns out to be none plays as nothing, for the show goes on.
+    """
+
+    def __init__(
+        self, built_in: Mapping[str, Expression], own: Mapping[str, str], contents: Mapping[str, bytes]
+    ) -> None:
+        self._built_in, self._own, self._contents = built_in, own, contents
+        self._unpacked: dict[str, Expression] = {}
+
+    def __getitem__(self, name: str) -> Expression:
+        key = self._own.get(name)
+        if key is None:
+            return self._built_in[name]
+        if key not in self._unpacked:
+            try:
+                self.unpack(key)
+            except (ValueError, KeyError):
+                self._unpacked[key] = self._built_in[NEUTRAL]
+        return self._unpacked[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return chain(self._built_in, self._own)
+
+    def __len__(self) -> int:
+        return len(self._built_in) + len(self._own)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._own or name in self._built_in
+
+    def learn(self, other: Repertoire) -> None:
+        """Takes over what another has unpacked."""
+        keys = set(self._own.values())
+        self._unpacked |= {key: each for key, each in other._unpacked.items() if key in keys}
+
+    def unpack(self, key: str) -> None:
+        """Unpacks a content now; ValueError where it is no expression of this head, KeyError where it is missing."""
+        if key not in self._unpacked:
+            self._unpacked[key] = _fitting(self._built_in[NEUTRAL], unpack_expression(self._contents[key]))
+
+
+@dataclass(frozen=True, eq=False)
+class Troupe:
+    """The built-in cast and own things beside it; made by `troupe_of`, plays as a cast does.
+
+    expressions: built-in and own; `faces` and `expression_sources`: for each name its source.
+    """
+
+    base: Cast
+    own: tuple[Own, ...]
+    faces: Mapping[str, str]
+    expressions: Repertoire
+    expression_sources: Mapping[str, str]
+
+    @cached_property
+    def digest(self) -> str:
+        """A name for exactly this cast: the built-in cast's where there is nothing else."""
+        return digest_of(self.base.digest, self.own)
+
+    def find(self, kind: Kind, name: str) -> Own | None:
+        """The own thing of this name."""
+        return next((each for each in self.own if (each.kind, each.name) == (kind, name)), None)
+
+
+def digest_of(base: str, own: tuple[Own, ...]) -> str:
+    """A name for a cast with own things, hexadecimal; that of the built-in cast where there are none."""
+    if not own:
+        return base
+    return hashlib.blake2b(base.encode() + msgspec.msgpack.encode(own), digest_size=12).hexdigest()
+
+
+def troupe_of(
+    base: Cast, own: tuple[Own, ...], contents: Mapping[str, bytes], *, before: Troupe | None = None, check: bool = True
+) -> Troupe:
+    """The cast with own things; before: what played until now, of which nothing is unpacked or checked again.
+
+    check: what is new is unpacked now; else when somebody first wants it. Raises ValueError where a name is taken
+    or a content does not fit the cast, KeyError where one is missing.
+    """
+    faces, expressions = {name: name for name in base.faces}, {name: name for name in base.expressions}
+    keys: dict[str, str] = {}
+    for each in own:
+        names = faces if each.kind == "face" else expressions
+        if each.name in names:
+            raise ValueError(f"there are two {each.kind}s named {each.name!r}; expected another name for one of them")
+        names[each.name] = each.source
+        if each.kind == "expression":
+            keys[each.name] = each.content
+    repertoire = Repertoire(base.expressions, keys, contents)
+    played = frozenset() if before is None else frozenset(each.content for each in before.own)
+    if before is not None:
+        repertoire.learn(before.expressions)
+    for key in keys.values():
+        if check and key not in played:
+            repertoire.unpack(key)
+    return Troupe(base, own, MappingProxyType(faces), repertoire, MappingProxyType(expressions))
+
+
+def manifest_of(troupe: Troupe, built_in: Manifest, faces: Mapping[str, FaceDocument]) -> Manifest:
+    """The manifest with own things; faces: by the keys of their contents (`assets.content_asset`), others are left
+    out."""
+    own = [each for each in troupe.own if each.kind == "face" and each.content in faces]
+    return msgspec.structs.replace(
+        built_in,
+        digest=troupe.digest,
+        faces=[*built_in.faces, *(_face_document(each, faces[each.content]) for each in own)],
+        expressions=[*built_in.expressions, *(_document(troupe, e) for e in troupe.own if e.kind == "expression")],
+    )
+
+
+def _fitting(neutral: Expression, expression: Expression) -> Expression:
+    count = len(neutral.dtheta)
+    if len(expression.dtheta) != count or len(expression.residual) != len(neutral.residual):
+        raise ValueError(f"the expression has {len(expression.dtheta)} vertices; expected the {count} of this cast")
+    return expression
+
+
+def _face_document(own: Own, document: FaceDocument) -> FaceDocument:
+    return msgspec.structs.replace(document, name=own.name, label=own.label, tags=list(own.tags), place=own.place)
+
+
+def _document(troupe: Troupe, own: Own) -> ExpressionDocument:
+    title = Title(own.label, OWN)
+    document = expression_document(own.name, troupe.expressions[own.name], title, own.source)
+    return msgspec.structs.replace(document, tags=list(own.tags), place=own.place)

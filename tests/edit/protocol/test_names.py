@@ -1,0 +1,57 @@
+"""Names are keys for ever: plain, new, and found again from no label; labels are what people read."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.edit.protocol.names import LONGEST_LABEL, checked_label, checked_tags, checked_text, new_label, new_name, slug
+from omote.show.validation import Refusal
+
+
+@given(st.text(max_size=200))
+def test_a_name_is_plain_ascii_whatever_the_label(label: str) -> None:
+    name = slug(label, "face")
+    assert set(name) <= set("abcdefghijklmnopqrstuvwxyz0123456789_")
+    assert 1 <= len(name) <= LONGEST_LABEL
+    assert slug(name, "face") == name
+
+
+@pytest.mark.parametrize(
+    ("label", "name"),
+    [("Crooked smile", "crooked_smile"), ("  Été à Noël! ", "ete_a_noel"), ("笑顔", "expression"), ("../etc", "etc")],
+)
+def test_names_read_like_their_labels(label: str, name: str) -> None:
+    assert slug(label, "expression") == name
+
+
+@given(st.lists(st.sampled_from(["Smile", "smile!", "SMILE", "笑顔", "Grin"]), max_size=20))
+def test_names_are_new_whatever_letters_are_large(labels: list[str]) -> None:
+    taken = {"browInnerUp", "Smile"}
+    for label in labels:
+        name = new_name(label, "expression", taken)
+        assert name.casefold() not in {each.casefold() for each in taken}
+        taken.add(name)
+
+
+def test_own_labels_count_up_and_fill_gaps() -> None:
+    assert new_label("On air", []) == "On air 1"
+    assert new_label("On air", ["on air 1", "On air 3"]) == "On air 2"
+
+
+@pytest.mark.parametrize("label", ["", "   ", "a\nb", "x" * 81, "\x00", "\u202e"])
+def test_labels_that_nobody_can_read_are_refused(label: str) -> None:
+    with pytest.raises(Refusal, match="give 1 to 80 printable characters"):
+        checked_label(label)
+
+
+def test_labels_lose_blanks_and_tags_their_doubles() -> None:
+    assert checked_label("  Crooked smile ") == "Crooked smile"
+    assert checked_tags(["mouth", " mouth", "act 2"]) == ("mouth", "act 2")
+    with pytest.raises(Refusal, match="a tag"):
+        checked_tags(["mouth", "\n"])
+
+
+def test_notes_may_be_empty_but_not_unreadable() -> None:
+    assert checked_text("  ") == ""
+    with pytest.raises(Refusal, match="printable"):
+        checked_text("a\x07b")

@@ -1,0 +1,53 @@
+"""One thing at a time for a draft, in order, and no more waiting than can be."""
+
+import pytest
+
+from omote.edit.session.draft_queue import MOST_WAITING, Lanes, Task
+from omote.edit.session.plan import Plan, Result
+from omote.edit.protocol.orders import Bake
+from omote.model.recipes.recipe import Recipe
+from omote.show.validation import Refusal
+
+PLAN = Plan(Bake(Recipe((), ()), {}), lambda baked: Result())
+
+
+def task(lane: tuple[int, str] | None, request: int = 0) -> Task:
+    """A task in a lane."""
+    return Task(lane, lambda: PLAN, "ann", request)
+
+
+def test_tasks_of_one_lane_take_turns_in_order() -> None:
+    lanes, first = Lanes(), task((1, "ann"))
+    assert lanes.enter(first)
+    number, order = lanes.order(first, PLAN)
+    assert order is PLAN.order
+    waiting = [task((1, "ann"), request) for request in range(5)]
+    assert [lanes.enter(each) for each in waiting] == [False] * 5
+    assert lanes.land(number) == (first, PLAN)
+    assert [lanes.following(first) for _ in range(6)] == [*waiting, None]
+    assert lanes.enter(task((1, "ann"))), "the lane is free again"
+
+
+def test_lanes_do_not_wait_for_each_other() -> None:
+    lanes = Lanes()
+    for lane in ((1, "ann"), (1, "bob"), (2, "ann"), None):
+        assert lanes.enter(task(lane))
+        lanes.order(task(lane), PLAN)
+    assert lanes.enter(task(None))
+
+
+def test_orders_have_numbers_of_their_own_and_land_once() -> None:
+    lanes = Lanes()
+    numbers = [lanes.order(task((item, "ann")), PLAN)[0] for item in range(4)]
+    assert len(set(numbers)) == 4
+    assert lanes.land(numbers[2]) is not None
+    assert lanes.land(numbers[2]) is None
+
+
+def test_too_much_that_waits_is_refused() -> None:
+    lanes = Lanes()
+    lanes.order(task((1, "ann")), PLAN)
+    for _ in range(MOST_WAITING):
+        assert not lanes.enter(task((1, "ann")))
+    with pytest.raises(Refusal, match="wait until they are answered"):
+        lanes.enter(task((1, "ann")))

@@ -1,0 +1,110 @@
+"""The ledger is what the show file will be: changes mean the same to both, and a damaged file opens."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.edit.store.authored_state import Ledger
+from omote.showfile.changes import (
+    Change,
+    Draft,
+    DropDraft,
+    Edit,
+    Item,
+    PutContent,
+    PutDraft,
+    PutEdit,
+    PutItem,
+    PutLayout,
+    PutRevision,
+    Revision,
+    Stored,
+)
+from tests.authoring import WALL, Tables
+
+editors = st.sampled_from(["ann", "bob"])
+
+
+def item(number: int = 1, **other: object) -> Item:
+    """An item."""
+    return Item(number, "expression", f"smile_{number}", "Smile", **other)  # type: ignore[arg-type]
+
+
+def revision(number: int, item: int = 1) -> Revision:
+    """A revision."""
+    return Revision(item, number, number - 1, b"{}", f"key {number}", WALL, "Ann")
+
+
+@st.composite
+def histories(draw: st.DrawFn) -> list[Change]:
+    """Changes as sessions make them: a draft before its steps, steps without gaps, revisions once."""
+    changes: list[Change] = [PutItem(item(1)), PutItem(item(2))]
+    steps: dict[tuple[int, str], int] = {}
+    saved = {1: 0, 2: 0}
+    for _ in range(draw(st.integers(0, 30))):
+        key = draw(st.sampled_from([1, 2])), draw(editors)
+        match draw(st.sampled_from(["edit", "edit", "edit", "revision", "drop", "layout", "content"])):
+            case "edit":
+                number = draw(st.integers(0, steps.get(key, 0)))
+                changes += [PutDraft(Draft(*key, 0, number)), PutEdit(Edit(*key, number, b"{}", "step"))]
+                steps[key] = number + 1
+            case "revision":
+                saved[key[0]] += 1
+                changes += [PutRevision(revision(saved[key[0]], key[0])), PutItem(item(key[0], head=saved[key[0]]))]
+            case "drop":
+                changes.append(DropDraft(*key))
+                steps.pop(key, None)
+            case "layout":
+                changes.append(PutLayout(key[1], b"{}"))
+            case _:
+                changes.append(PutContent("key", b"bytes"))
+    return changes
+
+
+@given(histories())
+def test_changes_mean_the_same_to_the_ledger_and_to_a_file(changes: list[Change]) -> None:
+    ledger, tables = Ledger(Stored()), Tables()
+    ledger.apply(changes)
+    tables.apply(changes)
+    assert ledger.stored() == tables.stored()
+    assert Ledger(tables.stored()).stored() == tables.stored(), "what is read is what was written"
+
+
+def test_a_step_takes_the_place_of_what_was_undone() -> None:
+    ledger = Ledger(Stored())
+    edits = [Edit(1, "ann", number, b"{}", f"step {number}") for number in range(4)]
+    ledger.apply([PutDraft(Draft(1, "ann", 0, 3)), *[PutEdit(edit) for edit in edits]])
+    ledger.apply([PutEdit(Edit(1, "ann", 2, b"{}", "another")), PutDraft(Draft(1, "ann", 0, 2))])
+    assert [edit.what for edit in ledger.edits[1, "ann"]] == ["step 0", "step 1", "another"]
+    assert ledger.shown((1, "ann")).what == "another"
+
+
+def test_a_revision_is_never_replaced() -> None:
+    ledger = Ledger(Stored())
+    ledger.apply([PutRevision(revision(1))])
+    with pytest.raises(ValueError, match="revision 1 is there already"):
+        ledger.apply([PutRevision(revision(1))])
+
+
+def test_only_changes_are_applied() -> None:
+    with pytest.raises(TypeError, match="str is no change"):
+        Ledger(Stored()).apply(["drop everything"])  # type: ignore[list-item]
+
+
+def test_a_damaged_file_opens_with_what_is_whole() -> None:
+    drafts = (Draft(1, "ann", 1, 3), Draft(1, "bob", 1, 0))
+    edits = tuple(Edit(1, "ann", number, b"{}", f"step {number}") for number in (0, 1, 3))
+    ledger = Ledger(Stored((item(head=7),), (revision(1),), drafts, edits))
+    assert [edit.number for edit in ledger.edits[1, "ann"]] == [0, 1]
+    assert ledger.shown((1, "ann")).what == "step 1"
+    assert (1, "bob") not in ledger.drafts
+    assert ledger.head(ledger.items[1]) is None
+
+
+def test_new_items_stand_behind_all_others_under_ids_never_used() -> None:
+    ledger = Ledger(Stored())
+    assert (ledger.new_item(), ledger.new_place(), ledger.numbers(1)) == (1, 1.0, 0)
+    ledger.apply([PutItem(item(4, place=7.5, deleted=True)), PutRevision(revision(3, 4))])
+    assert (ledger.new_item(), ledger.new_place(), ledger.numbers(4)) == (5, 8.5, 3)
+    assert ledger.named("smile_4") == item(4, place=7.5, deleted=True)
+    assert ledger.named("nobody") is None

@@ -1,0 +1,49 @@
+"""OBJ files: their vertices in order, and nothing that is no point."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from omote.interchange.formats import obj_reader as objfile
+from omote.interchange.formats.obj_reader import read_obj
+
+points = arrays(np.float64, st.tuples(st.integers(1, 6), st.just(3)), elements=st.floats(-1e6, 1e6))
+
+
+@given(points)
+def test_vertices_come_back_in_order(given_points: np.ndarray) -> None:
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in given_points.tolist()]
+    text = "\n".join(["# made by nobody", "o head", *lines, "vn 0 0 1", "vt 0 0", "f 1 2 3"])
+    np.testing.assert_array_equal(read_obj(text.encode()), given_points)
+
+
+def test_colours_behind_a_vertex_are_passed_over() -> None:
+    np.testing.assert_array_equal(read_obj(b"v 1 2 3 0.5 0.5 0.5\r\n\tv 4 5 6\r\n"), [[1, 2, 3], [4, 5, 6]])
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        (b"", "has 0 vertices"),
+        (b"f 1 2 3", "has 0 vertices"),
+        (b"v 1 2", "is no vertex; expected v x y z"),
+        (b"v a b c", "is no vertex; expected v x y z"),
+        (b"v 1 2 nan", "vertex 1 is"),
+        (b"v 0 0 0\nv 1e999 0 0", "vertex 2 is"),
+        (b"v " + b"9" * 400 + b" 0 0", "vertex 1 is"),
+    ],
+)
+def test_what_is_no_shape_is_refused(text: bytes, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        read_obj(text)
+
+
+def test_a_file_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(objfile, "MOST_VERTICES", 1)
+    with pytest.raises(ValueError, match="has 2 vertices; expected an OBJ file of 1 to 1"):
+        read_obj(b"v 0 0 0\nv 0 0 0")
+    monkeypatch.setattr(objfile, "LARGEST", 3)
+    with pytest.raises(ValueError, match="expected 3 at most"):
+        read_obj(b"v 0 0 0")

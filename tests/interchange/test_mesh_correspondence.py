@@ -1,0 +1,77 @@
+"""Whose vertices a file's are: by what it says, by order, by place; and what is no head of ours."""
+
+import numpy as np
+import pytest
+
+from omote.interchange.formats.glb_reader import Piece
+from omote.interchange.mesh_correspondence import NEAR, as_face, likeness, nearest_face, rest_of
+from tests import synthetic
+from tests.stage_data.heads import meshes, synthetic_cast
+
+CAST = synthetic_cast()
+SKIN = rest_of(CAST, "broad")["skin"]
+MOVES = np.random.default_rng(2).normal(0.0, 0.01, SKIN.shape)
+MOVES = MOVES[CAST.space.welded]
+ORDER = np.random.default_rng(3).permutation(len(SKIN))
+
+
+def pieces(rows: np.ndarray, *, told: bool, name: str = "skin") -> list[Piece]:
+    """The broad face with vertices in some order."""
+    return [Piece(name, SKIN[rows], rows if told else None, {"odd": MOVES[rows]})]
+
+
+@pytest.mark.parametrize(
+    ("rows", "told", "name"),
+    [
+        (ORDER, True, "skin"),
+        (ORDER, True, "Mesh.003"),
+        (np.append(ORDER, ORDER[:40]), True, "skin.001"),
+        (np.arange(len(SKIN)), False, "anything"),
+        (meshes()[0].source.astype(np.int64), False, "head"),
+    ],
+)
+def test_a_head_is_known_however_it_is_written(rows: np.ndarray, told: bool, name: str) -> None:
+    found = likeness(CAST, meshes(), pieces(rows, told=told, name=name))
+    assert found.face == "broad"
+    np.testing.assert_array_equal(found.rest["skin"], SKIN)
+    np.testing.assert_array_equal(found.moves["odd"]["skin"], MOVES)
+
+
+def test_a_head_in_another_order_is_known_by_where_its_vertices_lie() -> None:
+    rows = np.append(ORDER, ORDER[:7])  # neither count of ours
+    found = likeness(CAST, meshes(), pieces(rows, told=False))
+    assert found.face == "broad"
+    np.testing.assert_allclose(found.moves["odd"]["skin"], MOVES)
+
+
+def test_parts_are_known_by_their_names_and_others_are_passed_over() -> None:
+    ball = rest_of(CAST, "broad")["eye_left"]
+    others = [Piece("eye_left", ball), Piece("collar", np.zeros((5, 3))), Piece("teeth_lower", np.zeros((3, 3)))]
+    found = likeness(CAST, meshes(), [*pieces(ORDER, told=True), *others])
+    assert found.rest.keys() == {"skin", "eye_left"}
+    assert found.moves["odd"].keys() == {"skin"}
+
+
+def test_what_is_no_head_of_ours_is_refused() -> None:
+    for strange in ([], [Piece("head", np.zeros((99, 3)))], pieces(ORDER[:-1], told=True)):
+        with pytest.raises(ValueError, match="there is no head of ours in this file: expected a mesh with the"):
+            likeness(CAST, meshes(), strange)
+
+
+def test_rows_that_the_cast_does_not_have_belong_to_no_mesh() -> None:
+    with pytest.raises(ValueError, match="there is no head of ours"):
+        likeness(CAST, meshes(), [Piece("skin", SKIN, np.arange(len(SKIN)) + 5)])
+
+
+def test_a_face_is_found_where_it_is_near_enough() -> None:
+    assert nearest_face(CAST, SKIN + 0.5 * NEAR) == "broad"
+    assert nearest_face(CAST, SKIN + 2.0 * NEAR) == ""
+
+
+def test_a_face_that_is_in_no_cast_is_the_files_own() -> None:
+    found = likeness(CAST, meshes(), [Piece("skin", SKIN * 1.01, np.arange(len(SKIN)))])
+    assert found.face == ""
+    own = as_face(CAST, found)
+    np.testing.assert_allclose(own.positions, SKIN * 1.01, rtol=1e-6)
+    assert as_face(CAST, found, "long") is CAST.faces["long"]
+    assert synthetic.FACES

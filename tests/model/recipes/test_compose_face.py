@@ -1,0 +1,183 @@
+"""A face's recipe: the mix, regions, caricature and handles one after the other, its look, and what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from omote.builtin import load_cast
+from omote.model.cast import Look
+from omote.model.recipes.compose_face import MOST_AMOUNT, Dressed, composed_face, mixed, mixed_look
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.sculpting.extrapolation import turned_over
+from omote.model.recipes.face_handles import default_handles, dragged
+from omote.model.recipes.recipe import FaceRecipe
+from omote.model.sculpting.regions import REGIONS, caricature, regional
+from omote.perform.blending.evaluate import evaluate
+from omote.perform.performer import Performer
+
+CAST = load_cast()
+SPACE = CAST.space
+SOURCES = {name: Dressed(face, CAST.looks[name]) for name, face in CAST.faces.items()}
+ROWS = tuple(handle.row for handle in default_handles(SPACE))
+names = st.sampled_from(sorted(SOURCES))
+
+
+def made(recipe: FaceRecipe) -> Dressed:
+    return composed_face(SPACE, "hers", recipe, SOURCES)
+
+
+def same(one: Face, other: Face) -> bool:
+    first, second = fit(SPACE, one), fit(SPACE, other)
+    return np.array_equal(first.positions, second.positions) and all(
+        np.array_equal(first.parts[part], second.parts[part]) for part in SPACE.parts
+    )
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_one_face_alone_is_that_face_with_its_look(name: str) -> None:
+    found = made(FaceRecipe({name: 1.0}, regions=dict.fromkeys(("nose",), name)))
+    assert made(FaceRecipe({name: 1.0})).look == found.look == SOURCES[name].look
+    assert same(made(FaceRecipe({name: 1.0})).face, SOURCES[name].face)
+    assert np.allclose(found.face.positions, SOURCES[name].face.positions, atol=1e-6)
+    assert found.face.name == "hers"
+
+
+def test_a_mix_is_what_is_on_air_between_its_faces() -> None:
+    performer = Performer(CAST)
+    performer.call_face("kaori", seconds=0)
+    performer.advance(0.1)
+    performer.call_face("dog", seconds=1.0)
+    frame = performer.advance(0.5)
+    assert len(frame.faces) == 2
+    found = made(FaceRecipe(dict(frame.faces))).face
+    assert np.allclose(found.positions, evaluate(CAST, frame), atol=1e-6)
+
+
+@given(one=names, other=names, share=st.floats(0.0, 1.0))
+@settings(max_examples=20)
+def test_a_mix_is_linear_in_its_shares(one: str, other: str, share: float) -> None:
+    pair = [(SOURCES[one].face, share), (SOURCES[other].face, 1.0 - share)]
+    between = mixed(SPACE, "a", pair)
+    for part in SPACE.parts:
+        first, second = (fit(SPACE, face).parts[part].astype(float) for face, _ in pair)
+        assert np.allclose(between.parts[part], share * first + (1.0 - share) * second, atol=1e-6)
+    assert np.allclose(
+        between.positions, share * pair[0][0].positions + (1.0 - share) * pair[1][0].positions, atol=1e-6
+    )
+
+
+def test_base_regions_caricature_and_handles_follow_one_another() -> None:
+    moves = np.zeros((len(ROWS), 3))
+    moves[0] = 0.004
+    recipe = FaceRecipe(
+        {"kaori": 0.5, "old": 0.5},
+        {"mouth": "dog", "brows": "cat"},
+        1.2,
+        ROWS,
+        tuple((x, y, z) for x, y, z in moves.tolist()),
+    )
+    face = mixed(SPACE, "a", [(SOURCES["kaori"].face, 0.5), (SOURCES["old"].face, 0.5)])
+    face = regional(SPACE, "a", {"mouth": SOURCES["dog"].face, "brows": SOURCES["cat"].face}, rest=face)
+    face = dragged(SPACE, caricature(SPACE, face, 1.2), "a", rows=ROWS, moves=moves)
+    assert same(made(recipe).face, face)
+
+
+def test_the_look_of_a_region_comes_with_it_and_nothing_else_does() -> None:
+    plain, mouth = made(FaceRecipe({"kaori": 1.0})).look, made(FaceRecipe({"kaori": 1.0}, {"mouth": "dog"})).look
+    dog = SOURCES["dog"].look
+    assert mouth == replace(plain, lip=dog.lip, gloss=dog.gloss)
+    assert made(FaceRecipe({"kaori": 1.0}, {"skull": "man"})).look.hair_style == SOURCES["man"].look.hair_style
+    everything = made(FaceRecipe({"kaori": 1.0}, dict.fromkeys(REGIONS, "dog"))).look
+    assert (everything.iris, everything.brow, everything.fur) == (dog.iris, dog.brow, plain.fur)
+
+
+def test_colours_mix_in_linear_light_and_traits_as_numbers() -> None:
+    black, white = Look(skin="#000000", age=0.0), Look(skin="#ffffff", age=1.0)
+    grey = mixed_look([(black, 0.5), (white, 0.5)])
+    assert (grey.skin, grey.age) == ("#bcbcbc", 0.5)  # half the light is 188 of 255 in sRGB
+    assert mixed_look([(SOURCES["dog"].look, 1.0)]) == SOURCES["dog"].look
+
+
+@given(looks=st.lists(st.sampled_from([one.look for one in SOURCES.values()]), min_size=1, max_size=5))
+@settings(max_examples=30)
+def test_a_mix_of_looks_is_a_look_between_them(looks: list[Look]) -> None:
+    found = mixed_look([(look, 1.0 / len(looks)) for look in looks])
+    for trait in ("age", "iris_size", "fur"):
+        worn = [getattr(look, trait) for look in looks]
+        assert min(worn) - 1e-9 <= getattr(found, trait) <= max(worn) + 1e-9
+    reds = [int(look.skin[1:3], 16) for look in looks]
+    assert min(reds) - 1 <= int(found.skin[1:3], 16) <= max(reds) + 1
+
+
+def test_hair_is_one_style_whole_on_its_own_scalp() -> None:
+    bald = Look(hair_style="", scalp=0.0, hair="#ff0000")
+    bun, thin = Look(hair_style="bun", scalp=1.0, hair="#202020"), Look(hair_style="thin", scalp=0.25, hair="#202020")
+    for looks, style, scalp in [
+        ([(bald, 0.6), (bun, 0.4)], "", 0.0),
+        ([(bald, 0.4), (bun, 0.6)], "bun", 1.0),
+        ([(thin, 0.6), (bun, 0.4)], "thin", 0.25),
+        ([(bald, 0.4), (bun, 0.35), (thin, 0.25)], "bun", 1.0),
+        ([(bald, 0.5), (thin, 0.5), (bun, 0.0)], "thin", 0.25),
+    ]:
+        found = mixed_look(looks)
+        assert (found.hair_style, found.scalp, found.hair) == (style, scalp, "#202020")
+
+
+def test_hair_is_that_of_the_largest_share_all_wearers_together() -> None:
+    bald, bun, bob = Look(hair_style=""), Look(hair_style="bun"), Look(hair_style="bob")
+    assert mixed_look([(bald, 0.4), (bun, 0.35), (bob, 0.25)]).hair_style == "bun"
+    assert mixed_look([(bald, 0.6), (bun, 0.2), (bob, 0.2)]).hair_style == ""
+    assert mixed_look([(bald, 0.4), (bun, 0.3), (replace(bun, age=1.0), 0.3)]).hair_style == "bun"
+
+
+@given(
+    base=st.lists(names, min_size=1, max_size=3, unique=True),
+    regions=st.dictionaries(st.sampled_from(REGIONS), names, max_size=2),
+    amount=st.sampled_from([1.0, 0.5, 1.3]),
+)
+@settings(max_examples=12)
+def test_mixes_regions_and_some_caricature_fold_next_to_nothing(
+    base: list[str], regions: dict[str, str], amount: float
+) -> None:
+    recipe = FaceRecipe(dict.fromkeys(base, 1.0 / len(base)), regions, amount)
+    found = made(recipe).face
+    bad = turned_over(SPACE.points, found.positions.astype(float), SPACE.skin_triangles)
+    least = max(
+        int(turned_over(SPACE.points, SOURCES[name].face.positions.astype(float), SPACE.skin_triangles).sum())
+        for name in (*base, *regions.values())
+    )
+    assert bad.sum() <= least + 0.01 * len(bad)
+
+
+@pytest.mark.parametrize(
+    ("recipe", "sentence"),
+    [
+        (FaceRecipe({}), "base of this face is empty"),
+        (FaceRecipe({"nobody": 1.0}), "no face 'nobody'"),
+        (FaceRecipe({"kaori": 0.5}), "sum to 0.5; expected 1"),
+        (FaceRecipe({"kaori": 1.5, "dog": -0.5}), "'kaori' has weight 1.5"),
+        (FaceRecipe({"kaori": float("nan")}), "'kaori' has weight nan"),
+        (FaceRecipe({"kaori": 1.0}, {"beak": "dog"}), "no region 'beak'"),
+        (FaceRecipe({"kaori": 1.0}, {"nose": "nobody"}), "no face 'nobody'"),
+        (FaceRecipe({"kaori": 1.0}, amount=2 * MOST_AMOUNT), "amount of caricature is 6.0"),
+        (FaceRecipe({"kaori": 1.0}, amount=float("nan")), "amount of caricature is nan"),
+        (FaceRecipe({"kaori": 1.0}, points=(1,)), "moves of handles has shape"),
+        (FaceRecipe({"kaori": 1.0}, moves=((0.0, 0.0, 0.0),)), "expected a list of rows"),
+        (FaceRecipe({"kaori": 1.0}, points=(-4,), moves=((0.0, 0.0, 0.0),)), "stands on row -4"),
+    ],
+)
+def test_what_makes_no_face_is_refused_with_a_sentence(recipe: FaceRecipe, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        made(recipe)
+
+
+def test_weights_that_were_rounded_on_air_are_scaled() -> None:
+    rounded = composed_face(SPACE, "a", FaceRecipe({"kaori": 0.33334, "dog": 0.33334, "cat": 0.33334}), SOURCES)
+    exact = composed_face(SPACE, "a", FaceRecipe(dict.fromkeys(("kaori", "dog", "cat"), 1 / 3)), SOURCES)
+    assert np.allclose(rounded.face.positions, exact.face.positions, atol=1e-9)

@@ -1,0 +1,170 @@
+"""Regions and caricature: weights sum to one, nothing jumps, one face everywhere is itself."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import omote
+from omote.geometry.laplacian import smoothing
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.sculpting.extrapolation import turned_over
+from omote.model.sculpting.regions import REGIONS, Region, caricature, region_weights, regional
+from omote.model.space.similarity import similarity
+from omote.model.space.eye_socket import NEAR, heights
+from tests.synthetic import FACES, cast, space
+
+CAST = omote.load_cast()
+
+
+def everywhere(face: Face) -> dict[Region, Face]:
+    return dict.fromkeys(REGIONS, face)
+
+
+def test_the_regions_share_every_point_and_sum_to_one() -> None:
+    for points in (None, np.random.default_rng(1).normal(0.0, 0.3, (500, 3))):
+        weights = np.stack(list(region_weights(CAST.space, points).values()))
+        assert (weights >= 0).all()
+        assert np.allclose(weights.sum(axis=0), 1.0)
+
+
+def test_every_region_owns_its_feature_and_both_sides_alike() -> None:
+    features = {
+        "brows": (0.03, 0.026, 0.145), "eyes": (0.031, 0.004, 0.141), "nose": (0.0, -0.036, 0.168),
+        "cheeks": (0.045, -0.04, 0.125), "mouth": (0.0, -0.066, 0.155), "jaw": (0.0, -0.1, 0.148),
+        "ears": (0.085, -0.004, 0.035), "skull": (0.0, 0.1, 0.0),
+    }  # fmt: skip
+    for name, point in features.items():
+        both = np.array([point, np.multiply(point, [-1, 1, 1])])
+        weights = {str(region): row for region, row in region_weights(CAST.space, both).items()}
+        assert weights[name][0] > 0.5, name
+        assert max(weights, key=lambda region: float(weights[region][0])) == name
+        for row in weights.values():
+            assert np.isclose(row[0], row[1], atol=1e-3)
+
+
+def test_weights_change_smoothly_over_the_skin() -> None:
+    a, b = CAST.space.triangles[:, :2].T
+    length = np.linalg.norm(CAST.space.points[a] - CAST.space.points[b], axis=1)
+    for region, row in region_weights(CAST.space).items():
+        assert (np.abs(row[a] - row[b]) <= length / 0.004).all(), region  # the steepest border is 4 mm wide
+
+
+@pytest.mark.parametrize("name", FACES)
+def test_one_face_everywhere_is_that_face(name: str) -> None:
+    face = cast().faces[name]
+    for made in (regional(space(), "same", everywhere(face)), regional(space(), "same", {}, rest=face)):
+        assert np.allclose(made.positions, face.positions, atol=1e-7)
+        for part, points in fit(space(), face).parts.items():
+            assert np.allclose(made.parts[part], points, atol=1e-7)
+
+
+def test_no_region_at_all_is_the_generic_face() -> None:
+    assert np.allclose(regional(space(), "none", {}).positions, space().points, atol=1e-7)
+
+
+def test_each_region_has_the_form_of_its_face_and_no_border_is_rougher_than_both() -> None:
+    old, child = CAST.faces["old"], CAST.faces["child"]
+    made = regional(CAST.space, "mixed", {"jaw": old, "mouth": old}, rest=child)
+    weights = region_weights(CAST.space)
+    lower = weights["jaw"] + weights["mouth"]
+    assert np.allclose(made.positions[lower < 1e-4], child.positions[lower < 1e-4], atol=1e-3)
+    laid = similarity(old.positions, made.positions, lower**8)
+    assert np.linalg.norm(laid(old.positions) - made.positions, axis=1)[lower > 0.95].max() < 0.004
+    mean = smoothing(CAST.space.skin_triangles, CAST.space.vertex_count)
+    border = (lower > 0.2) & (lower < 0.8)
+    rough = [np.linalg.norm(mean @ p - p, axis=1)[border].mean() for p in (f.positions for f in (old, child, made))]
+    assert rough[2] < 1.1 * max(rough[:2])
+
+
+def test_a_face_of_another_size_and_place_gives_the_same_mix() -> None:
+    doll, man = CAST.faces["doll"], CAST.faces["man"]
+    larger = Face("larger", 1.3 * doll.positions, {name: 1.3 * points for name, points in doll.parts.items()})
+    mixes = [regional(CAST.space, "staring", {"eyes": face}, rest=man) for face in (doll, larger)]
+    assert np.allclose(mixes[0].positions, mixes[1].positions, atol=1e-5)
+    for name, points in mixes[0].parts.items():
+        assert np.allclose(points, mixes[1].parts[name], atol=1e-5)
+
+
+def test_eyes_of_another_face_sit_where_the_rest_has_its_own() -> None:
+    doll, man = CAST.faces["doll"], CAST.faces["man"]
+    made = regional(CAST.space, "staring", {"eyes": doll}, rest=man)
+    for name in ("eye_left", "eye_right"):
+        assert np.linalg.norm(made.parts[name].mean(axis=0) - man.parts[name].mean(axis=0)) < 0.004
+
+
+def test_eyeballs_of_a_mix_stay_round_and_outside_of_the_lids() -> None:
+    used = ("doll", "heavy")
+    made = regional(CAST.space, "staring", {"eyes": CAST.faces[used[0]]}, rest=CAST.faces[used[1]])
+    for name in ("eye_left", "eye_right"):
+        ball, generic = made.parts[name].astype(np.float64), CAST.space.parts[name].points
+        rough = [np.ptp(heights(points, points)) for points in (*(CAST.faces[n].parts[name] for n in used), ball)]
+        assert rough[2] <= max(rough[:2])
+        lids = heights(CAST.space.points, generic) > 1.0
+        sources = [heights(CAST.faces[n].positions, CAST.faces[n].parts[name]) for n in used]
+        over = heights(made.positions.astype(np.float64), ball)
+        assert (over >= np.minimum(*sources) - 1e-4)[lids & (np.maximum(*sources) < NEAR)].all()
+
+
+def test_a_region_that_is_none_is_refused() -> None:
+    with pytest.raises(ValueError, match="there is no region 'hair'; expected some of brows, eyes"):
+        regional(space(), "a", {"hair": cast().faces["long"]})  # type: ignore[dict-item]
+
+
+def test_a_space_without_eyes_is_refused() -> None:
+    with pytest.raises(ValueError, match="has 0 eyeballs; expected two"):
+        region_weights(replace(space(), parts={}))
+
+
+def test_a_caricature_is_the_generic_face_at_nothing_and_the_face_at_one() -> None:
+    face = cast().faces["long"]
+    assert np.allclose(caricature(space(), face, 0.0).positions, space().points, atol=1e-7)
+    assert np.allclose(caricature(space(), face, 1.0).positions, face.positions, atol=1e-7)
+    half = (face.positions + space().points) / 2
+    assert np.allclose(caricature(space(), face, 0.5).positions, half, atol=1e-7)
+
+
+def test_beyond_one_it_starts_without_a_jump_and_goes_on_and_on() -> None:
+    face = CAST.faces["old"]
+    one, little, more, most = (
+        caricature(CAST.space, face, amount).positions.astype(np.float64) for amount in (1.0, 1.0001, 1.25, 1.5)
+    )
+    assert np.abs(little - one).max() < 1e-4
+    onward = ((most - more) * (more - one)).sum(axis=1)
+    large = np.linalg.norm(more - one, axis=1) > 0.001
+    assert (onward[large] > 0).mean() > 0.99
+
+
+@pytest.mark.parametrize(
+    ("name", "amount"),
+    [(name, 1.5) for name in CAST.faces if name != "generic"] + [(name, 2.0) for name in ("kaori", "old", "baby")],
+)
+def test_no_caricature_folds(name: str, amount: float) -> None:
+    face = CAST.faces[name]
+    made = caricature(CAST.space, face, amount)
+    before, after = face.positions.astype(np.float64), made.positions.astype(np.float64)
+    assert not turned_over(before, after, CAST.space.skin_triangles).any()
+
+
+def test_a_caricature_adds_form_and_no_detail() -> None:
+    smooth = CAST.space.points * [1.1, 1.0, 1.0]
+    bump = np.array(smooth)
+    vertex = int(np.abs(CAST.space.points - [0.0, 0.06, 0.145]).sum(axis=1).argmin())
+    bump[vertex] += [0.0, 0.0, 0.003]
+    grown = [caricature(CAST.space, Face("a", points), 2.0).positions for points in (smooth, bump)]
+    assert 0.003 <= grown[1][vertex, 2] - grown[0][vertex, 2] < 0.0036
+    wider = grown[0][:, 0] / np.where(CAST.space.points[:, 0] == 0, 1.0, CAST.space.points[:, 0])
+    assert 1.15 < wider[int(np.abs(CAST.space.points - [0.06, -0.02, 0.1]).sum(axis=1).argmin())] < 1.22
+
+
+def test_a_caricature_has_a_name_of_its_own() -> None:
+    assert caricature(space(), cast().faces["long"], 1.5).name == "long_150"
+
+
+@pytest.mark.parametrize("amount", [float("nan"), float("inf")])
+def test_an_amount_that_is_not_finite_is_refused(amount: float) -> None:
+    with pytest.raises(ValueError, match="a caricature's amount is"):
+        caricature(space(), cast().faces["long"], amount)

@@ -1,0 +1,43 @@
+"""Fitting a face to a space: remembered, placed parts, and what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from tests.synthetic import space
+
+
+def test_a_face_is_fitted_once() -> None:
+    face = Face("a", space().points)
+    assert fit(space(), face) is fit(space(), face)
+
+
+def test_parts_go_where_a_similarity_of_the_face_carries_them() -> None:
+    fitted = fit(space(), Face("large", space().points * 1.5))
+    for name, part in space().parts.items():
+        assert np.allclose(fitted.parts[name], part.points * 1.5, atol=1e-6)
+        assert np.isclose(fitted.sizes[name], 1.5, atol=1e-5)
+        assert np.allclose(fitted.centres[name], part.points.mean(axis=0) * 1.5, atol=1e-6)
+    assert np.allclose(fitted.scale, 1.5, atol=1e-5)
+
+
+def test_a_face_that_knows_its_parts_keeps_them() -> None:
+    own = space().parts["eye_left"].points + 0.001
+    assert np.allclose(fit(space(), Face("a", space().points, {"eye_left": own})).parts["eye_left"], own, atol=1e-7)
+
+
+def test_faces_that_do_not_fit_are_refused() -> None:
+    points = space().points
+    with pytest.raises(ValueError, match=f"has 5 vertices; expected the {len(points)} of the generic face"):
+        fit(space(), Face("a", np.zeros((5, 3))))
+    collapsed = points.copy()
+    collapsed[space().triangles[9, 0]] = collapsed[space().triangles[9, 1]]
+    with pytest.raises(ValueError, match="has no area"):
+        fit(space(), Face("a", collapsed))
+    with pytest.raises(ValueError, match="outside the head"):
+        fit(space(), Face("a", points + np.array([0.0, 0.0, 0.7])))
+    with pytest.raises(ValueError, match="part 'beak' of 1 vertices"):
+        fit(space(), Face("a", points, {"beak": np.zeros((1, 3))}))

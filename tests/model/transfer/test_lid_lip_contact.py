@@ -1,0 +1,54 @@
+"""Contact: a line is opened by exactly what it lacks, bin by bin, and nothing else moves."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import omote
+from omote.model.transfer.lid_lip_contact import BINS, REACH, closed, contact_of, hats
+from omote.model.transfer.fold_repair import sheet_of
+from tests.model.space.test_lid_lip_lines import line
+
+
+def test_the_hats_sum_to_one_on_every_rung() -> None:
+    assert np.allclose(hats().sum(axis=0), 1.0)
+    assert (hats() >= 0).all()
+
+
+@pytest.mark.parametrize("name", ["lid_left", "lips"])
+@pytest.mark.parametrize("face", ["baby", "doll"])
+def test_each_bin_is_opened_alone_by_its_answer(name: str, face: str) -> None:
+    cast = omote.load_cast()
+    positions = cast.faces[face].positions.astype(np.float64)
+    sheet = sheet_of(cast.space.points, positions, cast.space.skin_triangles)
+    contact = contact_of(line(cast.space, name), cast.space.points, positions, sheet)
+    for bin_ in range(BINS):
+        moved = positions.copy()
+        moved[contact.near] += 0.001 * contact.answer[:, bin_]
+        change = contact.line.rungs(moved) - contact.line.rungs(positions)
+        assert contact.bins @ (contact.target * change).sum(axis=1) == pytest.approx(
+            0.001 * np.eye(BINS)[bin_], abs=1e-9
+        )
+
+
+def test_a_line_that_lacks_nothing_is_left_alone_and_one_that_gapes_is_closed() -> None:
+    cast = omote.load_cast()
+    generic = cast.space.points
+    positions = cast.faces["baby"].positions.astype(np.float64)
+    sheet = sheet_of(generic, positions, cast.space.skin_triangles)
+    contact = contact_of(line(cast.space, "lips"), generic, positions, sheet)
+    still = positions.copy()
+    closed(contact, still, generic)
+    assert np.abs(still - positions).max() < 1e-9
+    # The source opens its lips by its rungs' lengths; the face follows by as much, times the growth of the width.
+    opened = generic.copy()
+    upper = np.unique(contact.line.vertices[:, :2])
+    opened[upper, 1] += 0.004
+    closed(contact, still, opened)
+    change = (contact.line.rungs(still) - contact.line.rungs(positions))[:, 1]
+    wanted = (contact.line.rungs(opened) - contact.line.rungs(generic))[:, 1] * contact.growth
+    assert contact.bins @ change == pytest.approx(contact.bins @ wanted)
+    width = np.ptp(positions[contact.line.loop, 0])
+    away = np.linalg.norm(positions - positions[contact.line.loop].mean(axis=0), axis=1) > (REACH + 1) * width
+    assert np.array_equal(still[away], positions[away])

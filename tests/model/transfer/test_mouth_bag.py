@@ -1,0 +1,41 @@
+"""The mouth bag: found behind the lips, whole, with its neighbours."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import omote
+from omote.model.transfer.mouth_bag import bag_of
+from tests.synthetic import space
+
+
+def test_the_bag_is_the_inner_skin_behind_the_lips() -> None:
+    built = omote.load_cast().space
+    bag = bag_of(built)
+    assert bag is not None
+    assert not built.on_sheet[bag.vertices].any()
+    points, teeth = built.points[bag.vertices], built.parts["teeth_lower"].points
+    for axis in range(3):
+        assert points[:, axis].min() < teeth[:, axis].mean() < points[:, axis].max()
+    assert not any((points[:, 1] > part.points[:, 1].mean()).any() for part in built.parts.values() if part.eye)
+
+
+def test_every_copy_of_a_bag_vertex_has_its_row() -> None:
+    built = omote.load_cast().space
+    bag = bag_of(built)
+    assert bag is not None
+    known = bag.rows >= 0
+    assert np.array_equal(bag.vertices[bag.rows[known]], built.welded[built.inner.vertices[known]])
+    assert np.array_equal(np.unique(bag.rows[known]), np.arange(len(bag.vertices)))
+
+
+def test_neighbours_are_mutual_and_joined_to_the_skin() -> None:
+    bag = bag_of(omote.load_cast().space)
+    assert bag is not None
+    assert all(row in bag.around[other] for row, others in enumerate(bag.around) for other in others)
+    assert np.isfinite(bag.away).all()
+    assert (bag.away > 0).all()
+
+
+def test_a_space_without_lips_has_none() -> None:
+    assert bag_of(type(space()).build(space().points, space().triangles)) is None

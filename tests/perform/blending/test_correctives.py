@@ -1,0 +1,143 @@
+"""Sums of compounds neither fold nor pierce where each alone does not; one alone is never changed."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from omote.builtin import load_cast
+from omote.model.cast import NEUTRAL, Cast
+from omote.model.transfer.compound import compound
+from omote.model.space.face_fit import fit
+from omote.model.transfer.corrective_regions import Settling, settling_of
+from omote.perform.blending.evaluate import MODES, Mode, evaluate, evaluate_parts
+from omote.perform.frame import Frame
+from omote.perform.blending.correctives import Balls, allowance, settled
+from omote.perform.blending.orientation import rest_normals, shares
+
+CAST = load_cast()
+UNITS = [name for name, title in CAST.titles.items() if title.kind in ("arkit", "makehuman")]
+FACES = ("kaori", "goblin", "dog", "baby")
+units, faces = st.sampled_from(UNITS), st.sampled_from(FACES)
+LIDS = ("eyeBlinkLeft", "eyeSquintLeft", "eyeLookDownLeft")
+LIPS = ("mouthPucker", "mouthRollUpper", "mouthRollLower")
+
+
+def the_settling() -> Settling:
+    found = settling_of(CAST.space)
+    assert found is not None
+    return found
+
+
+def over(face: str, positions: np.ndarray) -> np.ndarray:
+    """The triangles around eyes and mouth that are turned over, (t,)."""
+    settling = the_settling()
+    rest = CAST.faces[face].positions.astype(np.float64)[settling.rows]
+    normals, sizes = rest_normals(rest, settling.triangles)
+    return shares(positions.astype(np.float64)[settling.rows], normals, sizes, settling.triangles) < 0.0
+
+
+def crossed(face: str, positions: np.ndarray) -> np.ndarray:
+    """How far lids and lips have crossed more than at rest, (lines, rungs) metres."""
+    found = []
+    for line in CAST.space.lines:
+        rest, now = line.rungs(CAST.faces[face].positions.astype(float)), line.rungs(positions.astype(float))
+        up = np.array([[0.0, 1.0, 0.0]]) if line.kind == "lips" else rest / np.linalg.norm(rest, axis=1)[:, None]
+        found.append(np.maximum(np.minimum((up * rest).sum(axis=1), 0.0) - (up * now).sum(axis=1), 0.0))
+    return np.array(found)
+
+
+def summed(face: str, *names: str) -> np.ndarray:
+    """The plain sum of compounds."""
+    rest = CAST.faces[face].positions
+    return sum((compound(CAST.space, CAST.faces[face], CAST.expressions[name]) - rest for name in names), start=rest)
+
+
+@pytest.mark.parametrize("mode", MODES)
+@settings(max_examples=15)
+@given(face=faces, name=st.sampled_from(sorted(CAST.expressions)))
+def test_one_compound_alone_is_never_changed(mode: Mode, face: str, name: str) -> None:
+    alone = compound(CAST.space, CAST.faces[face], CAST.expressions[name])
+    if mode == "bilinear":
+        assert np.array_equal(evaluate(CAST, Frame({face: 1.0}, {name: 1.0})), alone)
+    else:
+        assert evaluate(CAST, Frame({face: 1.0}, {name: 1.0}), "exact") == pytest.approx(alone, abs=1e-5)
+
+
+@pytest.mark.parametrize("face", ["kaori", "goblin", "baby"])  # others' lips never come so far
+@pytest.mark.parametrize("names", [LIDS, LIPS, ("mouthShrugLower", "mouthClose")])
+def test_lids_and_lips_that_sums_push_through_each_other_meet(face: str, names: tuple[str, ...]) -> None:
+    plain = summed(face, *names)
+    mixed = evaluate(CAST, Frame({face: 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(names, 1.0)))
+    alone = sum(crossed(face, summed(face, name)) for name in names)
+    before = np.maximum(crossed(face, plain) - alone, 0.0).max()
+    after = np.maximum(crossed(face, mixed) - alone, 0.0).max()
+    assert before > 0.5e-3
+    assert after < min(0.4e-3, 0.5 * before)
+
+
+@settings(max_examples=40)
+@given(face=faces, names=st.lists(units, min_size=3, max_size=3, unique=True))
+def test_triples_keep_their_triangles_upright(face: str, names: list[str]) -> None:
+    alone = np.any([over(face, summed(face, name)) for name in names], axis=0)
+    plain = (over(face, summed(face, *names)) & ~alone).sum()
+    mixed = evaluate(CAST, Frame({face: 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(names, 1.0)))
+    left = (over(face, mixed) & ~alone).sum()
+    if {"jawOpen", "mouth-open"} <= set(names):  # a jaw opened twice: no face does that
+        assert left <= plain
+    else:
+        assert left <= 0.15 * plain + 2
+
+
+@settings(max_examples=15)
+@given(face=faces, names=st.lists(units, min_size=2, max_size=3, unique=True), weight=st.floats(0.1, 0.9))
+def test_weights_that_change_little_change_little(face: str, names: list[str], weight: float) -> None:
+    step = 1e-4
+    here, there = (
+        evaluate(CAST, Frame({face: 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(names, weight + n * step))) for n in range(2)
+    )
+    reach = max(np.abs(summed(face, name) - CAST.faces[face].positions).max() for name in names)
+    assert np.abs(there - here).max() < 40 * step * reach + 1e-6
+
+
+def test_the_rest_of_the_head_never_moves() -> None:
+    names = (*LIDS, *LIPS)
+    mixed = evaluate(CAST, Frame({"kaori": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(names, 1.0)))
+    settling = the_settling()
+    others = np.setdiff1d(np.arange(CAST.space.vertex_count), np.concatenate([settling.rows, settling.followers]))
+    assert mixed[others] == pytest.approx(summed("kaori", *names)[others], abs=1e-6)
+
+
+def test_lashes_go_with_the_lids_that_settled() -> None:
+    paper = Frame({"kaori": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(LIDS, 1.0))
+    lashes = evaluate_parts(CAST, paper)["lashes"]
+    part, skin = CAST.space.parts["lashes"], evaluate(CAST, paper)
+    rest = fit(CAST.space, CAST.faces["kaori"])
+    move = np.einsum("nk,nkc->nc", part.weights, (skin - rest.positions)[part.anchors])
+    own = sum(rest.sizes["lashes"] * CAST.expressions[name].parts.get("lashes", np.zeros(3)) for name in LIDS)
+    assert lashes == pytest.approx(rest.parts["lashes"] + move + own, abs=2e-6)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_lids_leave_the_eyeball_where_the_cornea_bulges(sign: float) -> None:
+    settling, face = the_settling(), fit(CAST.space, CAST.faces["kaori"])
+    balls = Balls.of(face, settling.eyes, np.array([[sign * 0.4, 0.0], [sign * 0.4, 0.0]]))
+    shut = compound(CAST.space, CAST.faces["kaori"], CAST.expressions["eyeBlinkLeft"])
+    nothing = np.zeros(settling.size, np.float32)
+    allowed = allowance(settling, face, CAST.expressions["eyeBlinkLeft"], shut) + nothing
+    pressed = shut.copy()
+    rows = settling.rows[settling.lids[settling.eye == 0]]
+    pressed[rows] -= np.float32(2e-3) * (pressed[rows] - face.centres["eye_left"]).astype(np.float32) / 0.015
+    out = settled(settling, face.positions, pressed, allowed, balls)
+    distance = np.linalg.norm(out[rows] - face.centres["eye_left"], axis=1)
+    before = np.linalg.norm(pressed[rows] - face.centres["eye_left"], axis=1)
+    assert (distance - before).max() > 1e-3
+    assert np.median(distance[before < balls.radii[0]]) >= balls.radii[0] - 2e-4
+
+
+def test_the_papers_map_never_settles() -> None:
+    paper: Cast = CAST.under("paper")
+    frame = Frame({"kaori": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(LIDS, 1.0))
+    rest = paper.faces["kaori"].positions
+    worn = [compound(paper.space, paper.faces["kaori"], paper.expressions[name]) - rest for name in LIDS]
+    assert evaluate(paper, frame) == pytest.approx(rest + sum(worn), abs=1e-6)

@@ -1,0 +1,175 @@
+"""Two evaluators of one frame: the paper's blend, and the mixed face wearing the mixed expression."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.model.cast import Cast
+from omote.model.transfer.compound import compound, compound_parts
+from omote.model.space.face_fit import fit
+from omote.model.space.parts import eye_rotation
+from omote.perform.blending.evaluate import MODES, Mode, evaluate, evaluate_parts, warm
+from omote.perform.frame import Frame, Gaze, Head
+from tests.synthetic import EXPRESSIONS, FACES
+
+
+def mixes(names: tuple[str, ...]) -> st.SearchStrategy[dict[str, float]]:
+    """Weights that sum to one, some beyond 0..1 as in a call."""
+    parts = st.dictionaries(st.sampled_from(names), st.floats(0.05, 1.0), min_size=1, max_size=3)
+    return parts.map(lambda found: {name: weight / math.fsum(found.values()) for name, weight in found.items()})
+
+
+channels = st.dictionaries(st.sampled_from(EXPRESSIONS[1:]), st.floats(-0.5, 1.5), max_size=3)
+frames = st.builds(Frame, mixes(FACES), mixes(EXPRESSIONS), channels)
+
+
+@given(frames)
+def test_bilinear_is_the_papers_formula(cast: Cast, frame: Frame) -> None:
+    def worn(i: str, k: str) -> np.ndarray:
+        return compound(cast.space, cast.faces[i], cast.expressions[k]).astype(np.float64)
+
+    expected = np.zeros((cast.space.vertex_count, 3))
+    for i, s in frame.faces.items():
+        for j, t in frame.expressions.items():
+            expected += s * t * worn(i, j)
+        for k, c in frame.channels.items():
+            expected += s * c * (worn(i, k) - cast.faces[i].positions)
+    assert evaluate(cast, frame) == pytest.approx(expected, abs=2e-7)
+
+
+@given(st.sampled_from(FACES), st.sampled_from(EXPRESSIONS))
+def test_one_face_with_one_expression_is_its_compound_in_both_modes(cast: Cast, face: str, name: str) -> None:
+    expected = compound(cast.space, cast.faces[face], cast.expressions[name])
+    frame = Frame({face: 1.0}, {name: 1.0})
+    assert np.array_equal(evaluate(cast, frame), expected)
+    assert evaluate(cast, frame, "exact") == pytest.approx(expected, abs=1e-6)
+
+
+@given(mixes(FACES))
+def test_without_expression_both_modes_are_the_mixed_face(cast: Cast, faces: dict[str, float]) -> None:
+    expected = sum(s * cast.faces[i].positions.astype(np.float64) for i, s in faces.items())
+    for mode in MODES:
+        assert evaluate(cast, Frame(faces, {"neutral": 1.0}), mode) == pytest.approx(expected, abs=1e-6)
+
+
+@given(frames, frames, st.floats(0.0, 1.0))
+def test_bilinear_is_linear_along_each_axis(cast: Cast, one: Frame, other: Frame, u: float) -> None:
+    def at(faces: Any) -> np.ndarray:
+        return evaluate(cast, Frame(faces, one.expressions, one.channels)).astype(np.float64)
+
+    between = {name: (1 - u) * one.faces.get(name, 0.0) + u * other.faces.get(name, 0.0) for name in FACES}
+    assert at(between) == pytest.approx((1 - u) * at(one.faces) + u * at(other.faces), abs=5e-7)
+
+
+@given(frames)
+def test_the_modes_stay_within_a_few_millimetres(cast: Cast, frame: Frame) -> None:
+    reach = 1.0 + sum(abs(weight) for weight in frame.channels.values())
+    assert np.abs(evaluate(cast, frame) - evaluate(cast, frame, "exact")).max() < 0.004 * reach**2
+
+
+@given(frames)
+def test_the_direction_of_the_head_is_left_to_the_stage(cast: Cast, frame: Frame) -> None:
+    turned = Frame(frame.faces, frame.expressions, frame.channels, head=Head(0.3, 0.2, 0.1))
+    for mode in MODES:
+        assert np.array_equal(evaluate(cast, turned, mode), evaluate(cast, frame, mode))
+
+
+@pytest.mark.parametrize("mode", MODES)
+@given(st.sampled_from(FACES), st.sampled_from(EXPRESSIONS))
+def test_parts_of_one_compound_are_those_of_the_model(cast: Cast, mode: Mode, face: str, name: str) -> None:
+    found = evaluate_parts(cast, Frame({face: 1.0}, {name: 1.0}), mode)
+    expected = compound_parts(cast.space, cast.faces[face], cast.expressions[name])
+    assert found["teeth_lower"] == pytest.approx(expected["teeth_lower"], abs=1e-6)
+    for row, eye in enumerate(("eye_left", "eye_right")):
+        centre = fit(cast.space, cast.faces[face]).centres[eye]
+        turned = (expected[eye] - centre) @ eye_rotation(*cast.expressions[name].eyes[row]).T + centre
+        assert found[eye] == pytest.approx(turned, abs=1e-6)
+
+
+@given(mixes(FACES), st.floats(-0.5, 0.5), st.floats(-0.4, 0.4))
+def test_eyeballs_turn_rigidly_to_the_gaze(cast: Cast, faces: dict[str, float], yaw: float, pitch: float) -> None:
+    ahead = evaluate_parts(cast, Frame(faces, {"neutral": 1.0}))
+    looking = evaluate_parts(cast, Frame(faces, {"neutral": 1.0}, gaze=Gaze(yaw, pitch)))
+    for eye in ("eye_left", "eye_right"):
+        centre = ahead[eye].mean(axis=0)
+        assert looking[eye] - centre == pytest.approx((ahead[eye] - centre) @ eye_rotation(yaw, pitch).T, abs=1e-6)
+    assert looking["teeth_lower"] == pytest.approx(ahead["teeth_lower"], abs=1e-6)
+
+
+def test_the_lower_teeth_go_with_the_jaw_in_both_modes(cast: Cast) -> None:
+    rest = evaluate_parts(cast, Frame({"long": 1.0}, {"neutral": 1.0}))["teeth_lower"]
+    for mode in MODES:
+        frame = Frame({"long": 1.0}, {"neutral": 1.0}, {"jawOpen": 0.5})
+        drop = evaluate_parts(cast, frame, mode)["teeth_lower"] - rest
+        assert drop[:, 1].max() < -0.003
+        assert np.ptp(drop, axis=0) == pytest.approx(np.zeros(3), abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("frame", "sentence"),
+    [
+        (Frame({"nobody": 1.0}, {"neutral": 1.0}), "there is no face 'nobody'"),
+        (Frame({"generic": 1.0}, {"sulk": 1.0}), "there is no expression 'sulk'"),
+        (Frame({"generic": 1.0}, {"neutral": 1.0}, {"tail": 1.0}), "there is no channel 'tail'"),
+        (Frame({"generic": math.nan}, {"neutral": 1.0}), "the weight of the face generic is nan"),
+        (Frame({"generic": 1.0}, {"neutral": 1.0}, {"smile": math.inf}), "the channel smile is inf"),
+        (Frame({}, {"neutral": 1.0}), "faces sum to 0; expected one"),
+        (Frame({"generic": 1.0}, {}), "expressions sum to 0; expected one"),
+    ],
+)
+def test_a_frame_that_this_cast_cannot_show_is_refused(cast: Cast, frame: Frame, sentence: str) -> None:
+    for evaluator in (evaluate, evaluate_parts):
+        with pytest.raises(ValueError, match=sentence):
+            evaluator(cast, frame)
+
+
+@pytest.mark.parametrize(
+    ("frame", "sentence"),
+    [
+        (Frame({"long": 4.0, "broad": 5.0}, {"neutral": 1.0}), "faces sum to 9; expected one"),
+        (Frame({"generic": 1e308}, {"neutral": 1.0}), "face generic is 1e.308; give a number from -10 to 10"),
+        (Frame({"generic": 1.0}, {"neutral": 50.0, "smile": -49.0}), "from -10 to 10"),
+        (Frame({"generic": 1.0}, {"neutral": 1.0}, {"smile": 1.6}), "the channel smile is 1.6"),
+    ],
+)
+def test_weights_that_are_no_average_are_refused(cast: Cast, frame: Frame, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        evaluate(cast, frame)
+
+
+@pytest.mark.parametrize(
+    ("faces", "sentence"), [({"generic": True}, "must be a number, not True"), (None, "expected weights by name")]
+)
+def test_weights_that_are_no_numbers_are_refused(cast: Cast, faces: Any, sentence: str) -> None:
+    with pytest.raises(TypeError, match=sentence):
+        evaluate(cast, Frame(faces, {"neutral": 1.0}))
+
+
+def test_what_is_no_frame_is_refused(cast: Cast) -> None:
+    with pytest.raises(TypeError, match="evaluate got Cast and str; expected a Cast and a Frame"):
+        evaluate(cast, "frame")  # type: ignore[arg-type]
+
+
+def test_an_unknown_mode_is_refused(cast: Cast) -> None:
+    with pytest.raises(ValueError, match="mode is 'linear'; expected one of 'bilinear', 'exact'"):
+        evaluate(cast, Frame({"generic": 1.0}, {"neutral": 1.0}), "linear")  # type: ignore[arg-type]
+
+
+def test_a_warm_cast_compiles_nothing_more(cast: Cast) -> None:
+    from omote.geometry.locate import walk_strip
+    from omote.model.transfer.paper_map import follow, gather
+    from omote.perform.blending.expression_tables import _spread
+
+    warm(cast)
+    kernels: list[Any] = [walk_strip, gather, follow, _spread]
+    before = [len(kernel.signatures) for kernel in kernels]
+    for mode in MODES:
+        frame = Frame({"long": 0.4, "broad": 0.6}, {"smile": 1.0}, {"jawOpen": 0.3}, gaze=Gaze(0.2, 0.1))
+        evaluate(cast, frame, mode)
+        evaluate_parts(cast, frame, mode)
+    assert [len(kernel.signatures) for kernel in kernels] == before
+    assert all(before)

@@ -1,0 +1,57 @@
+"""Triangles that are about to turn over are kept from it."""
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.perform.blending.orientation import keep_upright, rest_normals, shares
+
+SIDE = 7
+GOAL = 0.1
+
+
+def grid() -> tuple[np.ndarray, np.ndarray]:
+    """A flat sheet of squares, each cut in two."""
+    x, y = np.meshgrid(np.arange(SIDE, dtype=float), np.arange(SIDE, dtype=float))
+    points = 1e-3 * np.stack([x.ravel(), y.ravel(), np.zeros(SIDE * SIDE)], axis=1)
+    corner = (np.arange(SIDE - 1)[:, None] * SIDE + np.arange(SIDE - 1)).ravel()
+    one = np.stack([corner, corner + 1, corner + SIDE], axis=1)
+    other = np.stack([corner + 1, corner + SIDE + 1, corner + SIDE], axis=1)
+    return points, np.concatenate([one, other]).astype(np.int32)
+
+
+REST, TRIANGLES = grid()
+NORMALS, SIZES = rest_normals(REST, TRIANGLES)
+GOALS = np.full(len(TRIANGLES), GOAL)
+moves = st.lists(st.floats(-0.9e-3, 0.9e-3), min_size=3, max_size=3).map(np.array)
+
+
+@given(st.integers(0, SIDE * SIDE - 1), moves)
+def test_a_vertex_pushed_through_its_neighbours_turns_nothing_over(vertex: int, move: np.ndarray) -> None:
+    points = REST.copy()
+    points[vertex] += move
+    keep_upright(points, NORMALS, SIZES, TRIANGLES, GOALS, 200)
+    assert shares(points, NORMALS, SIZES, TRIANGLES).min() > 0.0
+
+
+@given(st.integers(0, SIDE * SIDE - 1), moves, st.floats(0.0, 0.4))
+def test_what_is_upright_stays_as_it_is(vertex: int, move: np.ndarray, size: float) -> None:
+    points = REST.copy()
+    points[vertex] += size * move
+    before = points.copy()
+    whole = shares(points, NORMALS, SIZES, TRIANGLES).min() >= GOAL
+    keep_upright(points, NORMALS, SIZES, TRIANGLES, GOALS, 16)
+    assert np.array_equal(points, before) == whole
+
+
+def test_a_triangle_may_be_allowed_to_turn_over() -> None:
+    points = REST.copy()
+    points[SIDE + 1] += [1.5e-3, 0.0, 0.0]
+    before = points.copy()
+    keep_upright(points, NORMALS, SIZES, TRIANGLES, shares(points, NORMALS, SIZES, TRIANGLES), 16)
+    assert np.array_equal(points, before)
+
+
+def test_shares_are_one_at_rest_and_minus_one_turned_over() -> None:
+    assert np.allclose(shares(REST, NORMALS, SIZES, TRIANGLES), 1.0)
+    assert np.allclose(shares(REST * [-1.0, 1.0, 1.0], NORMALS, SIZES, TRIANGLES), -1.0)

@@ -1,0 +1,196 @@
+"""The web server over real sockets: pages, documents, links."""
+
+import asyncio
+
+import msgspec
+import pytest
+
+from omote.model.cast import Cast
+from omote.server.http.app import FOR_EVER
+from omote.server.http.cast_documents import Library
+from omote.server.http.security import HEADERS
+from omote.server.workers.workshop import FailedOrderError
+from omote.show import messages as wire
+from omote.stage_data.assets import compound_asset, rest_positions
+from omote.show.messages import LINK_PATH, CompoundAsset, FaceAsset, Manifest
+from omote.show.wire import encode
+from tests.server.conftest import House, answer, obeyed, state
+from tests.server.synthetic_server import MASK
+
+pytestmark = pytest.mark.asyncio
+
+
+async def test_all_consoles_get_the_same_states(house: House) -> None:
+    links = [await house.link("console"), await house.link("console"), await house.link("stage")]
+    await obeyed(links[0], wire.CallFace("1", "broad", 1.0, "smooth"))
+    await obeyed(links[1], wire.SetChannel("jawOpen", 0.5))
+    for _ in range(30):
+        house.tick()
+        states = [await state(link) for link in links]
+        assert states[0] == states[1] == states[2]
+    assert states[0].epoch == 7
+    assert states[0].number == 30
+    assert states[0].faces == pytest.approx({"generic": 0.5, "broad": 0.5}, abs=0.05)
+    assert states[0].channels == {"jawOpen": 0.5}
+
+
+async def test_a_latecomer_needs_one_state(house: House) -> None:
+    first = await house.link()
+    await obeyed(first, wire.SetChannel("smile", 1.5), wire.SetGaze(0.2, 0.1))
+    for _ in range(10):
+        house.tick()
+    late = await house.link("stage")
+    house.tick()
+    seen = await state(late)
+    assert (seen.number, seen.channels, seen.gaze) == (11, {"smile": 1.5}, (0.2, 0.1))
+
+
+async def test_a_link_survives_everything_it_says_wrong(house: House) -> None:
+    link = await house.link()
+    for data in (b"", b"\xc1", b"\x91" * 1000, encode(wire.SetChannel("jawOpen", float("nan")))):
+        await link.send_bytes(data)
+        assert isinstance(await answer(link), wire.Refused)
+    await link.send_str("panic")
+    refused = await answer(link)
+    assert isinstance(refused, wire.Refused)
+    assert "MessagePack" in refused.reason
+    await obeyed(link, wire.SetChannel("jawOpen", 1.0))
+    house.tick()
+    assert (await state(link)).channels == {"jawOpen": 1.0}
+
+
+async def test_a_message_too_long_closes_its_link_and_no_other(house: House) -> None:
+    link, other = await house.link(), await house.link()
+    await link.send_bytes(bytes(wire.MESSAGE_LIMIT + 1))
+    refused = await answer(link)
+    assert isinstance(refused, wire.Refused)
+    assert f"longer than {wire.MESSAGE_LIMIT} bytes" in refused.reason
+    closed = await link.receive()
+    assert (closed.data, closed.extra) == (1009, refused.reason)  # message too big
+    house.tick()
+    assert (await state(other)).number == 1
+
+
+async def test_the_roll_is_called(house: House) -> None:
+    stage, console = await house.link("stage"), await house.link("console")
+    await obeyed(stage, wire.Drawing(59.5, "low"))
+    house.show.call_the_roll()
+    assert await answer(stage) == await answer(console) == wire.Crew(stages=[wire.StageReport(59.5, "low")], consoles=1)
+
+
+async def test_who_goes_is_gone(house: House) -> None:
+    stage, console = await house.link("stage"), await house.link("console")
+    await stage.close()
+    await obeyed(console)  # after an answer to the one that stayed, the other is out of the list
+    house.show.call_the_roll()
+    assert await answer(console) == wire.Crew(stages=[], consoles=1)
+    assert len(house.show.links) == 1
+
+
+@pytest.mark.parametrize(
+    ("host", "origin", "status"),
+    [
+        ("127.0.0.1", None, 101),
+        ("localhost:8090", None, 101),
+        ("localhost:8090", "http://localhost:8090", 101),
+        ("192.168.1.5:8090", "http://192.168.1.5:8090", 101),
+        ("localhost:8090", "http://localhost:9000", 403),
+        ("localhost:8090", "http://evil.example", 403),
+        ("localhost:8090", "http://localhost:8090.evil.example", 403),
+        ("localhost:8090", "null", 403),
+        ("localhost:8090", "file://", 403),
+        ("evil.example", "http://evil.example", 403),
+        ("evil.example:8090", None, 403),
+        ("", None, 403),
+        ("[::1", None, 403),
+    ],
+)
+async def test_only_our_own_pages_may_link(house: House, host: str, origin: str | None, status: int) -> None:
+    headers = {"Host": host, "Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Version": "13"}
+    headers |= {"Sec-WebSocket-Key": "AAAAAAAAAAAAAAAAAAAAAA=="} | ({"Origin": origin} if origin else {})
+    async with house.client.get(LINK_PATH, headers=headers) as response:
+        assert response.status == status
+
+
+@pytest.mark.parametrize("path", ["/", "/stage", "/console", "/manifest", "/nothing", LINK_PATH])
+async def test_every_answer_carries_the_headers(house: House, path: str) -> None:
+    response = await house.client.get(path)
+    for name, value in HEADERS.items():
+        assert response.headers[name] == value
+
+
+async def test_pages_are_found_by_name_only(house: House) -> None:
+    assert await (await house.client.get("/console")).text() == "page /console"
+    for path in ("/consol", "/console/", "/..%2f..%2fetc%2fpasswd", "/%00", "/stage.html", "/CON", "/" + "x" * 300):
+        assert (await house.client.get(path)).status == 404
+
+
+async def test_the_documents_lead_to_one_another(house: House, cast: Cast) -> None:
+    response = await house.client.get("/manifest")
+    manifest = msgspec.msgpack.decode(await response.read(), type=Manifest)
+    assert manifest.digest == cast.digest
+    again = await house.client.get("/manifest", headers={"If-None-Match": response.headers["ETag"]})
+    assert again.status == 304
+    for face in manifest.faces:
+        asset = await house.client.get(face.url)
+        assert asset.headers["Cache-Control"] == FOR_EVER
+        packed = msgspec.msgpack.decode(await asset.read(), type=FaceAsset)
+        assert packed.positions == rest_positions(cast, cast.faces[face.name]).tobytes()
+    mask = await house.client.get(manifest.mask)
+    assert (mask.content_type, await mask.read()) == ("image/png", MASK)
+
+
+async def test_a_compound_comes_from_its_address(house: House, cast: Cast) -> None:
+    response = await house.client.get(f"/compounds/{cast.digest}/broad/smile")
+    assert response.headers["Cache-Control"] == FOR_EVER
+    asset = msgspec.msgpack.decode(await response.read(), type=CompoundAsset)
+    assert asset == compound_asset(cast, cast.faces["broad"], "smile")
+
+
+@pytest.mark.parametrize(
+    "path", ["/compounds/{}/nobody/smile", "/compounds/{}/broad/nothing", "/compounds/00/broad/smile"]
+)
+async def test_what_the_cast_has_not_is_not_found(house: House, cast: Cast, path: str) -> None:
+    response = await house.client.get(path.format(cast.digest))
+    assert response.status == 404
+    assert "load /manifest again" in await response.text()
+
+
+async def test_a_compound_that_cannot_be_computed_now_may_be_asked_for_again(
+    house: House, cast: Cast, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def failing(self: Library, face: str, expression: str) -> bytes:
+        raise FailedOrderError("broad wearing smile cannot be computed")
+
+    monkeypatch.setattr(Library, "compound", failing)
+    response = await house.client.get(f"/compounds/{cast.digest}/broad/smile")
+    assert response.status == 503
+    assert "cannot be computed" in await response.text()
+
+
+async def test_a_compound_that_is_being_computed_holds_up_no_state(
+    house: House, cast: Cast, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    link, library = await house.link(), house.show.library
+    waiting: list[str] = []
+
+    async def slow(self: Library, face: str, expression: str) -> bytes:
+        waiting.append(face)
+        house.tick()
+        assert (await state(link)).number == len(waiting)
+        return expression.encode()
+
+    monkeypatch.setattr(Library, "compound", slow)
+    assert isinstance(library, Library)
+    response = await house.client.get(f"/compounds/{cast.digest}/broad/smile")
+    assert await response.read() == b"smile"
+    assert waiting == ["broad"]
+
+
+async def test_a_stranger_who_speaks_no_http_fills_no_terminal(house: House, caplog: pytest.LogCaptureFixture) -> None:
+    for noise in (b"\x00" * 100, b"GET / HTTP/9.9\r\n\r\n", b"GET /" + b"a" * 20000 + b" HTTP/1.1\r\n\r\n"):
+        reader, writer = await asyncio.open_connection(house.client.host, house.client.port)
+        writer.write(noise)
+        assert (await reader.readline()).startswith(b"HTTP/1.0 400")
+        writer.close()
+    assert caplog.records == []

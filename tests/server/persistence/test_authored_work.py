@@ -1,0 +1,51 @@
+"""The desk of a show file: the session that knows its authored work, or a sentence."""
+
+import sqlite3
+from pathlib import Path
+
+import pytest
+
+from omote.showfile.changes import Item, PutContent, PutItem, PutLayout, PutRevision, Revision
+from omote.showfile.contents import content_key, pack_expression
+from omote.showfile.show_file import ShowFile, open_show
+from omote.model.cast import Cast
+from omote.server.workers.order_worker import Bench
+from omote.server.persistence.authored_work import open_desk
+
+
+class Keeper:
+    """Keeps nothing."""
+
+    def commit(self, changes: object, told: object) -> None:
+        """Does not even listen."""
+
+    def close(self) -> None:
+        """Has nothing to close."""
+
+
+def test_a_desk_knows_what_the_file_has(cast: Cast, tmp_path: Path) -> None:
+    show, data = open_show(tmp_path / "a.omote"), pack_expression(cast.expressions["smile"])
+    revision = Revision(1, 1, 0, b'{"kind":"expression","net":[],"vectors":[]}', content_key(data), 1.0, "Ada")
+    item = Item(1, "expression", "grin", "Grin", place=1.0, head=1)
+    show.apply((PutContent(content_key(data), data), PutItem(item), PutRevision(revision), PutLayout("desk", b"1")))
+    said: list[str] = []
+    desk = open_desk(show, Keeper(), Bench(cast), said.append)
+    assert desk is not None
+    assert [(own.name, own.label, own.content) for own in desk.session.own()] == [("grin", "Grin", content_key(data))]
+    assert desk.session.contents[content_key(data)] == data
+    assert (desk.layouts, said) == ({"desk": b"1"}, [])
+    show.close()
+
+
+def test_work_that_cannot_be_read_does_not_stop_the_show(
+    cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def damaged(self: ShowFile) -> None:
+        raise sqlite3.DatabaseError("its item 1 is damaged")
+
+    show = open_show(tmp_path / "a.omote")
+    monkeypatch.setattr(ShowFile, "stored", damaged)
+    said: list[str] = []
+    assert open_desk(show, Keeper(), Bench(cast), said.append) is None
+    assert "its item 1 is damaged); the show goes on without it" in said[0]
+    show.close()

@@ -1,0 +1,246 @@
+"""What is told to be committed is on the disk, in order, whatever the disk does meanwhile."""
+
+import sqlite3
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from queue import SimpleQueue
+
+import pytest
+
+from benchmarks.saving import Reference, check, kill_writer
+from omote.showfile.changes import Change, PutLayout
+from omote.showfile.backup import good_path
+from omote.showfile.integrity import prove
+from omote.showfile.show_file import JournalEntry, ShowFile, open_show
+from omote.server.persistence.commit_thread import Fate, Scribe
+
+COMMITTED = Fate("committed")
+
+
+class Disk:
+    """A show file on a disk that waits or fails when told."""
+
+    def __init__(self, path: Path = Path("/dev/null/show.omote")) -> None:  # where nothing can be
+        self.path = path
+        self.written: list[str] = []
+        self.broken: Exception | None = None
+        self.free, self.reached = threading.Event(), threading.Event()
+        self.free.set()
+
+    def apply(self, changes: tuple[PutLayout, ...]) -> None:
+        self.reached.set()
+        self.free.wait()
+        if self.broken is not None:
+            raise self.broken
+        self.written += [change.name for change in changes]
+
+    def copy_into(self, _: Path) -> None:
+        raise OSError("this disk holds no copies")
+
+    def close(self) -> None:
+        self.written.append("closed")
+
+
+def layout(name: object) -> list[Change]:
+    """A change that is told apart by its name."""
+    return [PutLayout(str(name), b"{}")]
+
+
+class Author:
+    """A scribe on a disk, and what it told and said."""
+
+    def __init__(self, disk: Disk | ShowFile, **seconds: float) -> None:
+        self.fates: SimpleQueue[tuple[object, Fate]] = SimpleQueue()
+        self.said: list[str] = []
+        self.scribe = Scribe(disk, self.said.append, **seconds)  # type: ignore[arg-type]
+
+    def commit(self, name: object) -> None:
+        self.scribe.commit(layout(name), self.told(name))
+
+    def told(self, name: object) -> Callable[[Fate], None]:
+        return lambda fate: self.fates.put((name, fate))
+
+    def next(self) -> tuple[object, Fate]:
+        return self.fates.get(timeout=60.0)
+
+
+def test_what_is_told_to_be_committed_is_there_for_others(tmp_path: Path) -> None:
+    show = open_show(tmp_path / "a.omote")
+    author = Author(show.again())
+    for number in range(20):
+        author.commit(number)
+        assert author.next() == (number, COMMITTED)
+        assert str(number) in show.stored().layouts
+    author.scribe.close()
+    show.close()
+    assert author.said == []
+
+
+def test_nobody_waits_for_a_stuck_disk_and_the_order_is_kept() -> None:
+    disk = Disk()
+    disk.free.clear()
+    author = Author(disk)
+    for number in range(50):
+        author.commit(number)  # returns although the disk does not
+    assert author.fates.empty()
+    disk.free.set()
+    author.scribe.close()
+    assert disk.written == [*map(str, range(50)), "closed"]
+    assert [author.next() for _ in range(50)] == [(number, COMMITTED) for number in range(50)]
+
+
+def test_a_failing_disk_is_told_once_and_tried_again_in_order() -> None:
+    disk = Disk()
+    disk.broken = sqlite3.OperationalError("database or disk is full")
+    author = Author(disk, retry_seconds=1e-3)
+    author.commit("a")
+    author.commit("b")
+    name, fate = author.next()
+    assert (name, fate.state) == ("a", "waiting")
+    assert "show.omote cannot be written (database or disk is full); your work is kept in memory" in fate.sentence
+    for _ in range(3):
+        disk.reached.clear()
+        assert disk.reached.wait(60.0)
+    disk.broken = None
+    assert [author.next(), author.next()] == [("a", COMMITTED), ("b", COMMITTED)]
+    author.scribe.close()
+    assert disk.written == ["a", "b", "closed"]
+    assert author.said[0] == fate.sentence
+    assert len([said for said in author.said if "cannot be written" in said]) == 1
+
+
+def test_a_disk_that_fails_to_the_end_loses_nothing_without_a_word() -> None:
+    disk = Disk()
+    disk.broken = sqlite3.OperationalError("disk I/O error")
+    author = Author(disk, retry_seconds=60.0)
+    author.commit("a")
+    author.commit("b")
+    assert author.next()[1].state == "waiting"
+    author.scribe.close()
+    fates = {"a": [author.next()[1].state], "b": [author.next()[1].state, author.next()[1].state]}
+    assert fates == {"a": ["refused"], "b": ["waiting", "refused"]}
+    assert disk.written == ["closed"]
+
+
+@pytest.mark.parametrize("error", [sqlite3.IntegrityError("no"), ValueError("no"), OverflowError("no")])
+def test_what_can_never_be_made_is_refused_and_stops_nothing(error: Exception) -> None:
+    disk = Disk()
+    disk.broken = error
+    author = Author(disk)
+    author.commit("a")
+    name, fate = author.next()
+    assert (name, fate.state) == ("a", "refused")
+    assert "show.omote cannot keep this (no)" in fate.sentence
+    disk.broken = None
+    author.commit("b")
+    assert author.next() == ("b", COMMITTED)
+    author.scribe.close()
+
+
+def test_after_the_end_changes_are_refused() -> None:
+    author = Author(Disk())
+    author.scribe.close()
+    author.commit("late")
+    assert author.next()[1].state == "refused"
+
+
+def test_whoever_no_longer_listens_stops_nothing() -> None:
+    def ended(fate: Fate) -> None:
+        raise RuntimeError("Event loop is closed")
+
+    def broken(fate: Fate) -> None:
+        raise BrokenPipeError("nobody")
+
+    disk = Disk()
+    author = Author(disk)
+    author.scribe.commit(layout("a"), ended)
+    author.scribe.commit(layout("b"), broken)
+    author.commit("c")
+    assert author.next() == ("c", COMMITTED)
+    author.scribe.close()
+    assert disk.written == ["a", "b", "c", "closed"]
+    assert author.said[0] == "what became of a change (committed) could not be told: BrokenPipeError('nobody')."
+
+
+def test_a_good_copy_is_made_when_it_is_quiet_and_at_the_end(tmp_path: Path) -> None:
+    path = tmp_path / "a.omote"
+    show = open_show(path)
+    quiet = Author(show.again(), quiet_seconds=0.0)
+    quiet.commit("early")
+    assert quiet.next() == ("early", COMMITTED)
+    quiet.scribe.close()
+    busy = Author(show.again(), quiet_seconds=3600.0)
+    busy.commit("late")
+    assert busy.next() == ("late", COMMITTED)
+    prove(good_path(path))
+    assert "late" not in stored_in(good_path(path))
+    busy.scribe.close()
+    assert stored_in(good_path(path)) == {"early", "late"}
+    show.close()
+    assert quiet.said == busy.said == []
+
+
+def test_a_good_copy_that_cannot_be_made_is_said(tmp_path: Path) -> None:
+    disk = Disk(tmp_path / "show.omote")
+    author = Author(disk)
+    author.scribe.close()
+    assert author.said == [
+        f"no good copy of {disk.path} could be made (this disk holds no copies); the one of before stays."
+    ]
+
+
+def test_a_good_copy_that_another_process_makes_is_made_again_without_a_word(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    show = open_show(tmp_path / "a.omote")
+    tries: SimpleQueue[ShowFile] = SimpleQueue()
+
+    def kept(file: ShowFile) -> bool:
+        tries.put(file)
+        return tries.qsize() > 2
+
+    monkeypatch.setattr("omote.server.persistence.commit_thread.keep_good_copy", kept)
+    author = Author(show.again(), quiet_seconds=1e-3)
+    for _ in range(100_000):
+        if tries.qsize() > 2:
+            break
+        threading.Event().wait(1e-3)
+    author.scribe.close()
+    show.close()
+    assert (tries.qsize(), author.said) == (3, [])
+
+
+def test_the_journal_and_the_scribe_share_the_file(tmp_path: Path) -> None:
+    """Both write as fast as they can, and a third flushes: nothing of either is lost."""
+    show = open_show(tmp_path / "a.omote")
+    author, flusher = Author(show.again()), show.again()
+    for number in range(150):
+        author.commit(number)
+        show.write_journal(JournalEntry(number + 1, 0.0, bytes(2000)))
+        flusher.flush()
+    assert [author.next() for _ in range(150)] == [(number, COMMITTED) for number in range(150)]
+    author.scribe.close()
+    flusher.close()
+    show.close()
+    again = open_show(tmp_path / "a.omote")
+    assert again.journal().epoch == 150
+    assert len(again.stored().layouts) == 150
+    again.close()
+    assert author.said == []
+
+
+def test_a_killed_writer_loses_nothing_that_it_was_told(tmp_path: Path) -> None:
+    """A few of the kills of `benchmarks/saving.py`: all acknowledged is there, and no half of a list of changes."""
+    reference = Reference()
+    for acknowledgements in (1, 4, 17):
+        kill = kill_writer(tmp_path / "a.omote", acknowledgements, 0.0, reference.made)
+        assert check(tmp_path / "a.omote", kill, reference) == ""
+
+
+def stored_in(path: Path) -> set[str]:
+    """The layouts in a file."""
+    connection = sqlite3.connect(path)
+    found = {name for (name,) in connection.execute("SELECT name FROM layout")}
+    connection.close()
+    return found

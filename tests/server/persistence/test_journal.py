@@ -1,0 +1,130 @@
+"""The journal is written beside the show, whatever the disk does."""
+
+import sqlite3
+import threading
+from pathlib import Path
+
+from omote.showfile.show_file import JournalEntry, ShowFile, open_show
+from omote.server.persistence.journal import JournalWriter
+
+
+class Disk:
+    """A show file on a disk that waits or fails when told."""
+
+    def __init__(self) -> None:
+        self.path = Path("show.omote")
+        self.written: list[int] = []
+        self.flushing = threading.Event()
+        self.synced = threading.Event()
+        self.synced.set()
+        self.closed = threading.Event()
+        self.reached = threading.Event()
+        self.free = threading.Event()
+        self.free.set()
+        self.broken = False
+
+    def write_journal(self, entry: JournalEntry) -> None:
+        self.reached.set()
+        self.free.wait()
+        if self.broken:
+            raise sqlite3.OperationalError("disk I/O error")
+        self.written.append(entry.epoch)
+
+    def again(self) -> "Flusher":
+        return Flusher(self)
+
+    def close(self) -> None:
+        self.closed.set()
+
+
+class Flusher:
+    """The same file, opened again to be flushed."""
+
+    def __init__(self, disk: Disk) -> None:
+        self.disk = disk
+
+    def flush(self) -> None:
+        self.disk.flushing.set()
+        self.disk.synced.wait()
+
+    def close(self) -> None:
+        """Nothing is held."""
+
+
+def entry(number: int) -> JournalEntry:
+    """An entry that is told apart by its epoch."""
+    return JournalEntry(number, 0.0, b"state")
+
+
+def writer(disk: Disk, said: list[str]) -> JournalWriter:
+    """A writer on that disk."""
+    return JournalWriter(disk, said.append)  # type: ignore[arg-type]
+
+
+def test_what_is_offered_last_is_in_the_file(tmp_path: Path) -> None:
+    said: list[str] = []
+    journal = JournalWriter(open_show(tmp_path / "a.omote"), said.append)
+    for number in range(1, 200):
+        journal.offer(entry(number))
+    journal.close()
+    again = open_show(tmp_path / "a.omote")
+    assert again.journal() == entry(199)
+    again.close()
+    assert said == []
+
+
+def test_a_stuck_disk_keeps_nobody_and_costs_only_what_is_old() -> None:
+    disk = Disk()
+    disk.free.clear()
+    journal = writer(disk, [])
+    journal.offer(entry(1))
+    assert disk.reached.wait(60.0)
+    for number in range(2, 1000):
+        journal.offer(entry(number))  # returns although the disk does not
+    disk.free.set()
+    journal.close()
+    assert disk.written == [1, 999]
+    assert disk.closed.is_set()
+
+
+def test_a_broken_disk_is_reported_once_and_tried_again() -> None:
+    disk, said = Disk(), list[str]()
+    disk.broken = True
+    journal = writer(disk, said)
+    for number in range(3):
+        disk.reached.clear()
+        journal.offer(entry(number))
+        assert disk.reached.wait(60.0)
+    disk.reached.clear()
+    disk.broken = False
+    journal.offer(entry(3))
+    journal.close()
+    assert disk.written[-1] == 3
+    assert len(said) == 1
+    assert "the journal show.omote cannot be written (disk I/O error); the show goes on" in said[0]
+
+
+def test_a_disk_that_syncs_for_ever_holds_up_no_state() -> None:
+    disk = Disk()
+    disk.synced.clear()
+    journal = JournalWriter(disk, [].append, flush_seconds=1e-4)  # type: ignore[arg-type]
+    assert disk.flushing.wait(60.0)
+    for number in range(3):
+        disk.reached.clear()
+        journal.offer(entry(number))
+        assert disk.reached.wait(60.0)
+    disk.synced.set()
+    journal.close()
+    assert disk.written == [0, 1, 2]
+
+
+def test_a_real_file_flushes(tmp_path: Path) -> None:
+    show: ShowFile = open_show(tmp_path / "a.omote")
+    show.write_journal(entry(4))
+    other = show.again()
+    other.flush()
+    other.close()
+    alone = sqlite3.connect(f"file:{tmp_path / 'a.omote'}?immutable=1", uri=True)  # reads past the log
+    assert alone.execute("SELECT epoch FROM journal").fetchone() == (4,)
+    alone.close()
+    show.close()

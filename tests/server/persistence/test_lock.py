@@ -1,0 +1,55 @@
+"""One server to a show file."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from omote.server.persistence.lock import ShowLockedError, lock_show
+
+
+def test_a_second_server_is_refused_and_the_next_is_not(tmp_path: Path) -> None:
+    path = tmp_path / "new" / "a.omote"
+    first = lock_show(path)
+    with pytest.raises(ShowLockedError, match=r"another Omote plays .*a\.omote already"):
+        lock_show(path)
+    os.close(first)
+    os.close(lock_show(path))
+
+
+def test_two_shows_do_not_disturb_each_other(tmp_path: Path) -> None:
+    descriptors = [lock_show(tmp_path / name) for name in ("a.omote", "b.omote")]
+    for descriptor in descriptors:
+        os.close(descriptor)
+
+
+def test_who_inherits_the_lock_holds_it(tmp_path: Path) -> None:
+    lock = lock_show(tmp_path / "a.omote")
+    heir = subprocess.Popen(
+        [sys.executable, "-c", "input()"], stdin=subprocess.PIPE, stderr=subprocess.DEVNULL, pass_fds=(lock,)
+    )
+    os.close(lock)  # the supervisor is gone, its server is not
+    with pytest.raises(ShowLockedError):
+        lock_show(tmp_path / "a.omote")
+    heir.kill()
+    heir.communicate()
+    os.close(lock_show(tmp_path / "a.omote"))
+
+
+def test_what_is_no_file_is_refused_untouched(tmp_path: Path) -> None:
+    with pytest.raises(OSError, match=r"is a folder, not a show file: name a file, such as .*show\.omote"):
+        lock_show(tmp_path)
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(OSError, match=r"pipe is a device, not a show file: name a file"):
+        lock_show(tmp_path / "pipe")
+    assert [entry.name for entry in tmp_path.iterdir()] == ["pipe"]
+    assert not tmp_path.with_name(tmp_path.name + ".lock").exists()
+
+
+def test_a_place_where_no_file_can_be_is_refused_in_a_sentence(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    for path in (tmp_path / "file" / "a.omote", tmp_path / ("x" * 300)):
+        with pytest.raises(OSError, match=rf"{path.name} cannot be opened \(.*\); name another file\.$"):
+            lock_show(path)

@@ -1,0 +1,274 @@
+"""Whatever the show file holds, the show starts."""
+
+import os
+import shutil
+import sqlite3
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import msgspec
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from omote.showfile.changes import PutLayout
+from omote.showfile.backup import keep_good_copy
+from omote.showfile.show_file import SCHEMA_VERSION, JournalEntry, ShowFile, open_show
+from omote.model.cast import Cast
+from omote.perform.performer import Performer
+from omote.server.process.process_messages import Order
+from omote.server.persistence.restore import journal_entry, next_epoch, open_journal, open_newest, restore
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+
+ORDER = Order(epoch=1, neutral=False)
+
+
+@dataclass
+class Terminal:
+    """Keeps what is said."""
+
+    said: list[str] = field(default_factory=list)
+
+    def __call__(self, sentence: str) -> None:
+        self.said.append(sentence)
+
+
+@pytest.fixture
+def report() -> Terminal:
+    """An operator's terminal."""
+    return Terminal()
+
+
+def kept(path: Path, cast: Cast) -> ShowFile:
+    """A show file whose journal says that the mouth is open."""
+    session = ShowSession(cast, Performer(cast), epoch=5)
+    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
+    session.receive("a", wire.SetChannel("jawOpen", 0.5), 0.0)
+    show = open_show(path)
+    show.write_journal(journal_entry(session))
+    return show
+
+
+def test_a_show_goes_on_under_a_higher_epoch(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = kept(tmp_path / "a.omote", cast)
+    session = restore(cast, show, ORDER, report)
+    assert session.tick(0.0).channels == {"jawOpen": 0.5}
+    assert session.epoch > 5
+    assert show.journal().epoch == session.epoch
+    assert restore(cast, show, ORDER, report).epoch > session.epoch
+    assert report.said == []
+    show.close()
+
+
+def test_a_new_file_starts_neutral(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = open_show(tmp_path / "a.omote")
+    session = restore(cast, show, ORDER, report)
+    assert session.tick(0.0).faces == {"generic": 1.0}
+    assert show.journal().epoch == session.epoch
+    assert report.said == []
+    show.close()
+
+
+def test_a_blamed_state_is_kept_aside(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = kept(tmp_path / "a.omote", cast)
+    snapshot = show.journal().snapshot
+    session = restore(cast, show, Order(epoch=1, neutral=True), report)
+    assert session.tick(0.0).channels == {}
+    assert aside(tmp_path / "a.omote") == [(5, snapshot)]
+    show.close()
+
+
+@given(snapshot=st.binary(max_size=60))
+@settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
+def test_a_state_that_is_none_is_kept_aside_and_said(tmp_path: Path, cast: Cast, snapshot: bytes) -> None:
+    (tmp_path / "a.omote").unlink(missing_ok=True)
+    report, show = Terminal(), open_show(tmp_path / "a.omote")
+    show.write_journal(JournalEntry(9, 0.0, snapshot))
+    session = restore(cast, show, ORDER, report)
+    assert session.tick(0.0).faces == {"generic": 1.0}
+    assert session.epoch > 9
+    assert len(report.said) == 1
+    assert "starts neutral" in report.said[0]
+    assert aside(tmp_path / "a.omote") == [(9, snapshot)]
+    show.close()
+
+
+def test_a_face_that_is_gone_from_the_cast_does_not_stop_the_show(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    session = ShowSession(cast, Performer(cast))
+    session.performer.call_face("broad", seconds=1.0)
+    session.tick(0.0)
+    data = msgspec.msgpack.encode(session.snapshot()).replace(b"broad", b"cause")
+    show = open_show(tmp_path / "a.omote")
+    show.write_journal(JournalEntry(1, 0.0, data))
+    assert restore(cast, show, ORDER, report).tick(0.0).faces == {"generic": 1.0}
+    assert "'cause'" in report.said[0]
+    show.close()
+
+
+def test_a_corrupt_file_is_kept_and_a_new_one_made(tmp_path: Path, report: Terminal) -> None:
+    (tmp_path / "a.omote").write_bytes(b"not a database" * 100)
+    show = open_journal(tmp_path / "a.omote", report)
+    assert show is not None
+    assert (tmp_path / "a.omote.corrupt-1").read_bytes() == b"not a database" * 100
+    assert str(tmp_path / "a.omote.corrupt-1") in report.said[0]
+    show.close()
+
+
+@dataclass(frozen=True)
+class Before:
+    """A show file as a killed server left it, file by file, and what its good copy and itself hold."""
+
+    files: dict[str, bytes]
+    copied: set[str]
+    all: set[str]
+
+
+@pytest.fixture(scope="module")
+def before(tmp_path_factory: pytest.TempPathFactory) -> Before:
+    """Ten pages of layouts; half of them in the good copy, the last in the log only."""
+    show = open_show(tmp_path_factory.mktemp("show") / "a.omote")
+    for number in range(10):
+        show.apply([PutLayout(f"page {number}", bytes([65 + number]) * 3000)])
+        if number == 4:
+            keep_good_copy(show)
+            copied = set(show.stored().layouts)
+        if number == 8:
+            show.flush()
+    show.write_journal(JournalEntry(1234, 5.0, b"state"))
+    paths = (path for path in show.path.parent.iterdir() if not path.name.endswith("-shm"))
+    files = {path.name: path.read_bytes() for path in paths}
+    everything = set(show.stored().layouts)
+    show.close()
+    return Before(files, copied, everything)
+
+
+def started(folder: Path, before: Before, damaged: bytes, *, log: bool) -> set[str]:
+    """Starts twice with a damaged file; which layouts there are then. A corrupt file is kept, the second start is
+    silent."""
+    files = before.files | {"a.omote": damaged}
+    for name in files if log else files.keys() - {"a.omote-wal"}:
+        (folder / name).write_bytes(files[name])
+    report, again = Terminal(), Terminal()
+    show = open_newest(folder / "a.omote", report)
+    stored = show.stored()
+    show.close()
+    if report.said:
+        assert len(report.said) == 1
+        assert (folder / "a.omote.corrupt-1").read_bytes() == damaged
+    second = open_newest(folder / "a.omote", again)
+    assert second.stored() == stored
+    second.close()
+    assert again.said == []
+    assert len([*folder.glob("*.corrupt-?")]) == len(report.said)
+    assert all(document == bytes([65 + int(name[5:])]) * 3000 for name, document in stored.layouts.items())
+    shutil.rmtree(folder)
+    return set(stored.layouts)
+
+
+@pytest.mark.parametrize("log", [True, False], ids=["with its log", "without its log"])
+def test_a_file_cut_anywhere_opens_its_newest_good_state(tmp_path: Path, before: Before, log: bool) -> None:
+    whole = before.files["a.omote"]
+    for length in [*range(0, len(whole), 3 * 4096), *range(1, len(whole), 7777), 99, 100, 511, 512]:
+        (tmp_path / "cut").mkdir()
+        found = started(tmp_path / "cut", before, whole[:length], log=log)
+        assert found >= before.copied, f"cut to {length} bytes"
+    (tmp_path / "cut").mkdir()
+    assert started(tmp_path / "cut", before, whole, log=True) == before.all
+
+
+@pytest.mark.parametrize("block", [b"\xa5" * 4096, bytes(4096), b"\xff" * 512])
+def test_a_file_written_over_anywhere_opens_its_newest_good_state(
+    tmp_path: Path, before: Before, block: bytes
+) -> None:  # fmt: skip
+    whole = before.files["a.omote"]
+    for start in range(0, len(whole), 7000):
+        (tmp_path / "over").mkdir()
+        damaged = (whole[:start] + block + whole[start + len(block) :])[: len(whole)]
+        assert started(tmp_path / "over", before, damaged, log=False) >= before.copied, f"from byte {start}"
+
+
+def test_it_is_said_what_was_opened_instead(tmp_path: Path, report: Terminal) -> None:
+    show = open_show(tmp_path / "a.omote")
+    show.apply([PutLayout("early", b"{}")])
+    keep_good_copy(show)
+    show.apply([PutLayout("late", b"{}")])
+    show.close()
+    damaged = bytes(4096) + show.path.read_bytes()[4096:]
+    show.path.write_bytes(damaged)
+    os.utime(show.path.with_name("a.omote.good"), (0.0, 0.0))
+    opened = open_newest(show.path, report)
+    assert set(opened.stored().layouts) == {"early", "late"}
+    opened.close()
+    made = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(0.0))
+    assert report.said[0].endswith(
+        f"a.omote.corrupt-1; opened instead: its good copy of {made}, with 1 change made after it."
+    )
+
+
+def test_a_lost_file_is_said(tmp_path: Path, report: Terminal) -> None:
+    show = open_show(tmp_path / "a.omote")
+    show.apply([PutLayout("early", b"{}")])
+    keep_good_copy(show)
+    show.close()
+    show.path.unlink()
+    opened = open_newest(show.path, report)
+    assert set(opened.stored().layouts) == {"early"}
+    opened.close()
+    assert "a.omote is not there. Opened instead: its good copy of" in report.said[0]
+
+
+def test_a_disk_that_takes_no_rescue_leaves_the_corrupt_file(
+    tmp_path: Path, report: Terminal, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError("No space left on device")
+
+    (tmp_path / "a.omote").write_bytes(b"not a database" * 100)
+    monkeypatch.setattr("omote.showfile.recovery.put_in_place", full)
+    assert open_journal(tmp_path / "a.omote", report) is None
+    assert "No space left on device" in report.said[-1]
+    assert (tmp_path / "a.omote").read_bytes() == b"not a database" * 100
+
+
+def test_a_file_of_a_newer_version_is_left_alone(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    open_show(tmp_path / "a.omote").close()
+    connection = sqlite3.connect(tmp_path / "a.omote")
+    connection.execute(f"PRAGMA user_version = {SCHEMA_VERSION + 1}")
+    connection.close()
+    before = (tmp_path / "a.omote").read_bytes()
+    assert open_journal(tmp_path / "a.omote", report) is None
+    assert "without a journal" in report.said[0]
+    assert (tmp_path / "a.omote").read_bytes() == before
+    assert restore(cast, None, ORDER, report).tick(0.0).number == 1
+
+
+def test_an_epoch_out_of_range_does_not_stop_the_show(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = open_show(tmp_path / "a.omote")
+    show.write_journal(JournalEntry(2**63 - 1, 0.0, b"state"))
+    assert restore(cast, show, ORDER, report).epoch < 2**53
+    assert "its epoch 9223372036854775807 was written by no server" in report.said[0]
+    show.close()
+
+
+def test_a_disk_that_fails_at_the_start_does_not_stop_the_show(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = kept(tmp_path / "a.omote", cast)
+    show.close()  # every use of it fails from here on
+    assert restore(cast, show, ORDER, report).tick(0.0).faces == {"generic": 1.0}
+    assert [word in said for word, said in zip(("read", "written"), report.said, strict=True)] == [True, True]
+
+
+@given(journal=st.integers(0, 2**52), order=st.integers(0, 2**52))
+def test_an_epoch_is_above_all_before_it(journal: int, order: int) -> None:
+    assert next_epoch(journal, order) > journal
+    assert next_epoch(journal, order) >= order
+    assert next_epoch(0, 0) > 1_700_000_000  # above the epochs of other files, by the calendar
+
+
+def aside(path: Path) -> list[tuple[int, bytes]]:
+    """What is kept aside in a show file."""
+    connection = sqlite3.connect(path)
+    rows: list[tuple[int, bytes]] = connection.execute("SELECT epoch, snapshot FROM journal_aside").fetchall()
+    connection.close()
+    return rows

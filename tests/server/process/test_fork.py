@@ -1,0 +1,42 @@
+"""A copy works, ends, and holds nothing of its parent's open."""
+
+import os
+
+import pytest
+
+from omote.server.process.fork import copied, let_go
+
+
+def test_a_copy_works_and_ends() -> None:
+    theirs, ours = os.pipe()
+    pid = copied(lambda: print(os.write(ours, b"done")))  # noqa: T201  (more than one thing to do)
+    assert os.waitpid(pid, 0) == (pid, 0)
+    assert os.read(theirs, 4) == b"done"
+    os.close(theirs)
+    os.close(ours)
+
+
+def test_a_copy_that_fails_says_why(capfd: pytest.CaptureFixture[str]) -> None:
+    def fail() -> None:
+        raise ArithmeticError("nothing works")
+
+    pid = copied(fail)
+    assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 1
+    assert "nothing works" in capfd.readouterr().err
+
+
+def test_what_a_copy_lets_go_ends_with_its_parent() -> None:
+    end, held = os.pipe()
+    wait, go = os.pipe()
+
+    def work() -> None:
+        let_go([wait])
+        os.read(wait, 1)
+
+    pid = copied(work)
+    os.close(held)
+    assert os.read(end, 1) == b""  # although the copy still works
+    os.write(go, b"!")
+    assert os.waitpid(pid, 0) == (pid, 0)
+    for descriptor in (end, wait, go):
+        os.close(descriptor)

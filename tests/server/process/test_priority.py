@@ -1,0 +1,32 @@
+"""The show goes first where the system allows it, and plays on where it does not."""
+
+import os
+
+import pytest
+
+from omote.server.process.priority import BEHIND, NICE, behind_the_show, first_in_line
+
+
+def test_a_process_goes_first_or_says_that_it_may_not() -> None:
+    pid = os.fork()
+    if pid == 0:  # in a copy: what is gained here could not be given back
+        before = os.getpriority(os.PRIO_PROCESS, 0)
+        gained = first_in_line()
+        os._exit(0 if os.getpriority(os.PRIO_PROCESS, 0) == (NICE if gained else before) else 1)
+    assert os.waitpid(pid, 0) == (pid, 0)
+
+
+def test_no_right_to_it_is_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    def forbidden(*_: int) -> None:
+        raise PermissionError
+
+    monkeypatch.setattr(os, "setpriority", forbidden)
+    assert not first_in_line()
+
+
+def test_a_process_goes_behind_the_show() -> None:
+    pid = os.fork()
+    if pid == 0:
+        behind_the_show()
+        os._exit(0 if os.getpriority(os.PRIO_PROCESS, 0) == BEHIND else 1)
+    assert os.waitpid(pid, 0) == (pid, 0)

@@ -1,0 +1,61 @@
+"""Files read in a process of their own: what is right comes back, what is wrong or too much is a sentence."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from omote.interchange.formats.glb_reader import Piece
+from omote.server.sandbox import child_reader as apart
+from omote.server.sandbox.child_reader import read_apart
+from tests.interchange.formats.scenes import NAMES, plain_glb
+
+
+def test_pieces_come_back_whole(tmp_path: Path) -> None:
+    path = tmp_path / "a.GLB"
+    path.write_bytes(plain_glb())
+    (piece,) = read_apart(path)
+    assert piece.name == "tetra"
+    assert tuple(piece.moves) == NAMES
+    assert piece.rows is not None
+    np.testing.assert_array_equal(piece.rows, [3, 2, 1, 0])
+    assert piece.points.shape == (4, 3)
+
+
+def test_a_shape_comes_back(tmp_path: Path) -> None:
+    path = tmp_path / "a.obj"
+    path.write_bytes(b"v 1 2 3\nv 4 5 6\n")
+    (piece,) = read_apart(path)
+    np.testing.assert_array_equal(piece.points, [[1, 2, 3], [4, 5, 6]])
+    assert piece.rows is None
+
+
+def test_what_is_wrong_is_told_with_its_file(tmp_path: Path) -> None:
+    path = tmp_path / "a.glb"
+    path.write_bytes(b"hello")
+    with pytest.raises(ValueError, match=r"a\.glb: the file is no GLB"):
+        read_apart(path)
+    with pytest.raises(ValueError, match=r"'a\.fbx' is no file with a head; expected \.glb, \.obj or \.json"):
+        read_apart(tmp_path / "a.fbx")
+
+
+@pytest.mark.parametrize("kind", ["memory", "death", "files"])
+def test_a_reader_that_takes_too_much_or_dies_harms_nobody(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def hungry(_: bytes) -> tuple[Piece, ...]:
+        if kind == "memory":
+            return (Piece("x", np.ones((2**31, 3))),)
+        if kind == "death":
+            os._exit(3)
+        (tmp_path / "stray").write_bytes(b"x" * 10_000)
+        return ()
+
+    path = tmp_path / "a.glb"
+    path.write_bytes(b"x")
+    monkeypatch.setattr(apart, "READERS", {".glb": hungry})
+    with pytest.raises(ValueError, match="needs more time or memory than any face"):
+        read_apart(path)
+    stray = tmp_path / "stray"
+    assert not stray.exists() or stray.stat().st_size == 0

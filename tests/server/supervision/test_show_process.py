@@ -1,0 +1,88 @@
+"""A server plays until its supervisor's pipe ends, and leaves the show in the file."""
+
+import asyncio
+import os
+import socket
+from collections.abc import Coroutine
+from pathlib import Path
+
+import aiohttp
+import pytest
+
+from omote.showfile.show_file import open_show
+from omote.server.http.static_pages import FOLDER
+from omote.server.supervision.show_process import Pipes, built_in_material, play, report, until_ended
+from omote.server.process.process_messages import TICK, Order
+from omote.show import messages as wire
+from omote.show.wire import encode
+from tests.server.conftest import answer
+from tests.server.synthetic_server import material
+
+
+async def visit(port: int, pulse: int) -> wire.State:
+    """Plays a little on a server and gives what was on air last."""
+    url = f"http://127.0.0.1:{port}{wire.LINK_PATH}"
+    async with aiohttp.ClientSession() as http, http.ws_connect(url) as link:
+        await link.send_bytes(encode(wire.Hello("console", wire.PROTOCOL_VERSION)))
+        await link.send_bytes(encode(wire.SetChannel("jawOpen", 0.5)))
+        while True:
+            seen = await answer(link)
+            if isinstance(seen, wire.State) and seen.channels:
+                break
+    assert os.read(pulse, 1) == TICK
+    return seen
+
+
+def test_a_server_plays_and_leaves_its_last_state(tmp_path: Path) -> None:
+    listening = socket.create_server(("127.0.0.1", 0))
+    port = listening.getsockname()[1]
+    control, ours = os.pipe()
+    far, pulse = os.pipe()
+    pipes = Pipes(listening.detach(), control, pulse)
+
+    async def show() -> wire.State:
+        playing = asyncio.create_task(
+            play(material(), Order(epoch=3, neutral=False), show=tmp_path / "a.omote", pipes=pipes)
+        )
+        seen = await visit(port, far)
+        os.close(ours)
+        await playing
+        return seen
+
+    seen = asyncio.run(show())
+    assert seen.channels == {"jawOpen": 0.5}
+    left = open_show(tmp_path / "a.omote")
+    assert left.journal().epoch == seen.epoch
+    assert b"jawOpen" in (left.journal().snapshot or b"")
+    left.close()
+    for descriptor in (control, far, pulse):
+        os.close(descriptor)
+
+
+def test_a_tick_that_fails_ends_the_server_with_its_error() -> None:
+    control, ours = os.pipe()
+
+    async def failing() -> None:
+        raise ArithmeticError("a tick failed")
+
+    with pytest.raises(ArithmeticError, match="a tick failed"):
+        asyncio.run(ended(failing(), control))
+    os.close(control)
+    os.close(ours)
+
+
+async def ended(beating: Coroutine[object, object, None], control: int) -> None:
+    """Plays with nothing around it."""
+    await until_ended(beating, control)
+
+
+def test_what_is_served_is_the_built_in_cast_and_the_built_pages() -> None:
+    served = built_in_material()
+    assert served.pages["/stage"].body == (FOLDER / "stage.html").read_bytes()
+    assert "generic" in served.library.cast.faces
+    served.library.close()
+
+
+def test_sentences_go_to_the_terminal(capsys: pytest.CaptureFixture[str]) -> None:
+    report("the disk is full.")
+    assert capsys.readouterr().err == "omote: the disk is full.\n"

@@ -1,0 +1,236 @@
+"""Real processes: servers are killed, stopped and poisoned, and the show goes on."""
+
+import asyncio
+import contextlib
+import os
+import re
+import select
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from queue import Queue
+
+import aiohttp
+import msgspec
+import pytest
+
+from omote.edit.protocol import messages as editing
+from omote.edit.protocol.messages import EDITING_PATH
+from omote.showfile.show_file import JournalEntry, open_show
+from omote.server.supervision.supervisor import listen_on
+from omote.show import messages as wire
+from omote.show.wire import decode_answer, encode
+from tests.server.conftest import Editor
+
+ROOT = Path(__file__).parents[2]
+LIMIT = 60.0
+"""Seconds after which a test has failed; nothing waits for them."""
+
+
+class Show:
+    """A supervisor in a process of its own, playing the synthetic cast."""
+
+    def __init__(self, path: Path, **environment: str) -> None:
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "tests.server.supervised", str(path)],
+            cwd=ROOT,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            env={**os.environ, **environment},
+        )
+        self.said: Queue[str] = Queue()
+        threading.Thread(target=self._listen, daemon=True).start()
+        self.url = self.heard(r"(http://\S+)")
+
+    def _listen(self) -> None:
+        assert self.process.stdout is not None
+        for line in self.process.stdout:
+            self.said.put(line)
+
+    def heard(self, pattern: str) -> str:
+        """Waits until something is said; the first group of the pattern."""
+        while True:
+            if found := re.search(pattern, self.said.get(timeout=LIMIT)):
+                return found[1] if found.groups() else found[0]
+
+    def standby(self) -> int:
+        """The process id of the standby."""
+        return children(self.process.pid)[0]
+
+    def server(self) -> int:
+        """The process id of the server that plays."""
+        return max(children(self.standby()))
+
+
+def children(pid: int) -> list[int]:
+    """The child processes of a process."""
+    return [int(word) for word in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+
+
+@pytest.fixture
+def show(tmp_path: Path) -> Iterator[Show]:
+    """A show that plays; it ends with the test."""
+    yield from played(Show(tmp_path / "a.omote"))
+
+
+def played(started: Show) -> Iterator[Show]:
+    """A show until whoever has it is done."""
+    yield started
+    with contextlib.suppress(ProcessLookupError):
+        started.process.terminate()
+    assert started.process.wait(LIMIT) in (0, -signal.SIGKILL)
+    if started.process.stdout:
+        started.process.stdout.close()
+
+
+async def next_state(http: aiohttp.ClientSession, url: str, *say: wire.FromClient, above: int = 0) -> wire.State:
+    """Opens a link until it works, says something, and gives the first state of an epoch above `above` that follows."""
+    while True:
+        with contextlib.suppress(aiohttp.ClientError, OSError):
+            async with http.ws_connect(url + wire.LINK_PATH) as link:
+                for message in (wire.Hello("console", wire.PROTOCOL_VERSION), *say, wire.Ping(0.0)):
+                    await link.send_bytes(encode(message))
+                heard = False
+                while (received := await link.receive()).type is aiohttp.WSMsgType.BINARY:
+                    answer = decode_answer(received.data)
+                    heard = heard or isinstance(answer, wire.Pong)
+                    if isinstance(answer, wire.State) and heard and answer.epoch > above:
+                        return answer
+
+
+def ask(show: Show, *say: wire.FromClient, above: int = 0) -> wire.State:
+    """The next state of a show."""
+
+    async def asked() -> wire.State:
+        async with aiohttp.ClientSession() as http:
+            return await asyncio.wait_for(next_state(http, show.url, *say, above=above), LIMIT)
+
+    return asyncio.run(asked())
+
+
+def test_a_killed_server_is_replaced_and_the_fade_goes_on(show: Show) -> None:
+    before = ask(show, wire.CallFace("1", "broad", 600.0, "smooth"), wire.SetChannel("jawOpen", 0.5))
+    before = ask(show, above=before.epoch - 1)  # by now the journal has it, or the next one would not
+    while not journalled(show, b"jawOpen"):
+        before = ask(show)
+    for _ in range(3):
+        os.kill(show.server(), signal.SIGKILL)
+        after = ask(show, above=before.epoch)
+        assert after.channels == {"jawOpen": 0.5}
+        assert after.face_call is not None
+        assert after.face_call.target == "broad"
+        assert after.time >= before.time - 1.0
+        before = after
+
+
+def test_a_killed_server_is_replaced_by_one_that_has_the_own_face_on_air(show: Show) -> None:
+    async def authored() -> None:
+        async with aiohttp.ClientSession() as http, http.ws_connect(show.url + EDITING_PATH, max_msg_size=0) as link:
+            page = Editor(link)
+            await page.greet()
+            draft = await page.ask(editing.CreateFace, "Cousin", {"broad": 0.5, "long": 0.5}, False)
+            assert isinstance(await page.ask(editing.Save, draft.item, ""), editing.Saved)
+
+    asyncio.run(asyncio.wait_for(authored(), LIMIT))
+    before = ask(show, wire.CallFace("1", "cousin", 0.0, "smooth"))
+    while not journalled(show, b"cousin"):
+        before = ask(show)
+    os.kill(show.server(), signal.SIGKILL)
+    assert ask(show, above=before.epoch).faces == {"cousin": 1.0}
+
+
+def journalled(show: Show, word: bytes) -> bool:
+    """Whether the show file holds this word in its last state."""
+    path = Path(show.process.args[-1])  # type: ignore[index, arg-type]
+    file = open_show(path)
+    snapshot = file.journal().snapshot
+    file.close()
+    return word in (snapshot or b"")
+
+
+@pytest.fixture
+def impatient(tmp_path: Path) -> Iterator[Show]:
+    """A show whose servers hang when they are silent for a second."""
+    yield from played(Show(tmp_path / "a.omote", SYNTHETIC_HANG="1"))
+
+
+def test_a_server_that_hangs_is_replaced(impatient: Show) -> None:
+    show = impatient
+    before = ask(show)
+    hanging = show.server()
+    os.kill(hanging, signal.SIGSTOP)
+    show.heard("the server hangs; another one takes over")
+    assert ask(show, above=before.epoch).number > 0
+    assert not Path(f"/proc/{hanging}").exists() or hanging not in children(show.standby())
+
+
+def test_a_standby_that_dies_is_replaced_and_the_server_plays_on(show: Show) -> None:
+    before = ask(show)
+    os.kill(show.standby(), signal.SIGKILL)
+    show.heard("the standby ended")
+    after = ask(show)
+    assert after.epoch == before.epoch
+    assert after.number > before.number
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_everything(show: Show, number: signal.Signals) -> None:
+    processes = [show.standby(), show.server()]
+    show.process.send_signal(number)
+    assert show.process.wait(LIMIT) == 0
+    assert [pid for pid in processes if Path(f"/proc/{pid}").exists()] == []
+
+
+def test_nothing_outlives_a_killed_supervisor(show: Show) -> None:
+    ends = [os.pidfd_open(pid) for pid in (show.standby(), show.server())]
+    show.process.kill()
+    show.process.wait(LIMIT)
+    for end in ends:  # a process's descriptor is readable when it has ended
+        assert wait_readable(end)
+        os.close(end)
+
+
+def wait_readable(descriptor: int) -> bool:
+    """Waits for a descriptor."""
+    return bool(select.select([descriptor], [], [], LIMIT)[0])
+
+
+def test_a_state_that_kills_servers_is_left_behind(tmp_path: Path) -> None:
+    path = tmp_path / "a.omote"
+    file = open_show(path)
+    file.write_journal(JournalEntry(1, 0.0, msgspec.msgpack.encode({"poison": True})))
+    file.close()
+    poisoned = Show(path, SYNTHETIC_POISON="1")
+    assert ask(poisoned).faces == {"generic": 1.0}
+    poisoned.process.terminate()
+    assert poisoned.process.wait(LIMIT) == 0
+    assert poisoned.process.stdout is not None
+    poisoned.process.stdout.close()
+
+
+def test_a_port_in_use_is_said_in_a_sentence() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        with pytest.raises(OSError, match=rf"port {port} on 127\.0\.0\.1 cannot be opened \(.*in use\): name another"):
+            listen_on("127.0.0.1", port)
+
+
+def test_any_free_port_is_found() -> None:
+    with listen_on("127.0.0.1", 0) as listening:
+        assert listening.getsockname()[1] > 0
+
+
+def test_no_host_is_not_every_host() -> None:
+    with pytest.raises(OSError, match=r"--host is empty: .*0\.0\.0\.0 for the whole network"):
+        listen_on("", 0)
+
+
+@pytest.mark.parametrize("host", ["nowhere.invalid", "a..b", "x" * 80])
+def test_a_host_that_is_none_is_said_in_a_sentence(host: str) -> None:
+    with pytest.raises(OSError, match=r"is no address of this machine \(.*\): name another with --host\.$"):
+        listen_on(host, 0)

@@ -1,0 +1,150 @@
+"""Sixty ticks a second without drift, and the journal, the pulse and the roll call on them."""
+
+import asyncio
+import itertools
+import os
+
+import pytest
+
+from omote.showfile.show_file import JournalEntry
+from omote.model.cast import Cast
+from omote.perform.performer import Performer
+from omote.server.http.app import ShowServer
+from omote.server.supervision.tick_loop import LATE_TICKS, RESTING_TICKS, Playing, beat, send_pulse
+from omote.server.process.process_messages import PULSE_TICKS, TICK
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+from tests.server.synthetic_server import PAGES, material
+
+
+class Clock:
+    """A clock that sleeping moves; the beat waits on it instead of on the world's."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now, self.slept = 0.0, 0.0
+        self.late: dict[int, float] = {}
+        monkeypatch.setattr("omote.server.supervision.tick_loop.asyncio.sleep", self.sleep)
+
+    async def sleep(self, seconds: float) -> None:
+        self.now += seconds
+        self.slept += seconds
+
+
+def beaten(monkeypatch: pytest.MonkeyPatch, ticks: int, work: dict[int, float]) -> list[float]:
+    """The times of so many ticks, each of which takes as long as `work` says (else 1 ms)."""
+    clock, times = Clock(monkeypatch), []
+
+    def tick(number: int) -> None:
+        if number == ticks:
+            raise KeyboardInterrupt
+        times.append(clock.now)
+        clock.now += work.get(number, 0.001)
+
+    with pytest.raises(KeyboardInterrupt):
+        asyncio.run(beat(tick, clock=lambda: clock.now))
+    return times
+
+
+def test_ticks_do_not_drift(monkeypatch: pytest.MonkeyPatch) -> None:
+    times = beaten(monkeypatch, 6000, {})
+    assert times == pytest.approx([number / 60 for number in range(6000)], abs=1e-6)
+
+
+def test_a_short_delay_is_made_up_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    times = beaten(monkeypatch, 60, {10: 2.5 / 60})
+    assert times[20:] == pytest.approx([number / 60 for number in range(20, 60)], abs=1e-6)
+
+
+def test_after_a_long_sleep_no_burst_follows(monkeypatch: pytest.MonkeyPatch) -> None:
+    times = beaten(monkeypatch, 60, {10: 1800.0})
+    steps = [after - before for before, after in itertools.pairwise(times[11:])]
+    assert steps == pytest.approx([1 / 60] * len(steps), abs=1e-6)
+    assert times[11] == pytest.approx(times[10] + 1800.0)
+
+
+def test_a_delay_at_the_limit_is_the_longest_that_is_made_up_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    times = beaten(monkeypatch, 60, {10: (LATE_TICKS + 0.9) / 60})
+    assert times[-1] == pytest.approx(59 / 60, abs=1e-6)
+
+
+class Kept:
+    """A journal that keeps what it is offered."""
+
+    def __init__(self) -> None:
+        self.entries: list[JournalEntry] = []
+
+    def offer(self, entry: JournalEntry) -> None:
+        self.entries.append(entry)
+
+
+@pytest.fixture
+def played(cast: Cast) -> tuple[ShowServer, Kept, Playing, int]:
+    """A server at rest, its journal, its ticks, and the far end of its pulse."""
+    session = ShowSession(cast, Performer(cast))
+    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
+    steps = iter(range(100_000))
+    show = ShowServer(session, material().library, PAGES, clock=lambda: next(steps) / 60)
+    far, near = os.pipe()
+    os.set_blocking(far, False)
+    os.set_blocking(near, False)
+    journal = Kept()
+    return show, journal, Playing(show, journal, near), far  # type: ignore[arg-type]
+
+
+@pytest.mark.asyncio
+async def test_a_moving_show_is_kept_thirty_times_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+    show, journal, playing, _ = played
+    show.session.receive("a", wire.CallFace("1", "broad", 10.0, "smooth"), 0.0)
+    for number in range(300):
+        playing.tick(number)
+    assert len(journal.entries) == 150
+
+
+@pytest.mark.asyncio
+async def test_a_resting_show_is_kept_once_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+    _, journal, playing, _ = played
+    for number in range(10 * RESTING_TICKS):
+        playing.tick(number)
+    assert len(journal.entries) == 10
+
+
+@pytest.mark.asyncio
+async def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+    show, journal, playing, _ = played
+    for number in range(30):
+        playing.tick(number)
+    before = len(journal.entries)
+    show.session.receive("a", wire.SetChannel("jawOpen", 0.5), 0.5)
+    for number in range(30, 36):
+        playing.tick(number)
+    assert len(journal.entries) == before + 1
+
+
+@pytest.mark.asyncio
+async def test_ten_pulses_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+    _, _, playing, far = played
+    for number in range(60):
+        playing.tick(number)
+    assert os.read(far, 100) == TICK * (60 // PULSE_TICKS)
+
+
+def test_a_supervisor_that_does_not_listen_holds_up_no_tick() -> None:
+    far, near = os.pipe()
+    os.set_blocking(near, False)
+    for _ in range(70_000):
+        send_pulse(near, TICK)
+    os.close(far)
+    send_pulse(near, TICK)
+    os.close(near)
+
+
+@pytest.mark.asyncio
+async def test_a_show_without_a_journal_plays(cast: Cast) -> None:
+    session = ShowSession(cast, Performer(cast))
+    far, near = os.pipe()
+    show = ShowServer(session, material().library, PAGES)
+    for number in range(5):
+        Playing(show, None, near).tick(number)
+    assert session.number == 5
+    os.close(far)
+    os.close(near)

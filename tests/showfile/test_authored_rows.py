@@ -1,0 +1,200 @@
+"""Authored work comes back as it was put, all or nothing, and nothing damaged is taken for it."""
+
+import sqlite3
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from omote.showfile.authored_rows import TABLES, is_content, row_of, seal
+from omote.showfile.changes import (
+    Change,
+    Draft,
+    Edit,
+    PutDraft,
+    PutEdit,
+    PutItem,
+    PutLayout,
+    PutRevision,
+    Stored,
+)
+from omote.showfile.schema import CorruptShowFileError
+from omote.showfile.show_file import JournalEntry, ShowFile, open_show
+from tests.showfile.ledger import DATA, FIRST, KEYS, Ledger, item, puts, revision
+
+
+@pytest.fixture
+def show(tmp_path: Path) -> Iterator[ShowFile]:
+    """A new show file."""
+    opened = open_show(tmp_path / "a.omote")
+    yield opened
+    opened.close()
+
+
+def test_a_new_file_holds_nothing(show: ShowFile) -> None:
+    assert show.stored() == Stored()
+    assert show.contents() == {}
+
+
+def test_what_belongs_together_may_come_in_any_order(show: ShowFile) -> None:
+    show.apply(FIRST)
+    assert show.stored() == Stored(items=(item(head=1, tags=("wry", "left")),), revisions=(revision(),))
+    assert show.contents() == {KEYS[1]: DATA[1]}
+
+
+@given(st.lists(st.lists(puts, max_size=6), max_size=8))
+@settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
+def test_a_list_of_changes_is_made_whole_or_not_at_all(tmp_path: Path, lists: list[list[Change]]) -> None:
+    (tmp_path / "a.omote").unlink(missing_ok=True)
+    show, kept = open_show(tmp_path / "a.omote"), Ledger()
+    for changes in [FIRST, *lists]:
+        wanted = kept.copy()
+        possible = all(wanted.make(change) for change in changes) and wanted.whole
+        if possible:
+            show.apply(changes)
+            kept = wanted
+        else:
+            with pytest.raises(sqlite3.IntegrityError):
+                show.apply(changes)
+        assert show.stored() == kept.stored
+    assert show.contents() == kept.contents
+    show.close()
+    again = open_show(tmp_path / "a.omote")
+    assert again.stored() == kept.stored
+    again.close()
+
+
+def test_making_the_same_changes_again_does_nothing(show: ShowFile) -> None:
+    changes = [*FIRST, PutDraft(Draft(1, "ada", 1, 0)), PutEdit(Edit(1, "ada", 0, b"{}", "opened"))]
+    show.apply(changes)
+    before = show.stored()
+    show.apply(changes)
+    assert show.stored() == before
+
+
+def test_a_revision_is_never_changed_or_removed(show: ShowFile) -> None:
+    show.apply(FIRST)
+    with pytest.raises(sqlite3.IntegrityError, match="revision 1 of item 1 is there and is another"):
+        show.apply([PutRevision(revision(note="another"))])
+    other = sqlite3.connect(show.path)
+    for statement in ("UPDATE revision SET note = 'x'", "DELETE FROM revision"):
+        with pytest.raises(sqlite3.IntegrityError, match="a revision is never"):
+            other.execute(statement)
+    other.close()
+    assert show.stored().revisions == (revision(),)
+
+
+def test_an_item_keeps_its_name(show: ShowFile) -> None:
+    show.apply(FIRST)
+    with pytest.raises(sqlite3.IntegrityError, match="keeps its kind and its name for ever"):
+        show.apply([PutItem(item(name="other"))])
+    with pytest.raises(sqlite3.IntegrityError, match="UNIQUE"):
+        show.apply([PutItem(item(2, name="own-1"))])
+    show.apply([PutItem(item(2, name="own-1", kind="face"))])  # faces and expressions are called apart
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        PutItem(item(2, label=None)),
+        PutItem(item(2, place="first")),
+        PutItem(item(2, place=float("nan"))),
+        PutItem(item(2, kind="hat")),
+        PutItem(item(2**70)),
+        PutItem(item(2, label="\ud800")),
+        PutDraft(Draft(1, "ada", 0.5, 0)),  # type: ignore[arg-type]
+        PutEdit(Edit(1, "ada", 0, "text", "no draft")),  # type: ignore[arg-type]
+    ],
+)
+def test_what_could_not_come_back_is_refused(show: ShowFile, change: Change) -> None:
+    show.apply(FIRST)
+    before = show.stored()
+    with pytest.raises((sqlite3.IntegrityError, ValueError, OverflowError)):
+        show.apply([PutLayout("other", b"{}"), change])
+    assert show.stored() == before
+    show.apply([PutLayout("console", b"{}")])
+
+
+def test_whole_numbers_given_as_places_come_back(show: ShowFile) -> None:
+    for place in (1, -0.0, 2.0**60):
+        show.apply([PutItem(item(place=place))])
+        assert show.stored().items[0].place == place
+
+
+@pytest.mark.parametrize(
+    ("statement", "sentence"),
+    [
+        ("UPDATE item SET label = 'Other'", "its item 1 is damaged"),
+        ("UPDATE item SET tags = '['", "its item 1 is damaged"),
+        ("UPDATE item SET head = 7", "row 1 of item belongs to no revision"),
+        ("UPDATE content SET data = x'00'", f"its content {KEYS[1]} is damaged"),
+        ("DELETE FROM content", "row 1 of revision belongs to no content"),
+        ("UPDATE draft SET cursor = 5", "its draft 1, ada is damaged"),
+        ("UPDATE edit SET recipe = x'00'", "its edit 1, ada, 0 is damaged"),
+        ("UPDATE layout SET document = x'00'", "its layout console is damaged"),
+        ("UPDATE item SET label = CAST(x'ff' AS TEXT)", "Could not decode to UTF-8"),
+        ("UPDATE journal SET snapshot = x'00'", "its last state is damaged"),
+        ("DROP TABLE layout", "no such table: layout"),
+        ("ALTER TABLE edit DROP COLUMN what", "no such column: edit.what"),
+    ],
+)
+def test_rows_that_are_not_what_was_written_make_a_file_corrupt(
+    tmp_path: Path, statement: str, sentence: str
+) -> None:  # fmt: skip
+    show = open_show(tmp_path / "a.omote")
+    show.apply(
+        [
+            *FIRST,
+            PutDraft(Draft(1, "ada", 1, 0)),
+            PutEdit(Edit(1, "ada", 0, b"{}", "")),
+            PutLayout("console", b"{}"),
+        ]
+    )
+    show.write_journal(JournalEntry(1, 0.0, b"state"))
+    show.close()
+    with sqlite3.connect(tmp_path / "a.omote") as connection:
+        connection.execute(statement)
+    connection.close()
+    with pytest.raises(CorruptShowFileError, match=sentence):
+        open_show(tmp_path / "a.omote")
+
+
+def test_every_column_of_every_row_is_sealed() -> None:
+    rows = (item(tags=("a",)), revision(), Draft(1, "a", 0, 0), Edit(1, "a", 0, b"", ""))
+    for table, row in zip(TABLES, rows, strict=False):
+        plain = {name: getattr(row, name) for name in table.columns}
+        if "tags" in plain:
+            plain["tags"] = '["a"]'
+        values = list(plain.values())
+        assert row_of(table, [*values, seal(values)]) == row
+        for place, value in enumerate(values):
+            other = [*values]
+            other[place] = value + type(value)(1) if isinstance(value, int | float) else value + value + value[:0] * 2
+            if other != values:
+                assert row_of(table, [*other, seal(values)]) is None
+
+
+@pytest.mark.parametrize("data", [None, 1, 1.5, "text", b"other"])
+def test_only_bytes_are_the_content_of_their_key(data: object) -> None:
+    assert not is_content(KEYS[1], data)
+    assert not is_content(data, DATA[1])
+    assert is_content(KEYS[1], DATA[1])
+
+
+@pytest.mark.parametrize("tags", ["none", "[1, 2]", "[" * 100_000])
+def test_rows_that_another_program_sealed_over_nonsense_make_a_file_corrupt(tmp_path: Path, tags: str) -> None:
+    path = tmp_path / "a.omote"
+    opened = open_show(path)
+    opened.apply(FIRST)
+    opened.close()
+    connection = sqlite3.connect(path)
+    table = TABLES[0]
+    row = connection.execute(f"SELECT {', '.join(table.columns)} FROM {table.name}").fetchone()
+    values = [tags if column == "tags" else value for column, value in zip(table.columns, row, strict=True)]
+    connection.execute(f"UPDATE {table.name} SET tags = ?, sum = ?", (tags, seal(values)))
+    connection.commit()
+    connection.close()
+    with pytest.raises(CorruptShowFileError, match="item 1 is damaged"):
+        open_show(path)

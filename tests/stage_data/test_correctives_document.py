@@ -1,0 +1,66 @@
+"""What stages are told to put sums right with."""
+
+import numpy as np
+
+from omote.builtin import load_cast
+from omote.model.cast import Cast
+from omote.model.transfer.compound import compound
+from omote.model.transfer.corrective_regions import settling_of
+from omote.perform.blending.compound_cache import compounds_of
+from omote.stage_data.assets import first_rows
+from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
+from tests.synthetic import FACES
+
+
+def test_a_cast_without_lines_has_none(cast: Cast) -> None:
+    assert settling_document(cast, first_rows(cast)) is None
+    face = cast.faces[FACES[0]]
+    assert allowance_document(cast.space, face, cast.expressions["neutral"], face.positions) is None
+    assert ball_radii(cast.space, face) == (0.0, 0.0)
+
+
+def test_the_document_holds_the_settling() -> None:
+    cast = load_cast()
+    settling, document = settling_of(cast.space), settling_document(cast, first_rows(cast))
+    assert settling is not None
+    assert document is not None
+    rows = np.frombuffer(document.rows, "<u4")
+    assert np.array_equal(rows, settling.rows)
+    assert np.array_equal(np.frombuffer(document.triangles, "<u4").reshape(-1, 3), settling.triangles)
+    for sent, own in zip(document.crossings, settling.crossings, strict=True):
+        assert sent.upward == (own.kind == "lips")
+        assert np.array_equal(np.frombuffer(sent.vertices, "<u4").reshape(-1, 4), own.vertices)
+        assert np.array_equal(np.frombuffer(sent.side, "<f4"), own.side.astype(np.float32))
+
+
+def test_followers_are_inner_skin_and_lashes_and_hang_on_rows() -> None:
+    cast = load_cast()
+    starts, document, settling = first_rows(cast), settling_document(cast, first_rows(cast)), settling_of(cast.space)
+    assert document is not None
+    assert settling is not None
+    followers = np.frombuffer(document.followers, "<u4")
+    anchors = np.frombuffer(document.anchors, "<u4").reshape(len(followers), -1)
+    weights = np.frombuffer(document.weights, "<f4").reshape(anchors.shape)
+    lashes = followers >= starts["lashes"]
+    assert np.array_equal(followers[~lashes], settling.followers)
+    part = cast.space.parts["lashes"]
+    # Every lash of the built-in head lies within reach of the lids: it moves as its own anchors do.
+    field = np.zeros(cast.space.vertex_count)
+    field[settling.rows] = np.arange(len(settling.rows)) + 1.0
+    here = (weights * (anchors + 1.0)).sum(axis=1)[lashes]
+    assert np.allclose(here, (part.weights * field[part.anchors]).sum(axis=1), rtol=1e-5)
+
+
+def test_an_allowance_is_the_engines_own() -> None:
+    cast = load_cast()
+    face = cast.faces["kaori"]
+    skin = compound(cast.space, face, cast.expressions["eyeBlinkLeft"])
+    document, settling = (
+        allowance_document(cast.space, face, cast.expressions["eyeBlinkLeft"], skin),
+        settling_of(cast.space),
+    )
+    assert document is not None
+    assert settling is not None
+    allowed = np.zeros(settling.size, np.float32)
+    allowed[np.frombuffer(document.places, "<u4")] = np.frombuffer(document.values, "<f4")
+    assert np.array_equal(allowed, compounds_of(cast).allowance("kaori", "eyeBlinkLeft"))

@@ -1,0 +1,54 @@
+"""Strands grow the same on every bake, from the scalp to their tips, and shade each other."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.spatial import cKDTree
+
+from omote.builtin import load_cast
+from tools.baking.hair.strands import grown_style
+from tools.baking.hair.groom import STATIONS, above, roots_of
+from tools.baking.hair.styles import GROOMS
+
+SPACE = load_cast().space
+
+
+def test_the_same_hair_grows_on_every_bake() -> None:
+    name, groom = next(iter(GROOMS.items()))
+    one, two = grown_style(name, groom, SPACE), grown_style(name, groom, SPACE)
+    for what in ("points", "rows", "weights", "anchors", "facing", "light"):
+        assert np.array_equal(getattr(one, what), getattr(two, what)), what
+        assert np.array_equal(getattr(one, what), getattr(load_cast().hair[name], what)), what
+
+
+@pytest.mark.parametrize("name", GROOMS)
+def test_hair_grows_above_its_hairline(name: str) -> None:
+    roots = roots_of(GROOMS[name], SPACE.points, SPACE.triangles)
+    assert roots.shape == (GROOMS[name].count, 3)
+    assert above(GROOMS[name].hairline, roots).min() > -0.01
+
+
+@pytest.mark.parametrize("name", GROOMS)
+def test_strands_are_smooth_and_lie_in_the_light(name: str) -> None:
+    hair = load_cast().hair[name]
+    coil = GROOMS[name].coil
+    assert hair.points.shape == (GROOMS[name].count + (coil.count if coil else 0), STATIONS, 3)
+    steps = np.linalg.norm(np.diff(hair.points, axis=1), axis=2)
+    assert 0.0 < steps.max() < 0.05
+    assert ((hair.light > 0.0) & (hair.light <= 1.0)).all()
+    assert np.linalg.norm(hair.facing, axis=-1) == pytest.approx(1.0, abs=2e-3)
+
+
+def test_neighbours_of_a_lock_are_combed_alike() -> None:
+    groom = replace(GROOMS["mop"], count=300)
+    roots = roots_of(groom, SPACE.points, SPACE.triangles)
+    _, near = cKDTree(roots).query(roots, k=2)
+
+    def turned_away(locks: float) -> float:
+        strands = grown_style("mop", replace(groom, locks=locks), SPACE).points
+        ways = strands[:, -1] - strands[:, 0]
+        ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+        return float(np.median(1.0 - (ways * ways[near[:, 1]]).sum(axis=1)))
+
+    assert turned_away(0.8) < turned_away(0.0)

@@ -1,0 +1,95 @@
+"""The hair styles' arrays: strands grown on the generic head, tied to the skin that carries them."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy import ndimage
+from scipy.spatial import cKDTree
+
+from omote.model.hair import HairStyle, carriers
+from omote.model.space.parameter_space import ParameterSpace
+from tools.baking.assemble import Arrays, Step
+from tools.baking.heads.basemesh import Floats, Ints
+from tools.baking.hair.growth_field import Field, field_of, surface_samples
+from tools.baking.hair.groom import STATIONS, Groom, grow, roots_of
+from tools.baking.hair.styles import GROOMS
+
+CLEARANCE = 0.002  # metres between skin and strand, from the third place on
+BURIED = 0.02  # metres beyond which a place is no matter of the skin nearest to it
+ROUNDS = 4
+CELL = 0.004  # metres, of the grid on which hair shades hair
+DEEPEST = 0.1  # light that comes through any hair
+DEPTH = 0.012  # metres of hair over a place that take most of its light
+
+
+def hair_arrays(space: ParameterSpace, step: Step) -> Arrays:
+    """Every style as `hair/STYLE/...` (omote.builtin.castfile)."""
+    arrays: Arrays = {}
+    for name, groom in GROOMS.items():
+        style = grown_style(name, groom, space)
+        for what in ("points", "rows", "weights", "anchors", "facing", "light"):
+            arrays[f"hair/{name}/{what}"] = getattr(style, what)
+        arrays[f"hair/{name}/width"] = np.array(style.width, np.float32)
+        step(f"hair {name}")
+    return arrays
+
+
+def grown_style(name: str, groom: Groom, space: ParameterSpace) -> HairStyle:
+    """A style on the generic head of a space."""
+    skin, triangles = space.points, space.triangles
+    field = field_of(skin, triangles, closing=groom.closing, blur=groom.blur)
+    roots = roots_of(groom, skin, triangles)
+    points = np.round(cleared(_all_strands(groom, field, roots), skin, triangles), 5) + 0.0
+    rows, weights = carriers(points, skin, space.on_sheet)
+    anchors = rows[:, 0, 0]
+    return HairStyle(
+        name=name,
+        points=points.astype(np.float32),
+        rows=rows,
+        weights=np.round(weights, 6).astype(np.float32),
+        anchors=anchors,
+        facing=np.round(field.outward(points), 3).astype(np.float32),
+        light=np.round(open_sky(field, points), 3).astype(np.float32),
+        width=groom.width,
+    )
+
+
+def _all_strands(groom: Groom, field: Field, roots: Floats) -> Floats:
+    """What grows, and what is wound up, evenly among it: the first few of all strands show the whole style."""
+    grown = grow(groom, field, roots)
+    if groom.coil is None:
+        return grown
+    wound = groom.coil.wound(field.outward(groom.coil.foot[None])[0], STATIONS, seed=groom.seed)
+    wound = wound[np.random.default_rng(groom.seed).permutation(len(wound))]
+    place = np.linspace(0, len(grown), len(wound), endpoint=False).astype(int)
+    return np.insert(grown, place, wound, axis=0)
+
+
+def cleared(points: Floats, skin: Floats, triangles: Ints) -> Floats:
+    """Strands (n, k, 3) pushed out of the skin: the field they grew on is smoother than ears are."""
+    spots, facing = surface_samples(skin, triangles)
+    tree = cKDTree(spots)
+    wanted = CLEARANCE * np.minimum(np.arange(points.shape[1]) / 2.0, 1.0)
+    for _ in range(ROUNDS):
+        far, nearest = tree.query(points)
+        height = ((points - spots[nearest]) * facing[nearest]).sum(axis=-1)
+        push = np.where(far < BURIED, np.maximum(wanted - height, 0.0), 0.0)
+        push[:, 2:-1] = np.maximum(push, ndimage.uniform_filter1d(push, 3, axis=1))[:, 2:-1]  # no kink beside an ear
+        push[:, 0] = 0.0
+        points = points + push[..., None] * facing[nearest]
+    return points
+
+
+def open_sky(field: Field, points: Floats) -> Floats:
+    """How much light comes through the hair above each place (n, k), 0..1."""
+    places = np.moveaxis((points - field.origin) / CELL, -1, 0)
+    shape = tuple(int(places[axis].max()) + 8 for axis in range(3))
+    hair = np.zeros(shape)
+    np.add.at(hair, tuple(places.astype(int)), np.linalg.norm(np.gradient(points, axis=1), axis=-1))
+    hair = ndimage.gaussian_filter(hair, 1.5)
+    hair /= np.percentile(hair[hair > 1e-4 * hair.max()], 75)
+    above = np.zeros(points.shape[:2])
+    for far in np.arange(1, 5) * DEPTH / 4:
+        spots = np.moveaxis((points + far * field.outward(points) - field.origin) / CELL, -1, 0)
+        above += ndimage.map_coordinates(hair, spots, order=1, mode="constant") / 4
+    return np.asarray(DEEPEST + (1.0 - DEEPEST) * np.exp(-0.8 * above))

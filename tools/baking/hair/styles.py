@@ -1,0 +1,175 @@
+"""The hair styles of the cast as recipes for the generic head; metres, heights over its eyes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tools.baking.heads.basemesh import Floats
+from tools.baking.hair.coil import Coil
+from tools.baking.hair.groom import Groom, Strands
+
+ADULT = (
+    (0.0, 0.076),
+    (0.35, 0.074),
+    (0.6, 0.068),
+    (0.76, 0.056),
+    (0.9, 0.036),
+    (1.02, 0.016),
+    (1.12, -0.004),
+    (1.24, -0.012),
+    (1.34, 0.006),
+    (1.6, 0.022),
+    (1.9, 0.0),
+    (2.2, -0.04),
+    (3.2, -0.06),
+)
+RECEDING = ((0.0, 0.107), (0.35, 0.106), (0.7, 0.096), (0.9, 0.066), (1.04, 0.034), *ADULT[9:])  # nothing beside ears
+TIED = (*ADULT[:5], (1.05, 0.022), *ADULT[9:])  # without whiskers
+FRINGED = ((0.0, 0.071), (0.35, 0.069), (0.6, 0.064), *ADULT[3:])  # a child's forehead is high
+PEAKED = ((0.0, 0.068), (0.14, 0.075), (0.4, 0.086), (0.62, 0.075), *TIED[3:])
+WHORL = np.array([0.0, 0.125, 0.04])
+PART = 0.032  # how far to the character's left hair is parted
+KNOT = np.array([0.0, 0.093, -0.03])  # where hair is put up
+
+
+def _azimuth(points: Floats) -> Floats:
+    """The angle (n,) around the skull's middle, 0 straight ahead."""
+    return np.asarray(np.arctan2(points[:, 0], points[:, 2] - 0.06))
+
+
+def _eased(values: Floats, low: float, high: float) -> Floats:
+    share = np.clip((values - low) / (high - low), 0.0, 1.0)
+    return np.asarray(share * share * (3.0 - 2.0 * share))
+
+
+def _bob_comb(strands: Strands) -> Floats:
+    """Away from the whorl, down over the sides; the tips turn inwards below the jaw's corner."""
+    away = (strands.points - WHORL) * [1.0, 0.4, 1.0] * 14.0
+    away[:, 1] -= 0.55
+    below = np.clip((-0.035 - strands.points[:, 1]) / 0.03, 0.0, 1.0)[:, None]
+    inward = (np.array([0.0, 0.0, 0.045]) - strands.points) * [1.0, 0.0, 1.0] * 11.0
+    side = np.clip(-strands.points[:, 1:2] / 0.02 + 3.0, 0.0, 1.0)
+    back = -0.75 * _eased(strands.points[:, 2], 0.055, 0.095)  # off the cheeks
+    fall = np.stack([0.0 * back, -1.0 + 0.0 * back, back], axis=1)
+    return np.asarray(away * (1.0 - 0.9 * side) + side * fall + below * inward)
+
+
+def _bob_cut(strands: Strands) -> NDArray[np.bool_]:
+    """A straight fringe above the brows, the rest as long as the chin."""
+    angle = np.abs(_azimuth(strands.points))
+    fringe = (angle < 0.58) & (strands.points[:, 2] > 0.1)
+    jitter = strands.chance[:, 2]
+    brow = 0.035 - 3.5 * strands.points[:, 0] ** 2 - 0.005 * jitter
+    chin = -0.080 + 0.012 * _eased(angle, 1.2, 2.7) - 0.005 * jitter
+    return np.asarray(strands.points[:, 1] < np.where(fringe, brow, chin))
+
+
+def _short_comb(strands: Strands) -> Floats:
+    """From the parting over to either side, on top a little forwards and up, at the sides down and back."""
+    x, y, z = strands.points.T
+    top = _eased(strands.roots[:, 1], 0.055, 0.09)
+    across = np.where(strands.roots[:, 0] > PART, 1.0, -1.0)
+    over = np.stack([1.2 * across, np.full_like(x, -0.1), np.where(z > 0.07, 0.35, -0.5)], axis=1)
+    back = -0.45 * _eased(strands.roots[:, 1], 0.0, 0.04)  # not over the ears
+    down = np.stack([0.0 * x, np.full_like(y, -1.0), np.where(z < 0.04, -0.45, back)], axis=1)
+    lean = (strands.chance[:, 1:2] - 0.5) * [0.5, 0.0, 0.7]
+    return np.asarray(top[:, None] * over + (1.0 - top[:, None]) * down + lean)
+
+
+def _short_cut(strands: Strands) -> NDArray[np.bool_]:
+    """Long on top, shorn towards the ears and the nape."""
+    length = np.interp(strands.roots[:, 1], [-0.06, 0.02, 0.06, 0.09], [0.008, 0.016, 0.032, 0.068])
+    return np.asarray(strands.grown > length * (0.75 + 0.5 * strands.chance[:, 2]))
+
+
+def _back_comb(strands: Strands) -> Floats:
+    """Straight back over the skull and down to the nape."""
+    x, y, z = strands.points.T
+    behind = _eased(-z, -0.05, 0.03)
+    return np.stack([3.0 * x, -0.15 - 1.6 * behind, -1.0 + 0.9 * behind + 0.0 * y], axis=1)
+
+
+def _back_cut(strands: Strands) -> NDArray[np.bool_]:
+    """As long as it takes to the nape."""
+    jitter = strands.chance[:, 2]
+    return np.asarray((strands.points[:, 1] < -0.058 - 0.01 * jitter) | (strands.grown > 0.13 + 0.06 * jitter))
+
+
+def _thin_comb(strands: Strands) -> Floats:
+    """Back and down, every wisp its own way."""
+    lean = (strands.chance[:, 1:] - 0.5) * [1.5, 0.9, 1.2]
+    return np.asarray(_back_comb(strands) + lean + np.array([0.0, -0.45, 0.0]))
+
+
+def _thin_cut(strands: Strands) -> NDArray[np.bool_]:
+    length = np.interp(strands.roots[:, 1], [-0.05, 0.05, 0.1], [0.018, 0.034, 0.05])
+    return np.asarray(strands.grown > length * (0.6 + 0.7 * strands.chance[:, 2]))
+
+
+def _mop_comb(strands: Strands) -> Floats:
+    """Away from a whorl beside the middle, every lock its own way."""
+    away = (strands.points - WHORL - [0.012, 0.0, -0.02]) * [1.0, 0.3, 1.0] * 14.0
+    away[:, 1] -= 0.5
+    x, y, z = strands.roots.T
+    lock = np.sin(95.0 * x + 60.0 * y + 1.0) * np.cos(90.0 * z - 50.0 * y)
+    turn = 0.5 * lock + (strands.chance[:, 1] - 0.5) * 0.45
+    aside = np.stack([away[:, 2], 0.0 * turn, -away[:, 0]], axis=1)
+    side = _eased(-strands.points[:, 1:2], -0.045, 0.0)  # beside the ears it falls
+    combed = np.cos(turn)[:, None] * away + np.sin(turn)[:, None] * aside
+    return np.asarray(combed * (1.0 - 0.9 * side) + side * np.array([0.0, -1.0, -0.15]))
+
+
+def _mop_cut(strands: Strands) -> NDArray[np.bool_]:
+    """Off the eyes, over the ears' tops."""
+    front = np.abs(_azimuth(strands.points)) < 0.9
+    low = np.where(front, 0.036, -0.012) - 0.016 * strands.chance[:, 2]
+    nape = strands.roots[:, 1] < 0.0
+    length = np.where(nape, 0.022, 0.105) * (0.6 + 0.4 * strands.chance[:, 3])
+    return np.asarray((strands.points[:, 1] < np.where(nape, -1.0, low)) | (strands.grown > length))
+
+
+def _up_comb(strands: Strands) -> Floats:
+    """To the knot, from all sides."""
+    return np.asarray((KNOT - strands.points) * 20.0)
+
+
+def _up_cut(strands: Strands) -> NDArray[np.bool_]:
+    return np.asarray(np.linalg.norm(strands.points - KNOT, axis=1) < 0.021)
+
+
+def _crop_comb(strands: Strands) -> Floats:
+    """Straight out, a little any way."""
+    away = strands.points - [0.0, 0.03, 0.055]
+    return np.asarray(away / 0.08 + (strands.chance[:, 1:] - 0.5) * 2.4)
+
+
+def _crop_cut(strands: Strands) -> NDArray[np.bool_]:
+    length = np.interp(strands.roots[:, 1], [-0.05, 0.03, 0.08], [0.005, 0.008, 0.014])
+    return np.asarray(strands.grown > length * (0.8 + 0.4 * strands.chance[:, 2]))
+
+
+GROOMS: Mapping[str, Groom] = {
+    "bob": Groom(ADULT, _bob_comb, _bob_cut, layers=(0.003, 0.013), blur=0.007, count=1000, locks=0.2),
+    "short": Groom(
+        ADULT, _short_comb, _short_cut, layers=(0.002, 0.012), rise=0.025, hold=0.9, closing=0.0, count=1100,
+    ),
+    "swept": Groom(PEAKED, _back_comb, _back_cut, layers=(0.002, 0.007), hold=1.0, free=-0.2, closing=0.004),
+    "thin": Groom(
+        RECEDING, _thin_comb, _thin_cut, layers=(0.001, 0.008), closing=0.0, width=0.004, wave=(0.0015, 0.03),
+        locks=0.25, count=520,
+    ),
+    "mop": Groom(
+        FRINGED, _mop_comb, _mop_cut, layers=(0.003, 0.018), hold=0.8, closing=0.006, wave=(0.0018, 0.045),
+        width=0.0045, count=1400, locks=0.45,
+    ),
+    "bun": Groom(
+        TIED, _up_comb, _up_cut, layers=(0.002, 0.006), hold=1.0, free=-0.2, coil=Coil(KNOT, radius=0.027), count=850,
+    ),
+    "crop": Groom(
+        ADULT, _crop_comb, _crop_cut, layers=(0.02, 0.02), rise=0.001, closing=0.0, hold=0.0, stiffness=0.3,
+        width=0.0055, wave=(0.0012, 0.009), count=1600,
+    ),
+}  # fmt: skip

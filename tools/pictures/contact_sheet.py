@@ -1,0 +1,106 @@
+"""Draws the contact sheets of docs/transfer.md and docs/sculpts.md: `python -m tools.pictures.contact_sheet`, or some by name.
+
+Every face of the cast (rows) with ten expressions, with wide mouths, blinks, sums of three and half-way morphs, and its
+eyes from near; every sculpted face, and the way from a person to it. At a low quality: shapes are judged, not skin.
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+
+import omote
+from omote.model.cast import Cast
+from omote.stage_data.picture_grid import Setting
+from tools.baking.sculpts import sculpt_paths
+from tools.pictures.drawing import Picture, Words, draw_wanted, sheet
+
+TILE = Setting(150, 172, quality="low")
+EXPRESSIONS = ("neutral", "smile", "laugh", "sad", "angry", "surprise", "disgust", "kiss", "pain", "doubt")
+BLINK = "eyeBlinkLeft=1+eyeBlinkRight=1"
+SHAPES: dict[str, Words] = {
+    "jaw open": {"channels": "jawOpen=1"},
+    "mouth wide open": {"channels": "mouth-open=1", "turn": "29"},
+    "jaw open, lips closed": {"channels": "jawOpen=1+mouthClose=1"},
+    "funnel": {"channels": "mouthFunnel=1"},
+    "smile, blink, jaw": {"channels": f"mouthSmileLeft=1+mouthSmileRight=1+{BLINK}+jawOpen=0.6"},
+    "sneer, squint, pucker": {
+        "channels": "noseSneerLeft=1+noseSneerRight=1+eyeSquintLeft=1+eyeSquintRight=1+mouthPucker=1"
+    },
+}
+EYES: dict[str, Words] = {
+    "half blink": {"channels": "eyeBlinkLeft=0.5+eyeBlinkRight=0.5"},
+    "blink": {"channels": BLINK},
+    "asleep": {"expression": "asleep"},
+    "closure (MakeHuman)": {"channels": "eye-left-closure=1+eye-right-closure=1"},
+    "wide": {"channels": "eyeWideLeft=1+eyeWideRight=1"},
+    "down": {"gaze": "0,-28"},
+    "up": {"gaze": "0,26"},
+    "squint": {"channels": "eyeSquintLeft=1+eyeSquintRight=1"},
+}
+SCULPTS: tuple[Words, ...] = (
+    {},
+    {"turn": "32"},
+    {"expression": "shout", "turn": "26"},
+    {"expression": "smile", "turn": "11"},
+    {"expression": "angry", "turn": "-17"},
+    {"channels": BLINK, "turn": "17"},
+)
+PEOPLE = {"auntie": "gaunt", "cat": "child", "count": "round", "dog": "kaori", "noh": "man"}
+STEPS = (0.0, 0.25, 0.5, 0.5, 0.75, 1.0)
+
+
+def expressions(cast: Cast) -> Picture:
+    """Ten expressions of every face."""
+    rows = [(face, [(name, {"face": face, "expression": name}) for name in EXPRESSIONS]) for face in cast.faces]
+    return Picture("contact-expressions", sheet(cast, rows), TILE)
+
+
+def shapes(cast: Cast) -> Picture:
+    """Wide mouths, sums, and half way to the next face of the cast."""
+    faces, rows = list(cast.faces), []
+    for face, following in zip(faces, [*faces[1:], faces[0]], strict=True):
+        half = {"face": f"{face}=0.5+{following}=0.5"}
+        between: dict[str, Words] = {
+            "half way to the next": half,
+            "... laughing": half | {"expression": "laugh"},
+            "... blinking": half | {"channels": BLINK},
+        }
+        worn = {name: {"face": face, **words} for name, words in SHAPES.items()} | between
+        rows.append((face, list(worn.items())))
+    return Picture("contact-shapes", sheet(cast, rows), TILE)
+
+
+def eyes(cast: Cast) -> Picture:
+    """Eyes and lids of every face, from near."""
+    rows = [(face, [(name, {"face": face, **words}) for name, words in EYES.items()]) for face in cast.faces]
+    return Picture(
+        "contact-eyes", replace(sheet(cast, rows), part=(0.19, 0.33, 0.62, 0.22)), Setting(480, 550, quality="low")
+    )
+
+
+def sculpts(cast: Cast) -> Picture:
+    """A row for each sculpt: at rest, turned, barking, smiling, angry, with closed eyes."""
+    rows = [(path.stem, [("", {"face": path.stem, **words}) for words in SCULPTS]) for path in sculpt_paths()]
+    return Picture("sculpts", sheet(cast, rows), Setting(200, 190))
+
+
+def morphs(cast: Cast) -> Picture:
+    """A row for each sculpt: from a person to it, half way with an open mouth too."""
+    rows = []
+    for name, person in PEOPLE.items():
+        faces = [f"{person}={1.0 - share}+{name}={share}" for share in STEPS]
+        said = ["surprise=0.5" if column == 3 else "neutral" for column in range(len(STEPS))]
+        worn = [("", {"face": face, "expression": word}) for face, word in zip(faces, said, strict=True)]
+        rows.append((f"{person} to {name}", worn))
+    return Picture("morphs", sheet(cast, rows), Setting(200, 190))
+
+
+def main() -> int:
+    """Draws the sheets, or those whose names are given."""
+    cast = omote.load_cast()
+    return draw_wanted([drawn(cast) for drawn in (expressions, shapes, eyes, sculpts, morphs)], sys.argv[1:])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

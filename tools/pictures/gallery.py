@@ -1,0 +1,118 @@
+"""Draws the contact sheets of docs/gallery.md as `omote render` draws: `python -m tools.pictures.gallery`, or some by name.
+
+docs/pictures/gallery-*.jpg: ten expressions of four faces, a turntable of every face, mouths open at 30 degrees, eyes
+at nine gazes, the lights, other backgrounds, half-way morphs. Judge by eye.
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+
+import omote
+from omote.model.cast import Cast
+from omote.stage_data.picture_grid import Setting
+from tools.pictures.drawing import PICTURES, Picture, draw_wanted, sheet
+
+MOST_BYTES = 6_000_000
+PLAYERS = ("kaori", "old", "child", "dog")
+EXPRESSIONS = ("neutral", "smile", "laugh", "sad", "angry", "surprise", "disgust", "kiss", "cry", "doubt")
+YAWS = (-75, -50, -25, 0, 25, 50, 75)
+MOUTHS = {
+    "half open": "jawOpen=0.5",
+    "open": "jawOpen",
+    "wide": "mouth-open=1",
+    "funnel": "mouthFunnel+jawOpen=0.4",
+}
+GAZES = ("-30,20", "0,20", "30,20", "-30,0", "0,0", "30,0", "-30,-25", "0,-25", "30,-25")
+LIGHTS = ("theatre", "portrait", "flat", "theatre=0.5+portrait=0.5")
+MORPHS = (("kaori", "dog"), ("kaori", "old"), ("child", "man"), ("old", "cat"))
+STEPS = (0.0, 0.17, 0.33, 0.5, 0.67, 0.83, 1.0)
+BLUE, PAPER = "#2a5aa8", "#cfc6b4"
+
+
+def expressions(cast: Cast, face: str) -> Picture:
+    """Ten expressions of a face, in two rows of five."""
+    worn = [(name, {"face": face, "expression": name}) for name in EXPRESSIONS]
+    drawn = replace(sheet(cast, [("", worn[:5]), ("", worn[5:])]), rows=())
+    return Picture(f"gallery-{face}", drawn, Setting(400, 450))
+
+
+def turntable(cast: Cast) -> Picture:
+    """Every face from seven sides."""
+    rows = [(face, [("", {"face": face, "turn": str(yaw)}) for yaw in YAWS]) for face in cast.faces]
+    return Picture("gallery-turntable", sheet(cast, rows), Setting(280, 240))
+
+
+def mouths(cast: Cast) -> Picture:
+    """Mouths open at 30 degrees."""
+    rows = [
+        (face, [(name, {"face": face, "channels": unit, "turn": "30"}) for name, unit in MOUTHS.items()])
+        for face in (*PLAYERS, "man")
+    ]
+    return Picture("gallery-mouths", sheet(cast, rows), Setting(380, 400))
+
+
+def eyes(cast: Cast) -> Picture:
+    """Eyes at nine gazes, from near, in rows of three."""
+    rows = []
+    for face in PLAYERS:
+        looks = [(f"{face} {gaze}", {"face": face, "gaze": gaze}) for gaze in GAZES]
+        rows += [(face, looks[at : at + 3]) for at in (0, 3, 6)]
+    drawn = replace(sheet(cast, rows), rows=(), part=(0.19, 0.33, 0.62, 0.2))
+    return Picture("gallery-eyes", drawn, Setting(760, 860))
+
+
+def lights(cast: Cast) -> Picture:
+    """The lights, and half way between two."""
+    rows = [
+        (face, [(light, {"face": face, "expression": "smile", "light": light, "turn": "-20"}) for light in LIGHTS])
+        for face in PLAYERS
+    ]
+    return Picture("gallery-lights", sheet(cast, rows), Setting(400, 430))
+
+
+def keyed(cast: Cast, name: str, setting: Setting, paper: str) -> Picture:
+    """Four faces before one colour."""
+    row = [(face, {"face": face, "expression": "smile", "light": "portrait", "turn": "15"}) for face in PLAYERS]
+    return Picture(f"gallery-{name}", replace(sheet(cast, [("", row)]), rows=(), paper=paper), setting)
+
+
+def morphs(cast: Cast) -> Picture:
+    """From face to face, smiling, in seven steps."""
+    rows = [
+        (
+            f"{one} to {other}",
+            [("", {"face": f"{one}={1 - step}+{other}={step}", "expression": "smile", "turn": "20"}) for step in STEPS],
+        )
+        for one, other in MORPHS
+    ]
+    return Picture("gallery-morphs", sheet(cast, rows), Setting(260, 290))
+
+
+def gallery(cast: Cast) -> list[Picture]:
+    """All sheets of the gallery."""
+    blue = Setting(400, 430, background=BLUE)
+    clear = Setting(400, 430, transparent=True)
+    return [
+        *(expressions(cast, face) for face in PLAYERS),
+        turntable(cast),
+        mouths(cast),
+        eyes(cast),
+        lights(cast),
+        keyed(cast, "background", blue, "#000"),
+        keyed(cast, "transparent", clear, PAPER),
+        morphs(cast),
+    ]
+
+
+def main() -> int:
+    """Draws the gallery, or those sheets whose names are given."""
+    failed = draw_wanted(gallery(omote.load_cast()), sys.argv[1:])
+    total = sum(path.stat().st_size for path in PICTURES.glob("gallery-*.jpg"))
+    print(f"{total / 1e6:.1f} MB of {MOST_BYTES / 1e6:.0f}")
+    return failed or int(total >= MOST_BYTES)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
