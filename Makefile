@@ -15,7 +15,7 @@ PAGES := src/omote/server/web/stage.html
 CAST := src/omote/builtin/cast.npz
 
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
-CAST_FROM := $(wildcard tools/bake.py tools/baking/*.py $(addprefix src/omote/,geometry/*.py model/*.py builtin/*.py builtin/sculpts/*.toml interchange/formats/sculpt_toml.py))
+CAST_FROM := tools/bake.py src/omote/interchange/formats/sculpt_toml.py $(shell find tools/baking src/omote/geometry src/omote/model src/omote/builtin -name "*.py" -o -name "*.toml")
 
 .PHONY: help demo test setup bake web check check-python check-web tests browser-tests wheel-test format bench gallery wheel clean
 .DELETE_ON_ERROR:

@@ -30,9 +30,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.stage import CHANNELS, CHROMIUM, COMMAND, HEIGHT, READY, WIDTH, Player, during, intervals, opened
 from omote.builtin import load_cast
-from omote.server.http.static_pages import Page, read_bundle
-from omote.server.http.cast_documents import built_in
 from omote.server.headless.picture_studio import open_house
+from omote.server.http.cast_documents import built_in
+from omote.server.http.static_pages import Page, read_bundle
 from omote.show.messages import LINK_PATH, PROTOCOL_VERSION, CallLight, Hello
 from tools.browser import SENTENCE, find_browser
 

@@ -19,11 +19,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from benchmarks.saving import STEPS, Reference, changes, counted
-from omote.showfile.changes import Stored
+from omote.server.persistence.restore import open_newest
 from omote.showfile.backup import keep_good_copy
+from omote.showfile.changes import Stored
 from omote.showfile.inspection import verdicts
 from omote.showfile.show_file import JournalEntry, open_show
-from omote.server.persistence.restore import open_newest
 
 NAME = "show.omote"
 COPIED, FLUSHED, MADE = 2 * STEPS, 4 * STEPS - 3, 4 * STEPS

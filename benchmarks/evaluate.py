@@ -34,12 +34,12 @@ from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.space.skin_sheet import unwrapped
 from omote.model.space.parameter_space import Fans, InnerSkin, ParameterSpace
+from omote.model.space.skin_sheet import unwrapped
 from omote.model.transfer.paper_map import Compiled, compile_expression, wear
-from omote.perform.blending.weighted_sum import blend_four, gather_rows
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.blending.expression_tables import fields_of
+from omote.perform.blending.weighted_sum import blend_four, gather_rows
 from omote.perform.frame import Frame
 
 SIZES = (4_278, 50_000, 500_000)

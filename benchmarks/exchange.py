@@ -22,11 +22,11 @@ from rich.progress import track
 from rich.table import Table
 
 from omote.builtin import load_cast, load_mask, load_meshes
-from omote.interchange.formats.glb_writer import glb_bytes
-from omote.interchange.formats.glb_reader import Piece, read_glb
-from omote.model.cast import Cast
 from omote.interchange.export_face import Meshes, Workbench, chosen, dressed, exported, worn_meshes
+from omote.interchange.formats.glb_reader import Piece, read_glb
+from omote.interchange.formats.glb_writer import glb_bytes
 from omote.interchange.import_meshes import taken
+from omote.model.cast import Cast
 from tools.gltf import inspected
 
 BAR = 0.05

@@ -19,13 +19,13 @@ from rich.console import Console
 from rich.table import Table
 
 import omote
-from omote.model.recipes.compose_expression import shifted
-from omote.model.transfer.compound import compound
 from omote.model.controls.default_net import default_net
+from omote.model.controls.net_field import Weave, woven
+from omote.model.controls.tangents import tangents
+from omote.model.recipes.compose_expression import shifted
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.controls.tangents import tangents
-from omote.model.controls.net_field import Weave, woven
+from omote.model.transfer.compound import compound
 
 FACES = ("generic", "kaori", "baby", "heavy", "dog", "noh")
 STEPS = (0.005, 0.010)

@@ -33,7 +33,6 @@ from numpy.typing import NDArray
 import omote
 from benchmarks.recovery import COMMAND, opened
 from omote.model.cast import Cast
-from omote.stage_data.assets import compound_asset
 from omote.show.messages import (
     LINK_PATH,
     PROTOCOL_VERSION,
@@ -46,6 +45,7 @@ from omote.show.messages import (
     State,
 )
 from omote.show.wire import decode_answer, encode
+from omote.stage_data.assets import compound_asset
 
 LIMIT, WORST_RATIO = 1.0, 1.5
 """Seconds until a face is complete; p99 of the intervals, times that of a show with nothing to compute (issue 3)."""

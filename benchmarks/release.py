@@ -20,9 +20,9 @@ from rich.table import Table
 import omote
 from omote.model.cast import NEUTRAL, Cast
 from omote.model.controls.default_net import default_net
-from omote.model.space.face import Face
 from omote.model.controls.inverse_solve import Solved, solved
 from omote.model.controls.net_field import Weave, woven
+from omote.model.space.face import Face
 
 FACES = ("kaori", "baby", "dog", "noh", "goblin", "cat")
 SHORTEST, LONGEST = 0.001, 0.012

@@ -24,6 +24,12 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from omote.model.recipes.recipe import Recipe
+from omote.model.space.expression import Expression
+from omote.server.persistence.commit_thread import Fate, Scribe
+from omote.server.persistence.journal import JournalWriter
+from omote.server.persistence.restore import open_newest
+from omote.showfile.backup import good_path
 from omote.showfile.changes import (
     Change,
     Draft,
@@ -39,16 +45,10 @@ from omote.showfile.changes import (
     Revision,
 )
 from omote.showfile.contents import content_key, pack_expression
-from omote.showfile.backup import good_path
 from omote.showfile.inspection import verdicts
 from omote.showfile.integrity import prove
 from omote.showfile.schema import migrate
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
-from omote.model.space.expression import Expression
-from omote.model.recipes.recipe import Recipe
-from omote.server.persistence.journal import JournalWriter
-from omote.server.persistence.restore import open_newest
-from omote.server.persistence.commit_thread import Fate, Scribe
 
 ITEMS, STEPS = 7, 4
 """Items that are edited in turn, and lists of changes that make one save of one."""

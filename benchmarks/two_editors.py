@@ -1,8 +1,9 @@
 """Two editors, a console and restarts: in 10,000 random steps nothing acknowledged is lost.
 
-The steps of `tests/edit/session/test_edit_session.py` (edits, undo and redo, clashing saves, revisions brought back, deletions, what
-is on air kept, orders that fail, servers that start anew), drawn afresh at every run, over tables in memory and over
-real show files. Ends with 1, and prints the shortest history that fails, when any promise is broken. `--steps N`.
+The steps of `tests/edit/session/test_edit_session.py` (edits, undo and redo, clashing saves, revisions brought back,
+deletions, what is on air kept, orders that fail, servers that start anew), drawn afresh at every run, over tables in
+memory and over real show files. Ends with 1, and prints the shortest history that fails, when any promise is broken.
+`--steps N` sets their number.
 """
 
 from __future__ import annotations

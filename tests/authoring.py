@@ -10,11 +10,15 @@ import msgspec
 import numpy as np
 
 from omote.edit.protocol import messages as wire
-from omote.edit.protocol.validation import FEWEST_POINTS
-from omote.edit.store.on_air_recipes import OnAir
-from omote.edit.session.edit_session import EditSession, Outcome
-from omote.edit.protocol.wire import encode, write_recipe
 from omote.edit.protocol.orders import Bake, Baked, EditOrder, Flat, Renet, Solve
+from omote.edit.protocol.validation import FEWEST_POINTS
+from omote.edit.protocol.wire import encode, write_recipe
+from omote.edit.session.edit_session import EditSession, Outcome
+from omote.edit.store.on_air_recipes import OnAir
+from omote.model.cast import Cast
+from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.model.sculpting.regions import REGIONS
+from omote.show.messages import Message
 from omote.showfile.changes import (
     Change,
     Draft,
@@ -32,10 +36,6 @@ from omote.showfile.changes import (
     Stored,
 )
 from omote.showfile.contents import content_key
-from omote.model.cast import Cast
-from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
-from omote.model.sculpting.regions import REGIONS
-from omote.show.messages import Message
 
 MUSCLES = ("smiler", "frowner")
 WALL = 1.75e9

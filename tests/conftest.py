@@ -11,9 +11,9 @@ from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.perform.easing import EASINGS
 from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
-from omote.perform.easing import EASINGS
 from tests import synthetic
 
 # No test depends on how fast a machine is.

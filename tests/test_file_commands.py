@@ -11,11 +11,11 @@ from omote.builtin import load_cast
 from omote.cli import app
 from omote.edit.store.import_items import mailed
 from omote.file_commands import moment
+from omote.interchange.formats.expression_json import encode
+from omote.model.cast import Cast
 from omote.showfile.changes import PutContent, PutItem, PutRevision
 from omote.showfile.contents import content_key, pack_expression
-from omote.interchange.formats.expression_json import encode
 from omote.showfile.show_file import ShowFile, open_show
-from omote.model.cast import Cast
 from tests.showfile.ledger import item, revision
 
 RECIPE = b'{"kind":"expression","net":[],"vectors":[]}'

@@ -9,18 +9,18 @@ from rich.console import Console
 from rich.progress import Progress
 
 from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, line_mouths, mesh_arrays, space_of
-from tools.baking.heads.basemesh import read_base_mesh
 from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
 from tools.baking.hair.strands import hair_arrays
 from tools.baking.hair.styles import GROOMS
+from tools.baking.heads.basemesh import read_base_mesh
 from tools.baking.heads.head import cut_head
-from tools.baking.layout import unwrap
-from tools.baking.skin.mask import paint_layers
 from tools.baking.heads.moves import all_moves, jaw_vertices
+from tools.baking.heads.people import PEOPLE
+from tools.baking.layout import unwrap
 from tools.baking.notice import notice
 from tools.baking.package import BakeError, Package, find_wheel
-from tools.baking.heads.people import PEOPLE
 from tools.baking.sculpts import read_sculpts, sculpt_arrays, sculpt_paths
+from tools.baking.skin.mask import paint_layers
 from tools.baking.write import npz_bytes, png_bytes, write_file
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -7,8 +7,8 @@ from numba import njit
 from numpy.typing import NDArray
 
 from omote.geometry.cylinder import Cylinder
-from omote.model.transfer.mouth_bag import bag_of
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.mouth_bag import bag_of
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from benchmarks.maps.deformation import DeformationTransfer, rims
 from benchmarks.maps.source import Source
-from omote.model.transfer.compound import carrier, worn
 from omote.model.space.face import Face
+from omote.model.transfer.compound import carrier, worn
 
 Values = NDArray[np.float64]
 Map = Callable[[str], Values]

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.maps.source import Source
-from omote.model.transfer.compound import moved_parts
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.transfer.compound import moved_parts
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 import omote
 from omote.model.cast import GENERIC, Cast
-from omote.model.transfer.compound import compound, on_generic
 from omote.model.space.lid_lip_lines import Line
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.compound import compound, on_generic
 from omote.model.transfer.paper_map import Compiled, compile_expression
 
 Values = NDArray[np.float64]

@@ -9,16 +9,16 @@ if TYPE_CHECKING:
     from omote.builtin import load_cast as load_cast
     from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
     from omote.model.cast import Cast as Cast
-    from omote.model.transfer.compound import compound as compound
     from omote.model.controls.control_net import ControlNet as ControlNet
-    from omote.model.space.expression import Expression as Expression
-    from omote.model.transfer.extract import extract as extract
-    from omote.model.space.face import Face as Face
     from omote.model.sculpting.regions import caricature as caricature
     from omote.model.sculpting.regions import regional as regional
     from omote.model.sculpting.sculpt import Sculpt as Sculpt
     from omote.model.sculpting.sculpt import sculpted as sculpted
+    from omote.model.space.expression import Expression as Expression
+    from omote.model.space.face import Face as Face
     from omote.model.space.parameter_space import ParameterSpace as ParameterSpace
+    from omote.model.transfer.compound import compound as compound
+    from omote.model.transfer.extract import extract as extract
     from omote.perform.blending.evaluate import evaluate as evaluate
     from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
     from omote.perform.performer import Performer as Performer

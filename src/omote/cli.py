@@ -50,11 +50,11 @@ def show(
     """Opens a show: serves stage and console, and keeps them alive."""
     if sys.platform == "win32":
         fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
-    from omote.showfile.show_file import ShowFileError, default_path
     from omote.server.http import static_pages as bundle
     from omote.server.persistence.lock import ShowLockedError, lock_show
     from omote.server.persistence.restore import open_newest
     from omote.server.supervision.supervisor import Supervisor, listen_on
+    from omote.showfile.show_file import ShowFileError, default_path
 
     path = (file or default_path()).absolute()
     try:
@@ -99,8 +99,8 @@ def render(
     words |= {"face": "+".join(face or ["generic"]), "expression": "+".join(expression or [])}
 
     def sheet(cast: Cast) -> Sheet:
-        from omote.stage_data.pose_parser import pose_of, posed
         from omote.stage_data.picture_grid import Sheet
+        from omote.stage_data.pose_parser import pose_of, posed
 
         return Sheet([[pose_of(cast, posed(cast, **words))]])
 
@@ -143,9 +143,9 @@ def export(
     from rich.progress import track
 
     from omote.builtin import load_mask, load_meshes
-    from omote.interchange.formats.glb_writer import check_name, glb_bytes
-    from omote.interchange.formats.atomic_file import check_writable, write_whole
     from omote.interchange.export_face import Workbench, chosen, exported, worn_meshes
+    from omote.interchange.formats.atomic_file import check_writable, write_whole
+    from omote.interchange.formats.glb_writer import check_name, glb_bytes
 
     try:
         check_name(output)
@@ -175,8 +175,8 @@ def check() -> None:
 
 def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: Any) -> None:
     """Draws a sheet into a file, or ends the command with a sentence and leaves no file behind."""
-    from omote.interchange.formats.picture_names import picture_kind
     from omote.interchange.formats.atomic_file import check_writable, write_whole
+    from omote.interchange.formats.picture_names import picture_kind
     from omote.server.headless.devtools import BrowserError
     from omote.server.headless.picture_studio import draw_sheet
     from omote.stage_data.picture_grid import Setting, read_size

@@ -129,9 +129,9 @@ def give_out(
     """Writes an expression as a document that any crew can take in."""
     from omote.builtin import load_cast
     from omote.edit.store.import_items import mail_of
+    from omote.interchange.formats.atomic_file import check_writable, write_whole
     from omote.interchange.formats.expression_json import encode
     from omote.showfile.inspection import inspect_show
-    from omote.interchange.formats.atomic_file import check_writable, write_whole
 
     with refusals():
         check_writable(output)
@@ -158,8 +158,8 @@ def refusals() -> Iterator[None]:
     """Ends the command with a sentence and exit status 1 where a show file refuses."""
     import sqlite3
 
-    from omote.showfile.schema import ShowFileError
     from omote.server.persistence.lock import ShowLockedError
+    from omote.showfile.schema import ShowFileError
 
     try:
         yield

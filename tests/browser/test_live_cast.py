@@ -21,9 +21,9 @@ from omote.edit.protocol import messages as editing
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.model.cast import Cast
 from omote.show import messages as wire
-from omote.stage_data.assets import rest_positions, unpacked
 from omote.show.messages import LINK_PATH, CompoundAsset
 from omote.show.wire import decode_answer, encode
+from omote.stage_data.assets import rest_positions, unpacked
 from tests.browser.conftest import playing
 from tests.browser.waiting import floats, wait_until
 from tests.server.conftest import Editor

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 import omote
 from omote import builtin
 from omote.builtin.binding import PARTS
-from omote.model.transfer.compound import compound_parts
 from omote.model.space.face import Face
 from omote.model.space.skin_sheet import refuse_axis_outside
+from omote.model.transfer.compound import compound_parts
 from tests.pictures import read_png
 from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED, PUPILS
 

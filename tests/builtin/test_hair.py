@@ -7,8 +7,8 @@ from scipy.spatial import cKDTree
 
 from omote.builtin import load_cast
 from omote.geometry.mesh import normals
-from omote.model.transfer.compound import compound
 from omote.model.hair import carried
+from omote.model.transfer.compound import compound
 
 CAST = load_cast()
 SPACE = CAST.space

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from omote.builtin import load_cast, load_mask, load_meshes
-from omote.interchange.formats.glb_writer import glb_bytes
-from omote.interchange.formats.glb_reader import read_glb
 from omote.geometry import mesh
+from omote.interchange.export_face import REST, Workbench, chosen, exported, worn_meshes
+from omote.interchange.formats.glb_reader import read_glb
+from omote.interchange.formats.glb_writer import glb_bytes
 from omote.model.cast import Cast
-from omote.model.transfer.compound import compound
 from omote.model.space.face_fit import fit
 from omote.model.space.parts import eye_rotation
-from omote.interchange.export_face import REST, Workbench, chosen, exported, worn_meshes
+from omote.model.transfer.compound import compound
 from tests import synthetic
 from tests.stage_data.heads import bench, synthetic_cast
 from tools.gltf import inspected

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from omote.interchange.formats.glb_writer import Target
 from omote.geometry import mesh
+from omote.interchange.formats.glb_writer import Target
+from omote.interchange.hair_mesh import hair_shape
 from omote.model.cast import Look
 from omote.model.hair import carried
-from omote.interchange.hair_mesh import hair_shape
 from tests.model.tufts import tuft
 from tests.synthetic import space
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from omote.interchange.formats.glb_writer import glb_bytes
-from omote.interchange.formats.glb_reader import Piece, read_glb
 from omote.interchange.export_face import chosen, dressed, exported, worn_meshes
+from omote.interchange.formats.glb_reader import Piece, read_glb
+from omote.interchange.formats.glb_writer import glb_bytes
 from omote.interchange.import_meshes import face_in, taken
 from omote.interchange.mesh_correspondence import rest_of
 from tests import synthetic

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from omote.model.cast import Look
 from omote.interchange import part_textures as pictures
 from omote.interchange.skin_texture import linear
+from omote.model.cast import Look
 
 
 def test_an_eyeball_is_painted_around_its_line_of_sight() -> None:

@@ -7,8 +7,8 @@ import pytest
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.png import read_png
-from omote.model.cast import Look
 from omote.interchange.skin_texture import Canvas, canvas, encoded, hairline, linear, skin_picture
+from omote.model.cast import Look
 from tests import synthetic
 from tests.stage_data.heads import SIZE, layers, meshes
 

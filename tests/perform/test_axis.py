@@ -9,8 +9,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from omote.perform.axis import Axis, advanced, called, faded, rates, released, slots, status, weights
-from omote.perform.mix import HIGHEST, LOWEST
 from omote.perform.easing import EASINGS
+from omote.perform.mix import HIGHEST, LOWEST
 
 NAMES = "abcd"
 times = st.one_of(st.none(), st.floats(0.05, 4.0))

@@ -5,7 +5,6 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from omote.perform.mix import HIGHEST, LOWEST
 from omote.perform.easing import (
     DECAY_SECONDS,
     EASINGS,
@@ -19,6 +18,7 @@ from omote.perform.easing import (
     glided,
     is_over,
 )
+from omote.perform.mix import HIGHEST, LOWEST
 
 GRID = np.linspace(0.0, 1.0, 1001)
 

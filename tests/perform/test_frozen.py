@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 from omote.model.cast import Cast
 from omote.model.transfer.compound import compound
 from omote.perform.axis import Axis, slot_rates, slots, weights
-from tests.perform.frozen_slots import FrozenSlots
 from omote.perform.mix import Weights
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot
 from tests.conftest import Command, random_moves
+from tests.perform.frozen_slots import FrozenSlots
 from tests.synthetic import EXPRESSIONS, FACES
 
 SOME = slice(None, None, 9)

@@ -10,10 +10,10 @@ import pytest
 
 from omote.model.cast import Cast
 from omote.perform.axis import Axis, Call
+from omote.perform.easing import Glide
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, checked
-from omote.perform.easing import Glide
 
 
 def running(cast: Cast) -> Snapshot:

@@ -13,18 +13,18 @@ from aiohttp.test_utils import TestClient, TestServer
 
 from omote.edit.protocol import messages as editing
 from omote.edit.protocol import wire as edit_wire
-from omote.showfile.show_file import open_show
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
 from omote.server.http.app import ShowServer
-from omote.server.supervision.show_process import open_desks
 from omote.server.http.cast_documents import Library
-from omote.server.process.process_messages import Order
-from omote.server.persistence.restore import journal_entry, restore
 from omote.server.http.security import own_names
+from omote.server.persistence.restore import journal_entry, restore
+from omote.server.process.process_messages import Order
+from omote.server.supervision.show_process import open_desks
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from omote.show.wire import decode_answer, encode
+from omote.showfile.show_file import open_show
 from tests.server.synthetic_server import MASK, PAGES, meshes
 
 

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
 from omote.model.cast import Cast
+from omote.server.http.cast_documents import Library
 from omote.server.http.static_pages import Page
 from omote.server.supervision.show_process import Material
-from omote.server.http.cast_documents import Library
 from omote.server.supervision.standby import main
 from omote.show.session import ShowSession
 from tests import synthetic

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.show.validation import Refusal
 from omote.show.messages import MESSAGE_LIMIT, SetChannel
+from omote.show.validation import Refusal
 from omote.show.wire import decode, encode
 
 BAD = {

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from omote.showfile.backup import good_path, keep_good_copy, put_in_place
 from omote.showfile.changes import PutContent, PutLayout
 from omote.showfile.contents import content_key
-from omote.showfile.backup import good_path, keep_good_copy, put_in_place
 from omote.showfile.integrity import prove
 from omote.showfile.schema import CorruptShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show

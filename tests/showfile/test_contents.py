@@ -11,6 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from omote.model.cast import TRAITS, Cast, Look
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
 from omote.showfile import contents
 from omote.showfile.contents import (
     ContentError,
@@ -21,9 +24,6 @@ from omote.showfile.contents import (
     unpack_expression,
     unpack_face,
 )
-from omote.model.cast import TRAITS, Cast, Look
-from omote.model.space.expression import Expression
-from omote.model.space.face import Face
 
 numbers = st.one_of(st.just(0.0), st.just(0.0), st.just(-0.0), st.floats(-1e6, 1e6))
 ratios = st.one_of(st.just(1.0), st.just(1.0), st.floats(1e-9, 1e6))

@@ -9,16 +9,16 @@ import msgspec
 import numpy as np
 import pytest
 
+from omote.model.cast import Look
+from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.showfile.backup import good_path, keep_good_copy
 from omote.showfile.changes import Change, Draft, Edit, PutContent, PutDraft, PutEdit, PutItem, PutLayout, PutRevision
 from omote.showfile.contents import content_key, pack_expression, pack_face
-from omote.showfile.backup import good_path, keep_good_copy
 from omote.showfile.inspection import inspect_show, item_named, revisions_of, verdicts
 from omote.showfile.schema import APPLICATION_ID, MIGRATIONS, ShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
-from omote.model.cast import Look
-from omote.model.space.expression import Expression
-from omote.model.space.face import Face
-from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
 from tests.showfile.ledger import item, revision
 
 SMILE = pack_expression(Expression(np.ones(3), np.zeros(3), np.ones(3), np.zeros((0, 3))))

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from omote.showfile.backup import good_path, keep_good_copy
 from omote.showfile.changes import Draft, Edit, PutContent, PutDraft, PutEdit, PutItem, PutLayout, PutRevision, Stored
 from omote.showfile.contents import content_key
-from omote.showfile.backup import good_path, keep_good_copy
 from omote.showfile.integrity import prove
 from omote.showfile.recovery import finish, is_lost, rescue_show, salvaged
 from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError

@@ -8,10 +8,10 @@ from functools import cache
 import numpy as np
 
 from omote.builtin import BakedMesh
-from omote.interchange.formats.png import png_bytes
-from omote.model.cast import Cast, Title
 from omote.interchange.export_face import Workbench
+from omote.interchange.formats.png import png_bytes
 from omote.interchange.skin_texture import LAYERS
+from omote.model.cast import Cast, Title
 from tests import synthetic
 
 SIZE = 16

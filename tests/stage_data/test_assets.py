@@ -15,6 +15,8 @@ from omote.model.transfer.compound import compound, compound_parts
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.frame import Frame
 from omote.perform.lights import LIGHTS
+from omote.show.messages import Manifest
+from omote.show.wire import encode
 from omote.stage_data.assets import (
     FINEST_STEP,
     compound_asset,
@@ -26,8 +28,6 @@ from omote.stage_data.assets import (
     rest_positions,
     unpacked,
 )
-from omote.show.messages import Manifest
-from omote.show.wire import encode
 from tests import synthetic
 from tests.server.synthetic_server import meshes
 

@@ -3,9 +3,9 @@
 import numpy as np
 
 from omote.edit.store.import_items import Arrival, adopted
-from omote.showfile.changes import Item, PutContent, PutItem, PutRevision, Stored
 from omote.model.cast import Cast, Look
 from omote.model.space.face import Face
+from omote.showfile.changes import Item, PutContent, PutItem, PutRevision, Stored
 from omote.stage_data.full_cast import ensemble, playing
 from tests import synthetic
 

@@ -4,12 +4,12 @@ import msgspec
 import numpy as np
 import pytest
 
-from omote.showfile.contents import ContentError, content_key, pack_expression, pack_face
 from omote.model.cast import Cast, Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.stage_data.assets import content_asset, documents
 from omote.show.messages import Manifest
+from omote.showfile.contents import ContentError, content_key, pack_expression, pack_face
+from omote.stage_data.assets import content_asset, documents
 from omote.stage_data.playing_cast import Own, Troupe, digest_of, manifest_of, troupe_of
 from tests.server.synthetic_server import meshes
 

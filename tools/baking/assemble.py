@@ -13,20 +13,20 @@ from numpy.typing import NDArray
 from omote.builtin.binding import PARTS, PartMesh, head_space
 from omote.builtin.castfile import FORMAT, SKIN
 from omote.model.cast import GENERIC, NEUTRAL
-from omote.model.space.expression import Expression
-from omote.model.transfer.extract import extract
-from omote.model.space.face import Face
-from omote.model.transfer.mouth_bag_fit import lined
 from omote.model.sculpting.sculpt import Sculpt
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from tools.baking.heads.basemesh import BaseMesh, Floats
+from omote.model.transfer.extract import extract
+from omote.model.transfer.mouth_bag_fit import lined
 from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, label, region
+from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head, Piece
 from tools.baking.heads.moves import Move
 from tools.baking.heads.neck import settle_throat
-from tools.baking.package import Package
 from tools.baking.heads.people import PEOPLE
 from tools.baking.heads.person import person_points
+from tools.baking.package import Package
 
 Arrays = dict[str, NDArray[Any]]
 Step = Callable[[str], None]

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from omote.builtin.binding import EYES, PARTS
 from omote.interchange.formats.sculpt_toml import read_sculpt
 from omote.model.cast import GENERIC
-from omote.model.space.face import Face
 from omote.model.sculpting.sculpt import Sculpt, sculpted
+from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from tools.baking.assemble import Arrays, Step, face_of
 from tools.baking.heads.basemesh import Floats
-from tools.baking.package import BakeError
 from tools.baking.heads.people import PEOPLE
+from tools.baking.package import BakeError
 
 FOLDER = Path(__file__).resolve().parents[2] / "src" / "omote" / "builtin" / "sculpts"
 

@@ -1,4 +1,4 @@
-"""Draws the contact sheets of docs/transfer.md and docs/sculpts.md: `python -m tools.pictures.contact_sheet`, or some by name.
+"""Draws the contact sheets of docs/transfer.md and docs/sculpts.md; names as arguments draw only those.
 
 Every face of the cast (rows) with ten expressions, with wide mouths, blinks, sums of three and half-way morphs, and its
 eyes from near; every sculpted face, and the way from a person to it. At a low quality: shapes are judged, not skin.

@@ -1,7 +1,7 @@
 """Draws the parameter space S of the built-in head and, where ../shared/data is, of heads that nobody here made.
 
-Usage: python -m tools.pictures.draw_space. Writes docs/pictures/space-*.png: the sheet shaded as its normals lie, membranes in
-amber, edges dark; theta from -180 to 180 degrees to the right, h upward.
+Usage: python -m tools.pictures.draw_space. Writes docs/pictures/space-*.png: the sheet shaded as its normals lie,
+membranes in amber, edges dark; theta from -180 to 180 degrees to the right, h upward.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 
 import omote
 from omote.geometry.mesh import normals
-from omote.model.space.skin_sheet import unwrapped
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.skin_sheet import unwrapped
 from tests.model import heads
 from tools.baking.skin.raster import rasterise
 from tools.baking.write import png_bytes
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 SIZE, SMOOTHER = 1100, 2
 BACKGROUND, MEMBRANE = np.array([18.0, 18.0, 22.0]), np.array([226.0, 150.0, 40.0])
 

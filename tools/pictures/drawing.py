@@ -10,15 +10,15 @@ from pathlib import Path
 
 from omote.interchange.formats.atomic_file import write_whole
 from omote.model.cast import Cast
-from omote.server.http.static_pages import read_bundle
 from omote.server.headless.chromium import open_chromium
-from omote.server.http.cast_documents import built_in
 from omote.server.headless.picture_studio import open_house, open_studio
-from omote.stage_data.pose_parser import pose_of, posed
+from omote.server.http.cast_documents import built_in
+from omote.server.http.static_pages import read_bundle
 from omote.stage_data.picture_grid import Setting, Sheet
+from omote.stage_data.pose_parser import pose_of, posed
 from tools.browser import SENTENCE, find_browser
 
-PICTURES = Path(__file__).resolve().parent.parent / "docs" / "pictures"
+PICTURES = Path(__file__).resolve().parents[2] / "docs" / "pictures"
 
 Words = dict[str, str]
 """A pose as `omote render` takes it: face, expression, channels, turn, gaze, light."""

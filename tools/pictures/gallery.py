@@ -1,4 +1,4 @@
-"""Draws the contact sheets of docs/gallery.md as `omote render` draws: `python -m tools.pictures.gallery`, or some by name.
+"""Draws the contact sheets of docs/gallery.md as `omote render` draws; names as arguments draw only those.
 
 docs/pictures/gallery-*.jpg: ten expressions of four faces, a turntable of every face, mouths open at 30 degrees, eyes
 at nine gazes, the lights, other backgrounds, half-way morphs. Judge by eye.

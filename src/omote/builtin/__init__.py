@@ -45,8 +45,8 @@ def load_meshes() -> tuple[BakedMesh, ...]:
 def load_mask() -> bytes:
     """The layers of the skin on its texture coordinates, a PNG in which they lie one below the other.
 
-    In the first, red = lips, green = brows, blue = blush, alpha = light that is left (255 = all); tools/baking/skin/mask.py
-    says what the others hold. Errors as `load_cast`.
+    In the first, red = lips, green = brows, blue = blush, alpha = light that is left (255 = all);
+    tools/baking/skin/mask.py says what the others hold. Errors as `load_cast`.
     """
     if not MASK.is_file():
         raise _missing(MASK)

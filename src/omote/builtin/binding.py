@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.space.parts import Part, bind_to_head, bind_to_jaw, bind_to_skin
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.parts import Part, bind_to_head, bind_to_jaw, bind_to_skin
 
 AXIS = (0.0, 0.02)  # x and z of the cylinder axis, metres (method.md, section 2)
 EYES = {"eye_left": "left", "eye_right": "right"}

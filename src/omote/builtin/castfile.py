@@ -25,9 +25,9 @@ from numpy.typing import NDArray
 
 from omote.builtin.binding import PARTS, PartMesh, head_space
 from omote.model.cast import GENERIC, Cast, Look, Title
+from omote.model.hair import HairStyle
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.model.hair import HairStyle
 from omote.model.space.parameter_space import ParameterSpace
 
 FORMAT = 1

@@ -10,20 +10,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
+from omote.geometry import mesh
+from omote.interchange import part_textures as part_pictures
 from omote.interchange.formats.glb_writer import Material, Scene, Shape, Target
 from omote.interchange.formats.png import Picture, png_bytes, read_png
-from omote.geometry import mesh
+from omote.interchange.hair_mesh import hair_shape
+from omote.interchange.skin_texture import Canvas, canvas, linear, skin_picture
 from omote.model.cast import NEUTRAL, Cast, Look
-from omote.model.transfer.compound import moved_parts, turned_eyes, worn
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import Fitted, fit
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.compound import moved_parts, turned_eyes, worn
 from omote.model.transfer.paper_map import compile_expression
 from omote.perform.limits import known
-from omote.interchange import part_textures as part_pictures
-from omote.interchange.hair_mesh import hair_shape
-from omote.interchange.skin_texture import Canvas, canvas, linear, skin_picture
 
 Points = NDArray[np.float64]
 Meshes = dict[str, Points]

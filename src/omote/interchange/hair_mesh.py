@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from omote.interchange.formats.glb_writer import Material, Shape, Target
 from omote.interchange.formats.png import png_bytes
-from omote.model.cast import Look
-from omote.model.hair import HairStyle, carried
 from omote.interchange.part_textures import strand_picture
 from omote.interchange.skin_texture import linear
+from omote.model.cast import Look
+from omote.model.hair import HairStyle, carried
 
 Points = NDArray[np.float64]
 

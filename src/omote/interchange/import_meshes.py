@@ -13,15 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
+from omote.interchange.export_face import dressed
 from omote.interchange.formats.glb_reader import Piece
+from omote.interchange.mesh_correspondence import SKIN, Likeness, Meshes, as_face, likeness, rest_of
 from omote.model.cast import NEUTRAL, Cast, Look
 from omote.model.space.expression import Expression
-from omote.model.transfer.extract import extract
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.transfer.extract import extract
 from omote.perform.limits import known
-from omote.interchange.export_face import dressed
-from omote.interchange.mesh_correspondence import SKIN, Likeness, Meshes, as_face, likeness, rest_of
 
 Points = NDArray[np.float64]
 

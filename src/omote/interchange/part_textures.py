@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.interchange.formats.png import Picture
 from omote.geometry.ramp import smooth_ramp, unit
-from omote.model.cast import Look
+from omote.interchange.formats.png import Picture
 from omote.interchange.skin_texture import encoded, linear
+from omote.model.cast import Look
 
 Values = NDArray[Any]
 

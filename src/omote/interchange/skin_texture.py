@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
-from omote.interchange.formats.png import Picture
 from omote.geometry.ramp import smooth_ramp, unit
 from omote.geometry.texture import painted
+from omote.interchange.formats.png import Picture
 from omote.model.cast import Look
 
 Values = NDArray[Any]

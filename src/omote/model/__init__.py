@@ -1,1 +1,1 @@
-"""The paper's nouns: frozen, checked once when they are made."""
+"""The method's objects, frozen and validated once when they are made."""

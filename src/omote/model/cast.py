@@ -10,10 +10,10 @@ from types import MappingProxyType
 
 import numpy as np
 
+from omote.model.hair import HairStyle
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face, refuse_name
 from omote.model.space.face_fit import fit
-from omote.model.hair import HairStyle
 from omote.model.space.parameter_space import ParameterSpace, Transfer
 from omote.model.transfer.paper_map import compile_expression
 

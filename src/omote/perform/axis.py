@@ -10,8 +10,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
-from omote.perform.frame import CallStatus
-from omote.perform.mix import alone, combined, share_in_range
 from omote.perform.easing import (
     HAND_SECONDS,
     Glide,
@@ -24,6 +22,8 @@ from omote.perform.easing import (
     glided,
     is_over,
 )
+from omote.perform.frame import CallStatus
+from omote.perform.mix import alone, combined, share_in_range
 
 
 @dataclass(frozen=True)

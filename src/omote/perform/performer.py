@@ -10,11 +10,11 @@ from omote.model.cast import GENERIC, NEUTRAL
 from omote.perform import axis
 from omote.perform.axis import Axis
 from omote.perform.channels import with_channel
+from omote.perform.easing import DEFAULT_EASING, easing_named
 from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.lights import light_named
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
 from omote.perform.snapshot import Playable, Snapshot, checked
-from omote.perform.easing import DEFAULT_EASING, easing_named
 
 
 class Performer:

@@ -10,11 +10,11 @@ from typing import Protocol
 from omote.model.space.expression import Expression
 from omote.perform.axis import Axis, Call
 from omote.perform.channels import with_channel
+from omote.perform.easing import DECAY_SECONDS, Glide, easing_named
 from omote.perform.frame import Gaze, Head
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
 from omote.perform.mix import HIGHEST, LOWEST, Weights
-from omote.perform.easing import DECAY_SECONDS, Glide, easing_named
 
 
 class Playable(Protocol):

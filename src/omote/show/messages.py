@@ -1,7 +1,7 @@
 """Every message on the wire, once; `tools/messages.py` writes its TypeScript mirror, `web/src/link/messages.ts`.
 
-Messages are MessagePack maps with a `type` tag. Numbers keep plain types here and pass `show/validation.py` when they are
-used. Documents (manifest, face asset, compound) travel over HTTP, as MessagePack maps without a tag.
+Messages are MessagePack maps with a `type` tag. Numbers keep plain types here and pass `show/validation.py` when
+they are used. Documents (manifest, face asset, compound) travel over HTTP, as MessagePack maps without a tag.
 """
 
 from __future__ import annotations

@@ -11,10 +11,10 @@ import msgspec
 
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, names_held
-from omote.show import validation as door
 from omote.show import messages as wire
-from omote.show.validation import Refusal, number
+from omote.show import validation as door
 from omote.show.state import state_of
+from omote.show.validation import Refusal, number
 from omote.show.wire import decode
 
 if TYPE_CHECKING:

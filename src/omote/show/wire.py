@@ -8,8 +8,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.show.validation import Refusal
 from omote.show.messages import MESSAGE_LIMIT, FromClient, FromServer
+from omote.show.validation import Refusal
 
 Said = TypeVar("Said")
 

@@ -15,10 +15,10 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.showfile.changes import Kind
 from omote.model.cast import Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
+from omote.showfile.changes import Kind
 
 MAGIC, VERSION = b"OMOC", 1
 MOST_BYTES = 2**25

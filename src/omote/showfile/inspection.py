@@ -9,13 +9,13 @@ from pathlib import Path
 
 import msgspec
 
+from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.showfile.authored_rows import read_all, read_contents
+from omote.showfile.backup import good_path
 from omote.showfile.changes import Draft, Item, Kind, Revision, Stored
 from omote.showfile.contents import ContentError, content_kind
-from omote.showfile.backup import good_path
 from omote.showfile.integrity import examined, prove, reading
 from omote.showfile.schema import SCHEMA_VERSION, ShowFileError
-from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 
 AUTHORED_SINCE = 2
 """The first schema with authored work."""

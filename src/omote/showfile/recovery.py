@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import Any
 
 from omote.showfile.authored_rows import TABLES, Table, as_stored, is_content, row_of, seal, selection
-from omote.showfile.changes import Change, Stored
 from omote.showfile.backup import good_path, put_in_place, remove
+from omote.showfile.changes import Change, Stored
 from omote.showfile.merging import changes_since
 from omote.showfile.schema import CorruptShowFileError
 from omote.showfile.show_file import HIGHEST_EPOCH, JournalEntry, ShowFile, move_aside, open_show

@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
 from omote.model.cast import Cast, Look, Title
-from omote.model.transfer.compound import moved_parts, worn
+from omote.model.hair import LINKS, HairStyle, carried
+from omote.model.recipes.recipe import KEY
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.hair import LINKS, HairStyle, carried
-from omote.model.recipes.recipe import KEY
+from omote.model.transfer.compound import moved_parts, worn
 from omote.model.transfer.paper_map import compile_expression
 from omote.perform.lights import LIGHTS
 from omote.show import messages as wire
@@ -36,8 +36,8 @@ from omote.show.messages import (
     Manifest,
     MeshDocument,
 )
-from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
 from omote.show.wire import little
+from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
 
 FINEST_STEP = 1e-6
 """Metres per count at least: what moves less than half of it rests, so that compounds stay sparse."""

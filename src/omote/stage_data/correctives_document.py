@@ -1,4 +1,4 @@
-"""What the stages need to put sums right as `omote.perform.blending.correctives` does: a document once, an allowance per compound."""
+"""Correctives for the stages: one document per space and an allowance per compound (`perform.blending.correctives`)."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.transfer.corrective_regions import Crossing, Settling, settling_of
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.corrective_regions import Crossing, Settling, settling_of
 from omote.perform.blending.correctives import BULGE, CORNEA, ROUNDS, UPRIGHT, Balls, allowance
 from omote.perform.blending.orientation import EAGER, FLATTEST
 from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from omote.model.cast import Cast, Title
 from omote.showfile.changes import Item, Stored
 from omote.showfile.contents import unpack_expression, unpack_face
-from omote.model.cast import Cast, Title
 
 
 def ensemble(base: Cast, stored: Stored, contents: Mapping[str, bytes], /) -> Cast:

@@ -11,13 +11,13 @@ from types import MappingProxyType
 
 import msgspec
 
+from omote.model.cast import NEUTRAL, Cast, Title
+from omote.model.recipes.recipe import KEY
+from omote.model.space.expression import Expression
+from omote.show.messages import ExpressionDocument, FaceDocument, Manifest
 from omote.showfile.changes import Kind
 from omote.showfile.contents import unpack_expression
-from omote.model.cast import NEUTRAL, Cast, Title
-from omote.model.space.expression import Expression
-from omote.model.recipes.recipe import KEY
 from omote.stage_data.assets import expression_document
-from omote.show.messages import ExpressionDocument, FaceDocument, Manifest
 
 OWN = "own"
 

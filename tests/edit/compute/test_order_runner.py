@@ -9,13 +9,13 @@ import pytest
 import omote
 from omote.edit.compute.order_runner import Craft
 from omote.edit.protocol.orders import Bake, Flat, Renet, Solve
-from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
-from omote.model.recipes.compose_expression import composed
-from omote.model.transfer.compound import compound
 from omote.model.controls.default_net import default_net
-from omote.model.space.expression import Expression
-from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
 from omote.model.controls.tangents import tangents
+from omote.model.recipes.compose_expression import composed
+from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
+from omote.model.space.expression import Expression
+from omote.model.transfer.compound import compound
+from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
 
 CAST = omote.load_cast()
 CRAFT = Craft(CAST)

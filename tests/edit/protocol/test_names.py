@@ -4,7 +4,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.edit.protocol.names import LONGEST_LABEL, checked_label, checked_tags, checked_text, new_label, new_name, slug
+from omote.edit.protocol.names import (
+    LONGEST_LABEL,
+    checked_label,
+    checked_tags,
+    checked_text,
+    new_label,
+    new_name,
+    slug,
+)
 from omote.show.validation import Refusal
 
 

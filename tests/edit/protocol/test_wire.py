@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from msgspec import inspect
 
 from omote.edit.protocol import messages as wire
-from omote.edit.protocol.wire import decode, decode_answer, decode_baked, encode, read_recipe, write_recipe
 from omote.edit.protocol.orders import Baked
+from omote.edit.protocol.wire import decode, decode_answer, decode_baked, encode, read_recipe, write_recipe
 from omote.model.recipes.recipe import FaceRecipe, Recipe
 from omote.show.validation import Refusal
 

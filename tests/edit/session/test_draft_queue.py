@@ -2,9 +2,9 @@
 
 import pytest
 
+from omote.edit.protocol.orders import Bake
 from omote.edit.session.draft_queue import MOST_WAITING, Lanes, Task
 from omote.edit.session.plan import Plan, Result
-from omote.edit.protocol.orders import Bake
 from omote.model.recipes.recipe import Recipe
 from omote.show.validation import Refusal
 

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.edit.protocol import messages as wire
-from omote.edit.session.drafts import EDITS
-from omote.edit.protocol.wire import read_recipe
 from omote.edit.protocol.orders import Solve
+from omote.edit.protocol.wire import read_recipe
+from omote.edit.session.drafts import EDITS
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Layer, Pull, Recipe
 from omote.show.messages import Message

@@ -13,15 +13,15 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule, run_state_machine_as_test
 
 from omote.edit.protocol import messages as wire
-from omote.edit.session.draft_queue import MOST_WAITING
-from omote.edit.store.on_air_recipes import OnAir
-from omote.edit.session.edit_session import EditSession, Outcome, Outgoing
-from omote.edit.protocol.wire import encode, read_recipe
 from omote.edit.protocol.orders import Baked
-from omote.showfile.changes import Stored
-from omote.showfile.show_file import ShowFile, open_show
+from omote.edit.protocol.wire import encode, read_recipe
+from omote.edit.session.draft_queue import MOST_WAITING
+from omote.edit.session.edit_session import EditSession, Outcome, Outgoing
+from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Layer, Pull
+from omote.showfile.changes import Stored
+from omote.showfile.show_file import ShowFile, open_show
 from omote.stage_data.playing_cast import digest_of
 from tests import synthetic
 from tests.authoring import MUSCLES, POINTS, WALL, Studio, craft, net_of, welcome

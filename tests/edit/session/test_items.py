@@ -5,12 +5,12 @@ import math
 import pytest
 
 from omote.edit.protocol import messages as wire
+from omote.edit.protocol.wire import encode
 from omote.edit.session.items import own_things
 from omote.edit.store.authored_state import Ledger
 from omote.edit.store.on_air_recipes import OnAir
-from omote.edit.protocol.wire import encode
-from omote.showfile.changes import Item, Revision, Stored
 from omote.model.cast import Cast
+from omote.showfile.changes import Item, Revision, Stored
 from omote.stage_data.playing_cast import digest_of
 from tests.authoring import WALL, Studio
 

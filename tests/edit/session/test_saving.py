@@ -5,9 +5,9 @@ from itertools import pairwise
 import pytest
 
 from omote.edit.protocol import messages as wire
-from omote.edit.store.on_air_recipes import OnAir
-from omote.edit.session.edit_session import Outcome
 from omote.edit.protocol.wire import encode
+from omote.edit.session.edit_session import Outcome
+from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import FaceRecipe, Pull
 from tests.authoring import Studio

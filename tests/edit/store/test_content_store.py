@@ -2,10 +2,10 @@
 
 import pytest
 
-from omote.edit.store.content_store import PASSING, Shelf
 from omote.edit.protocol.orders import Bake, Baked
-from omote.showfile.changes import PutContent
+from omote.edit.store.content_store import PASSING, Shelf
 from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.showfile.changes import PutContent
 from tests.authoring import craft, woven
 
 RECIPE = Recipe((0, 1, 2), ((0.0, 0.0, 1.0),) * 3)

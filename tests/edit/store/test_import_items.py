@@ -3,16 +3,16 @@
 import numpy as np
 import pytest
 
-from omote.edit.store.import_items import Arrival, adopted, mail_of, mailed, opened
 from omote.edit.protocol.wire import read_recipe
-from omote.showfile.changes import Item, PutContent, PutItem, PutRevision, Stored
-from omote.showfile.contents import unpack_expression
+from omote.edit.store.import_items import Arrival, adopted, mail_of, mailed, opened
 from omote.interchange.formats.expression_json import decode, encode
 from omote.model.cast import Cast
 from omote.model.recipes.compose_expression import composed
-from omote.model.transfer.compound import compound
-from omote.model.space.expression import Expression
 from omote.model.recipes.recipe import KEY, Recipe
+from omote.model.space.expression import Expression
+from omote.model.transfer.compound import compound
+from omote.showfile.changes import Item, PutContent, PutItem, PutRevision, Stored
+from omote.showfile.contents import unpack_expression
 from tests import synthetic
 
 SPACE = synthetic.space()

@@ -8,8 +8,8 @@ from omote.edit.store.on_air_recipes import OnAir, expression_of, face_of, neutr
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
 from omote.perform.performer import Performer
-from omote.show.validation import Refusal
 from omote.show.session import ShowSession
+from omote.show.validation import Refusal
 from tests import synthetic
 from tests.authoring import Studio, net_of
 

@@ -25,7 +25,7 @@ from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from tests import synthetic
 
-SCHEMA = Path(__file__).parent.parent.parent / "docs" / "expression.schema.json"
+SCHEMA = Path(__file__).parents[3] / "docs" / "expression.schema.json"
 
 
 def document(**changes: Any) -> ExpressionFile:

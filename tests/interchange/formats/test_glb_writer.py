@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from omote.interchange.formats.glb_writer import Material, Scene, Target, check_name, glb_bytes
 from omote.interchange.formats.glb_reader import read_glb
+from omote.interchange.formats.glb_writer import Material, Scene, Target, check_name, glb_bytes
 from omote.interchange.formats.png import png_bytes
 from tests.interchange.formats.scenes import NAMES, scene, taken_apart, tetrahedron
 from tools.gltf import inspected

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from omote.geometry import mesh
 from omote.geometry.cylinder import wrap
-from omote.model.transfer.compound import compound
 from omote.model.controls.control_net import ControlNet
+from omote.model.transfer.compound import compound
 from tests.synthetic import cast, space
 
 

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.recipes.compose_expression import composed
-from omote.model.transfer.compound import compound
 from omote.model.controls.default_net import COUNT, default_net
-from omote.model.space.lid_lip_lines import chains
 from omote.model.controls.mirror import mirror_rows
+from omote.model.controls.net_field import woven
+from omote.model.recipes.compose_expression import composed
 from omote.model.recipes.recipe import Recipe
 from omote.model.sculpting.regions import region_weights
-from omote.model.controls.net_field import woven
+from omote.model.space.lid_lip_lines import chains
+from omote.model.transfer.compound import compound
 from tests import synthetic
 
 

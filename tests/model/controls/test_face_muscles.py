@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.recipes.compose_expression import shifted
-from omote.model.transfer.compound import carrier, compound, generic_face, on_generic
-from omote.model.space.lid_lip_lines import chains
-from omote.model.controls.mirror import mirror_rows
 from omote.model.controls.face_muscles import muscle_fields, muscles
-from omote.model.transfer.smooth_map import folds
+from omote.model.controls.mirror import mirror_rows
+from omote.model.recipes.compose_expression import shifted
+from omote.model.space.lid_lip_lines import chains
+from omote.model.transfer.compound import carrier, compound, generic_face, on_generic
 from omote.model.transfer.paper_map import compile_expression
+from omote.model.transfer.smooth_map import folds
 from tests import synthetic
 
 CAST = omote.load_cast()

@@ -10,14 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import omote
-from omote.model.recipes.compose_expression import composed
-from omote.model.transfer.compound import compound
 from omote.model.controls.default_net import default_net
-from omote.model.transfer.extract import extract
-from omote.model.recipes.recipe import Layer, Recipe
 from omote.model.controls.inverse_solve import MOST, solved
-from omote.model.space.parameter_space import ParameterSpace
 from omote.model.controls.net_field import Weave, woven
+from omote.model.recipes.compose_expression import composed
+from omote.model.recipes.recipe import Layer, Recipe
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.compound import compound
+from omote.model.transfer.extract import extract
 
 CAST = omote.load_cast()
 PROMISED = 5e-5

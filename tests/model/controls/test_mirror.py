@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.space.expression import Expression
 from omote.model.controls.mirror import mirror_of, mirror_rows, mirrored
+from omote.model.space.expression import Expression
 from omote.model.space.parameter_space import ParameterSpace
 from tests import synthetic
 

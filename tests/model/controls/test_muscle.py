@@ -10,8 +10,8 @@ import pytest
 from numpy.typing import NDArray
 
 import omote
-from omote.model.controls.muscle import Muscle, lip_share, metric_of, pull_field, slid
 from omote.model.controls.face_muscles import muscles
+from omote.model.controls.muscle import Muscle, lip_share, metric_of, pull_field, slid
 from omote.model.controls.upper_lower import sides
 from omote.model.space.parameter_space import ParameterSpace
 from tests import synthetic

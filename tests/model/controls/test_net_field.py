@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 import omote
 from omote.model.controls.default_net import default_net
+from omote.model.controls.net_field import Weave, woven
 from omote.model.controls.upper_lower import sides
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.controls.net_field import Weave, woven
 
 
 def space() -> ParameterSpace:

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import omote
+from omote.model.controls.default_net import default_net
+from omote.model.controls.net_field import woven
+from omote.model.controls.tangents import generic_tangents, tangents
 from omote.model.recipes.compose_expression import shifted
 from omote.model.transfer.compound import compound
-from omote.model.controls.default_net import default_net
-from omote.model.controls.tangents import generic_tangents, tangents
-from omote.model.controls.net_field import woven
 
 CAST = omote.load_cast()
 

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 
 import omote
 from omote.model.controls.default_net import default_net
-from omote.model.space.lid_lip_lines import chains
-from omote.model.controls.upper_lower import apart, held, own_side, sides
 from omote.model.controls.net_field import woven
+from omote.model.controls.upper_lower import apart, held, own_side, sides
+from omote.model.space.lid_lip_lines import chains
 from tests import synthetic
 
 

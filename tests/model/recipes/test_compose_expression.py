@@ -12,15 +12,15 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import omote
-from omote.model.recipes.compose_expression import composed, pulled, renetted, shifted
 from omote.model.controls.default_net import default_net
-from omote.model.space.expression import Expression
-from omote.model.controls.mirror import mirrored
 from omote.model.controls.face_muscles import muscles
+from omote.model.controls.mirror import mirrored
+from omote.model.controls.net_field import Weave, woven
+from omote.model.recipes.compose_expression import composed, pulled, renetted, shifted
 from omote.model.recipes.recipe import Layer, Pull, Recipe, Vector
 from omote.model.sculpting.regions import REGIONS
+from omote.model.space.expression import Expression
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.controls.net_field import Weave, woven
 
 CAST = omote.load_cast()
 

@@ -12,12 +12,12 @@ from hypothesis import strategies as st
 from omote.builtin import load_cast
 from omote.model.cast import Look
 from omote.model.recipes.compose_face import MOST_AMOUNT, Dressed, composed_face, mixed, mixed_look
-from omote.model.space.face import Face
-from omote.model.space.face_fit import fit
-from omote.model.sculpting.extrapolation import turned_over
 from omote.model.recipes.face_handles import default_handles, dragged
 from omote.model.recipes.recipe import FaceRecipe
+from omote.model.sculpting.extrapolation import turned_over
 from omote.model.sculpting.regions import REGIONS, caricature, regional
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.performer import Performer
 

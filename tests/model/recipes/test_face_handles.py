@@ -12,12 +12,12 @@ from scipy.spatial.distance import cdist
 
 from omote.builtin import load_cast
 from omote.geometry import mesh
-from omote.model.space.face import Face
-from omote.model.space.face_fit import fit
-from omote.model.sculpting.extrapolation import turned_over
 from omote.model.recipes.face_handles import FARTHEST_MOVE, Handle, default_handles, dragged, handle_basis
+from omote.model.sculpting.extrapolation import turned_over
 from omote.model.sculpting.sculpt import Sculpt, sculpted
 from omote.model.space.eye_socket import heights, radius_of
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 from tests import synthetic
 

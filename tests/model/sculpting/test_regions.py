@@ -9,12 +9,12 @@ import pytest
 
 import omote
 from omote.geometry.laplacian import smoothing
-from omote.model.space.face import Face
-from omote.model.space.face_fit import fit
 from omote.model.sculpting.extrapolation import turned_over
 from omote.model.sculpting.regions import REGIONS, Region, caricature, region_weights, regional
-from omote.model.space.similarity import similarity
 from omote.model.space.eye_socket import NEAR, heights
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.space.similarity import similarity
 from tests.synthetic import FACES, cast, space
 
 CAST = omote.load_cast()

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.model.space.face import Face
-from omote.model.space.face_fit import fit
 from omote.model.sculpting.sculpt import FARTHEST, KERNELS, Kernel, Sculpt, sculpted, warp
 from omote.model.space.eye_socket import radius_of
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
 from tests.synthetic import space
 
 # Around the egg: brow, chin, crown, back, side, cheek.

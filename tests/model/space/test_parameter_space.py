@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from omote.geometry import mesh
-from omote.model.space.skin_sheet import unwrapped
 from omote.model.space.parameter_space import ParameterSpace, smoothed_scale
+from omote.model.space.skin_sheet import unwrapped
 from tests.model.heads import ict_facekit, perry_smith
 from tests.synthetic import head
 

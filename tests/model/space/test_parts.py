@@ -7,8 +7,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from omote.model.space.parts import (
+    Part,
+    bind_to_head,
+    bind_to_jaw,
+    bind_to_skin,
+    eye_angles,
+    eye_rotation,
+    place,
+    similarity,
+)
 from omote.model.transfer.compound import predicted
-from omote.model.space.parts import Part, bind_to_head, bind_to_jaw, bind_to_skin, eye_angles, eye_rotation, place, similarity
 from tests.synthetic import space
 
 BALL = np.array([[0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01], [-0.01, -0.01, -0.01]]) + np.array([0.03, 0.03, 0.06])

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import omote
-from omote.model.transfer.compound import carrier, compound, compound_parts, generic_face
 from omote.model.space.expression import Expression
+from omote.model.transfer.compound import carrier, compound, compound_parts, generic_face
 from omote.model.transfer.smooth_map import folds
 from tests.synthetic import cast, head, space
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.transfer.lid_lip_contact import BINS, REACH, closed, contact_of, hats
 from omote.model.transfer.fold_repair import sheet_of
+from omote.model.transfer.lid_lip_contact import BINS, REACH, closed, contact_of, hats
 from tests.model.space.test_lid_lip_lines import line
 
 

@@ -7,10 +7,10 @@ import pytest
 from numpy.typing import NDArray
 
 import omote
-from omote.model.transfer.mouth_bag import bag_of
-from omote.model.transfer.compound import compound, followed, on_generic
-from omote.model.transfer.mouth_bag_fit import EXACT, depths, floor, kept, kept_inside, lack
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.compound import compound, followed, on_generic
+from omote.model.transfer.mouth_bag import bag_of
+from omote.model.transfer.mouth_bag_fit import EXACT, depths, floor, kept, kept_inside, lack
 from omote.model.transfer.paper_map import compile_expression
 
 

@@ -7,13 +7,13 @@ from hypothesis import strategies as st
 
 from omote.builtin import load_cast
 from omote.model.cast import NEUTRAL, Cast
-from omote.model.transfer.compound import compound
 from omote.model.space.face_fit import fit
+from omote.model.transfer.compound import compound
 from omote.model.transfer.corrective_regions import Settling, settling_of
-from omote.perform.blending.evaluate import MODES, Mode, evaluate, evaluate_parts
-from omote.perform.frame import Frame
 from omote.perform.blending.correctives import Balls, allowance, settled
+from omote.perform.blending.evaluate import MODES, Mode, evaluate, evaluate_parts
 from omote.perform.blending.orientation import rest_normals, shares
+from omote.perform.frame import Frame
 
 CAST = load_cast()
 UNITS = [name for name, title in CAST.titles.items() if title.kind in ("arkit", "makehuman")]

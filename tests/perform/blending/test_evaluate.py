@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
-from omote.model.transfer.compound import compound, compound_parts
 from omote.model.space.face_fit import fit
 from omote.model.space.parts import eye_rotation
+from omote.model.transfer.compound import compound, compound_parts
 from omote.perform.blending.evaluate import MODES, Mode, evaluate, evaluate_parts, warm
 from omote.perform.frame import Frame, Gaze, Head
 from tests.synthetic import EXPRESSIONS, FACES

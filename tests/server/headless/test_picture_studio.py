@@ -8,8 +8,8 @@ import pytest
 from omote.model.cast import Cast
 from omote.server.headless.chromium import open_chromium
 from omote.server.headless.devtools import BrowserError
-from omote.server.http.cast_documents import Library
 from omote.server.headless.picture_studio import draw_sheet, open_house, open_studio, query
+from omote.server.http.cast_documents import Library
 from omote.stage_data.picture_grid import Setting, Sheet
 from tests.server.false_browser import ANSWERS, false_browser
 from tests.server.synthetic_server import MASK, PAGES, meshes

@@ -11,9 +11,9 @@ from omote.server.http.cast_documents import Library
 from omote.server.http.security import HEADERS
 from omote.server.workers.workshop import FailedOrderError
 from omote.show import messages as wire
-from omote.stage_data.assets import compound_asset, rest_positions
 from omote.show.messages import LINK_PATH, CompoundAsset, FaceAsset, Manifest
 from omote.show.wire import encode
+from omote.stage_data.assets import compound_asset, rest_positions
 from tests.server.conftest import House, answer, obeyed, state
 from tests.server.synthetic_server import MASK
 

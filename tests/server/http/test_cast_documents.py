@@ -9,9 +9,9 @@ import pytest
 
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
+from omote.server.http.cast_documents import Library, built_in
 from omote.server.workers import order_worker as bench
 from omote.server.workers.order_worker import CompoundOrder
-from omote.server.http.cast_documents import Library, built_in
 from omote.server.workers.workshop import open_workshop
 from omote.show.messages import CompoundAsset, Manifest
 from omote.show.session import ShowSession

@@ -6,15 +6,15 @@ from collections.abc import Mapping
 import msgspec
 import pytest
 
-from omote.showfile.contents import content_key, pack_expression, pack_face
 from omote.model.cast import Cast, Look
 from omote.model.space.face import Face
 from omote.perform.performer import Performer
-from omote.server.http.cast_reload import Casting, gathered
 from omote.server.http.cast_documents import Library
+from omote.server.http.cast_reload import Casting, gathered
 from omote.show import messages as wire
 from omote.show.messages import Manifest
 from omote.show.session import ShowSession
+from omote.showfile.contents import content_key, pack_expression, pack_face
 from omote.stage_data.playing_cast import Own, Troupe
 from tests.server.synthetic_server import MASK, meshes
 

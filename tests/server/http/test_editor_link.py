@@ -14,16 +14,16 @@ from numpy.typing import NDArray
 from omote.edit.protocol import messages as editing
 from omote.edit.protocol.messages import EDITING_LIMIT, EDITING_PATH
 from omote.edit.protocol.wire import decode_answer
-from omote.showfile.changes import Change, PutRevision
-from omote.showfile.show_file import ShowFile, open_show
 from omote.model.cast import Cast
-from omote.server.http.editor_link import MOST_LAYOUTS
 from omote.server.http.cast_documents import Library
+from omote.server.http.editor_link import MOST_LAYOUTS
 from omote.server.workers.workshop import RefusedOrderError
 from omote.show import messages as wire
-from omote.stage_data.assets import rest_positions, unpacked
 from omote.show.messages import CompoundAsset, ContentAsset, Manifest
 from omote.show.wire import encode
+from omote.showfile.changes import Change, PutRevision
+from omote.showfile.show_file import ShowFile, open_show
+from omote.stage_data.assets import rest_positions, unpacked
 from tests.server.conftest import Atelier, Editor, House, answer, obeyed, open_atelier, state
 
 pytestmark = pytest.mark.asyncio

@@ -5,12 +5,12 @@ from pathlib import Path
 
 import pytest
 
+from omote.model.cast import Cast
+from omote.server.persistence.authored_work import open_desk
+from omote.server.workers.order_worker import Bench
 from omote.showfile.changes import Item, PutContent, PutItem, PutLayout, PutRevision, Revision
 from omote.showfile.contents import content_key, pack_expression
 from omote.showfile.show_file import ShowFile, open_show
-from omote.model.cast import Cast
-from omote.server.workers.order_worker import Bench
-from omote.server.persistence.authored_work import open_desk
 
 
 class Keeper:

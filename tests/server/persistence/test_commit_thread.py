@@ -9,11 +9,11 @@ from queue import SimpleQueue
 import pytest
 
 from benchmarks.saving import Reference, check, kill_writer
-from omote.showfile.changes import Change, PutLayout
+from omote.server.persistence.commit_thread import Fate, Scribe
 from omote.showfile.backup import good_path
+from omote.showfile.changes import Change, PutLayout
 from omote.showfile.integrity import prove
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
-from omote.server.persistence.commit_thread import Fate, Scribe
 
 COMMITTED = Fate("committed")
 

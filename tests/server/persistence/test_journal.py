@@ -4,8 +4,8 @@ import sqlite3
 import threading
 from pathlib import Path
 
-from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 from omote.server.persistence.journal import JournalWriter
+from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
 
 class Disk:

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from omote.showfile.changes import PutLayout
-from omote.server.persistence.offline_show import closed_show, wall_clock
 from omote.server.persistence.lock import ShowLockedError, lock_show
+from omote.server.persistence.offline_show import closed_show, wall_clock
+from omote.showfile.changes import PutLayout
 
 
 def test_what_is_written_stays_and_the_file_is_free_again(tmp_path: Path) -> None:

@@ -12,15 +12,15 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from omote.showfile.changes import PutLayout
-from omote.showfile.backup import keep_good_copy
-from omote.showfile.show_file import SCHEMA_VERSION, JournalEntry, ShowFile, open_show
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
-from omote.server.process.process_messages import Order
 from omote.server.persistence.restore import journal_entry, next_epoch, open_journal, open_newest, restore
+from omote.server.process.process_messages import Order
 from omote.show import messages as wire
 from omote.show.session import ShowSession
+from omote.showfile.backup import keep_good_copy
+from omote.showfile.changes import PutLayout
+from omote.showfile.show_file import SCHEMA_VERSION, JournalEntry, ShowFile, open_show
 
 ORDER = Order(epoch=1, neutral=False)
 

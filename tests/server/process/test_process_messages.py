@@ -6,7 +6,17 @@ import socket
 import msgspec
 import pytest
 
-from omote.server.process.process_messages import Ended, News, Order, Ready, Started, give_order, read_news, take_order, tell
+from omote.server.process.process_messages import (
+    Ended,
+    News,
+    Order,
+    Ready,
+    Started,
+    give_order,
+    read_news,
+    take_order,
+    tell,
+)
 
 
 def test_an_order_arrives_with_its_pipes() -> None:

@@ -7,10 +7,10 @@ import pytest
 
 from omote.builtin import load_cast
 from omote.edit.store.import_items import mailed
+from omote.interchange.export_face import worn_meshes
 from omote.interchange.formats.expression_json import encode
 from omote.model.cast import Cast
 from omote.server.sandbox.import_files import expressions_from, faces_from
-from omote.interchange.export_face import worn_meshes
 from tests.interchange.formats.scenes import head_glb
 
 

@@ -9,12 +9,12 @@ from pathlib import Path
 import aiohttp
 import pytest
 
-from omote.showfile.show_file import open_show
 from omote.server.http.static_pages import FOLDER
-from omote.server.supervision.show_process import Pipes, built_in_material, play, report, until_ended
 from omote.server.process.process_messages import TICK, Order
+from omote.server.supervision.show_process import Pipes, built_in_material, play, report, until_ended
 from omote.show import messages as wire
 from omote.show.wire import encode
+from omote.showfile.show_file import open_show
 from tests.server.conftest import answer
 from tests.server.synthetic_server import material
 

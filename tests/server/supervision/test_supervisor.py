@@ -20,13 +20,13 @@ import pytest
 
 from omote.edit.protocol import messages as editing
 from omote.edit.protocol.messages import EDITING_PATH
-from omote.showfile.show_file import JournalEntry, open_show
 from omote.server.supervision.supervisor import listen_on
 from omote.show import messages as wire
 from omote.show.wire import decode_answer, encode
+from omote.showfile.show_file import JournalEntry, open_show
 from tests.server.conftest import Editor
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 LIMIT = 60.0
 """Seconds after which a test has failed; nothing waits for them."""
 

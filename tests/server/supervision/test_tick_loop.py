@@ -6,14 +6,14 @@ import os
 
 import pytest
 
-from omote.showfile.show_file import JournalEntry
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
 from omote.server.http.app import ShowServer
-from omote.server.supervision.tick_loop import LATE_TICKS, RESTING_TICKS, Playing, beat, send_pulse
 from omote.server.process.process_messages import PULSE_TICKS, TICK
+from omote.server.supervision.tick_loop import LATE_TICKS, RESTING_TICKS, Playing, beat, send_pulse
 from omote.show import messages as wire
 from omote.show.session import ShowSession
+from omote.showfile.show_file import JournalEntry
 from tests.server.synthetic_server import PAGES, material
 
 

@@ -6,15 +6,15 @@ import pytest
 
 from omote.edit.protocol.messages import HandlesAsset, TangentsAsset
 from omote.edit.protocol.orders import Bake, Baked
-from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
 from omote.model.cast import Cast, Look
-from omote.model.space.face import Face
 from omote.model.recipes.recipe import Recipe
+from omote.model.space.face import Face
 from omote.server.workers import order_worker as module
 from omote.server.workers.order_worker import Bench, CompoundOrder, FaceOrder, HandlesOrder, ShopOrder, TangentsOrder
-from omote.stage_data.assets import compound_asset, content_asset
 from omote.show.messages import CompoundAsset, ContentAsset
 from omote.show.wire import encode
+from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
+from omote.stage_data.assets import compound_asset, content_asset
 
 
 @pytest.fixture

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from tools.bake import CACHE
 from tools.baking.heads.basemesh import BaseMesh, read_base_mesh
 from tools.baking.heads.head import Head, cut_head
-from tools.baking.layout import unwrap
 from tools.baking.heads.moves import Move, all_moves
+from tools.baking.layout import unwrap
 from tools.baking.package import VARIABLE, WHEEL, Package
 from tools.baking.skin.texels import Texels, texels_of
 

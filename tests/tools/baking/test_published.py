@@ -9,9 +9,9 @@ from omote.model.transfer.compound import compound_parts, turned_eyes
 from omote.model.transfer.paper_map import compile_expression
 from tools.baking.expressions import PERFORMED, unit_weights
 from tools.baking.heads.head import Head
-from tools.baking.layout import islands, unwrap
 from tools.baking.heads.moves import Move, compose, jaw_vertices
 from tools.baking.heads.neck import settle_throat
+from tools.baking.layout import islands, unwrap
 
 Floats = NDArray[np.float64]
 

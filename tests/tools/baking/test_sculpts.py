@@ -9,10 +9,10 @@ import pytest
 
 import omote
 from omote.builtin.binding import EYES
-from omote.model.space.face import Face
-from omote.model.transfer.mouth_bag_fit import lined
 from omote.model.sculpting.sculpt import Sculpt, sculpted, warp
 from omote.model.space.eye_socket import heights
+from omote.model.space.face import Face
+from omote.model.transfer.mouth_bag_fit import lined
 from tools.baking.package import BakeError
 from tools.baking.sculpts import read_sculpts
 

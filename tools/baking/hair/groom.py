@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from tools.baking.heads.basemesh import Floats, Ints
 from tools.baking.hair.coil import Coil
 from tools.baking.hair.growth_field import Field
+from tools.baking.heads.basemesh import Floats, Ints
 
 STATIONS = 12  # places along a strand, root to tip
 STRIDE = 0.0025  # metres a strand grows at a time

@@ -9,10 +9,10 @@ from scipy.spatial import cKDTree
 from omote.model.hair import HairStyle, carriers
 from omote.model.space.parameter_space import ParameterSpace
 from tools.baking.assemble import Arrays, Step
-from tools.baking.heads.basemesh import Floats, Ints
-from tools.baking.hair.growth_field import Field, field_of, surface_samples
 from tools.baking.hair.groom import STATIONS, Groom, grow, roots_of
+from tools.baking.hair.growth_field import Field, field_of, surface_samples
 from tools.baking.hair.styles import GROOMS
+from tools.baking.heads.basemesh import Floats, Ints
 
 CLEARANCE = 0.002  # metres between skin and strand, from the third place on
 BURIED = 0.02  # metres beyond which a place is no matter of the skin nearest to it

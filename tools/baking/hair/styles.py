@@ -7,9 +7,9 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from tools.baking.heads.basemesh import Floats
 from tools.baking.hair.coil import Coil
 from tools.baking.hair.groom import Groom, Strands
+from tools.baking.heads.basemesh import Floats
 
 ADULT = (
     (0.0, 0.076),

@@ -9,8 +9,8 @@ import numpy as np
 
 from omote.builtin.binding import EYES
 from omote.model.space.parts import eye_angles, eye_rotation
-from tools.baking.heads.basemesh import BaseMesh, Floats, Ints, read_target
 from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED, unit_weights
+from tools.baking.heads.basemesh import BaseMesh, Floats, Ints, read_target
 from tools.baking.heads.head import METRES, Head
 from tools.baking.package import Package
 

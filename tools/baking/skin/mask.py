@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tools.baking.heads.basemesh import Floats
-from tools.baking.skin.brows import brow_cover
 from tools.baking.heads.head import Piece
+from tools.baking.skin.brows import brow_cover
 from tools.baking.skin.coat import paint_patches
 from tools.baking.skin.finish import paint_finish
 from tools.baking.skin.marks import paint_marks

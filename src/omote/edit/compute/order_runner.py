@@ -11,16 +11,16 @@ import msgspec
 
 from omote.edit.protocol.messages import NetDocument, TangentsAsset
 from omote.edit.protocol.orders import Baked, Contents, EditOrder, Flat, Renet, Solve
-from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
 from omote.model.cast import Cast
+from omote.model.controls.inverse_solve import solved
+from omote.model.controls.net_field import Weave, woven
+from omote.model.controls.tangents import tangents
 from omote.model.recipes.compose_expression import composed, renetted
 from omote.model.recipes.compose_face import Dressed, composed_face
-from omote.model.space.expression import Expression
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
-from omote.model.controls.inverse_solve import solved
-from omote.model.controls.tangents import tangents
-from omote.model.controls.net_field import Weave, woven
+from omote.model.space.expression import Expression
 from omote.show.wire import little
+from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
 
 _KEPT = 64
 """Contents that stay unpacked, and nets that stay woven."""

@@ -11,9 +11,9 @@ from typing import Annotated, Literal, get_args
 
 import msgspec
 
-from omote.showfile.changes import Kind
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
 from omote.show.messages import Message, Name
+from omote.showfile.changes import Kind
 
 EDITING_VERSION = 1
 EDITING_PATH = "/editing"

@@ -6,9 +6,9 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from omote.edit.store.authored_state import DraftKey
-from omote.edit.session.plan import Plan, Result
 from omote.edit.protocol.orders import EditOrder
+from omote.edit.session.plan import Plan, Result
+from omote.edit.store.authored_state import DraftKey
 from omote.show.validation import Refusal
 
 MOST_WAITING = 32

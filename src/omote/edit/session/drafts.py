@@ -8,16 +8,16 @@ from typing import Any
 from msgspec.structs import replace
 
 from omote.edit.protocol import messages as wire
-from omote.edit.protocol.validation import check_net, check_recipe, check_targets, check_vectors
-from omote.edit.store.authored_state import DraftKey, Ledger
 from omote.edit.protocol.names import checked_text
-from omote.edit.session.plan import Authored, Plan, Result
-from omote.edit.protocol.wire import read_recipe, write_recipe
 from omote.edit.protocol.orders import Baked, EditOrder, Flat, Renet, Solve
-from omote.showfile.changes import Draft, Edit, Item, PutDraft, PutEdit
+from omote.edit.protocol.validation import check_net, check_recipe, check_targets, check_vectors
+from omote.edit.protocol.wire import read_recipe, write_recipe
+from omote.edit.session.plan import Authored, Plan, Result
+from omote.edit.store.authored_state import DraftKey, Ledger
 from omote.model.recipes.recipe import FaceRecipe, Recipe
-from omote.show.validation import Refusal
 from omote.show.messages import Message
+from omote.show.validation import Refusal
+from omote.showfile.changes import Draft, Edit, Item, PutDraft, PutEdit
 
 Shown = Recipe | FaceRecipe
 

@@ -11,28 +11,26 @@ from dataclasses import dataclass, field
 
 from msgspec.structs import replace
 
-from omote.edit.session import drafts
-from omote.edit.session import items
-from omote.edit.session import saving
 from omote.edit.protocol import messages as wire
-from omote.edit.protocol.validation import Bounds
-from omote.edit.session.draft_queue import Lanes, Task
-from omote.edit.store.authored_state import DraftKey, Ledger
 from omote.edit.protocol.names import checked_label
-from omote.edit.store.on_air_recipes import OnAir, recipe_on_air
+from omote.edit.protocol.orders import Baked, EditOrder
+from omote.edit.protocol.validation import Bounds
+from omote.edit.protocol.wire import decode, decode_baked, read_recipe, write_recipe
+from omote.edit.session import drafts, items, saving
+from omote.edit.session.draft_queue import Lanes, Task
 from omote.edit.session.plan import Authored, Kept, Plan, Result
 from omote.edit.session.requests import Asked, lane
 from omote.edit.session.requests import answer as respond
 from omote.edit.session.saving import Hand
+from omote.edit.store.authored_state import DraftKey, Ledger
 from omote.edit.store.content_store import Shelf
+from omote.edit.store.on_air_recipes import OnAir, recipe_on_air
 from omote.edit.store.sources import Sources
-from omote.edit.protocol.wire import decode, decode_baked, read_recipe, write_recipe
-from omote.edit.protocol.orders import Baked, EditOrder
-from omote.showfile.changes import Change, Kind, Stored
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY
-from omote.show.validation import Refusal
 from omote.show.messages import Message
+from omote.show.validation import Refusal
+from omote.showfile.changes import Change, Kind, Stored
 from omote.stage_data.playing_cast import Own, digest_of
 
 

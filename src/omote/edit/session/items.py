@@ -7,14 +7,14 @@ from collections.abc import Callable, Iterable
 from msgspec.structs import replace
 
 from omote.edit.protocol import messages as wire
-from omote.edit.protocol.validation import PLACE
-from omote.edit.store.authored_state import Ledger
 from omote.edit.protocol.names import checked_label, checked_tags
-from omote.edit.store.on_air_recipes import OnAir
+from omote.edit.protocol.validation import PLACE
 from omote.edit.session.plan import Result
-from omote.showfile.changes import Item, PutItem
+from omote.edit.store.authored_state import Ledger
+from omote.edit.store.on_air_recipes import OnAir
 from omote.model.recipes.recipe import KEY
 from omote.show.validation import Refusal, number
+from omote.showfile.changes import Item, PutItem
 from omote.stage_data.playing_cast import Own
 
 

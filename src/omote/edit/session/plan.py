@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 
 import msgspec
 
+from omote.edit.protocol.messages import ToEditor
+from omote.edit.protocol.orders import Bake, Baked, EditOrder
 from omote.edit.protocol.validation import Bounds, check_recipe
 from omote.edit.store.authored_state import DraftKey, Ledger
-from omote.edit.protocol.messages import ToEditor
 from omote.edit.store.content_store import Shelf
 from omote.edit.store.sources import Sources
-from omote.edit.protocol.orders import Bake, Baked, EditOrder
-from omote.showfile.changes import Change, Kind, PutItem
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.showfile.changes import Change, Kind, PutItem
 
 
 @dataclass(frozen=True)

@@ -6,19 +6,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from omote.edit.session import drafts
-from omote.edit.session import items
-from omote.edit.session import saving
 from omote.edit.protocol import messages as wire
-from omote.edit.store.authored_state import DraftKey
 from omote.edit.protocol.names import checked_text
-from omote.edit.store.on_air_recipes import OnAir, expression_of, face_of, recipe_on_air
+from omote.edit.session import drafts, items, saving
 from omote.edit.session.plan import Authored, Plan, Result
 from omote.edit.session.saving import Hand
-from omote.showfile.changes import Item
+from omote.edit.store.authored_state import DraftKey
+from omote.edit.store.on_air_recipes import OnAir, expression_of, face_of, recipe_on_air
 from omote.model.recipes.recipe import FaceRecipe, Recipe
-from omote.show.validation import Refusal
 from omote.show.messages import Message
+from omote.show.validation import Refusal
+from omote.showfile.changes import Item
 
 
 @dataclass(frozen=True)

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from msgspec.structs import replace
 
 from omote.edit.protocol import messages as wire
-from omote.edit.session.drafts import is_dirty
-from omote.edit.store.authored_state import DraftKey
 from omote.edit.protocol.names import checked_label, new_label, new_name
-from omote.edit.session.plan import Authored, Kept, Plan, Result
-from omote.edit.protocol.wire import read_recipe, write_recipe
 from omote.edit.protocol.orders import Baked
-from omote.showfile.changes import Change, Draft, Edit, Item, Kind, PutDraft, PutEdit, PutItem, PutRevision, Revision
+from omote.edit.protocol.wire import read_recipe, write_recipe
+from omote.edit.session.drafts import is_dirty
+from omote.edit.session.plan import Authored, Kept, Plan, Result
+from omote.edit.store.authored_state import DraftKey
 from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.showfile.changes import Change, Draft, Edit, Item, Kind, PutDraft, PutEdit, PutItem, PutRevision, Revision
 
 
 @dataclass(frozen=True)

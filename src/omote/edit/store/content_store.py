@@ -7,10 +7,10 @@ from itertools import chain
 from typing import TypeVar
 
 from omote.edit.protocol.messages import NetDocument
-from omote.edit.protocol.wire import write_recipe
 from omote.edit.protocol.orders import Bake, Baked, EditOrder
-from omote.showfile.changes import PutContent
+from omote.edit.protocol.wire import write_recipe
 from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.showfile.changes import PutContent
 
 PASSING = 2048
 """Contents of drafts that are remembered, so that undo needs no mathematics."""

@@ -9,17 +9,17 @@ import numpy as np
 
 from omote.edit.protocol.names import checked_label, checked_tags, new_name
 from omote.edit.protocol.wire import read_recipe, write_recipe
-from omote.showfile.changes import Change, Item, Kind, PutContent, PutItem, PutRevision, Revision, Stored
-from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
 from omote.interchange.formats.expression_json import Control, ExpressionFile, dense_of, expression_of, space_digest
 from omote.model.cast import Cast, Look
-from omote.model.recipes.compose_expression import composed
 from omote.model.controls.default_net import default_net
+from omote.model.recipes.compose_expression import composed
+from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, Vector
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, Vector
 from omote.model.space.parameter_space import ParameterSpace
 from omote.perform.limits import known
+from omote.showfile.changes import Change, Item, Kind, PutContent, PutItem, PutRevision, Revision, Stored
+from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
 
 EDITOR = "import"
 """Who a revision from outside is by."""

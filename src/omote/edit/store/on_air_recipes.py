@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from omote.edit.store.sources import Sources
-from omote.showfile.changes import Kind
 from omote.model.cast import NEUTRAL
 from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
-from omote.show.validation import Refusal
 from omote.show.messages import State
+from omote.show.validation import Refusal
+from omote.showfile.changes import Kind
 
 
 @dataclass(frozen=True)

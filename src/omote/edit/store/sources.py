@@ -6,11 +6,11 @@ from msgspec.structs import replace
 
 from omote.edit.store.authored_state import Ledger
 from omote.edit.store.content_store import Shelf
-from omote.showfile.changes import Kind
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.perform.limits import known
 from omote.show.validation import Refusal
+from omote.showfile.changes import Kind
 
 
 class Sources:

@@ -14,9 +14,9 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.geometry.mesh import FARTHEST, out_of_reach
 from omote.interchange.formats.glb_writer import BIN_CHUNK, JSON_CHUNK, MAGIC, ROWS, VERSION
 from omote.interchange.formats.gltf_document import Accessor, Document, Mesh, Node, Primitive, Sparse, parse_document
-from omote.geometry.mesh import FARTHEST, out_of_reach
 
 Values = NDArray[np.float64]
 T = TypeVar("T")

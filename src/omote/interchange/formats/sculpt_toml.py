@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.sculpting.smoothing_brush import Brush
 from omote.model.cast import Look
 from omote.model.sculpting.sculpt import KERNELS, Sculpt
+from omote.model.sculpting.smoothing_brush import Brush
 
 Values = NDArray[np.float64]
 

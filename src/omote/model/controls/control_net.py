@@ -13,10 +13,10 @@ from scipy.spatial import Delaunay
 from omote.geometry import mesh
 from omote.geometry.cylinder import wrap
 from omote.geometry.locate import Strip
+from omote.model.controls.upper_lower import apart, held, own_side, sides
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.controls.upper_lower import apart, held, own_side, sides
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.paper_map import slide
 

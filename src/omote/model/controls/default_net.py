@@ -8,9 +8,9 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.controls.mirror import mirror_rows
 from omote.model.sculpting.regions import Region, eye_frame, region_weights
+from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]

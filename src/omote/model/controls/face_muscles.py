@@ -10,10 +10,10 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.controls.mirror import mirror_rows
 from omote.model.controls.muscle import Lip, Muscle, metric_of, pull_field
 from omote.model.sculpting.regions import eye_frame
+from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]

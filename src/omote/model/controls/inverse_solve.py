@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry.cylinder import wrap
-from omote.model.transfer.compound import carrier, on_generic, worn
+from omote.model.controls.net_field import Weave
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.model.transfer.smooth_map import carried
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.compound import carrier, on_generic, worn
 from omote.model.transfer.paper_map import locate_field
-from omote.model.controls.net_field import Weave
+from omote.model.transfer.smooth_map import carried
 
 Values = NDArray[np.float64]
 

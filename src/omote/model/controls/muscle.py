@@ -16,9 +16,9 @@ from scipy.sparse.linalg import splu
 
 from omote.geometry.cylinder import wrap
 from omote.geometry.laplacian import cotangents, smoothing
-from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.controls.upper_lower import sides
 from omote.model.space.eye_socket import falling, radius_of
+from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]

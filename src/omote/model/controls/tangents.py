@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.transfer.compound import carrier
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.compound import carrier
 
 Values = NDArray[np.float64]
 

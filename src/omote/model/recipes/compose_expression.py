@@ -10,14 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.geometry import mesh
-from omote.model.space.expression import Expression
-from omote.model.controls.mirror import mirrored
 from omote.model.controls.face_muscles import muscle_fields
+from omote.model.controls.mirror import mirrored
+from omote.model.controls.net_field import Weave, woven
 from omote.model.recipes.recipe import KEY, Layer, Recipe
 from omote.model.sculpting.regions import REGIONS, Region, region_weights
+from omote.model.space.expression import Expression
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.paper_map import compile_expression
-from omote.model.controls.net_field import Weave, woven
 
 Values = NDArray[np.float64]
 

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import TRAITS, Look
-from omote.model.space.face import Face
-from omote.model.space.face_fit import fit
 from omote.model.recipes.face_handles import dragged
 from omote.model.recipes.recipe import FaceRecipe
 from omote.model.sculpting.regions import REGIONS, Region, caricature, regional
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]

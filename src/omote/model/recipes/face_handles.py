@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import cKDTree
 
 from omote.geometry import mesh
-from omote.model.space.face import Face
-from omote.model.space.face_fit import Fitted, fit
 from omote.model.sculpting.sculpt import Sculpt, warp, warp_basis
 from omote.model.space.eye_socket import heights, rolled, seated
+from omote.model.space.face import Face
+from omote.model.space.face_fit import Fitted, fit
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from scipy.spatial.distance import cdist
 
 from omote.geometry import mesh
+from omote.model.sculpting.extrapolation import grown, unfolded
+from omote.model.space.eye_socket import heights, radius_of, seated
 from omote.model.space.face import Face
 from omote.model.space.face_fit import Fitted, fit
-from omote.model.sculpting.extrapolation import grown, unfolded
-from omote.model.space.similarity import Similarity, similarity
-from omote.model.space.eye_socket import heights, radius_of, seated
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.similarity import Similarity, similarity
 
 Values = NDArray[np.float64]
 Region = Literal["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "ears", "skull"]

@@ -13,11 +13,11 @@ from scipy.spatial import cKDTree
 from scipy.spatial.distance import cdist
 
 from omote.geometry import mesh
-from omote.model.sculpting.smoothing_brush import Brush, brushed
 from omote.model.cast import Look
+from omote.model.sculpting.smoothing_brush import Brush, brushed
+from omote.model.space.eye_socket import heights, rolled, seated
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.space.eye_socket import heights, rolled, seated
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.space.face import Face
+from omote.model.space.parameter_space import ParameterSpace, smoothed_scale
 from omote.model.space.parts import place, size_ratio
 from omote.model.space.skin_sheet import refuse_axis_outside, refuse_degenerate
-from omote.model.space.parameter_space import ParameterSpace, smoothed_scale
 
 Floats = NDArray[np.float32]
 

@@ -11,8 +11,8 @@ from scipy.spatial import cKDTree
 
 from omote.geometry import mesh
 from omote.geometry.cylinder import Cylinder, wrap
-from omote.geometry.outer_layer import one_layer
 from omote.geometry.membrane import close_loop
+from omote.geometry.outer_layer import one_layer
 
 Points = NDArray[np.float64]
 Triangles = NDArray[np.int32]

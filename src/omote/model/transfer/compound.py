@@ -8,15 +8,15 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.transfer.eyeball_clearance import Ball
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import Fitted, fit
-from omote.model.transfer.mouth_bag_fit import kept_inside
-from omote.model.space.parts import eye_rotation
-from omote.model.transfer.smooth_map import Carrier, carried, carrier_of
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.parts import eye_rotation
+from omote.model.transfer.eyeball_clearance import Ball
+from omote.model.transfer.mouth_bag_fit import kept_inside
 from omote.model.transfer.paper_map import Compiled, compile_expression, follow, wear
+from omote.model.transfer.smooth_map import Carrier, carried, carrier_of
 
 Floats = NDArray[np.float32]
 Values = NDArray[np.float64]

@@ -1,8 +1,8 @@
 """Where sums of compounds are put right: the skin around eyes and mouth, worked out once per space.
 
 Each compound alone folds and pierces nothing that the generic face does not. Sums do: a blink and a squint push one lid
-through the other, two lip shapes turn small triangles over. `omote.perform.blending.correctives` puts that right; here is what it
-needs to know of the topology, in places of `rows`.
+through the other, two lip shapes turn small triangles over. `omote.perform.blending.correctives` puts that right; here
+is what it needs to know of the topology, in places of `rows`.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from omote.model.transfer.eyeball_clearance import REACH as BALL_REACH
 from omote.model.space.lid_lip_lines import RUNGS, Kind, chains
-from omote.model.space.parts import Part
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.parts import Part
+from omote.model.transfer.eyeball_clearance import REACH as BALL_REACH
 from omote.model.transfer.fold_repair import sheet_of
 
 Indices = NDArray[np.int32]

@@ -9,14 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
 from omote.geometry.cylinder import wrap
-from omote.model.transfer.compound import carrier, compound, followed, generic_face, on_generic, predicted
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.space.parts import eye_angles, eye_rotation
-from omote.model.transfer.smooth_map import uncarried
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
+from omote.model.space.parts import eye_angles, eye_rotation
+from omote.model.transfer.compound import carrier, compound, followed, generic_face, on_generic, predicted
 from omote.model.transfer.paper_map import compile_expression, slide
+from omote.model.transfer.smooth_map import uncarried
 
 Values = NDArray[np.float64]
 

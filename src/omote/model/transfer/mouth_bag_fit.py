@@ -8,10 +8,10 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.transfer.mouth_bag import Bag, bag_of
-from omote.model.space.face import Face
 from omote.model.space.eye_socket import falling
+from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.mouth_bag import Bag, bag_of
 from omote.model.transfer.paper_map import slide
 
 Floats = NDArray[np.float32]

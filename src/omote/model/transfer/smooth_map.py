@@ -9,11 +9,11 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.transfer.eyeball_clearance import Ball, Clearance, clearance_of, cleared
-from omote.model.transfer.lid_lip_contact import Contact, closed, contact_of, growth_of
-from omote.model.transfer.detail_transfer import Detail, detail_of, detailed
 from omote.model.space.lid_lip_lines import Line
+from omote.model.transfer.detail_transfer import Detail, detail_of, detailed
+from omote.model.transfer.eyeball_clearance import Ball, Clearance, clearance_of, cleared
 from omote.model.transfer.fold_repair import FAR, NEAR, Sheet, relax, sheet_of, turned_over
+from omote.model.transfer.lid_lip_contact import Contact, closed, contact_of, growth_of
 
 Values = NDArray[np.float64]
 Mask = NDArray[np.bool_]

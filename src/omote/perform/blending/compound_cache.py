@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
-from omote.model.transfer.compound import compound, compound_parts, generic_face
 from omote.model.space.face_fit import fit
+from omote.model.transfer.compound import compound, compound_parts, generic_face
 from omote.model.transfer.corrective_regions import settling_of
 from omote.perform.blending.correctives import allowance
 
@@ -47,7 +47,7 @@ class Compounds:
         return self._get(face, expression, "parts")
 
     def allowance(self, face: str, expression: str) -> Floats:
-        """What the compound alone uses up (omote.perform.blending.correctives); nothing where the space has no settling."""
+        """What the compound alone uses up (omote.perform.blending.correctives); empty without correctives."""
         return self._get(face, expression, "allowance")[""]
 
     def _get(self, face: str, expression: str, what: What) -> Mapping[str, Floats]:

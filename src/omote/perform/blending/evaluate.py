@@ -10,18 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import NEUTRAL, Cast
-from omote.model.transfer.compound import generic_face, moved_parts, predicted, turned_eyes
 from omote.model.space.face_fit import Fitted, fit
+from omote.model.transfer.compound import generic_face, moved_parts, predicted, turned_eyes
 from omote.model.transfer.corrective_regions import settling_of
 from omote.model.transfer.paper_map import Compiled, wear
+from omote.perform.blending.compound_cache import compounds_of
+from omote.perform.blending.correctives import Balls, settled
+from omote.perform.blending.expression_tables import fields_of
 from omote.perform.blending.weighted_sum import weighted_sum
 from omote.perform.channels import effective_channels, eye_angles
-from omote.perform.blending.compound_cache import compounds_of
-from omote.perform.blending.expression_tables import fields_of
 from omote.perform.frame import Frame
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, known, within
 from omote.perform.mix import combined
-from omote.perform.blending.correctives import Balls, settled
 
 Floats = NDArray[np.float32]
 Mode = Literal["bilinear", "exact"]

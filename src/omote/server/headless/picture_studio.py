@@ -12,12 +12,12 @@ import msgspec
 from aiohttp import web
 
 from omote.perform.performer import Performer
-from omote.server.http.app import ShowServer
-from omote.server.http.static_pages import Page, read_bundle
 from omote.server.headless.chromium import find_chromium, open_chromium
 from omote.server.headless.devtools import BrowserError, DevTools
+from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import Library, built_in
 from omote.server.http.security import own_names
+from omote.server.http.static_pages import Page, read_bundle
 from omote.show.session import ShowSession
 from omote.stage_data.picture_grid import Setting, Sheet
 

@@ -11,13 +11,13 @@ from aiohttp import WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.edit.store.on_air_recipes import OnAir, seen
-from omote.server.http.static_pages import PAGES, Page
-from omote.server.http.cast_reload import Casting
-from omote.server.persistence.authored_work import Desk
-from omote.server.http.editor_link import NO_FILE, Editing
 from omote.server.http.cast_documents import Library
+from omote.server.http.cast_reload import Casting
+from omote.server.http.editor_link import NO_FILE, Editing
 from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
 from omote.server.http.security import add_headers, guard, mute_strangers
+from omote.server.http.static_pages import PAGES, Page
+from omote.server.persistence.authored_work import Desk
 from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Refused, State
 from omote.show.session import Outgoing, ShowSession, Wish

@@ -14,14 +14,14 @@ from omote.builtin import BakedMesh, load_cast, load_mask, load_meshes
 from omote.edit.protocol.orders import EditOrder
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY
-from omote.server.workers.order_worker import Bench, CompoundOrder, FaceOrder, HandlesOrder, ShopOrder, TangentsOrder
 from omote.server.workers.order_scheduler import Supply
+from omote.server.workers.order_worker import Bench, CompoundOrder, FaceOrder, HandlesOrder, ShopOrder, TangentsOrder
 from omote.server.workers.workshop import ClosedWorkshopError, FailedOrderError, RefusedOrderError, Workshop
-from omote.stage_data.assets import content_name, documents
 from omote.show.messages import ContentAsset, FaceDocument, State
 from omote.show.state import names_on_air
-from omote.stage_data.playing_cast import Troupe, manifest_of, troupe_of
 from omote.show.wire import encode
+from omote.stage_data.assets import content_name, documents
+from omote.stage_data.playing_cast import Troupe, manifest_of, troupe_of
 
 KEPT = 256
 """Documents of own faces that are kept, 60 KB each."""

@@ -17,21 +17,21 @@ import msgspec
 from aiohttp import WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_LIMIT, EditRefused, ToEditor
-from omote.edit.store.on_air_recipes import OnAir
-from omote.edit.session.plan import Kept
-from omote.edit.session.edit_session import EditSession, Outcome
-from omote.edit.protocol.wire import encode
 from omote.edit.protocol.orders import EditOrder
-from omote.showfile.changes import Change, Kind, PutLayout
-from omote.server.http.cast_reload import Casting
-from omote.server.persistence.authored_work import Desk
+from omote.edit.protocol.wire import encode
+from omote.edit.session.edit_session import EditSession, Outcome
+from omote.edit.session.plan import Kept
+from omote.edit.store.on_air_recipes import OnAir
 from omote.server.http.cast_documents import Library
+from omote.server.http.cast_reload import Casting
 from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
+from omote.server.persistence.authored_work import Desk
 from omote.server.persistence.commit_thread import Fate
 from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show import messages as wire
 from omote.show.rate_limit import TokenBucket
 from omote.show.session import Wish
+from omote.showfile.changes import Change, Kind, PutLayout
 
 HEARD_RATE, HEARD_BURST = 60.0, 60.0
 """Messages per second heard from one editor: a hand on a slider; more waits in its own socket."""

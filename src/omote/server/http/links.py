@@ -15,8 +15,8 @@ from dataclasses import dataclass, field
 
 from aiohttp import WSCloseCode, web
 
-from omote.show.rate_limit import TokenBucket
 from omote.show.messages import MESSAGE_LIMIT, Refused
+from omote.show.rate_limit import TokenBucket
 from omote.show.wire import encode
 
 UNSENT_LIMIT = 2048

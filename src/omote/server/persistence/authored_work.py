@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from omote.edit.session.edit_session import EditSession
+from omote.server.persistence.commit_thread import Fate
+from omote.server.workers.order_worker import Bench
 from omote.showfile.changes import Change
 from omote.showfile.show_file import ShowFile
-from omote.server.workers.order_worker import Bench
-from omote.server.persistence.commit_thread import Fate
 
 
 class Keeper(Protocol):

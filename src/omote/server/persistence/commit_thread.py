@@ -9,8 +9,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from omote.showfile.changes import Change
 from omote.showfile.backup import keep_good_copy
+from omote.showfile.changes import Change
 from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import ShowFile
 

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from omote.showfile.show_file import ShowFile, open_show
 from omote.server.persistence.lock import lock_show
+from omote.showfile.show_file import ShowFile, open_show
 
 
 @contextmanager

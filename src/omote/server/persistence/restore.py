@@ -9,12 +9,12 @@ from pathlib import Path
 
 import msgspec
 
-from omote.showfile.recovery import Rescue, finish, is_lost, rescue_show
-from omote.showfile.show_file import CorruptShowFileError, JournalEntry, ShowFile, ShowFileError, open_show
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Playable
 from omote.server.process.process_messages import Order
 from omote.show.session import SessionSnapshot, ShowSession
+from omote.showfile.recovery import Rescue, finish, is_lost, rescue_show
+from omote.showfile.show_file import CorruptShowFileError, JournalEntry, ShowFile, ShowFileError, open_show
 
 Report = Callable[[str], None]
 

@@ -8,10 +8,10 @@ from pathlib import Path
 from omote.builtin import load_meshes
 from omote.edit.store.import_items import Arrival, opened
 from omote.interchange.formats import expression_json as exchange
+from omote.interchange.import_meshes import face_in, taken
 from omote.model.cast import Cast
 from omote.perform.limits import known
 from omote.server.sandbox.child_reader import read_apart
-from omote.interchange.import_meshes import face_in, taken
 
 DOCUMENT = ".json"
 FAR = 5e-5

@@ -13,19 +13,19 @@ from pathlib import Path
 
 from aiohttp import web
 
-from omote.showfile.show_file import ShowFile
 from omote.server.http.app import ShowServer
-from omote.server.supervision.tick_loop import Playing, beat
-from omote.server.http.static_pages import Page, read_bundle
-from omote.server.http.cast_reload import gathered
-from omote.server.persistence.authored_work import Desk, open_desk
-from omote.server.persistence.journal import JournalWriter
 from omote.server.http.cast_documents import Library, built_in
-from omote.server.process.process_messages import Order
-from omote.server.persistence.restore import journal_entry, open_journal, restore
-from omote.server.persistence.commit_thread import Scribe
+from omote.server.http.cast_reload import gathered
 from omote.server.http.security import own_names
+from omote.server.http.static_pages import Page, read_bundle
+from omote.server.persistence.authored_work import Desk, open_desk
+from omote.server.persistence.commit_thread import Scribe
+from omote.server.persistence.journal import JournalWriter
+from omote.server.persistence.restore import journal_entry, open_journal, restore
+from omote.server.process.process_messages import Order
+from omote.server.supervision.tick_loop import Playing, beat
 from omote.server.workers.workshop import open_workshop
+from omote.showfile.show_file import ShowFile
 
 
 @dataclass(frozen=True)

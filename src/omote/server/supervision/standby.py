@@ -20,13 +20,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 from omote.perform.performer import Performer
-from omote.server.supervision.show_process import Material, Pipes, built_in_material, report, run
-from omote.server.process.fork import copied
 from omote.server.http.cast_documents import Library
-from omote.server.process.process_messages import Ended, Order, Ready, Started, take_order, tell
+from omote.server.process.fork import copied
 from omote.server.process.priority import first_in_line
-from omote.stage_data.assets import compound_asset
+from omote.server.process.process_messages import Ended, Order, Ready, Started, take_order, tell
+from omote.server.supervision.show_process import Material, Pipes, built_in_material, report, run
 from omote.show.messages import STATE_RATE
+from omote.stage_data.assets import compound_asset
 
 END_SECONDS = 3.0
 """How long servers may take to end when their supervisor is gone."""

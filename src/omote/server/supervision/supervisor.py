@@ -20,9 +20,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from omote.server.supervision.crash_loop import Blame
-from omote.server.process.process_messages import Ended, News, Order, Ready, Started, give_order, read_news
 from omote.server.process.priority import first_in_line
+from omote.server.process.process_messages import Ended, News, Order, Ready, Started, give_order, read_news
+from omote.server.supervision.crash_loop import Blame
 
 PROGRAM = (sys.executable, "-m", "omote.server.supervision.standby")
 HANG_SECONDS = 1.0

@@ -12,8 +12,8 @@ from dataclasses import replace
 from omote.perform.snapshot import Snapshot
 from omote.server.http.app import ShowServer
 from omote.server.persistence.journal import JournalWriter
-from omote.server.process.process_messages import PULSE_TICKS, TICK
 from omote.server.persistence.restore import journal_entry
+from omote.server.process.process_messages import PULSE_TICKS, TICK
 from omote.show.messages import STATE_RATE
 
 LATE_TICKS = 6

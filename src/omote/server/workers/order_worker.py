@@ -12,19 +12,19 @@ from functools import cached_property
 
 import msgspec
 
+from omote.edit.compute.handles_asset import handles_asset
 from omote.edit.compute.order_runner import Craft
 from omote.edit.compute.welcome import greeting
-from omote.edit.compute.handles_asset import handles_asset
 from omote.edit.protocol.messages import Greeted
 from omote.edit.protocol.orders import Contents, EditOrder
-from omote.showfile.contents import content_kind, unpack_expression, unpack_face
 from omote.model.cast import Cast, Look
 from omote.model.controls.default_net import default_net
+from omote.model.recipes.recipe import KEY
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.model.recipes.recipe import KEY
-from omote.stage_data.assets import compound_asset, content_asset
 from omote.show.wire import encode
+from omote.showfile.contents import content_kind, unpack_expression, unpack_face
+from omote.stage_data.assets import compound_asset, content_asset
 
 KEPT = 64
 """Contents that a hand keeps unpacked: a megabyte each at most."""

@@ -7,8 +7,8 @@ import pytest
 from scipy.spatial import cKDTree
 
 from omote.builtin import load_cast
-from tools.baking.hair.strands import grown_style
 from tools.baking.hair.groom import STATIONS, above, roots_of
+from tools.baking.hair.strands import grown_style
 from tools.baking.hair.styles import GROOMS
 
 SPACE = load_cast().space

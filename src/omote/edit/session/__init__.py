@@ -1,0 +1,1 @@
+"""The editing session: requests, drafts, saving, items."""

@@ -1,0 +1,1 @@
+"""All authored work as it is now, and the contents that recipes refer to."""

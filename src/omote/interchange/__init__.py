@@ -1,0 +1,1 @@
+"""Faces and expressions out to other programs and in from them."""

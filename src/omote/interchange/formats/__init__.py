@@ -1,0 +1,1 @@
+"""Reads and writes single file formats: glTF binary, OBJ, PNG, JSON, TOML."""

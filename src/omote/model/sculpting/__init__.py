@@ -1,0 +1,1 @@
+"""Makes new faces: sculpts, regional mixes, caricature."""

@@ -1,0 +1,1 @@
+"""Evaluates a frame: blends compounds, applies correctives, gives positions."""

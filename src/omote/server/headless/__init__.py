@@ -1,0 +1,1 @@
+"""Draws pictures in a Chromium without a window."""

@@ -1,0 +1,1 @@
+"""Writes and restores the show file beside the show."""

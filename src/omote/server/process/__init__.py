@@ -1,0 +1,1 @@
+"""Processes: forking, priority, and the messages between supervisor, standby and show process."""

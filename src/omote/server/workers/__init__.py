@@ -1,0 +1,1 @@
+"""Computes beside the show: the worker process, its orders and their schedule."""

@@ -1,0 +1,1 @@
+"""Grows the hair styles of the built-in cast."""

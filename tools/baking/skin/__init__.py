@@ -1,0 +1,1 @@
+"""Paints the skin's layers of the built-in cast."""
