@@ -28,11 +28,11 @@ from rich.table import Table
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from benchmarks.stage import CHANNELS, CHROMIUM, COMMAND, HEIGHT, READY, WIDTH, Player, during, intervals, opened
+from benchmarks.stage import CHANNELS, CHROMIUM, COMMAND, HEIGHT, READY, WIDTH, Player, during, intervals, read_address
 from omote.builtin import load_cast
-from omote.server.headless.picture_studio import open_house
-from omote.server.http.cast_documents import built_in
-from omote.server.http.static_pages import Page, read_bundle
+from omote.server.headless.picture_studio import serve_pages
+from omote.server.http.cast_documents import built_in_documents
+from omote.server.http.static_pages import Page, read_pages
 from omote.show.messages import LINK_PATH, PROTOCOL_VERSION, CallLight, Hello
 from tools.browser import SENTENCE, find_browser
 
@@ -98,7 +98,7 @@ def plain_pages(folder: Path) -> dict[str, Page] | None:
     (folder / "web" / "node_modules").symlink_to(ROOT / "web" / "node_modules")
     build = [sys.executable, str(ROOT / "tools" / "node.py"), str(folder / "web")]
     subprocess.run([*build, "npm", "run", "--silent", "build", "--", "--logLevel", "error"], check=True)
-    return read_bundle(folder / "src" / "omote" / "server" / "web")
+    return read_pages(folder / "src" / "omote" / "server" / "web")
 
 
 async def frame_cost(browser: Browser, url: str, channels: Sequence[str]) -> float:
@@ -114,7 +114,10 @@ async def frame_cost(browser: Browser, url: str, channels: Sequence[str]) -> flo
 async def costs(browser: Browser, plain: dict[str, Page] | None, channels: Sequence[str], runs: int) -> Iterator[Row]:
     """Every level beside the plain look, by turns; the least of the rounds."""
     found: dict[str, list[float]] = {}
-    async with open_house(built_in(), read_bundle()) as ours, open_house(built_in(), plain or read_bundle()) as theirs:
+    async with (
+        serve_pages(built_in_documents(), read_pages()) as ours,
+        serve_pages(built_in_documents(), plain or read_pages()) as theirs,
+    ):
         looks = {level: f"{ours}/stage?quality={level}" for level in LEVELS}
         if plain is not None:
             looks |= {"plain, per vertex": f"{theirs}/stage?quality=low", "plain": f"{theirs}/stage?quality=high"}
@@ -220,7 +223,7 @@ def main() -> int:
         command = [*COMMAND, str(Path(folder) / "show.omote"), "--port", "0", "--no-open"]
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         try:
-            rows = asyncio.run(measure(opened(process), plain, runs))
+            rows = asyncio.run(measure(read_address(process), plain, runs))
         finally:
             process.terminate()
             process.wait(20.0)

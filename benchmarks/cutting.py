@@ -18,7 +18,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.saving import STEPS, Reference, changes, counted
+from benchmarks.saving import STEPS, Reference, changes, count_lists
 from omote.server.persistence.restore import open_newest
 from omote.showfile.backup import keep_good_copy
 from omote.showfile.changes import Stored
@@ -33,7 +33,7 @@ State = tuple[Stored, dict[str, bytes]]
 
 
 @dataclass(frozen=True)
-class Populated:
+class CutFiles:
     """Files by name, as a killed server leaves them and closed, and what each number of lists makes."""
 
     killed: dict[str, bytes]
@@ -41,7 +41,7 @@ class Populated:
     states: list[State]
 
 
-def populated(folder: Path, page: int) -> Populated:
+def populate(folder: Path, page: int) -> CutFiles:
     """A show file with that many bytes in a page."""
     connection = sqlite3.connect(folder / NAME)
     connection.execute(f"PRAGMA page_size = {page}")
@@ -60,10 +60,10 @@ def populated(folder: Path, page: int) -> Populated:
     show.write_journal(JournalEntry(1234, 5.0, b"state"))
     killed = {file.name: file.read_bytes() for file in folder.iterdir() if not file.name.endswith("-shm")}
     show.close()
-    return Populated(killed, {file.name: file.read_bytes() for file in folder.iterdir()}, states)
+    return CutFiles(killed, {file.name: file.read_bytes() for file in folder.iterdir()}, states)
 
 
-def opened(folder: Path, files: dict[str, bytes], states: list[State], *, log: bool) -> str:
+def reopen(folder: Path, files: dict[str, bytes], states: list[State], *, log: bool) -> str:
     """How these files open: "whole", "rescued" or what is wrong; log: only the log was cut off."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
@@ -74,7 +74,7 @@ def opened(folder: Path, files: dict[str, bytes], states: list[State], *, log: b
     for _ in range(2):
         show = open_newest(folder / NAME, said.append)
         found.append((show.stored(), show.contents()))
-        there = counted(show)
+        there = count_lists(show)
         show.close()
     if found[0] != found[1] or len(said) > 1:
         return "the second start differs from the first"
@@ -95,14 +95,14 @@ def lengths_of(data: bytes, page: int, stride: int) -> list[int]:
     return sorted(length for length in {*range(0, len(data), stride), *ends, len(data)} if 0 <= length <= len(data))
 
 
-def cut(folder: Path, made: Populated, kind: str, lengths: Iterable[int]) -> bool:
+def cut(folder: Path, made: CutFiles, kind: str, lengths: Iterable[int]) -> bool:
     """Cuts one file at these lengths, prints how they opened; whether the claim holds."""
     files = made.closed if kind == "closed file" else made.killed
     name = f"{NAME}-wal" if kind == "log" else NAME
     found = Counter[str]()
     for length in lengths:
         try:
-            how = opened(folder, files | {name: files[name][:length]}, made.states, log=kind == "log")
+            how = reopen(folder, files | {name: files[name][:length]}, made.states, log=kind == "log")
         except Exception as error:  # whatever it is, it is what this looks for
             how = f"{type(error).__name__}: {error}"
         if how not in ("whole", "rescued"):
@@ -125,7 +125,7 @@ def main() -> int:
     for page, every in ((512, stride), (4096, 97 * stride)):
         with tempfile.TemporaryDirectory(dir=memory if memory.is_dir() else None) as folder:
             (Path(folder) / "made").mkdir()
-            made = populated(Path(folder) / "made", page)
+            made = populate(Path(folder) / "made", page)
             print(f"a show file of {MADE} lists of changes in pages of {page} bytes, {COPIED} in its good copy")
             for kind in ("closed file", "killed file", "log"):
                 data = made.killed[f"{NAME}-wal"] if kind == "log" else made.closed[NAME]

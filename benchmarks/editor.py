@@ -181,7 +181,7 @@ async def measure(url: str, runs: int, faces: tuple[str, ...]) -> list[Figures]:
     return figures
 
 
-def opened(process: subprocess.Popen[str]) -> str:
+def read_address(process: subprocess.Popen[str]) -> str:
     """The address of the show, once it says where it is."""
     assert process.stdout is not None
     for line in process.stdout:
@@ -257,7 +257,7 @@ def main() -> int:
         command = [*COMMAND, str(Path(folder) / "show.omote"), "--port", "0", "--no-open"]
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         try:
-            figures = asyncio.run(measure(opened(process), given.runs, faces))
+            figures = asyncio.run(measure(read_address(process), given.runs, faces))
         finally:
             process.terminate()
             process.wait(20.0)

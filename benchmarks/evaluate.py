@@ -35,10 +35,10 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import Fans, InnerSkin, ParameterSpace
-from omote.model.space.skin_sheet import unwrapped
+from omote.model.space.skin_sheet import unwrap_corners
 from omote.model.transfer.paper_map import Compiled, compile_expression, wear
 from omote.perform.blending.evaluate import evaluate
-from omote.perform.blending.expression_tables import fields_of
+from omote.perform.blending.expression_tables import tables_of
 from omote.perform.blending.weighted_sum import blend_four, gather_rows
 from omote.perform.frame import Frame
 
@@ -166,7 +166,7 @@ def _finer_space(space: ParameterSpace, fine: Cut) -> ParameterSpace:
         transfer="paper",
         theta=theta,
         h=h,
-        strip=Strip.of(unwrapped(theta, located), h[located], mesh.neighbours(located)),
+        strip=Strip.of(unwrap_corners(theta, located), h[located], mesh.neighbours(located)),
         fans=_first_triangles(located, len(points)),
         inner=_finer_inner(space, fine, np.flatnonzero(~on_sheet)),
         on_sheet=on_sheet,
@@ -264,7 +264,7 @@ def compound_and_product(cast: Cast) -> tuple[float, float]:
 
 def _worn(cast: Cast) -> tuple[Floats, Compiled, csr_array]:
     """A face, all sixty expressions on it at once (so that every vertex of the sheet moves), and that as a matrix."""
-    compiled = fields_of(cast).mixed(dict.fromkeys(cast.expressions, 1.0 / ACTIVE))
+    compiled = tables_of(cast).mix(dict.fromkeys(cast.expressions, 1.0 / ACTIVE))
     count = cast.space.vertex_count
     rows = np.arange(0, 3 * count + 1, 3, dtype=np.int32)
     product = csr_array((compiled.weights.ravel(), compiled.indices.ravel(), rows), shape=(count, count))
@@ -293,7 +293,7 @@ PAIRS: dict[str, Callable[[Cast], tuple[float, float]]] = {
 # --- the report -------------------------------------------------------------------------------------------------------
 
 
-def measured() -> dict[str, list[tuple[float, float]]]:
+def measure_pairs() -> dict[str, list[tuple[float, float]]]:
     """Seconds of ours and of the peer, for each pair at each size."""
     coarse = omote.load_cast()
     found: dict[str, list[tuple[float, float]]] = {name: [] for name in PAIRS}
@@ -326,4 +326,4 @@ def report(found: dict[str, list[tuple[float, float]]]) -> bool:
 
 
 if __name__ == "__main__":
-    sys.exit(0 if report(measured()) else 1)
+    sys.exit(0 if report(measure_pairs()) else 1)

@@ -22,12 +22,19 @@ from rich.progress import track
 from rich.table import Table
 
 from omote.builtin import load_cast, load_mask, load_meshes
-from omote.interchange.export_face import Meshes, Workbench, chosen, dressed, exported, worn_meshes
+from omote.interchange.export_face import (
+    ExportContext,
+    Meshes,
+    build_scene,
+    choose_expressions,
+    compound_meshes,
+    named_compound_meshes,
+)
 from omote.interchange.formats.glb_reader import Piece, read_glb
 from omote.interchange.formats.glb_writer import glb_bytes
-from omote.interchange.import_meshes import taken
+from omote.interchange.import_meshes import import_expressions
 from omote.model.cast import Cast
-from tools.gltf import inspected
+from tools.gltf import inspect
 
 BAR = 0.05
 """Millimetres that a face may lie from its compound when it comes back."""
@@ -65,20 +72,20 @@ def came_back(cast: Cast, face: str, pieces: Sequence[Piece], compounds: dict[st
     if strange:
         kept = [{f"strange {name}": piece.moves[name] for name in HARD if piece.moves} for piece in pieces]
         pieces = [replace(piece, moves=moves) for piece, moves in zip(pieces, kept, strict=True)]
-    found = taken(cast, load_meshes(), {face: pieces})
+    found = import_expressions(cast, load_meshes(), {face: pieces})
     space = cast.space
     return max(
-        worst(dressed(space, cast.faces[face], each.expression), compounds[each.label.removeprefix("strange ")])
+        worst(compound_meshes(space, cast.faces[face], each.expression), compounds[each.label.removeprefix("strange ")])
         for each in found
     )
 
 
-def measure(bench: Workbench, face: str, folder: Path) -> Found:
+def measure(context: ExportContext, face: str, folder: Path) -> Found:
     """Exports one face, reads it and takes it in."""
-    cast, names = bench.cast, chosen(bench.cast, "arkit")
-    compounds = {name: worn_meshes(cast, face, name) for name in names}
+    cast, names = context.cast, choose_expressions(context.cast, "arkit")
+    compounds = {name: named_compound_meshes(cast, face, name) for name in names}
     begun = time.perf_counter()
-    data = glb_bytes(exported(bench, face, compounds.items()))
+    data = glb_bytes(build_scene(context, face, compounds.items()))
     seconds = time.perf_counter() - begun
     (folder / f"{face}.glb").write_bytes(data)
     pieces = [piece for piece in read_glb(data) if piece.rows is not None]
@@ -95,19 +102,21 @@ def measure(bench: Workbench, face: str, folder: Path) -> Found:
 def main() -> int:
     """Prints the table; 0 when every bar is held."""
     cast, console = load_cast(), Console(width=120)
-    bench = Workbench(cast, load_meshes(), load_mask())
-    assert bench.canvas.hair.any()  # painted once, for all faces
-    table = Table(title=f"GLB of {len(cast.faces)} faces with {len(chosen(cast, 'arkit'))} ARKit shapes (errors in mm)")
+    context = ExportContext(cast, load_meshes(), load_mask())
+    assert context.canvas.hair.any()  # painted once, for all faces
+    table = Table(
+        title=f"GLB of {len(cast.faces)} faces with {len(choose_expressions(cast, 'arkit'))} ARKit shapes (errors in mm)"
+    )
     for column in ("face", "MB", "errors", "warnings", "three", "read", "taken", "strange", "time / numpy", "held"):
         table.add_column(column, justify="left" if column == "face" else "right")
     held = True
     with tempfile.TemporaryDirectory() as folder:
-        found = {face: measure(bench, face, Path(folder)) for face in track(cast.faces, "faces", console=console)}
-        seen = inspected(Path(folder) / f"{face}.glb" for face in found)
+        found = {face: measure(context, face, Path(folder)) for face in track(cast.faces, "faces", console=console)}
+        seen = inspect(Path(folder) / f"{face}.glb" for face in found)
     for (face, each), others in zip(found.items(), seen, strict=True):
         judged = others["validator"]
         named = min(len(mesh["targets"]) for mesh in others["three"]["meshes"].values())
-        clean = not judged["errors"] and not judged["warnings"] and named == len(chosen(cast, "arkit"))
+        clean = not judged["errors"] and not judged["warnings"] and named == len(choose_expressions(cast, "arkit"))
         good = clean and max(each.read, each.back) <= BAR
         held &= good
         figures = f"{each.read:.4f}", f"{each.back:.4f}", f"{each.strange:.4f}", f"{each.seconds / each.peer:.1f}"

@@ -81,7 +81,7 @@ def orders(rng: np.random.Generator, names: list[str], count: int) -> list[Order
     return [Order(float(t), names[n], float(s)) for t, n, s in zip(times, chosen, seconds, strict=False)]
 
 
-def played(log: list[Order], names: list[str], steps: int, *, inertial: bool) -> Track:
+def play_log(log: list[Order], names: list[str], steps: int, *, inertial: bool) -> Track:
     """The axis through the log, looked at in each step."""
     column = {name: n for n, name in enumerate(names)}
     mixes, rates = np.zeros((steps, len(names))), np.zeros(steps)
@@ -307,7 +307,7 @@ def show(cast: Cast) -> Show:
     return Show(logs, names, basis(cast, *names), steps)
 
 
-def measured(played_show: Show, ours: tuple[Track, Track], freeze: tuple[Track, Track]) -> dict[str, Claim]:
+def measure_claims(played_show: Show, ours: tuple[Track, Track], freeze: tuple[Track, Track]) -> dict[str, Claim]:
     """What was found, the bar and whether it is met, by claim."""
     base, around, inner = played_show.base, played_show.around(), np.arange(1, played_show.steps - 1)
     share = max(moved_beyond(*ours, base, around, 1), moved_beyond(*ours, base, inner, 16))
@@ -344,7 +344,10 @@ def main() -> bool:
     (faces, expressions), steps = shown.logs, shown.steps
     print(f"{steps:,} steps ({steps / RATE / 60:.0f} minutes of show), {len(shown.base.compounds)} compounds")
     ours, freeze = (
-        (played(faces, shown.names[0], steps, inertial=kept), played(expressions, shown.names[1], steps, inertial=kept))
+        (
+            play_log(faces, shown.names[0], steps, inertial=kept),
+            play_log(expressions, shown.names[1], steps, inertial=kept),
+        )
         for kept in (True, False)
     )
     window = np.arange(int(SHOWN[0] * RATE), int((SHOWN[0] + SHOWN[1]) * RATE))
@@ -352,7 +355,7 @@ def main() -> bool:
     calls = [order.time for log in shown.logs for order in log if 0.0 <= order.time - SHOWN[0] <= SHOWN[1]]
     PICTURE.parent.mkdir(parents=True, exist_ok=True)
     PICTURE.write_text(draw(*curves, calls), encoding="utf-8")
-    return report(measured(shown, ours, freeze))
+    return report(measure_claims(shown, ours, freeze))
 
 
 if __name__ == "__main__":

@@ -20,9 +20,9 @@ from rich.table import Table
 
 import omote
 from omote.model.controls.default_net import default_net
-from omote.model.controls.net_field import Weave, woven
+from omote.model.controls.net_field import NetField, build_net_field
 from omote.model.controls.tangents import tangents
-from omote.model.recipes.compose_expression import shifted
+from omote.model.recipes.compose_expression import add_field
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound
@@ -37,9 +37,9 @@ SEED = 5
 Values = NDArray[np.float64]
 
 
-def drags(space: ParameterSpace, weave: Weave, step: float) -> list[Values]:
+def drags(space: ParameterSpace, net_field: NetField, step: float) -> list[Values]:
     """One field (V, 3) per point: it goes `step` metres in a random direction, its neighbours by a bell of FALLOFF."""
-    rows, random = np.array(weave.rows), np.random.default_rng(SEED)
+    rows, random = np.array(net_field.rows), np.random.default_rng(SEED)
     radius = space.cylinder.unroll(space.points[rows])[2]
     found = []
     for point, row in enumerate(rows):
@@ -50,7 +50,7 @@ def drags(space: ParameterSpace, weave: Weave, step: float) -> list[Values]:
         # Around the axis, up, away from the axis.
         vector = np.array([way[0] / radius[point], way[1], way[2] / radius[point]])
         vectors = share[:, None] * vector + [0.0, 0.0, 1.0]
-        found.append(weave.field(vectors))
+        found.append(net_field.field(vectors))
     return found
 
 
@@ -58,7 +58,7 @@ def errors(space: ParameterSpace, face: Face, fields: list[Values]) -> Values:
     """Per drag: the median error of what moves, as a share of its way."""
     slope, found = tangents(space, face), []
     for field in fields:
-        way = compound(space, face, shifted(space, None, field)).astype(np.float64) - face.positions
+        way = compound(space, face, add_field(space, None, field)).astype(np.float64) - face.positions
         far = np.linalg.norm(way, axis=1)
         moved = space.on_sheet & (far > MOVED)
         apart = np.linalg.norm(np.einsum("vk,kvc->vc", field, slope) - way, axis=1)
@@ -69,7 +69,7 @@ def errors(space: ParameterSpace, face: Face, fields: list[Values]) -> Values:
 def main() -> int:
     """Prints the error per face and length of drag; 0 when the bar is met."""
     cast = omote.load_cast()
-    weave = woven(cast.space, default_net(cast.space))
+    net_field = build_net_field(cast.space, default_net(cast.space))
     table = Table(title="Pictures of a drag against its compound, share of the way", title_justify="left")
     for column in ("face", *(f"{1000 * step:g} mm: median, 90 %, worst" for step in STEPS)):
         table.add_column(column)
@@ -77,7 +77,7 @@ def main() -> int:
     for name in FACES:
         cells = []
         for step in STEPS:
-            found = errors(cast.space, cast.faces[name], drags(cast.space, weave, step))
+            found = errors(cast.space, cast.faces[name], drags(cast.space, net_field, step))
             medians.append(float(np.median(found)))
             cells.append(f"{medians[-1]:.3f}  {np.quantile(found, 0.9):.3f}  {found.max():.3f}")
         table.add_row(name, *cells)

@@ -31,7 +31,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import omote
-from benchmarks.recovery import COMMAND, opened
+from benchmarks.recovery import COMMAND, read_address
 from omote.model.cast import Cast
 from omote.show.messages import (
     LINK_PATH,
@@ -181,7 +181,7 @@ async def play(url: str, faces: int | None, *, plain: bool) -> list[Called]:
             return calls
 
 
-def measured(url: str, faces: int | None, *, plain: bool) -> tuple[list[Called], list[Arrival]]:
+def measure_calls(url: str, faces: int | None, *, plain: bool) -> tuple[list[Called], list[Arrival]]:
     """The calls, and every state that came meanwhile."""
     ours, theirs = multiprocessing.Pipe()
     listener = multiprocessing.get_context("spawn").Process(target=listen, args=(url, theirs))
@@ -281,7 +281,9 @@ def main() -> int:
         command = [*COMMAND, str(Path(folder) / "show.omote"), "--port", "0", "--no-open"]
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         try:
-            calls, arrivals = measured(opened(process).removesuffix(LINK_PATH), options.faces, plain=options.plain)
+            calls, arrivals = measure_calls(
+                read_address(process).removesuffix(LINK_PATH), options.faces, plain=options.plain
+            )
         finally:
             process.terminate()
             process.wait(10.0)

@@ -53,7 +53,7 @@ class Follower:
 
     async def call(self, number: int, http: aiohttp.ClientSession) -> None:
         """Calls the next face."""
-        await self._connected(http)
+        await self._connect(http)
         assert self._socket is not None
         name = FACES[number % len(FACES)]
         await self._socket.send_bytes(encode(CallFace(f"{os.getpid()} {number}", name, FADE_SECONDS, "smooth")))
@@ -61,7 +61,7 @@ class Follower:
     async def state(self, http: aiohttp.ClientSession) -> State:
         """The next state, however often the link must be opened for it."""
         while True:
-            await self._connected(http)
+            await self._connect(http)
             assert self._socket is not None
             message = await self._socket.receive()
             if message.type is not aiohttp.WSMsgType.BINARY:
@@ -72,7 +72,7 @@ class Follower:
                 self.received = time.monotonic()
                 return answer
 
-    async def _connected(self, http: aiohttp.ClientSession) -> None:
+    async def _connect(self, http: aiohttp.ClientSession) -> None:
         while self._socket is None:
             try:
                 opening = http.ws_connect(self._url, max_msg_size=0)
@@ -120,7 +120,7 @@ async def measure(url: str, supervisor: int, kills: int) -> list[Recovery]:
         return [await kill_once(follower, http, supervisor, n, float(wait)) for n, wait in enumerate(waits)]
 
 
-def opened(process: subprocess.Popen[str]) -> str:
+def read_address(process: subprocess.Popen[str]) -> str:
     """The address of the link, once the show says where it is."""
     assert process.stdout is not None
     for line in process.stdout:
@@ -152,7 +152,7 @@ def main() -> int:
         with (Path(folder) / "said").open("w+") as said:
             process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=said, text=True)
             try:
-                recoveries = asyncio.run(measure(opened(process), process.pid, kills))
+                recoveries = asyncio.run(measure(read_address(process), process.pid, kills))
             finally:
                 process.terminate()
                 process.wait(10.0)

@@ -20,8 +20,8 @@ from rich.table import Table
 import omote
 from omote.model.cast import NEUTRAL, Cast
 from omote.model.controls.default_net import default_net
-from omote.model.controls.inverse_solve import Solved, solved
-from omote.model.controls.net_field import Weave, woven
+from omote.model.controls.inverse_solve import Solution, solve_vectors
+from omote.model.controls.net_field import NetField, build_net_field
 from omote.model.space.face import Face
 
 FACES = ("kaori", "baby", "dog", "noh", "goblin", "cat")
@@ -42,31 +42,31 @@ def normals(face: Face, triangles: NDArray[np.int32]) -> Values:
     return result
 
 
-def released(cast: Cast, weave: Weave, face: Face, random: np.random.Generator) -> list[Solved]:
+def solve_drags(cast: Cast, net_field: NetField, face: Face, random: np.random.Generator) -> list[Solution]:
     """Every point dragged once: every other along the surface, the rest anywhere."""
     outward = normals(face, cast.space.sheet_triangles)
-    rest, found = np.tile([0.0, 0.0, 1.0], (len(weave.rows), 1)), []
-    for point, row in enumerate(weave.rows):
+    rest, found = np.tile([0.0, 0.0, 1.0], (len(net_field.rows), 1)), []
+    for point, row in enumerate(net_field.rows):
         way = random.normal(size=3)
         if point % 2 == 0:
             way -= (way @ outward[row]) * outward[row]
         way *= random.uniform(SHORTEST, LONGEST) / np.linalg.norm(way)
         goal = face.positions[row] + way
-        found.append(solved(cast.space, face, cast.expressions[NEUTRAL], weave, rest, [point], [goal]))
+        found.append(solve_vectors(cast.space, face, cast.expressions[NEUTRAL], net_field, rest, [point], [goal]))
     return found
 
 
 def main() -> int:
     """Prints the misses per face; 0 when all are within the bar."""
     cast = omote.load_cast()
-    weave = woven(cast.space, default_net(cast.space))
+    net_field = build_net_field(cast.space, default_net(cast.space))
     table = Table(title="Points let go: how far off, and what it took", title_justify="left")
     for column in ("face", "drags", "within 0.05 mm", "worst, mm", "compounds: mean, 99 %, most"):
         table.add_column(column)
     worst = 0.0
     for name in FACES:
         random = np.random.default_rng(5)
-        found = [one for _ in range(ROUNDS) for one in released(cast, weave, cast.faces[name], random)]
+        found = [one for _ in range(ROUNDS) for one in solve_drags(cast, net_field, cast.faces[name], random)]
         misses, counts = (np.array([getattr(one, key) for one in found]) for key in ("miss", "compounds"))
         worst = max(worst, float(misses.max()))
         cost = f"{counts.mean():.1f}  {np.quantile(counts, 0.99):.0f}  {counts.max()}"

@@ -26,7 +26,7 @@ import numpy as np
 
 from omote.model.recipes.recipe import Recipe
 from omote.model.space.expression import Expression
-from omote.server.persistence.commit_thread import Fate, Scribe
+from omote.server.persistence.commit_thread import CommitOutcome, CommitThread
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import open_newest
 from omote.showfile.backup import good_path
@@ -86,7 +86,7 @@ def _item(number: int, head: int) -> Item:
     return Item(number, "expression", f"own-{number}", f"Own {number}", head=head)
 
 
-def counted(show: ShowFile) -> int:
+def count_lists(show: ShowFile) -> int:
     """How many lists of changes a file holds."""
     return int(show.stored().layouts.get(COUNT, b"0"))
 
@@ -102,12 +102,12 @@ def say(sentence: str) -> None:
 def write_for_ever(path: Path, pipe: int) -> None:
     """Edits and saves until somebody kills it; the number of every list told to be committed goes into the pipe."""
     show = open_newest(path, say)
-    scribe = Scribe(show.again(), say, quiet_seconds=0.0)
+    scribe = CommitThread(show.again(), say, quiet_seconds=0.0)
     journal = JournalWriter(show.again(), say, flush_seconds=0.002)
     free = threading.Semaphore(IN_FLIGHT)
-    number = counted(show)
+    number = count_lists(show)
 
-    def told(number: int, fate: Fate) -> None:
+    def told(number: int, fate: CommitOutcome) -> None:
         if fate.state != "committed":
             say(f"list {number}: {fate}")
             return
@@ -202,7 +202,7 @@ def check(path: Path, kill: Kill, reference: Reference) -> str:
         prove(good_path(path))
     show = open_show(path)
     try:
-        there = counted(show)
+        there = count_lists(show)
         if not kill.acknowledged <= there <= kill.acknowledged + IN_FLIGHT:
             return f"{kill.acknowledged} were acknowledged, {there} are there"
         reference.make(there)

@@ -228,7 +228,7 @@ async def measure(url: str, runs: int) -> list[Figures]:
     return figures
 
 
-def opened(process: subprocess.Popen[str]) -> str:
+def read_address(process: subprocess.Popen[str]) -> str:
     """The address of the show, once it says where it is."""
     assert process.stdout is not None
     for line in process.stdout:
@@ -273,7 +273,7 @@ def main() -> int:
         command = [*COMMAND, str(Path(folder) / "show.omote"), "--port", "0", "--no-open"]
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         try:
-            figures = asyncio.run(measure(opened(process), runs))
+            figures = asyncio.run(measure(read_address(process), runs))
         finally:
             process.terminate()
             process.wait(20.0)

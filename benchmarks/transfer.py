@@ -23,7 +23,7 @@ from rich.progress import track
 
 from benchmarks.maps import report
 from benchmarks.maps.bars import Run, verdicts
-from benchmarks.maps.figures import Bench, Figures
+from benchmarks.maps.figures import Comparison, Figures
 from benchmarks.maps.methods import METHODS, OURS
 from benchmarks.maps.source import TRIPLES, load_source
 from omote.model.cast import GENERIC
@@ -31,10 +31,10 @@ from omote.model.cast import GENERIC
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "transfer.md"
 
 
-def measured(console: Console, units: int | None, faces: list[str]) -> Run:
+def measure_maps(console: Console, units: int | None, faces: list[str]) -> Run:
     """Figures by map and face; the generic face itself is the source and left out."""
     source = load_source(units)
-    bench = Bench(source)
+    bench = Comparison(source)
     chosen = [face for name, face in source.cast.faces.items() if name != GENERIC and (not faces or name in faces)]
     run: dict[str, dict[str, Figures]] = {method: {} for method in METHODS}
     for face in track(chosen, "faces", console=console):
@@ -53,7 +53,7 @@ def main() -> int:
     parser.add_argument("--faces", default="", help="these faces only, separated by commas")
     given = parser.parse_args()
     console = Console(width=170)
-    run = measured(console, given.units, [name for name in given.faces.split(",") if name])
+    run = measure_maps(console, given.units, [name for name in given.faces.split(",") if name])
     found = verdicts(run)
     tables = (
         ("Four maps, the worst face named", report.METHOD_HEAD, report.method_rows(run, TRIPLES)),

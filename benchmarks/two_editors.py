@@ -27,7 +27,7 @@ LENGTH = 100
 """Steps of a history."""
 
 
-def counted(seen: Counter[str], folder: Path | None) -> type[Authors]:
+def count_steps(seen: Counter[str], folder: Path | None) -> type[Authors]:
     """Authors that count what they went through; folder: their show files lie there, None: in memory."""
     numbers = count()
 
@@ -43,7 +43,7 @@ def counted(seen: Counter[str], folder: Path | None) -> type[Authors]:
             super().check_invariants(*arguments, **options)
 
         def teardown(self) -> None:
-            replies = [each.message for outcome in self.studio.outcomes for each in outcome.replies]
+            replies = [each.message for outcome in self.harness.outcomes for each in outcome.replies]
             saved = [message for message in replies if isinstance(message, wire.Saved)]
             seen["acknowledged"] += sum(hasattr(message, "request") for message in replies)
             seen["kept aside"] += sum(message.aside for message in saved)
@@ -66,7 +66,7 @@ def play(steps: int, folder: Path | None) -> Counter[str]:
         suppress_health_check=list(HealthCheck),
     )
     while seen["steps"] < steps:
-        run_state_machine_as_test(counted(seen, folder), settings=fresh)
+        run_state_machine_as_test(count_steps(seen, folder), settings=fresh)
     return seen
 
 

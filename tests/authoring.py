@@ -54,12 +54,12 @@ def welcome() -> wire.Greeted:
     return wire.Greeted(0, "", muscles, list(REGIONS), b"", b"", b"", b"", [])
 
 
-def woven(net: tuple[int, ...]) -> wire.NetDocument:
+def net_document(net: tuple[int, ...]) -> wire.NetDocument:
     """A document that names its net and says nothing else."""
     return wire.NetDocument(list(net), b"", b"", b"", [-1] * len(net))
 
 
-def craft(order: EditOrder) -> Baked:
+def make_baked(order: EditOrder) -> Baked:
     """What the workshop would answer, with bytes that only name what they were made from.
 
     Raises AssertionError where the order lacks a content that its recipe names.
@@ -77,14 +77,17 @@ def craft(order: EditOrder) -> Baked:
             recipe, miss = msgspec.structs.replace(order.recipe, vectors=tuple(vectors)), 1e-6
         case Renet():
             vectors = [(0.0, 0.0, 1.0)] * len(order.net)
-            recipe, net = msgspec.structs.replace(order.recipe, net=order.net, vectors=tuple(vectors)), woven(order.net)
+            recipe, net = (
+                msgspec.structs.replace(order.recipe, net=order.net, vectors=tuple(vectors)),
+                net_document(order.net),
+            )
         case Flat():
             ground = b"ground of " + write_recipe(order.recipe)
             made[content_key(ground)] = ground
             rest = ((0.0, 0.0, 1.0),) * len(order.recipe.net)
             recipe = Recipe(order.recipe.net, rest, ground=KEY + content_key(ground))
         case Bake():
-            net = woven(order.recipe.net) if order.weave and isinstance(order.recipe, Recipe) else None
+            net = net_document(order.recipe.net) if order.with_net and isinstance(order.recipe, Recipe) else None
     data = b"made of " + write_recipe(recipe)
     return Baked(recipe, content_key(data), made | {content_key(data): data}, net, miss)
 
@@ -144,7 +147,7 @@ class Tables:
                 self.edits = {key: edit for key, edit in self.edits.items() if key[:2] != (item, editor)}
 
 
-class Studio:
+class EditHarness:
     """A session with its craft and its file: everything that is asked is done at once, unless `slow`."""
 
     def __init__(self, cast: Cast, tables: Any = None, *, slow: bool = False) -> None:
@@ -152,7 +155,7 @@ class Studio:
         self.tables = Tables() if tables is None else tables
         self.on_air = OnAir(faces={"generic": 1.0}, expressions={"neutral": 1.0})
         self.wall = WALL
-        self.craft: Callable[[EditOrder], Baked | str | None] = craft
+        self.make_baked: Callable[[EditOrder], Baked | str | None] = make_baked
         self.orders: list[tuple[int, EditOrder]] = []
         self.ordered: list[EditOrder] = []
         self.outcomes: list[Outcome] = []
@@ -184,14 +187,14 @@ class Studio:
 
     def say(self, who: str, message: Message, kind: type = object) -> list[Any]:
         """Everything of a kind that goes back to whoever speaks."""
-        told = self.hear(who, encode(message))  # type: ignore[arg-type]
+        told = self.receive_bytes(who, encode(message))  # type: ignore[arg-type]
         return [each for to, each in told if to == who and isinstance(each, kind)]
 
-    def hear(self, who: str, data: bytes) -> list[tuple[str, Any]]:
+    def receive_bytes(self, who: str, data: bytes) -> list[tuple[str, Any]]:
         """Everything that goes to anybody after these bytes, once all orders are done."""
-        return self.settle(self.session.hear(who, data, wall=self.wall, on_air=self.on_air))
+        return self.carry_out(self.session.receive_bytes(who, data, wall=self.wall, on_air=self.on_air))
 
-    def settle(self, outcome: Outcome) -> list[tuple[str, Any]]:
+    def carry_out(self, outcome: Outcome) -> list[tuple[str, Any]]:
         """Commits an outcome, does its orders (or, `slow`, lays them aside) and gives all messages."""
         told: list[tuple[str, Any]] = []
         outcomes = [outcome]
@@ -208,13 +211,13 @@ class Studio:
 
     def answer(self, number: int, order: EditOrder) -> Outcome:
         """The outcome of one order."""
-        baked = self.craft(order)
-        return self.session.made(number, encode(baked) if isinstance(baked, Baked) else baked)
+        baked = self.make_baked(order)
+        return self.session.finish_order(number, encode(baked) if isinstance(baked, Baked) else baked)
 
     def keep(self, kind: Kind, label: str | None = None, ticket: str = "ticket") -> Any:
         """One press of "save what is on air", and what became of it."""
         before = len(self.outcomes)
-        self.settle(
+        self.carry_out(
             self.session.keep(kind, self.on_air, label=label, wall=self.wall, editor="console", ticket=ticket)
         )  # fmt: skip
         (kept,) = [kept for outcome in self.outcomes[before:] for kept in outcome.kept]

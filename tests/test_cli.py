@@ -17,7 +17,7 @@ from omote.model.cast import Cast
 from omote.server.headless.devtools import BrowserError
 from omote.server.persistence.lock import lock_show
 from omote.server.supervision.supervisor import Supervisor
-from omote.stage_data.picture_grid import Setting, Sheet
+from omote.stage_data.picture_grid import PictureGrid, Setting
 
 runner = CliRunner()
 HEAVY = ("numpy", "numba", "aiohttp", "scipy", "rich.console")
@@ -88,7 +88,7 @@ def test_a_missing_cast_is_one_sentence(monkeypatch: pytest.MonkeyPatch, argumen
 def test_check_passes_when_all_is_good(
     monkeypatch: pytest.MonkeyPatch, verdicts: list[tuple[bool, str]], code: int
 ) -> None:
-    monkeypatch.setattr("omote.server.check.checked", lambda: iter(verdicts))
+    monkeypatch.setattr("omote.server.check.run_checks", lambda: iter(verdicts))
     done = runner.invoke(app, ["check"])
     assert done.exit_code == code
     assert ("BAD   b" in done.output) == (code == 1)
@@ -96,19 +96,19 @@ def test_check_passes_when_all_is_good(
 
 
 @pytest.fixture
-def drawn(small_cast: Cast, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Sheet, Setting]]:
+def drawn(small_cast: Cast, monkeypatch: pytest.MonkeyPatch) -> list[tuple[PictureGrid, Setting]]:
     """What a browser would be asked to draw; it draws the same small file every time."""
-    asked: list[tuple[Sheet, Setting]] = []
+    asked: list[tuple[PictureGrid, Setting]] = []
 
-    def draw(sheet: Sheet, setting: Setting) -> bytes:
+    def draw(sheet: PictureGrid, setting: Setting) -> bytes:
         asked.append((sheet, setting))
         return b"picture"
 
-    monkeypatch.setattr("omote.server.headless.picture_studio.draw_sheet", draw)
+    monkeypatch.setattr("omote.server.headless.picture_studio.draw_grid", draw)
     return asked
 
 
-def test_a_picture_is_drawn_as_it_is_asked_for(tmp_path: Path, drawn: list[tuple[Sheet, Setting]]) -> None:
+def test_a_picture_is_drawn_as_it_is_asked_for(tmp_path: Path, drawn: list[tuple[PictureGrid, Setting]]) -> None:
     path = tmp_path / "a.png"
     words = "--expression smile=0.5 --channel jawOpen=0.25 --turn -30,5 --gaze 10 --size 64x48 --light portrait"
     done = runner.invoke(app, ["render", "-o", str(path), *words.split(), "--transparent", "--quality", "low"])
@@ -121,14 +121,14 @@ def test_a_picture_is_drawn_as_it_is_asked_for(tmp_path: Path, drawn: list[tuple
     assert sheet.poses[0][0]["head"][0] < 0 < sheet.poses[0][0]["head"][1]
 
 
-def test_a_morph_is_two_faces(tmp_path: Path, small_cast: Cast, drawn: list[tuple[Sheet, Setting]]) -> None:
+def test_a_morph_is_two_faces(tmp_path: Path, small_cast: Cast, drawn: list[tuple[PictureGrid, Setting]]) -> None:
     one, other = list(small_cast.faces)[:2]
     done = runner.invoke(app, ["render", "-o", str(tmp_path / "a.png"), "--face", f"{one}=0.25", "--face", other])
     assert done.exit_code == 0
     assert drawn[0][0].poses[0][0]["faces"] == {one: 0.25, other: 0.75}
 
 
-def test_a_grid_has_names_or_none(tmp_path: Path, small_cast: Cast, drawn: list[tuple[Sheet, Setting]]) -> None:
+def test_a_grid_has_names_or_none(tmp_path: Path, small_cast: Cast, drawn: list[tuple[PictureGrid, Setting]]) -> None:
     words = ["grid", "-o", str(tmp_path / "a.jpg"), "--faces", ",".join(small_cast.faces), "--expressions", "smile"]
     assert runner.invoke(app, words).exit_code == 0
     assert runner.invoke(app, [*words, "--no-labels"]).exit_code == 0
@@ -152,7 +152,7 @@ def test_a_grid_has_names_or_none(tmp_path: Path, small_cast: Cast, drawn: list[
     ],
 )
 def test_a_picture_that_cannot_be_drawn_is_one_sentence_and_no_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, drawn: list[tuple[Sheet, Setting]], words: str, named: str
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, drawn: list[tuple[PictureGrid, Setting]], words: str, named: str
 ) -> None:
     monkeypatch.chdir(tmp_path)
     done = runner.invoke(app, ["render", *(["-o", "a.png"] if "-o" not in words else []), *words.split()])
@@ -166,10 +166,10 @@ def test_a_picture_that_cannot_be_drawn_is_one_sentence_and_no_file(
 def test_a_browser_that_does_not_draw_is_one_sentence_and_no_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def missing(sheet: Sheet, setting: Setting) -> bytes:
+    def missing(sheet: PictureGrid, setting: Setting) -> bytes:
         raise BrowserError("the browser ended before it had drawn; try again")
 
-    monkeypatch.setattr("omote.server.headless.picture_studio.draw_sheet", missing)
+    monkeypatch.setattr("omote.server.headless.picture_studio.draw_grid", missing)
     done = runner.invoke(app, ["render", "-o", str(tmp_path / "a.png")])
     assert (done.exit_code, done.stderr) == (1, "omote: the browser ended before it had drawn; try again\n")
     assert list(tmp_path.iterdir()) == []
@@ -231,7 +231,7 @@ def test_pages_that_are_not_built_are_one_sentence(tmp_path: Path, monkeypatch: 
     def missing() -> None:
         raise FileNotFoundError("the pages are not built: run `make web`.")
 
-    monkeypatch.setattr("omote.server.http.static_pages.read_bundle", missing)
+    monkeypatch.setattr("omote.server.http.static_pages.read_pages", missing)
     done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
     assert (done.exit_code, done.stderr) == (1, "omote: the pages are not built: run `make web`.\n")
 

@@ -9,8 +9,8 @@ from typer.testing import CliRunner
 
 from omote.builtin import load_cast
 from omote.cli import app
-from omote.edit.store.import_items import mailed
-from omote.file_commands import moment
+from omote.edit.store.import_items import make_document
+from omote.file_commands import format_time
 from omote.interchange.formats.expression_json import encode
 from omote.model.cast import Cast
 from omote.showfile.changes import PutContent, PutItem, PutRevision
@@ -109,7 +109,7 @@ def test_a_name_that_is_not_there_is_one_sentence(show: ShowFile) -> None:
 
 @pytest.mark.parametrize("seconds", [1e300, float("nan"), -1e300])
 def test_a_time_that_no_clock_shows_is_a_question(seconds: float) -> None:
-    assert moment(seconds) == "?"
+    assert format_time(seconds) == "?"
 
 
 def test_an_expression_goes_out_of_one_show_file_and_into_another(show: ShowFile, tmp_path: Path) -> None:
@@ -140,7 +140,7 @@ def test_a_label_in_a_strangers_file_commands_no_terminal(show: ShowFile) -> Non
 
 def test_what_comes_in_is_told_of_without_what_commands_a_terminal(tmp_path: Path) -> None:
     cast = load_cast()
-    mail = mailed(cast.space, "\x1b]0;owned\x07", (), cast.expressions["smile"])
+    mail = make_document(cast.space, "\x1b]0;owned\x07", (), cast.expressions["smile"])
     (tmp_path / "mail.json").write_bytes(encode(mail))
     text = said("import", tmp_path / "other.omote", tmp_path / "mail.json", status=1)
     assert "\x1b" not in text
@@ -156,5 +156,5 @@ def test_a_file_whose_numbers_are_used_up_takes_nothing_more_and_says_so(show: S
     show.apply([PutItem(item(2**63 - 1, name="last"))])
     show.close()
     cast = load_cast()
-    (tmp_path / "mail.json").write_bytes(encode(mailed(cast.space, "Wry", (), cast.expressions["smile"])))
+    (tmp_path / "mail.json").write_bytes(encode(make_document(cast.space, "Wry", (), cast.expressions["smile"])))
     assert "too large" in said("import", show.path, tmp_path / "mail.json", status=1)

@@ -8,7 +8,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import Progress
 
-from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, line_mouths, mesh_arrays, space_of
+from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, fit_mouth_bags, mesh_arrays, space_of
 from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
 from tools.baking.hair.strands import hair_arrays
 from tools.baking.hair.styles import GROOMS
@@ -43,9 +43,9 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
     step("targets of the units")
     arrays["jaw"] = jaw_vertices(moves)
     space, sculpts = space_of(arrays), read_sculpts()
-    line_mouths(arrays, space, PEOPLE)
+    fit_mouth_bags(arrays, space, PEOPLE)
     arrays.update(sculpt_arrays(arrays, space, sculpts, step))
-    line_mouths(arrays, space, [sculpt.name for sculpt in sculpts])
+    fit_mouth_bags(arrays, space, [sculpt.name for sculpt in sculpts])
     arrays.update(field_arrays(arrays, space, moves, step))
     arrays.update(hair_arrays(space, step))
     arrays.update(about(moves, sculpts))

@@ -12,7 +12,7 @@ from typing import Any
 from tools.node import ROOT, SENTENCE, find_node
 
 
-def inspected(paths: Iterable[Path], /) -> list[dict[str, Any]]:
+def inspect(paths: Iterable[Path], /) -> list[dict[str, Any]]:
     """For each file {validator: {errors, warnings, infos, hints, said}, three: {root, meshes}}.
 
     RuntimeError where Node or its packages are missing.

@@ -32,7 +32,7 @@ def interface(struct: type[msgspec.Struct]) -> str:
     """One exported interface, with the docstring as its comment."""
     config = struct.__struct_config__
     hints = typing.get_type_hints(struct)
-    fields = [f"  {config.tag_field}: {_quoted(config.tag)};"] if config.tag is not None else []
+    fields = [f"  {config.tag_field}: {_quote(config.tag)};"] if config.tag is not None else []
     fields += [f"  {field.name}: {type_script(hints[field.name])};" for field in msgspec.structs.fields(struct)]
     lines = inspect.cleandoc(struct.__doc__ or "").replace("\n\n", "\n").splitlines()
     comment = f"/** {lines[0]} */" if len(lines) == 1 else "/**\n" + "".join(f" * {line}\n" for line in lines) + " */"
@@ -43,7 +43,7 @@ def show_module() -> str:
     """The messages of the show's link in TypeScript, the same text for the same messages."""
     constants = [
         f"export const PROTOCOL_VERSION = {messages.PROTOCOL_VERSION};",
-        f"export const LINK_PATH = {_quoted(messages.LINK_PATH)};",
+        f"export const LINK_PATH = {_quote(messages.LINK_PATH)};",
         f"/** States per second. */\nexport const STATE_RATE = {messages.STATE_RATE:g};",
     ]
     unions = [_union("FromClient", messages.CLIENT_MESSAGES), _union("FromServer", messages.SERVER_MESSAGES)]
@@ -54,7 +54,7 @@ def editing_module() -> str:
     """The messages of the editors' link in TypeScript, recipes and what is kept of them included."""
     constants = [
         f"export const EDITING_VERSION = {editing.EDITING_VERSION};",
-        f"export const EDITING_PATH = {_quoted(editing.EDITING_PATH)};",
+        f"export const EDITING_PATH = {_quote(editing.EDITING_PATH)};",
         f"/** Bytes; no message of an editor is longer. */\nexport const EDITING_LIMIT = {editing.EDITING_LIMIT};",
     ]
     unions = [_union("FromEditor", editing.EDITOR_MESSAGES), _union("ToEditor", editing.ANSWERS)]
@@ -86,7 +86,7 @@ def _module(package: str, constants: list[str], structs: list[type[msgspec.Struc
 
 def _generic(origin: object, arguments: tuple[object, ...], annotation: object) -> str:
     if origin is typing.Literal:
-        return " | ".join(map(_quoted, arguments))
+        return " | ".join(map(_quote, arguments))
     if origin in (typing.Union, types.UnionType):
         return " | ".join(map(type_script, arguments))
     if origin is list or (origin is tuple and arguments[1:] == (...,)):
@@ -113,7 +113,7 @@ def _union(name: str, members: tuple[type[msgspec.Struct], ...]) -> str:
     )
 
 
-def _quoted(value: object) -> str:
+def _quote(value: object) -> str:
     return f'"{value}"'
 
 

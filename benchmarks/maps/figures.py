@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.maps.inner import Mouth, more
-from benchmarks.maps.measures import Creases, closure_errors, turned_over
+from benchmarks.maps.measures import Creases, closure_errors, find_folds
 from benchmarks.maps.piercing import balls_of, depth_in_balls, teeth_on, teeth_out
 from benchmarks.maps.source import Source
 from benchmarks.maps.sums import SumFigures, Sums
@@ -69,7 +69,7 @@ class Figures:
     times: list[float] = field(default_factory=list)
 
 
-class Bench:
+class Comparison:
     """The source's own figures, and the measures of any face against them."""
 
     def __init__(self, source: Source) -> None:
@@ -77,20 +77,20 @@ class Bench:
         self._creases = Creases.of(source.sheet)
         self._skin = np.unique(source.sheet)
         self._mouth = Mouth(source.space)
-        self.known = {unit: self._known(unit) for unit in source.moves}
+        self.known = {unit: self._measure_source(unit) for unit in source.moves}
         self._roughest = sum(known.rough for known in self.known.values())
         self._sums = Sums(source)
 
-    def _known(self, unit: str) -> Known:
+    def _measure_source(self, unit: str) -> Known:
         source, face = self.source, self.source.cast.faces[GENERIC]
         rest, now = source.positions, source.positions + source.moves[unit]
         return Known(
-            turned_over(rest, now, source.sheet),
+            find_folds(rest, now, source.sheet),
             self._rough(rest, now),
             self._in_eyes(face, rest, now, unit),
             teeth_out(now, source.sheet, teeth_on(source, face, now, unit)),
             self._mouth.out(now),
-            tuple(source.worn(unit, level) for level in LEVELS),
+            tuple(source.wear(unit, level) for level in LEVELS),
         )
 
     def _rough(self, rest: Values, now: Values) -> float:
@@ -118,7 +118,7 @@ class Bench:
 
     def _add(self, found: Figures, face: Face, rest: Values, now: Values, unit: str) -> None:
         known, sheet = self.known[unit], self.source.sheet
-        found.folds += int((turned_over(rest, now, sheet) & ~known.folded).sum())
+        found.folds += int((find_folds(rest, now, sheet) & ~known.folded).sum())
         for line in self.source.lines:
             means, alongs = found.lips if line.kind == "lips" else found.lids
             for level, there in zip(LEVELS, known.levels, strict=True):

@@ -17,7 +17,7 @@ Mask = NDArray[np.bool_]
 # ---- folds
 
 
-def turned_over(rest: Values, now: Values, sheet: Indices) -> Mask:
+def find_folds(rest: Values, now: Values, sheet: Indices) -> Mask:
     """The triangles (T,) whose normal points against that at rest; positions (V, 3) at rest and now."""
     result: Mask = (normals(rest, sheet) * normals(now, sheet)).sum(axis=1) < 0
     return result
@@ -43,19 +43,19 @@ def closure_errors(line: Line, source: tuple[Values, Values], target: tuple[Valu
     mean: |D(target) - D(source)|, D = mean_i up.(g_i(now) - g_i(rest)) / W; along: mean_i |d_i(target) - d_i(source)|.
     """
     if line.kind == "lips":
-        here, there = _risen(line, *target), _risen(line, *source)
+        here, there = _rise(line, *target), _rise(line, *source)
         return abs(float(here.mean() - there.mean())), float(np.abs(here - there).mean())
-    (here, long_here), (there, long_there) = _parted(line, *target), _parted(line, *source)
+    (here, long_here), (there, long_there) = _part(line, *target), _part(line, *source)
     mean = (here * long_here).sum() / long_here.sum() - (there * long_there).sum() / long_there.sum()
     return abs(float(mean)), float((long_here * np.abs(here - there)).sum() / long_here.sum())
 
 
-def _risen(line: Line, rest: Values, now: Values) -> Values:
+def _rise(line: Line, rest: Values, now: Values) -> Values:
     result: Values = (line.rungs(now) - line.rungs(rest))[:, 1] / np.ptp(rest[line.loop, 0])
     return result
 
 
-def _parted(line: Line, rest: Values, now: Values) -> tuple[Values, Values]:
+def _part(line: Line, rest: Values, now: Values) -> tuple[Values, Values]:
     """Openings relative to rest and the lengths at rest, rung by rung."""
     still = line.rungs(rest)
     length = np.linalg.norm(still, axis=1)

@@ -16,7 +16,7 @@ Values = NDArray[np.float64]
 Map = Callable[[str], Values]
 
 
-def added(source: Source, face: Face) -> Map:
+def add_deltas(source: Source, face: Face) -> Map:
     """Added deltas: what blendshape tools do."""
     positions = face.positions.astype(np.float64)
     return lambda unit: positions + source.moves[unit]
@@ -43,7 +43,7 @@ def smooth(source: Source, face: Face) -> Map:
 
 DELTAS, DEFORMATION, PAPER, OURS = "added deltas", "deformation transfer", "the paper's map", "ours"
 METHODS: dict[str, Callable[[Source, Face], Map]] = {
-    DELTAS: added,
+    DELTAS: add_deltas,
     DEFORMATION: deformation,
     PAPER: plain,
     OURS: smooth,

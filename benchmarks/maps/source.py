@@ -45,7 +45,7 @@ class Source:
         """The parameter space of the cast."""
         return self.cast.space
 
-    def worn(self, unit: str, weight: float) -> Values:
+    def wear(self, unit: str, weight: float) -> Values:
         """The generic face (V, 3) wearing a unit's field at a weight."""
         return compound(self.space, self.cast.faces[GENERIC], self.cast.expressions[unit], weight).astype(np.float64)
 

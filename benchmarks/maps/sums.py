@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.maps.measures import turned_over
+from benchmarks.maps.measures import find_folds
 from benchmarks.maps.methods import OURS
 from benchmarks.maps.piercing import balls_of
 from benchmarks.maps.source import Source
@@ -45,28 +45,30 @@ class Sums:
         self._source = source
         rest, sheet = source.positions, source.sheet
         self._folded = [
-            turned_over(rest, rest + sum(source.moves[unit] for unit in triple), sheet) for triple in source.triples
+            find_folds(rest, rest + sum(source.moves[unit] for unit in triple), sheet) for triple in source.triples
         ]
         self._skin = np.unique(sheet)
 
     def measure(self, method: str, face: Face, moves: Mapping[str, Values]) -> SumFigures:
         """The figures of a map on a face: moves (V, 3) by unit."""
         source, rest = self._source, face.positions.astype(np.float64)
-        add = self._settled(face, moves) if method == OURS else lambda triple: rest + sum(moves[u] for u in triple)
-        alone = {unit: turned_over(rest, rest + move, source.sheet) for unit, move in moves.items()}
-        crossed = {unit: self._crossed(rest, rest + move) for unit, move in moves.items()}
+        add = (
+            self._corrected_sums(face, moves) if method == OURS else lambda triple: rest + sum(moves[u] for u in triple)
+        )
+        alone = {unit: find_folds(rest, rest + move, source.sheet) for unit, move in moves.items()}
+        crossed = {unit: self._find_crossed(rest, rest + move) for unit, move in moves.items()}
         deep = {unit: self._deep(face, rest, rest + move) for unit, move in moves.items()}
         found = SumFigures(len(source.triples))
         for triple, folded in zip(source.triples, self._folded, strict=True):
             now = add(triple)
-            over = turned_over(rest, now, source.sheet)
+            over = find_folds(rest, now, source.sheet)
             found.folds += int((over & ~folded).sum())
             found.new_folds += int((over & ~np.any([alone[unit] for unit in triple], axis=0)).sum())
-            found.crossed.append(float((self._crossed(rest, now) - sum(crossed[unit] for unit in triple)).max()))
+            found.crossed.append(float((self._find_crossed(rest, now) - sum(crossed[unit] for unit in triple)).max()))
             found.eyes.append(float((self._deep(face, rest, now) - sum(deep[unit] for unit in triple)).max()))
         return found
 
-    def _settled(self, face: Face, moves: Mapping[str, Values]) -> Callable[[Triple], Values]:
+    def _corrected_sums(self, face: Face, moves: Mapping[str, Values]) -> Callable[[Triple], Values]:
         """The engine's own way with sums, on this face."""
         fitted, settling = fit(self._source.space, face), settling_of(self._source.space)
         if settling is None:
@@ -83,7 +85,7 @@ class Sums:
 
         return add
 
-    def _crossed(self, rest: Values, now: Values) -> Values:
+    def _find_crossed(self, rest: Values, now: Values) -> Values:
         return np.concatenate([crossing(line, rest, now) for line in self._source.lines])
 
     def _deep(self, face: Face, rest: Values, now: Values) -> Values:

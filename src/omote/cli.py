@@ -15,7 +15,7 @@ from omote.file_commands import file_app
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
-    from omote.stage_data.picture_grid import Sheet
+    from omote.stage_data.picture_grid import PictureGrid
 
 Output = Annotated[Path, typer.Option("--output", "-o", help="The picture to write: .png, .jpg.")]
 FacesOption = Annotated[list[str] | None, typer.Option("--face", help="A face; several mix: kaori=0.5, dog=0.5.")]
@@ -58,7 +58,7 @@ def show(
 
     path = (file or default_path()).absolute()
     try:
-        bundle.read_bundle()
+        bundle.read_pages()
         lock = lock_show(path)
         listening = listen_on(host, port)  # before the file is made: a refused port leaves none
         open_newest(path, say).close()
@@ -98,11 +98,11 @@ def render(
     words = {"turn": turn, "gaze": gaze, "light": light, "channels": "+".join(channel or [])}
     words |= {"face": "+".join(face or ["generic"]), "expression": "+".join(expression or [])}
 
-    def sheet(cast: Cast) -> Sheet:
-        from omote.stage_data.picture_grid import Sheet
-        from omote.stage_data.pose_parser import pose_of, posed
+    def sheet(cast: Cast) -> PictureGrid:
+        from omote.stage_data.picture_grid import PictureGrid
+        from omote.stage_data.pose_parser import parse_pose, pose_of
 
-        return Sheet([[pose_of(cast, posed(cast, **words))]])
+        return PictureGrid([[pose_of(cast, parse_pose(cast, **words))]])
 
     draw(output, sheet, size, background=background, transparent=transparent, quality=quality)
 
@@ -122,10 +122,10 @@ def grid(
 ) -> None:
     """Draws pictures in rows and columns: faces by expressions, and by turns."""
 
-    def sheet(cast: Cast) -> Sheet:
+    def sheet(cast: Cast) -> PictureGrid:
         from omote.stage_data import picture_grid as sheet
 
-        return sheet.grid(cast, faces=faces, expressions=expressions, turns=turns, light=light, labels=labels)
+        return sheet.build_grid(cast, faces=faces, expressions=expressions, turns=turns, light=light, labels=labels)
 
     draw(output, sheet, size, background=background, transparent=transparent, quality=quality)
 
@@ -143,18 +143,20 @@ def export(
     from rich.progress import track
 
     from omote.builtin import load_mask, load_meshes
-    from omote.interchange.export_face import Workbench, chosen, exported, worn_meshes
+    from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
     from omote.interchange.formats.atomic_file import check_writable, write_whole
     from omote.interchange.formats.glb_writer import check_name, glb_bytes
 
     try:
         check_name(output)
         check_writable(output)
-        cast = load_cast() if show is None else load_ensemble(show)
-        names = chosen(cast, expressions)
+        cast = load_cast() if show is None else load_full_cast(show)
+        names = choose_expressions(cast, expressions)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
-        poses = ((name, worn_meshes(cast, face, name)) for name in busy)
-        write_whole(output, glb_bytes(exported(Workbench(cast, load_meshes(), load_mask()), face, poses, hair=hair)))
+        poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
+        write_whole(
+            output, glb_bytes(build_scene(ExportContext(cast, load_meshes(), load_mask()), face, poses, hair=hair))
+        )
     except (OSError, ValueError, RuntimeError) as error:
         fail(str(error))
     say(f"{output}: {face}, morph targets: {len(names)}, {output.stat().st_size / 1e6:.1f} MB")
@@ -163,22 +165,22 @@ def export(
 @app.command()
 def check() -> None:
     """Says whether this machine can play."""
-    from omote.server.check import checked
+    from omote.server.check import run_checks
 
     good = True
-    for passed, sentence in checked():
+    for passed, sentence in run_checks():
         good = good and passed
         typer.echo(f"{'good' if passed else 'BAD '}  {sentence}")
     if not good:
         fail("this machine cannot play yet.")
 
 
-def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: Any) -> None:
+def draw(output: Path, sheet_of: Callable[[Cast], PictureGrid], size: str, **setting: Any) -> None:
     """Draws a sheet into a file, or ends the command with a sentence and leaves no file behind."""
     from omote.interchange.formats.atomic_file import check_writable, write_whole
     from omote.interchange.formats.picture_names import picture_kind
     from omote.server.headless.devtools import BrowserError
-    from omote.server.headless.picture_studio import draw_sheet
+    from omote.server.headless.picture_studio import draw_grid
     from omote.stage_data.picture_grid import Setting, read_size
 
     try:
@@ -186,23 +188,23 @@ def draw(output: Path, sheet_of: Callable[[Cast], Sheet], size: str, **setting: 
         check_writable(output)
         width, height = read_size(size)
         chosen = Setting(width, height, **setting)
-        write_whole(output, draw_sheet(sheet_of(load_cast()).on_paper(chosen, kind), chosen))
+        write_whole(output, draw_grid(sheet_of(load_cast()).on_paper(chosen, kind), chosen))
     except (OSError, ValueError, BrowserError) as error:
         fail(str(error))
 
 
 def announce(host: str, port: int, *, browser: bool) -> None:
     """Says where the pages are, and opens stage and console where there is a screen."""
-    from omote.server.http.address import here, reachable
+    from omote.server.http.address import local_address, reachable_addresses
 
-    for url in reachable(host, port):
+    for url in reachable_addresses(host, port):
         typer.echo(f"  stage    {url}/stage\n  console  {url}/console\n  editor   {url}/editor")
     if host not in ("127.0.0.1", "::1", "localhost"):
         say("everybody on this network can play; there is no password yet.")
     typer.echo("  Ctrl-C ends the show.")
     if browser and has_screen():
         for page in ("stage", "console"):
-            webbrowser.open(f"{here(host, port)}/{page}")
+            webbrowser.open(f"{local_address(host, port)}/{page}")
 
 
 def has_screen() -> bool:
@@ -220,13 +222,13 @@ def load_cast() -> Cast:
         fail(str(error))
 
 
-def load_ensemble(path: Path) -> Cast:
+def load_full_cast(path: Path) -> Cast:
     """The built-in cast with the own faces and expressions of a show file."""
     from omote.showfile.inspection import inspect_show
-    from omote.stage_data.full_cast import ensemble
+    from omote.stage_data.full_cast import build_full_cast
 
     found = inspect_show(path)
-    return ensemble(load_cast(), found.stored, found.contents)
+    return build_full_cast(load_cast(), found.stored, found.contents)
 
 
 def print_json(cast: Cast) -> None:

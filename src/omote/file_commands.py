@@ -22,7 +22,7 @@ def list_items(file: ShowFileArgument, json: JsonOption = False) -> None:
     """Lists the own faces and expressions of a show file."""
     from omote.showfile.inspection import inspect_show
 
-    with refusals():
+    with exit_on_refusal():
         stored = inspect_show(file).stored
     rows = [
         {
@@ -37,7 +37,7 @@ def list_items(file: ShowFileArgument, json: JsonOption = False) -> None:
         }
         for item in sorted(stored.items, key=lambda item: (item.kind, item.place, item.id))
     ]
-    show_rows(rows, json=json, none=f"{file} has no own faces or expressions yet.")
+    print_rows(rows, json=json, none=f"{file} has no own faces or expressions yet.")
 
 
 @file_app.command()
@@ -46,10 +46,10 @@ def check(file: ShowFileArgument) -> None:
     from omote.showfile.inspection import verdicts
 
     good = True
-    with refusals():
+    with exit_on_refusal():
         for right, sentence in verdicts(file):
             good = good and right
-            typer.echo(f"{'good' if right else 'BAD '}  {legible(sentence)}")
+            typer.echo(f"{'good' if right else 'BAD '}  {escape_controls(sentence)}")
     if not good:
         typer.echo(
             f"omote: {file} is not all right; of a damaged file omote show opens the newest good state.", err=True
@@ -69,14 +69,14 @@ def history(
     """Lists the revisions of an own face or expression, oldest first."""
     from omote.showfile.inspection import inspect_show, item_named, revisions_of
 
-    with refusals():
+    with exit_on_refusal():
         stored = inspect_show(file).stored
         item = item_named(stored, name, kind)
     rows = [
         {
             "revision": revision.number,
             "of": revision.parent,
-            "written": moment(revision.written),
+            "written": format_time(revision.written),
             "by": revision.editor,
             "note": revision.note,
             "state": "plays" if revision.number == item.head else "aside" if revision.aside else "",
@@ -84,7 +84,7 @@ def history(
         }
         for revision in revisions_of(stored, item)
     ]
-    show_rows(rows, json=json, none=f"{name} has never been saved.")
+    print_rows(rows, json=json, none=f"{name} has never been saved.")
 
 
 @file_app.command("import")
@@ -100,23 +100,23 @@ def take_in(
 ) -> None:
     """Takes expressions or faces made elsewhere into a show file that no show plays."""
     from omote.builtin import load_cast
-    from omote.edit.store.import_items import adopted
-    from omote.server.persistence.offline_show import closed_show, wall_clock
+    from omote.edit.store.import_items import changes_to_import
+    from omote.server.persistence.offline_show import open_offline_show, wall_clock
     from omote.server.sandbox.import_files import expressions_from, faces_from
-    from omote.stage_data.full_cast import ensemble
+    from omote.stage_data.full_cast import build_full_cast
 
     arrivals = []
-    with refusals():
+    with exit_on_refusal():
         cast = load_cast()
         if file.exists():
-            with closed_show(file) as show:  # so that nobody waits for what a show's lock then refuses
-                cast = ensemble(cast, show.stored(), show.contents())
+            with open_offline_show(file) as show:  # so that nobody waits for what a show's lock then refuses
+                cast = build_full_cast(cast, show.stored(), show.contents())
         found = faces_from(cast, things, look=face) if kind == "face" else expressions_from(cast, things, face=face)
         for arrival, sentence in found:
-            typer.echo(f"omote: {legible(sentence)}", err=True)
+            typer.echo(f"omote: {escape_controls(sentence)}", err=True)
             arrivals.append(arrival)
-        with closed_show(file, new=True) as show:
-            show.apply(adopted(cast, show.stored(), arrivals, wall=wall_clock()))
+        with open_offline_show(file, new=True) as show:
+            show.apply(changes_to_import(cast, show.stored(), arrivals, wall=wall_clock()))
     typer.echo(f"omote: {file} has {len(arrivals)} {kind}{'' if len(arrivals) == 1 else 's'} more.", err=True)
 
 
@@ -128,24 +128,24 @@ def give_out(
 ) -> None:
     """Writes an expression as a document that any crew can take in."""
     from omote.builtin import load_cast
-    from omote.edit.store.import_items import mail_of
+    from omote.edit.store.import_items import export_document
     from omote.interchange.formats.atomic_file import check_writable, write_whole
     from omote.interchange.formats.expression_json import encode
     from omote.showfile.inspection import inspect_show
 
-    with refusals():
+    with exit_on_refusal():
         check_writable(output)
         found = inspect_show(file)
-        write_whole(output, encode(mail_of(load_cast(), found.stored, found.contents, name)))
+        write_whole(output, encode(export_document(load_cast(), found.stored, found.contents, name)))
     typer.echo(f"omote: {output} holds {name}.", err=True)
 
 
-def legible(text: str) -> str:
+def escape_controls(text: str) -> str:
     """The text with what no terminal prints as escapes: names in files of strangers would command it."""
     return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
 
 
-def moment(seconds: float) -> str:
+def format_time(seconds: float) -> str:
     """A time of the calendar (seconds since 1970) as people write it here; "?" for one that no clock shows."""
     try:
         return time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(seconds))
@@ -154,7 +154,7 @@ def moment(seconds: float) -> str:
 
 
 @contextlib.contextmanager
-def refusals() -> Iterator[None]:
+def exit_on_refusal() -> Iterator[None]:
     """Ends the command with a sentence and exit status 1 where a show file refuses."""
     import sqlite3
 
@@ -164,11 +164,11 @@ def refusals() -> Iterator[None]:
     try:
         yield
     except (ShowFileError, ShowLockedError, OSError, ValueError, OverflowError, sqlite3.Error) as error:
-        typer.echo(f"omote: {legible(str(error))}", err=True)
+        typer.echo(f"omote: {escape_controls(str(error))}", err=True)
         raise typer.Exit(1) from error
 
 
-def show_rows(rows: list[dict[str, Any]], *, json: bool, none: str) -> None:
+def print_rows(rows: list[dict[str, Any]], *, json: bool, none: str) -> None:
     """Rows as a table, or as JSON; a sentence where there are none."""
     if json:
         import msgspec
@@ -184,5 +184,5 @@ def show_rows(rows: list[dict[str, Any]], *, json: bool, none: str) -> None:
 
     table = Table(*rows[0], box=None, pad_edge=False)
     for row in rows:
-        table.add_row(*(Text("yes" if value is True else legible(str(value or ""))) for value in row.values()))
+        table.add_row(*(Text("yes" if value is True else escape_controls(str(value or ""))) for value in row.values()))
     Console(soft_wrap=False).print(table)

@@ -57,7 +57,7 @@ def state(page: Page) -> dict[str, Any]:
 
 
 def wait_for(page: Page, condition: str) -> None:
-    """Waits until a condition on `state` and `desk` holds."""
+    """Waits until a condition on `state` and `authored_work` holds."""
     given = "const desk = document.querySelector('omote-console')?.rig.desk; const state = desk?.state"
     wait_until(page, f"desk && ({condition})", given, told="state")
 

@@ -23,7 +23,7 @@ from omote.model.cast import Cast
 from omote.show import messages as wire
 from omote.show.messages import LINK_PATH, CompoundAsset
 from omote.show.wire import decode_answer, encode
-from omote.stage_data.assets import rest_positions, unpacked
+from omote.stage_data.assets import rest_positions, unpack_compound
 from tests.browser.conftest import playing
 from tests.browser.waiting import floats, wait_until
 from tests.server.conftest import Editor
@@ -107,7 +107,7 @@ class Author:
 
         run(say())
 
-    def worn(self, cast: Cast, content: str) -> Floats:
+    def wear(self, cast: Cast, content: str) -> Floats:
         """The generic face wearing a content, as the server has it, (vertices, 3) metres."""
 
         async def fetch() -> bytes:
@@ -116,7 +116,7 @@ class Author:
                 return await response.read()
 
         rest = rest_positions(cast, cast.faces["generic"]).astype(np.float64)
-        moves: Floats = rest + unpacked(msgspec.msgpack.decode(run(fetch()), type=CompoundAsset), len(rest))
+        moves: Floats = rest + unpack_compound(msgspec.msgpack.decode(run(fetch()), type=CompoundAsset), len(rest))
         return moves
 
 
@@ -145,7 +145,7 @@ def test_a_saved_expression_is_on_the_console_and_on_air_without_a_reload(
     expect(own).to_contain_text("Broad grin")
     own.click()
     wait_until(stage, "window.omoteStage.pose().expressions.broad_grin === 1 && window.omoteStage.settled()")
-    assert np.abs(shown(stage) - author.worn(cast, draft.content)).max() < TOLERANCE
+    assert np.abs(shown(stage) - author.wear(cast, draft.content)).max() < TOLERANCE
     assert [page.evaluate("window.sameAsBefore") for page in (stage, console)] == [True, True]
 
 
@@ -156,7 +156,7 @@ def test_a_changed_expression_on_air_passes_to_the_new_one_without_a_jump(
     author.play(wire.CallExpression("call", "lopsided", 0.0, "smooth"))
     stage = open_page("/stage", width=160, height=120)
     wait_until(stage, "window.omoteStage?.pose()?.expressions.lopsided === 1 && window.omoteStage.settled()")
-    before = author.worn(cast, draft.content)
+    before = author.wear(cast, draft.content)
     stage.evaluate("""() => {
         window.frames_seen = [];
         const keep = () => {
@@ -166,7 +166,7 @@ def test_a_changed_expression_on_air_passes_to_the_new_one_without_a_jump(
         keep();
     }""")
     moved = author.raise_it(draft, 0.002)
-    after = author.worn(cast, moved.content)
+    after = author.wear(cast, moved.content)
     row = int(np.linalg.norm(after - before, axis=1).argmax())
     wait_until(stage, f"Math.hypot(...[0, 1, 2].map((axis) => window.frames_seen.at(-1)[{3 * row} + axis] "
                     f"- {after[row].tolist()}[axis])) < 1e-5")  # fmt: skip

@@ -7,7 +7,7 @@ from scipy.spatial import cKDTree
 
 from omote.builtin import load_cast
 from omote.geometry.mesh import normals
-from omote.model.hair import carried
+from omote.model.hair import place_strands
 from omote.model.transfer.compound import compound
 
 CAST = load_cast()
@@ -34,7 +34,7 @@ def heights(points: NDArray[np.float64], skin: NDArray[np.float64]) -> NDArray[n
 @pytest.mark.parametrize("face", HUMANS)
 def test_no_hair_lies_under_the_skin_of_a_human_face(face: str, style: str) -> None:
     skin = CAST.faces[face].positions.astype(np.float64)
-    height = heights(carried(CAST.hair[style], SPACE.points, skin)[:, 2:], skin)
+    height = heights(place_strands(CAST.hair[style], SPACE.points, skin)[:, 2:], skin)
     assert (height < -UNDER).mean() < FEW
     assert height.min() > -DEEPEST
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from omote.geometry.laplacian import ANCHORS, cotangents, harmonic_weights, smoothing
+from omote.geometry.laplacian import ANCHORS, cotangents, harmonic_weights, smoothing_matrix
 
 
 def grid(size: int) -> tuple[np.ndarray, np.ndarray]:
@@ -55,6 +55,6 @@ def test_cotangents_are_symmetric_and_positive() -> None:
 
 def test_smoothing_keeps_constants_and_lone_vertices() -> None:
     _, triangles = grid(4)
-    average = smoothing(triangles, 17)
+    average = smoothing_matrix(triangles, 17)
     assert np.allclose(average @ np.full(17, 3.0), 3.0)
     assert (average @ np.arange(17.0))[16] == 16.0

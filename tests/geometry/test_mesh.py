@@ -105,7 +105,7 @@ def test_weld_names_the_first_of_equal_points() -> None:
 )
 def test_points_are_refused(points: Any, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
-        mesh.checked_points(points)
+        mesh.validate_points(points)
 
 
 @pytest.mark.parametrize(
@@ -123,4 +123,4 @@ def test_points_are_refused(points: Any, sentence: str) -> None:
 )
 def test_triangles_are_refused(triangles: Any, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
-        mesh.checked_triangles(triangles, 4)
+        mesh.validate_triangles(triangles, 4)

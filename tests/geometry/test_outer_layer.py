@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from omote.geometry.outer_layer import one_layer
+from omote.geometry.outer_layer import keep_outer_layer
 
 WIDTH = 10.0
 
@@ -12,7 +12,7 @@ WIDTH = 10.0
 def kept(triangles: list[list[tuple[float, float]]], radius: list[float]) -> list[bool]:
     corners = np.array(triangles)
     keep = np.ones(len(corners), np.bool_)
-    one_layer(corners[..., 0].copy(), corners[..., 1].copy(), np.array(radius), WIDTH, 1.0, keep)
+    keep_outer_layer(corners[..., 0].copy(), corners[..., 1].copy(), np.array(radius), WIDTH, 1.0, keep)
     return keep.tolist()
 
 

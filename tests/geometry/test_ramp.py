@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from omote.geometry.ramp import smooth_ramp, unit
+from omote.geometry.ramp import clamp_unit, smooth_ramp
 
 
 def test_what_lies_beyond_ends_at_the_ends() -> None:
-    np.testing.assert_array_equal(unit(np.array([-1.0, 0.0, 0.25, 1.0, 7.0])), [0.0, 0.0, 0.25, 1.0, 1.0])
+    np.testing.assert_array_equal(clamp_unit(np.array([-1.0, 0.0, 0.25, 1.0, 7.0])), [0.0, 0.0, 0.25, 1.0, 1.0])
 
 
 def test_a_smooth_ramp_is_point_symmetric_and_rises() -> None:

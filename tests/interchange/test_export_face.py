@@ -7,7 +7,7 @@ import pytest
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.geometry import mesh
-from omote.interchange.export_face import REST, Workbench, chosen, exported, worn_meshes
+from omote.interchange.export_face import REST, ExportContext, build_scene, choose_expressions, named_compound_meshes
 from omote.interchange.formats.glb_reader import read_glb
 from omote.interchange.formats.glb_writer import glb_bytes
 from omote.model.cast import Cast
@@ -15,8 +15,8 @@ from omote.model.space.face_fit import fit
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.compound import compound
 from tests import synthetic
-from tests.stage_data.heads import bench, synthetic_cast
-from tools.gltf import inspected
+from tests.stage_data.heads import context, synthetic_cast
+from tools.gltf import inspect
 
 ARKIT = 52
 
@@ -29,27 +29,27 @@ def built_in() -> Cast:
 
 def test_expressions_are_named_by_kind_or_by_name() -> None:
     cast = synthetic_cast()
-    assert chosen(cast, "performed") == ["smile"]
+    assert choose_expressions(cast, "performed") == ["smile"]
     others = [name for name in synthetic.EXPRESSIONS if name not in ("neutral", "smile")]
-    assert chosen(cast, "smile, arkit,smile") == ["smile", *others]
-    assert sorted(chosen(cast, "all")) == sorted(set(synthetic.EXPRESSIONS) - {"neutral"})
-    assert chosen(cast, "") == []
+    assert choose_expressions(cast, "smile, arkit,smile") == ["smile", *others]
+    assert sorted(choose_expressions(cast, "all")) == sorted(set(synthetic.EXPRESSIONS) - {"neutral"})
+    assert choose_expressions(cast, "") == []
     with pytest.raises(ValueError, match="there is no expression 'grin'; name one of the cast, or neutral, arkit"):
-        chosen(cast, "smile,grin")
+        choose_expressions(cast, "smile,grin")
 
 
 def test_a_face_that_is_not_there_is_refused() -> None:
     with pytest.raises(ValueError, match="there is no face 'nobody' in this cast"):
-        worn_meshes(synthetic_cast(), "nobody", "smile")
+        named_compound_meshes(synthetic_cast(), "nobody", "smile")
     with pytest.raises(ValueError, match="there is no face 'nobody' in this cast"):
-        exported(bench(), "nobody", [])
+        build_scene(context(), "nobody", [])
 
 
 @pytest.mark.parametrize("face", synthetic.FACES)
 def test_what_is_read_is_where_the_compounds_are(face: str) -> None:
-    cast, names = synthetic_cast(), chosen(synthetic_cast(), "all")
-    worn = {name: worn_meshes(cast, face, name) for name in names}
-    pieces = read_glb(glb_bytes(exported(bench(), face, worn.items())))
+    cast, names = synthetic_cast(), choose_expressions(synthetic_cast(), "all")
+    worn = {name: named_compound_meshes(cast, face, name) for name in names}
+    pieces = read_glb(glb_bytes(build_scene(context(), face, worn.items())))
     assert [piece.name for piece in pieces] == ["skin", *cast.space.parts]
     for piece in pieces:
         assert list(piece.moves) == names
@@ -61,7 +61,7 @@ def test_what_is_read_is_where_the_compounds_are(face: str) -> None:
 def test_eyeballs_turn_about_the_centres_that_their_nodes_stand_at() -> None:
     cast = synthetic_cast()
     side, yaw, pitch = synthetic.LOOKS["eyeLookOutLeft"]
-    scene = exported(bench(), "generic", [("out", worn_meshes(cast, "generic", "eyeLookOutLeft"))])
+    scene = build_scene(context(), "generic", [("out", named_compound_meshes(cast, "generic", "eyeLookOutLeft"))])
     ball = next(shape for shape in scene.shapes if shape.name == f"eye_{side}")
     np.testing.assert_allclose(ball.points.mean(axis=0), 0.0, atol=1e-7)
     turned = ball.points @ eye_rotation(yaw, pitch).T
@@ -71,7 +71,7 @@ def test_eyeballs_turn_about_the_centres_that_their_nodes_stand_at() -> None:
 
 def test_no_seam_shows_in_the_light() -> None:
     cast = synthetic_cast()
-    scene = exported(bench(), "broad", [("smile", worn_meshes(cast, "broad", "smile"))])
+    scene = build_scene(context(), "broad", [("smile", named_compound_meshes(cast, "broad", "smile"))])
     skin = scene.shapes[0]
     assert skin.rows is not None
     for values in (skin.points, skin.normals, skin.targets["smile"].moves, skin.targets["smile"].turns):
@@ -83,11 +83,13 @@ def test_no_seam_shows_in_the_light() -> None:
 
 @pytest.mark.parametrize("face", ["kaori", "dog"])
 def test_khronos_and_three_take_the_built_in_faces(face: str, built_in: Cast, tmp_path: Path) -> None:
-    names = chosen(built_in, "arkit")
-    whole = Workbench(built_in, load_meshes(), load_mask())
+    names = choose_expressions(built_in, "arkit")
+    whole = ExportContext(built_in, load_meshes(), load_mask())
     path = tmp_path / "face.glb"
-    path.write_bytes(glb_bytes(exported(whole, face, ((name, worn_meshes(built_in, face, name)) for name in names))))
-    (found,) = inspected([path])
+    path.write_bytes(
+        glb_bytes(build_scene(whole, face, ((name, named_compound_meshes(built_in, face, name)) for name in names)))
+    )
+    (found,) = inspect([path])
     assert found["validator"]["said"] == []
     assert found["three"]["root"] == [face]
     hair = {"hair"} if built_in.looks[face].hair_style else set()

@@ -6,7 +6,7 @@ from omote.geometry import mesh
 from omote.interchange.formats.glb_writer import Target
 from omote.interchange.hair_mesh import hair_shape
 from omote.model.cast import Look
-from omote.model.hair import carried
+from omote.model.hair import place_strands
 from tests.model.tufts import tuft
 from tests.synthetic import space
 
@@ -19,7 +19,7 @@ def test_ribbons_lie_along_the_strands_and_follow_their_anchors() -> None:
     shape = hair_shape(style, POINTS, 1.5 * POINTS, {"x": Target(moves, moves)}, Look())
     count, places = style.points.shape[:2]
     edges = shape.points.reshape(count, places, 2, 3)
-    np.testing.assert_allclose(edges.mean(axis=2), carried(style, POINTS, 1.5 * POINTS), atol=1e-6)
+    np.testing.assert_allclose(edges.mean(axis=2), place_strands(style, POINTS, 1.5 * POINTS), atol=1e-6)
     np.testing.assert_allclose(np.linalg.norm(edges[:, :, 1] - edges[:, :, 0], axis=2), style.width, rtol=1e-4)
     moved = shape.targets["x"].moves.reshape(count, -1, 3)
     np.testing.assert_array_equal(moved, np.broadcast_to(moves[style.anchors][:, None], moved.shape))

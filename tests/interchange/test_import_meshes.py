@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from omote.interchange.export_face import chosen, dressed, exported, worn_meshes
+from omote.interchange.export_face import build_scene, choose_expressions, compound_meshes, named_compound_meshes
 from omote.interchange.formats.glb_reader import Piece, read_glb
 from omote.interchange.formats.glb_writer import glb_bytes
-from omote.interchange.import_meshes import face_in, taken
+from omote.interchange.import_meshes import import_expressions, import_face
 from omote.interchange.mesh_correspondence import rest_of
 from tests import synthetic
-from tests.stage_data.heads import bench, meshes, synthetic_cast
+from tests.stage_data.heads import context, meshes, synthetic_cast
 
 CAST = synthetic_cast()
 NEAR = 5e-5
@@ -18,19 +18,21 @@ NEAR = 5e-5
 
 def exported_pieces(face: str, names: list[str]) -> tuple[Piece, ...]:
     """A face of the cast as it comes out of its GLB."""
-    return read_glb(glb_bytes(exported(bench(), face, ((name, worn_meshes(CAST, face, name)) for name in names))))
+    return read_glb(
+        glb_bytes(build_scene(context(), face, ((name, named_compound_meshes(CAST, face, name)) for name in names)))
+    )
 
 
 def shape(face: str, expression: str, *, scale: float = 1.0) -> list[Piece]:
     """A face wearing an expression, as one shape of the skin."""
-    rest, worn = rest_of(CAST, face)["skin"], worn_meshes(CAST, face, expression)["skin"]
+    rest, worn = rest_of(CAST, face)["skin"], named_compound_meshes(CAST, face, expression)["skin"]
     return [Piece("skin", scale * (rest + (worn - rest)))]
 
 
 @pytest.mark.parametrize("face", synthetic.FACES)
 def test_what_went_out_comes_back_as_it_was(face: str) -> None:
-    names = chosen(CAST, "all")
-    for each in taken(CAST, meshes(), {face: exported_pieces(face, names)}):
+    names = choose_expressions(CAST, "all")
+    for each in import_expressions(CAST, meshes(), {face: exported_pieces(face, names)}):
         assert each.expression is CAST.expressions[each.label]
         assert each.face == face
         assert each.error < NEAR
@@ -43,43 +45,47 @@ def test_a_stranger_is_measured_and_does_the_same(face: str) -> None:
     renamed = [
         Piece(each.name, each.points, each.rows, {f"odd {n}": m for n, m in each.moves.items()}) for each in others
     ]
-    found = list(taken(CAST, meshes(), {"x": [Piece(piece.name, piece.points, piece.rows, moves), *renamed]}))
+    found = list(
+        import_expressions(CAST, meshes(), {"x": [Piece(piece.name, piece.points, piece.rows, moves), *renamed]})
+    )
     assert [each.label for each in found] == ["odd smile", "odd eyeLookUpLeft"]
     for each in found:
         assert each.error < NEAR
-        aim = worn_meshes(CAST, face, each.label.removeprefix("odd "))
-        for name, points in dressed(CAST.space, CAST.faces[face], each.expression).items():
+        aim = named_compound_meshes(CAST, face, each.label.removeprefix("odd "))
+        for name, points in compound_meshes(CAST.space, CAST.faces[face], each.expression).items():
             np.testing.assert_allclose(points, aim[name], atol=NEAR)
 
 
 def test_a_keyed_model_is_an_expression() -> None:
-    (found,) = taken(CAST, meshes(), {"Grin": shape("long", "smile")}, face="long")
+    (found,) = import_expressions(CAST, meshes(), {"Grin": shape("long", "smile")}, face="long")
     assert (found.label, found.face) == ("Grin", "long")
     assert found.error < NEAR
 
 
 def test_shapes_start_from_the_one_at_rest() -> None:
     shapes = {"Grin": shape("long", "smile", scale=1.02), "Neutral": shape("long", "neutral", scale=1.02)}
-    (found,) = taken(CAST, meshes(), shapes)
+    (found,) = import_expressions(CAST, meshes(), shapes)
     assert (found.label, found.face) == ("Grin", "imported")
     assert found.error < NEAR
-    known = list(taken(CAST, meshes(), {"a": shape("broad", "smile"), "whatever": shape("broad", "neutral")}))
+    known = list(
+        import_expressions(CAST, meshes(), {"a": shape("broad", "smile"), "whatever": shape("broad", "neutral")})
+    )
     assert [(each.label, each.face) for each in known] == [("a", "broad")]
 
 
 def test_what_cannot_be_an_expression_is_refused() -> None:
     with pytest.raises(ValueError, match=r"nothing says from which face 'Grin' starts; add a shape named 'neutral'"):
-        list(taken(CAST, meshes(), {"Grin": shape("long", "smile")}))
+        list(import_expressions(CAST, meshes(), {"Grin": shape("long", "smile")}))
     with pytest.raises(ValueError, match="show a face at rest and no expression"):
-        list(taken(CAST, meshes(), {"long": shape("long", "neutral")}))
+        list(import_expressions(CAST, meshes(), {"long": shape("long", "neutral")}))
     with pytest.raises(ValueError, match="there is no face 'nobody' in this cast"):
-        list(taken(CAST, meshes(), {"long": shape("long", "smile")}, face="nobody"))
+        list(import_expressions(CAST, meshes(), {"long": shape("long", "smile")}, face="nobody"))
     with pytest.raises(ValueError, match="ball: there is no head of ours"):
-        list(taken(CAST, meshes(), {"ball": [Piece("ball", np.zeros((4, 3)))]}))
+        list(import_expressions(CAST, meshes(), {"ball": [Piece("ball", np.zeros((4, 3)))]}))
 
 
 def test_a_head_at_rest_is_a_face_and_wears_the_look_that_it_is_known_by() -> None:
-    face, look = face_in(CAST, meshes(), "Aunt", exported_pieces("broad", []))
+    face, look = import_face(CAST, meshes(), "Aunt", exported_pieces("broad", []))
     assert face.name == "Aunt"
     np.testing.assert_array_equal(face.positions, CAST.faces["broad"].positions)
     assert look == CAST.looks["broad"]
@@ -89,6 +95,6 @@ def test_a_head_at_rest_is_a_face_and_wears_the_look_that_it_is_known_by() -> No
 def test_a_head_that_is_not_in_metres_is_refused(scale: float) -> None:
     away = [Piece("skin", scale * rest_of(CAST, "long")["skin"])]
     with pytest.raises(ValueError, match=r"Grin: the head is .* m long; expected .* export it in metres"):
-        list(taken(CAST, meshes(), {"Grin": away}, face="long"))
+        list(import_expressions(CAST, meshes(), {"Grin": away}, face="long"))
     with pytest.raises(ValueError, match="export it in metres"):
-        face_in(CAST, meshes(), "Grin", away)
+        import_face(CAST, meshes(), "Grin", away)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from omote.interchange.formats.glb_reader import Piece
-from omote.interchange.mesh_correspondence import NEAR, as_face, likeness, nearest_face, rest_of
+from omote.interchange.mesh_correspondence import NEAR, build_face, match_head, nearest_face, rest_of
 from tests import synthetic
 from tests.stage_data.heads import meshes, synthetic_cast
 
@@ -31,7 +31,7 @@ def pieces(rows: np.ndarray, *, told: bool, name: str = "skin") -> list[Piece]:
     ],
 )
 def test_a_head_is_known_however_it_is_written(rows: np.ndarray, told: bool, name: str) -> None:
-    found = likeness(CAST, meshes(), pieces(rows, told=told, name=name))
+    found = match_head(CAST, meshes(), pieces(rows, told=told, name=name))
     assert found.face == "broad"
     np.testing.assert_array_equal(found.rest["skin"], SKIN)
     np.testing.assert_array_equal(found.moves["odd"]["skin"], MOVES)
@@ -39,7 +39,7 @@ def test_a_head_is_known_however_it_is_written(rows: np.ndarray, told: bool, nam
 
 def test_a_head_in_another_order_is_known_by_where_its_vertices_lie() -> None:
     rows = np.append(ORDER, ORDER[:7])  # neither count of ours
-    found = likeness(CAST, meshes(), pieces(rows, told=False))
+    found = match_head(CAST, meshes(), pieces(rows, told=False))
     assert found.face == "broad"
     np.testing.assert_allclose(found.moves["odd"]["skin"], MOVES)
 
@@ -47,7 +47,7 @@ def test_a_head_in_another_order_is_known_by_where_its_vertices_lie() -> None:
 def test_parts_are_known_by_their_names_and_others_are_passed_over() -> None:
     ball = rest_of(CAST, "broad")["eye_left"]
     others = [Piece("eye_left", ball), Piece("collar", np.zeros((5, 3))), Piece("teeth_lower", np.zeros((3, 3)))]
-    found = likeness(CAST, meshes(), [*pieces(ORDER, told=True), *others])
+    found = match_head(CAST, meshes(), [*pieces(ORDER, told=True), *others])
     assert found.rest.keys() == {"skin", "eye_left"}
     assert found.moves["odd"].keys() == {"skin"}
 
@@ -55,12 +55,12 @@ def test_parts_are_known_by_their_names_and_others_are_passed_over() -> None:
 def test_what_is_no_head_of_ours_is_refused() -> None:
     for strange in ([], [Piece("head", np.zeros((99, 3)))], pieces(ORDER[:-1], told=True)):
         with pytest.raises(ValueError, match="there is no head of ours in this file: expected a mesh with the"):
-            likeness(CAST, meshes(), strange)
+            match_head(CAST, meshes(), strange)
 
 
 def test_rows_that_the_cast_does_not_have_belong_to_no_mesh() -> None:
     with pytest.raises(ValueError, match="there is no head of ours"):
-        likeness(CAST, meshes(), [Piece("skin", SKIN, np.arange(len(SKIN)) + 5)])
+        match_head(CAST, meshes(), [Piece("skin", SKIN, np.arange(len(SKIN)) + 5)])
 
 
 def test_a_face_is_found_where_it_is_near_enough() -> None:
@@ -69,9 +69,9 @@ def test_a_face_is_found_where_it_is_near_enough() -> None:
 
 
 def test_a_face_that_is_in_no_cast_is_the_files_own() -> None:
-    found = likeness(CAST, meshes(), [Piece("skin", SKIN * 1.01, np.arange(len(SKIN)))])
+    found = match_head(CAST, meshes(), [Piece("skin", SKIN * 1.01, np.arange(len(SKIN)))])
     assert found.face == ""
-    own = as_face(CAST, found)
+    own = build_face(CAST, found)
     np.testing.assert_allclose(own.positions, SKIN * 1.01, rtol=1e-6)
-    assert as_face(CAST, found, "long") is CAST.faces["long"]
+    assert build_face(CAST, found, "long") is CAST.faces["long"]
     assert synthetic.FACES

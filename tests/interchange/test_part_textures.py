@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from omote.interchange import part_textures as pictures
-from omote.interchange.skin_texture import linear
+from omote.interchange.skin_texture import decode_srgb
 from omote.model.cast import Look
 
 
@@ -26,7 +26,7 @@ def test_equal_areas_of_the_ball_are_equal_on_its_picture() -> None:
 def test_the_pupil_is_dark_the_iris_has_its_colour_and_the_white_is_light() -> None:
     size = 256
     look = Look(iris="#2060ff")
-    eye = pictures.eye_picture(look, size).astype(int)
+    eye = pictures.paint_eye(look, size).astype(int)
     middle = size // 2
     edge = round(size / 2 * np.sin(np.arcsin(pictures.LIMBUS) / 2))
     assert eye[middle, middle].max() < 20
@@ -36,7 +36,7 @@ def test_the_pupil_is_dark_the_iris_has_its_colour_and_the_white_is_light() -> N
 
 
 def test_a_slit_is_higher_than_it_is_wide() -> None:
-    eye = pictures.eye_picture(Look(iris="#a0a040", slit=1.0), 256).max(axis=2)
+    eye = pictures.paint_eye(Look(iris="#a0a040", slit=1.0), 256).max(axis=2)
     dark = eye < 20
     assert dark.any(axis=1).sum() > 2 * dark[100:156, 100:156].any(axis=0).sum() > 0
 
@@ -54,14 +54,14 @@ def test_teeth_reach_from_the_gum_to_the_edge(upper: bool) -> None:
 
 
 def test_gums_are_red_and_teeth_are_not() -> None:
-    teeth = pictures.teeth_picture(Look(), upper=True, size=128).astype(int)
+    teeth = pictures.paint_teeth(Look(), upper=True, size=128).astype(int)
     gum, enamel = teeth[2, 64], teeth[40, 70]
     assert gum[0] - gum[1] > 50 > enamel[0] - enamel[1]
     assert (teeth[0, :, 3] == 255).all()
 
 
 def test_a_tongue_has_a_furrow() -> None:
-    tongue = pictures.tongue_picture(64).astype(int)
+    tongue = pictures.paint_tongue(64).astype(int)
     assert tongue[10, 31].sum() < tongue[10, 10].sum()
     points = np.array([[-0.01, 0, 0.05], [0.0, 0, 0.05], [0.01, 0, 0.0]])
     np.testing.assert_allclose(pictures.tongue_uv(points), [[0.0, 0.0], [0.5, 0.0], [1.0, 1.0]], atol=1e-6)
@@ -76,7 +76,7 @@ def test_lashes_grow_away_from_the_eyeball() -> None:
 
 
 def test_hairs_are_denser_at_their_roots_and_wear_their_colour() -> None:
-    picture = pictures.strand_picture(linear("#ff0000"), 20, columns=400, rows=50, cover=0.5)
+    picture = pictures.paint_strands(decode_srgb("#ff0000"), 20, columns=400, rows=50, cover=0.5)
     cover = picture[..., 3].mean(axis=1) / 255.0
     np.testing.assert_allclose(cover[0], 0.5, atol=0.1)
     assert cover[-1] < 0.1 < cover[20] < cover[0]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from omote.model.cast import Look
-from omote.model.hair import LINKS, carried, carriers
+from omote.model.hair import LINKS, find_anchors, place_strands
 from tests import synthetic
 from tests.model.tufts import tuft
 
@@ -15,7 +15,7 @@ RNG = np.random.default_rng(4)
 
 
 def test_only_allowed_vertices_carry_with_weights_that_sum_to_one() -> None:
-    rows, weights = carriers(SKIN + RNG.normal(0.0, 0.01, SKIN.shape), SKIN, SKIN[:, 1] > 0.0)
+    rows, weights = find_anchors(SKIN + RNG.normal(0.0, 0.01, SKIN.shape), SKIN, SKIN[:, 1] > 0.0)
     assert rows.shape == weights.shape == (len(SKIN), LINKS)
     assert (SKIN[rows][..., 1] > 0.0).all()
     assert (weights >= 0.0).all()
@@ -23,21 +23,21 @@ def test_only_allowed_vertices_carry_with_weights_that_sum_to_one() -> None:
 
 
 def test_a_place_on_a_vertex_is_carried_by_it_alone() -> None:
-    rows, weights = carriers(SKIN[3:4], SKIN, np.ones(len(SKIN), bool))
+    rows, weights = find_anchors(SKIN[3:4], SKIN, np.ones(len(SKIN), bool))
     assert rows[0, 0] == 3
     assert weights[0, 0] == pytest.approx(1.0, abs=1e-3)
 
 
 def test_hair_stays_on_its_own_face_and_goes_along_with_a_shift() -> None:
     hair, shift = tuft(), np.array([0.01, -0.02, 0.03])
-    assert np.array_equal(carried(hair, SKIN, SKIN), hair.points)
-    assert carried(hair, SKIN, SKIN + shift) == pytest.approx(hair.points + shift, abs=1e-8)
+    assert np.array_equal(place_strands(hair, SKIN, SKIN), hair.points)
+    assert place_strands(hair, SKIN, SKIN + shift) == pytest.approx(hair.points + shift, abs=1e-8)
 
 
 def test_a_mix_of_faces_wears_the_mix_of_their_hair() -> None:
     hair, one, two = tuft(), SKIN * [1.1, 1.0, 0.9], SKIN + RNG.normal(0.0, 0.005, SKIN.shape)
-    mixed = 0.3 * carried(hair, SKIN, one) + 0.7 * carried(hair, SKIN, two)
-    assert carried(hair, SKIN, 0.3 * one + 0.7 * two) == pytest.approx(mixed, abs=1e-8)
+    mixed = 0.3 * place_strands(hair, SKIN, one) + 0.7 * place_strands(hair, SKIN, two)
+    assert place_strands(hair, SKIN, 0.3 * one + 0.7 * two) == pytest.approx(mixed, abs=1e-8)
 
 
 def test_arrays_that_do_not_belong_together_are_refused() -> None:

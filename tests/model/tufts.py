@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from omote.model.hair import HairStyle, carriers
+from omote.model.hair import HairStyle, find_anchors
 from tests import synthetic
 
 
@@ -13,7 +13,7 @@ def tuft() -> HairStyle:
     skin, _ = synthetic.head()
     roots = np.array([0.0, 0.12, 0.0]) + np.random.default_rng(4).normal(0.0, 0.02, (5, 1, 3))
     points = roots + np.linspace(0.0, 0.03, 3)[None, :, None] * [0.0, 1.0, 0.0]
-    rows, weights = carriers(points, skin, skin[:, 1] > 0.0)
+    rows, weights = find_anchors(points, skin, skin[:, 1] > 0.0)
     return HairStyle(
         name="tuft",
         points=points.astype(np.float32),

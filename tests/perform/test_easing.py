@@ -12,11 +12,11 @@ from omote.perform.easing import (
     bump,
     bump_rate,
     decay_seconds,
-    easing_named,
-    glide,
+    find_easing,
     glide_after,
-    glided,
+    glide_state,
     is_over,
+    plan_glide,
 )
 from omote.perform.mix import HIGHEST, LOWEST
 
@@ -47,7 +47,7 @@ def test_a_curve_that_would_kick_is_no_easing(coefficients: tuple[float, ...]) -
 
 def test_an_unknown_easing_is_refused_with_all_there_are() -> None:
     with pytest.raises(ValueError, match="no easing 'linear'; choose one of smooth, gentle, sharp, early, late"):
-        easing_named("linear")
+        find_easing("linear")
 
 
 def test_the_bump_starts_with_slope_one_and_ends_with_nothing() -> None:
@@ -95,11 +95,11 @@ def test_a_glide_takes_over_place_and_rate_and_rests_exactly_at_its_goal(
     origin: float, rate: float, goal: float, seconds: float
 ) -> None:
     assume(0.0 < origin < 1.0)
-    way = glide(origin, rate, goal, seconds)
+    way = plan_glide(origin, rate, goal, seconds)
     assume(way.seconds > 1e-6)
-    assert glided(way) == pytest.approx((origin, rate))
-    assert glided(glide_after(way, way.seconds)) == (goal, 0.0)
-    places = np.array([glided(glide_after(way, way.seconds * u))[0] for u in GRID])
+    assert glide_state(way) == pytest.approx((origin, rate))
+    assert glide_state(glide_after(way, way.seconds)) == (goal, 0.0)
+    places = np.array([glide_state(glide_after(way, way.seconds * u))[0] for u in GRID])
     assert places.min() >= -1e-12
     assert places.max() <= 1.0 + 1e-12
     if rate * (goal - origin) >= 0.0 and goal != origin:
@@ -110,11 +110,11 @@ def test_a_glide_takes_over_place_and_rate_and_rests_exactly_at_its_goal(
 def test_the_rate_of_a_glide_is_its_derivative(
     origin: float, rate: float, goal: float, seconds: float, u: float
 ) -> None:
-    way = glide(origin, rate, goal, seconds)
+    way = plan_glide(origin, rate, goal, seconds)
     assume(way.seconds > 1e-3)
     step = 1e-6 * way.seconds
-    before, after = (glided(glide_after(way, u * way.seconds + sign * step))[0] for sign in (-1, 1))
-    rate_there = glided(glide_after(way, u * way.seconds))[1]
+    before, after = (glide_state(glide_after(way, u * way.seconds + sign * step))[0] for sign in (-1, 1))
+    rate_there = glide_state(glide_after(way, u * way.seconds))[1]
     assert rate_there * way.seconds == pytest.approx((after - before) / 2e-6, abs=1e-4)
 
 

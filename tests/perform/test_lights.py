@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from omote.perform.lights import FIRST_LIGHT, LIGHTS, light_named
+from omote.perform.lights import FIRST_LIGHT, LIGHTS, check_light
 
 STAGE = Path(__file__).parents[2] / "web" / "src" / "stage" / "light.ts"
 
 
 @pytest.mark.parametrize("name", LIGHTS)
 def test_each_is_known_by_its_name(name: str) -> None:
-    assert light_named(name) == name
+    assert check_light(name) == name
     assert LIGHTS[name]
 
 
@@ -28,4 +28,4 @@ def test_the_stages_know_the_same_lights() -> None:
 
 def test_another_is_refused_with_what_there_is() -> None:
     with pytest.raises(ValueError, match="there is no light 'candle'; choose one of theatre, portrait, flat"):
-        light_named("candle")
+        check_light("candle")

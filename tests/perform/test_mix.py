@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.mix import HIGHEST, LOWEST, Weights, alone, combined, share_in_range
+from omote.perform.mix import HIGHEST, LOWEST, Weights, combine, mix_of_one, share_in_range
 
 weights = st.dictionaries(st.sampled_from("abcd"), st.floats(-2.0, 2.0))
 bases = st.dictionaries(st.sampled_from("abcd"), st.floats(LOWEST, HIGHEST))
@@ -14,14 +14,14 @@ bases = st.dictionaries(st.sampled_from("abcd"), st.floats(LOWEST, HIGHEST))
 
 @given(weights, weights, st.floats(-2.0, 2.0), st.floats(-2.0, 2.0))
 def test_combining_is_linear_in_every_name(first: Weights, second: Weights, a: float, b: float) -> None:
-    mixed = combined(((a, first), (b, second)))
+    mixed = combine(((a, first), (b, second)))
     for name in "abcd":
         assert mixed.get(name, 0.0) == pytest.approx(a * first.get(name, 0.0) + b * second.get(name, 0.0), abs=1e-12)
     assert all(mixed.values())
 
 
 def test_one_name_alone_is_the_unit_of_mixing() -> None:
-    assert combined(((1.0, alone("a")), (0.0, alone("b")))) == {"a": 1.0}
+    assert combine(((1.0, mix_of_one("a")), (0.0, mix_of_one("b")))) == {"a": 1.0}
 
 
 @given(bases, weights)

@@ -13,7 +13,7 @@ from omote.perform.axis import Axis, Call
 from omote.perform.easing import Glide
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.performer import Performer
-from omote.perform.snapshot import Snapshot, checked
+from omote.perform.snapshot import Snapshot, check_snapshot
 
 
 def running(cast: Cast) -> Snapshot:
@@ -32,7 +32,7 @@ def test_it_is_written_and_read_exactly(cast: Cast) -> None:
     snapshot = running(cast)
     for form in (msgspec.msgpack, msgspec.json):
         assert form.decode(form.encode(snapshot), type=Snapshot) == snapshot
-    assert checked(snapshot, cast) is snapshot
+    assert check_snapshot(snapshot, cast) is snapshot
 
 
 def with_call(**changes: Any) -> Callable[[Snapshot], Snapshot]:

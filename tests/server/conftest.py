@@ -16,11 +16,11 @@ from omote.edit.protocol import wire as edit_wire
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
 from omote.server.http.app import ShowServer
-from omote.server.http.cast_documents import Library
+from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.security import own_names
 from omote.server.persistence.restore import journal_entry, restore
 from omote.server.process.process_messages import Order
-from omote.server.supervision.show_process import open_desks
+from omote.server.supervision.show_process import open_reopenable_work
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from omote.show.wire import decode_answer, encode
@@ -39,7 +39,7 @@ class Clock:
 
 
 @dataclass
-class House:
+class ShowHarness:
     """A show server, a client of its web pages, and the clock both live by."""
 
     show: ShowServer
@@ -71,7 +71,7 @@ async def state(socket: aiohttp.ClientWebSocketResponse) -> wire.State:
     return message
 
 
-async def obeyed(socket: aiohttp.ClientWebSocketResponse, *messages: wire.FromClient) -> None:
+async def send_and_wait(socket: aiohttp.ClientWebSocketResponse, *messages: wire.FromClient) -> None:
     """Sends messages and waits until the server has heard them all."""
     for message in (*messages, wire.Ping(1.0)):
         await socket.send_bytes(encode(message))
@@ -110,7 +110,7 @@ class Editor:
 
 
 @dataclass
-class Atelier(House):
+class EditHarness(ShowHarness):
     """A house with a show file that editors may come to."""
 
     said: list[str] = field(default_factory=list)
@@ -124,39 +124,39 @@ class Atelier(House):
 
 
 @asynccontextmanager
-async def open_atelier(cast: Cast, path: Path | None) -> AsyncIterator[Atelier]:
+async def open_edit_harness(cast: Cast, path: Path | None) -> AsyncIterator[EditHarness]:
     """A show with or without a file, put together as `child.play` does; ticks come from the test."""
     clock, said, file = Clock(), list[str](), None if path is None else open_show(path)
-    library = Library(cast, meshes(cast), MASK)
-    desk, reopen = open_desks(file, library, said.append)
-    session = restore(library.troupe, file, Order(epoch=1, neutral=False), said.append)
-    show = ShowServer(session, library, PAGES, clock=clock)
-    show.edit(desk, reopen, said.append)
+    documents = CastDocuments(cast, meshes(cast), MASK)
+    authored_work, reopen = open_reopenable_work(file, documents, said.append)
+    session = restore(documents.playing, file, Order(epoch=1, neutral=False), said.append)
+    show = ShowServer(session, documents, PAGES, clock=clock)
+    show.enable_editing(authored_work, reopen, said.append)
     async with TestClient(TestServer(show.application(own_names()))) as client:
-        yield Atelier(show, client, clock, said, path or Path())
-        await show.hang_up()
-    library.close()
-    if desk:
-        desk.keeper.close()
+        yield EditHarness(show, client, clock, said, path or Path())
+        await show.close_all()
+    documents.close()
+    if authored_work:
+        authored_work.committer.close()
     if file:
         file.write_journal(journal_entry(show.session))
         file.close()
 
 
 @pytest_asyncio.fixture
-async def atelier(cast: Cast, tmp_path: Path) -> AsyncIterator[Atelier]:
+async def edit_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[EditHarness]:
     """A house that editors may come to."""
-    async with open_atelier(cast, tmp_path / "show.omote") as opened:
+    async with open_edit_harness(cast, tmp_path / "show.omote") as opened:
         yield opened
 
 
 @pytest_asyncio.fixture
-async def house(cast: Cast) -> AsyncIterator[House]:
+async def show_harness(cast: Cast) -> AsyncIterator[ShowHarness]:
     """The synthetic cast behind a real socket; ticks come from the test."""
     clock = Clock()
     session = ShowSession(cast, Performer(cast), epoch=7)
-    library = Library(cast, meshes(cast), MASK)
-    show = ShowServer(session, library, PAGES, clock=clock)
+    documents = CastDocuments(cast, meshes(cast), MASK)
+    show = ShowServer(session, documents, PAGES, clock=clock)
     async with TestClient(TestServer(show.application(own_names()))) as client:
-        yield House(show, client, clock)
-    library.close()
+        yield ShowHarness(show, client, clock)
+    documents.close()

@@ -4,8 +4,8 @@ import os
 import sys
 from pathlib import Path
 
-from omote.server.supervision import supervisor
 from omote.server.persistence.lock import lock_show
+from omote.server.supervision import supervisor
 from omote.server.supervision.supervisor import Supervisor, listen_on
 
 # A busy machine is no hanging server; one test says what is.

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
 from omote.model.cast import Cast
-from omote.server.http.cast_documents import Library
+from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.static_pages import Page
-from omote.server.supervision.show_process import Material
+from omote.server.supervision.show_process import ShowMaterial
 from omote.server.supervision.standby import main
 from omote.show.session import ShowSession
 from tests import synthetic
@@ -32,10 +32,10 @@ def meshes(cast: Cast) -> list[BakedMesh]:
     return [drawn("skin", space.triangles, space.vertex_count), *parts]
 
 
-def material() -> Material:
+def material() -> ShowMaterial:
     """The synthetic cast and three pages of one line."""
     cast = synthetic.cast()
-    return Material(Library(cast, meshes(cast), MASK), PAGES)
+    return ShowMaterial(CastDocuments(cast, meshes(cast), MASK), PAGES)
 
 
 def poisoned(*_: object) -> ShowSession:

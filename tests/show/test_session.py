@@ -11,7 +11,7 @@ from omote.model.cast import Cast
 from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
 from omote.show import messages as wire
-from omote.show.session import REMEMBERED_CALLS, SILENCE, Outgoing, SessionSnapshot, ShowSession, Wish
+from omote.show.session import REMEMBERED_CALLS, SILENCE, KeepRequest, Outgoing, SessionSnapshot, ShowSession
 from omote.show.wire import encode
 from tests import synthetic
 
@@ -162,13 +162,13 @@ def test_a_refused_message_changes_nothing_and_says_why(
 @given(data=st.binary(max_size=100))
 def test_noise_is_refused_and_counted(cast: Cast, data: bytes) -> None:
     session = opened(cast, "a")
-    answer = session.hear("a", data, 0.0)
+    answer = session.receive_bytes("a", data, 0.0)
     assert len(reasons(answer)) == session.refused == 1
 
 
 def test_bytes_are_obeyed_like_messages(cast: Cast) -> None:
     session = opened(cast, "a")
-    assert session.hear("a", encode(wire.SetChannel("jawOpen", 0.5)), 0.0) == []
+    assert session.receive_bytes("a", encode(wire.SetChannel("jawOpen", 0.5)), 0.0) == []
     assert session.tick(0.0).channels == {"jawOpen": 0.5}
 
 
@@ -321,6 +321,6 @@ def test_wishes_are_taken_once_and_only_of_consoles(cast: Cast) -> None:
     said: list[wire.KeepFace | wire.KeepExpression | wire.SetLayout] = [keep, keep, wire.KeepExpression("l"), layout]
     for message in said:
         assert session.receive("a", message, 0.0) == []
-    assert session.take_wishes() == [Wish("a", message) for message in said[1:]]
-    assert session.take_wishes() == []
+    assert session.take_keep_requests() == [KeepRequest("a", message) for message in said[1:]]
+    assert session.take_keep_requests() == []
     assert "k" in session.snapshot().calls

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from omote.model.cast import Cast
 from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.performer import Performer
-from omote.show.state import call_state, lids, names_on_air, state_of
+from omote.show.state import call_state, gaze_lids, names_on_air, state_of
 from tests.conftest import Command, shows
 
 
@@ -48,7 +48,7 @@ def test_the_eyes_follow_the_gaze(cast: Cast, yaw: float, pitch: float) -> None:
 )
 def test_channels_and_lids_together_are_what_acts(channels: dict[str, float], more: dict[str, float]) -> None:
     effective = {**channels, **more}
-    added = lids(channels, effective)
+    added = gaze_lids(channels, effective)
     for name, weight in effective.items():
         assert channels.get(name, 0.0) + added.get(name, 0.0) == pytest.approx(weight)
     assert 0.0 not in added.values()

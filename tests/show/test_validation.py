@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.show import validation as door
-from omote.show.validation import Quantity, Refusal, number
+from omote.show.validation import Quantity, Refusal, validate_number
 
 QUANTITIES = [value for value in vars(door).values() if isinstance(value, Quantity)]
 NO_NUMBERS: list[object] = [True, False, None, "0.5", b"0.5", [], {}, 1j, np.bool_(True)]
@@ -19,17 +19,17 @@ OUT_OF_REACH = [math.nan, math.inf, -math.inf, 1e308, -1e308, 10**400, -(10**400
 @given(value=st.floats(allow_nan=True, allow_infinity=True) | st.integers())
 def test_a_number_comes_through_exactly_when_it_is_in_range(quantity: Quantity, value: float) -> None:
     if math.isfinite(value) and quantity.low <= value <= quantity.high:
-        assert number(value, quantity) == value
+        assert validate_number(value, quantity) == value
     else:
         with pytest.raises(Refusal):
-            number(value, quantity)
+            validate_number(value, quantity)
 
 
 @pytest.mark.parametrize("quantity", QUANTITIES, ids=lambda q: str(q.what))
 @pytest.mark.parametrize("value", [*NO_NUMBERS, *OUT_OF_REACH], ids=lambda v: f"{type(v).__name__} {v!r:.12}")
 def test_everything_else_is_refused_with_what_was_expected(quantity: Quantity, value: object) -> None:
     with pytest.raises(Refusal) as refused:
-        number(value, quantity)
+        validate_number(value, quantity)
     sentence = str(refused.value)
     assert sentence.startswith(quantity.what)
     assert sentence.endswith(".")
@@ -39,5 +39,5 @@ def test_everything_else_is_refused_with_what_was_expected(quantity: Quantity, v
 
 @pytest.mark.parametrize("quantity", QUANTITIES, ids=lambda q: str(q.what))
 def test_both_ends_belong_to_the_range(quantity: Quantity) -> None:
-    assert number(quantity.low, quantity) == quantity.low
-    assert number(quantity.high, quantity) == quantity.high
+    assert validate_number(quantity.low, quantity) == quantity.low
+    assert validate_number(quantity.high, quantity) == quantity.high

@@ -83,7 +83,7 @@ puts: st.SearchStrategy[Change] = st.one_of(
 )
 
 
-class Ledger:
+class AuthoredTables:
     """What a show file should hold, in plain dictionaries."""
 
     def __init__(self) -> None:
@@ -94,9 +94,9 @@ class Ledger:
         self.layouts: dict[str, bytes] = {}
         self.contents: dict[str, bytes] = {}
 
-    def copy(self) -> Ledger:
+    def copy(self) -> AuthoredTables:
         """Another with the same."""
-        other = Ledger()
+        other = AuthoredTables()
         for name, rows in vars(self).items():
             setattr(other, name, dict(rows))
         return other

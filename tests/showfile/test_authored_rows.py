@@ -8,7 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from omote.showfile.authored_rows import TABLES, is_content, row_of, seal
+from omote.showfile.authored_rows import TABLES, is_content, row_checksum, row_of
 from omote.showfile.changes import (
     Change,
     Draft,
@@ -22,7 +22,7 @@ from omote.showfile.changes import (
 )
 from omote.showfile.schema import CorruptShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
-from tests.showfile.ledger import DATA, FIRST, KEYS, Ledger, item, puts, revision
+from tests.showfile.ledger import DATA, FIRST, KEYS, AuthoredTables, item, puts, revision
 
 
 @pytest.fixture
@@ -48,7 +48,7 @@ def test_what_belongs_together_may_come_in_any_order(show: ShowFile) -> None:
 @settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 def test_a_list_of_changes_is_made_whole_or_not_at_all(tmp_path: Path, lists: list[list[Change]]) -> None:
     (tmp_path / "a.omote").unlink(missing_ok=True)
-    show, kept = open_show(tmp_path / "a.omote"), Ledger()
+    show, kept = open_show(tmp_path / "a.omote"), AuthoredTables()
     for changes in [FIRST, *lists]:
         wanted = kept.copy()
         possible = all(wanted.make(change) for change in changes) and wanted.whole
@@ -168,12 +168,12 @@ def test_every_column_of_every_row_is_sealed() -> None:
         if "tags" in plain:
             plain["tags"] = '["a"]'
         values = list(plain.values())
-        assert row_of(table, [*values, seal(values)]) == row
+        assert row_of(table, [*values, row_checksum(values)]) == row
         for place, value in enumerate(values):
             other = [*values]
             other[place] = value + type(value)(1) if isinstance(value, int | float) else value + value + value[:0] * 2
             if other != values:
-                assert row_of(table, [*other, seal(values)]) is None
+                assert row_of(table, [*other, row_checksum(values)]) is None
 
 
 @pytest.mark.parametrize("data", [None, 1, 1.5, "text", b"other"])
@@ -193,7 +193,7 @@ def test_rows_that_another_program_sealed_over_nonsense_make_a_file_corrupt(tmp_
     table = TABLES[0]
     row = connection.execute(f"SELECT {', '.join(table.columns)} FROM {table.name}").fetchone()
     values = [tags if column == "tags" else value for column, value in zip(table.columns, row, strict=True)]
-    connection.execute(f"UPDATE {table.name} SET tags = ?, sum = ?", (tags, seal(values)))
+    connection.execute(f"UPDATE {table.name} SET tags = ?, sum = ?", (tags, row_checksum(values)))
     connection.commit()
     connection.close()
     with pytest.raises(CorruptShowFileError, match="item 1 is damaged"):

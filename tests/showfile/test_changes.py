@@ -4,7 +4,7 @@ import msgspec
 from hypothesis import given
 
 from omote.showfile.changes import Change, Stored
-from tests.showfile.ledger import FIRST, Ledger, puts
+from tests.showfile.ledger import FIRST, AuthoredTables, puts
 
 
 @given(puts)
@@ -15,8 +15,8 @@ def test_a_change_survives_encoding(change: Change) -> None:
 
 
 def test_a_whole_store_survives_encoding() -> None:
-    ledger = Ledger()
-    assert all(ledger.make(change) for change in FIRST)
-    stored = ledger.stored
+    tables = AuthoredTables()
+    assert all(tables.make(change) for change in FIRST)
+    stored = tables.stored
     assert msgspec.msgpack.decode(msgspec.msgpack.encode(stored), type=Stored) == stored
     assert stored.items[0].head == stored.revisions[0].number

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from omote.showfile.changes import PutLayout
-from omote.showfile.integrity import SHORTEST, examined, prove, reading
+from omote.showfile.integrity import SHORTEST, check_integrity, open_read_only, prove
 from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError
 from omote.showfile.show_file import ShowFile, open_show
 
@@ -22,7 +22,7 @@ def filled(path: Path) -> ShowFile:
 def test_a_whole_file_is_proved_while_it_is_open(tmp_path: Path) -> None:
     show = filled(tmp_path / "a.omote")
     prove(show.path)
-    assert examined(show.path) == SCHEMA_VERSION
+    assert check_integrity(show.path) == SCHEMA_VERSION
     show.close()
     prove(show.path)
     assert [file.name for file in tmp_path.iterdir()] == ["a.omote"]
@@ -37,7 +37,7 @@ def test_a_file_that_a_killed_server_left_is_proved_and_keeps_its_log(tmp_path: 
     before = {file.name: file.read_bytes() for file in (tmp_path / "killed").iterdir()}
     path = tmp_path / "killed" / "a.omote"
     prove(path)
-    connection = reading(path)
+    connection = open_read_only(path)
     assert connection.execute("SELECT name FROM layout").fetchall() == [("console",)]
     connection.close()
     assert {name: (tmp_path / "killed" / name).read_bytes() for name in before} == before
@@ -45,10 +45,10 @@ def test_a_file_that_a_killed_server_left_is_proved_and_keeps_its_log(tmp_path: 
 
 def test_a_new_file_has_no_version(tmp_path: Path) -> None:
     path = tmp_path / "a.omote"
-    assert examined(path) == 0
+    assert check_integrity(path) == 0
     assert not path.exists()
     path.write_bytes(b"")
-    assert examined(path) == 0
+    assert check_integrity(path) == 0
     with pytest.raises(ShowFileError, match="schema 0; expected"):
         prove(path)
 
@@ -59,7 +59,7 @@ def test_a_file_that_is_shorter_than_any_is_corrupt_not_new(tmp_path: Path, leng
     show.close()
     show.path.write_bytes(show.path.read_bytes()[:length])
     with pytest.raises(CorruptShowFileError, match="cut off"):
-        examined(show.path)
+        check_integrity(show.path)
     with pytest.raises(CorruptShowFileError, match="cut off"):
         open_show(show.path)
     assert show.path.stat().st_size == length
@@ -82,19 +82,19 @@ def test_a_broken_page_is_told_in_one_line(tmp_path: Path, version: int) -> None
         file.seek(3 * 4096)
         file.write(b"\xa5" * 4096)
     with pytest.raises(CorruptShowFileError, match=r"Page 4: .*\)\.$") as refused:
-        examined(show.path)
+        check_integrity(show.path)
     assert "\n" not in str(refused.value)
 
 
 def test_what_cannot_be_opened_is_said(tmp_path: Path) -> None:
     (tmp_path / "folder").mkdir()
     with pytest.raises(ShowFileError, match="cannot be read"):
-        examined(tmp_path / "folder")
+        check_integrity(tmp_path / "folder")
 
 
 def test_reading_writes_nothing_and_sees_what_is_committed(tmp_path: Path) -> None:
     show = filled(tmp_path / "a #1?.omote")
-    connection = reading(show.path)
+    connection = open_read_only(show.path)
     assert connection.execute("SELECT name FROM layout").fetchall() == [("console",)]
     show.apply([PutLayout("other", b"{}")])
     assert len(connection.execute("SELECT name FROM layout").fetchall()) == 2

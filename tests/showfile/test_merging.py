@@ -8,12 +8,12 @@ from hypothesis import strategies as st
 from omote.showfile.changes import Change, Draft, Edit, PutDraft, PutItem, Stored
 from omote.showfile.merging import changes_since
 from omote.showfile.show_file import open_show
-from tests.showfile.ledger import DATA, FIRST, KEYS, Ledger, item, puts, revision
+from tests.showfile.ledger import DATA, FIRST, KEYS, AuthoredTables, item, puts, revision
 
 histories = st.lists(st.lists(puts, min_size=1, max_size=3), max_size=12)
 
 
-def played(kept: Ledger, lists: list[list[Change]]) -> Ledger:
+def played(kept: AuthoredTables, lists: list[list[Change]]) -> AuthoredTables:
     """The ledger after those of the lists that can be made."""
     for changes in lists:
         wanted = kept.copy()
@@ -22,7 +22,7 @@ def played(kept: Ledger, lists: list[list[Change]]) -> Ledger:
     return kept
 
 
-def merged(good: Ledger, found: Stored, contents: dict[str, bytes]) -> Ledger:
+def merged(good: AuthoredTables, found: Stored, contents: dict[str, bytes]) -> AuthoredTables:
     """The copy with what is newer."""
     result = good.copy()
     assert all(result.make(change) for change in changes_since(good.stored, good.contents.keys(), found, contents))
@@ -30,9 +30,9 @@ def merged(good: Ledger, found: Stored, contents: dict[str, bytes]) -> Ledger:
     return result
 
 
-def started() -> Ledger:
+def started() -> AuthoredTables:
     """A ledger with one item, its revision and a draft."""
-    return played(Ledger(), [FIRST, [PutDraft(Draft(1, "ada", 1, 0))]])
+    return played(AuthoredTables(), [FIRST, [PutDraft(Draft(1, "ada", 1, 0))]])
 
 
 @given(histories, histories)
@@ -75,7 +75,7 @@ def test_with_some_rows_the_copy_loses_nothing_and_stays_whole(
 def test_a_draft_with_missing_steps_leaves_the_copys_draft_and_is_cut_where_there_is_none() -> None:
     steps = tuple(Edit(1, "ada", number, b"", "") for number in (0, 1, 3))
     found = Stored(items=(item(),), drafts=(Draft(1, "ada", 0, 3),), edits=steps)
-    cut = merged(played(Ledger(), [[PutItem(item())]]), found, {})
+    cut = merged(played(AuthoredTables(), [[PutItem(item())]]), found, {})
     assert (cut.stored.drafts, cut.stored.edits) == ((Draft(1, "ada", 0, 1),), steps[:2])
     assert merged(started(), found, {}).stored.drafts == (Draft(1, "ada", 1, 0),)
 
@@ -87,7 +87,7 @@ def test_a_head_whose_revision_is_lost_goes_to_the_newest_that_is_there() -> Non
     )
     assert merged(good, Stored(items=found.items), {}).items[1].head == 1
     assert merged(good, found, {KEYS[1]: DATA[1]}).items[1].head == 5
-    lone = played(Ledger(), [])
+    lone = played(AuthoredTables(), [])
     assert merged(lone, found, {}).items[1].head == 0
 
 

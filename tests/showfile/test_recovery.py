@@ -11,7 +11,7 @@ from omote.showfile.backup import good_path, keep_good_copy
 from omote.showfile.changes import Draft, Edit, PutContent, PutDraft, PutEdit, PutItem, PutLayout, PutRevision, Stored
 from omote.showfile.contents import content_key
 from omote.showfile.integrity import prove
-from omote.showfile.recovery import finish, is_lost, rescue_show, salvaged
+from omote.showfile.recovery import finish, is_lost, rescue_show, salvage
 from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 from tests.showfile.ledger import item, revision
@@ -74,7 +74,7 @@ def whole(tmp_path: Path) -> Path:
 
 def test_all_of_a_whole_file_is_salvaged_and_it_is_not_touched(whole: Path) -> None:
     before = whole.read_bytes()
-    found = salvaged(whole)
+    found = salvage(whole)
     assert (found.stored, found.contents, found.journal) == held(whole)
     assert whole.read_bytes() == before
 
@@ -84,7 +84,7 @@ def test_what_lies_in_the_log_is_salvaged_too(tmp_path: Path) -> None:
     path = killed(show, tmp_path / "killed")
     before = {file.name: file.read_bytes() for file in path.parent.iterdir()}
     assert "a.omote-wal" in before
-    found = salvaged(path)
+    found = salvage(path)
     assert (found.stored, found.contents, found.journal) == (show.stored(), show.contents(), STATE)
     assert {file.name: file.read_bytes() for file in path.parent.iterdir()} == before
     show.close()
@@ -94,7 +94,7 @@ def test_a_file_without_its_first_page_is_read_by_that_of_its_good_copy(whole: P
     everything = held(whole)
     with whole.open("r+b") as file:
         file.write(bytes(4096))
-    found = salvaged(whole)
+    found = salvage(whole)
     assert (found.stored, found.contents, found.journal) == everything
     rescue = rescue_show(whole)
     assert held(whole) == everything

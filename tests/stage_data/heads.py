@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 
 from omote.builtin import BakedMesh
-from omote.interchange.export_face import Workbench
+from omote.interchange.export_face import ExportContext
 from omote.interchange.formats.png import png_bytes
 from omote.interchange.skin_texture import LAYERS
 from omote.model.cast import Cast, Title
@@ -52,6 +52,6 @@ def synthetic_cast() -> Cast:
     )
 
 
-def bench() -> Workbench:
+def context() -> ExportContext:
     """What exports of the synthetic cast share."""
-    return Workbench(synthetic_cast(), meshes(), layers())
+    return ExportContext(synthetic_cast(), meshes(), layers())

@@ -24,9 +24,9 @@ from omote.stage_data.assets import (
     documents,
     extremes,
     first_rows,
-    quantised,
+    quantise,
     rest_positions,
-    unpacked,
+    unpack_compound,
 )
 from tests import synthetic
 from tests.server.synthetic_server import meshes
@@ -51,20 +51,20 @@ def test_lines_and_pupils_are_those_of_the_cast(cast: Cast) -> None:
 
 @given(moves=hnp.arrays(np.float64, st.tuples(st.integers(0, 50), st.just(3)), elements=st.floats(-0.05, 0.05)))
 def test_quantised_moves_come_back_within_half_a_count(moves: np.ndarray) -> None:
-    asset = quantised(moves)
-    assert np.abs(unpacked(asset, len(moves)) - moves).max(initial=0.0) <= 0.5000001 * asset.scale
+    asset = quantise(moves)
+    assert np.abs(unpack_compound(asset, len(moves)) - moves).max(initial=0.0) <= 0.5000001 * asset.scale
     assert FINEST_STEP <= asset.scale <= max(0.05 / 32767, FINEST_STEP)
 
 
 @given(count=st.integers(1, 30), step=st.floats(0.0, FINEST_STEP * 0.49))
 def test_what_moves_less_than_anybody_sees_is_not_sent(count: int, step: float) -> None:
-    assert quantised(np.full((count, 3), step)).indices == b""
+    assert quantise(np.full((count, 3), step)).indices == b""
 
 
 @pytest.mark.parametrize(("face", "expression"), [*itertools.product(synthetic.FACES, synthetic.EXPRESSIONS)])
 def test_face_and_compound_together_are_the_compound_of_the_model(cast: Cast, face: str, expression: str) -> None:
     worn, rest = cast.faces[face], rest_positions(cast, cast.faces[face])
-    shown = rest + unpacked(compound_asset(cast, worn, expression), len(rest))
+    shown = rest + unpack_compound(compound_asset(cast, worn, expression), len(rest))
     field = cast.expressions[expression]
     parts = compound_parts(cast.space, worn, field)
     expected = np.concatenate([compound(cast.space, worn, field), *(parts[name] for name in cast.space.parts)])
@@ -90,7 +90,9 @@ def blended(cast: Cast, frame: Frame) -> np.ndarray:
     shown = np.zeros_like(rest_positions(cast, cast.faces["generic"]), np.float64)
     for name, share in frame.faces.items():
         face = cast.faces[name]
-        moves = {e: unpacked(compound_asset(cast, face, e), len(shown)) for e in {*frame.expressions, *frame.channels}}
+        moves = {
+            e: unpack_compound(compound_asset(cast, face, e), len(shown)) for e in {*frame.expressions, *frame.channels}
+        }
         weights = [*frame.expressions.items(), *frame.channels.items()]
         shown += share * (rest_positions(cast, face) + sum(weight * moves[name] for name, weight in weights))
     return shown

@@ -3,7 +3,7 @@
 import pytest
 
 from omote.model.cast import Cast
-from omote.stage_data.picture_grid import LARGEST, SMALLEST, Setting, Sheet, grid, listed, read_size
+from omote.stage_data.picture_grid import LARGEST, SMALLEST, PictureGrid, Setting, build_grid, read_size, split_list
 
 ONE = [[{"faces": {"generic": 1.0}}]]
 
@@ -37,37 +37,37 @@ def test_what_is_no_size_is_refused(text: str) -> None:
 
 def test_a_grid_has_a_row_for_each_face_and_a_column_for_each_expression_and_turn(cast: Cast) -> None:
     faces = list(cast.faces)[:2]
-    sheet = grid(
+    sheet = build_grid(
         cast, faces=",".join(faces), expressions="neutral, smile=0.5", turns="-30,0", light="flat", labels=True
     )
     assert sheet.rows == faces
     assert sheet.columns == ["neutral -30°", "neutral 0°", "smile=0.5 -30°", "smile=0.5 0°"]
     assert [[next(iter(pose["faces"])) for pose in row] for row in sheet.poses] == [[face] * 4 for face in faces]
     assert [pose["head"][0] < 0 for pose in sheet.poses[0]] == [True, False, True, False]
-    assert grid(cast, faces="generic", expressions="smile", turns="0", light="flat", labels=False).columns == ()
+    assert build_grid(cast, faces="generic", expressions="smile", turns="0", light="flat", labels=False).columns == ()
 
 
 def test_words_between_commas() -> None:
-    assert listed(" a, b ,,c") == ["a", "b", "c"]
+    assert split_list(" a, b ,,c") == ["a", "b", "c"]
 
 
 def test_an_empty_sheet_and_one_without_end_are_refused(cast: Cast) -> None:
     with pytest.raises(ValueError, match="the sheet has 0 pictures"):
-        grid(cast, faces="", expressions="smile", turns="0", light="flat", labels=True)
+        build_grid(cast, faces="", expressions="smile", turns="0", light="flat", labels=True)
     with pytest.raises(ValueError, match="the sheet has 2001 pictures"):
-        Sheet([ONE[0] * 2001])
+        PictureGrid([ONE[0] * 2001])
 
 
 def test_names_that_do_not_fit_are_refused() -> None:
     with pytest.raises(ValueError, match="every row and every column has a name"):
-        Sheet(ONE, rows=("a", "b"))
+        PictureGrid(ONE, rows=("a", "b"))
     with pytest.raises(ValueError, match="every picture has a caption"):
-        Sheet(ONE, captions=[["a", "b"]])
+        PictureGrid(ONE, captions=[["a", "b"]])
 
 
 def test_paper_is_left_out_where_a_picture_is_transparent() -> None:
-    assert Sheet(ONE).on_paper(Setting(), "image/jpeg").kind == "image/jpeg"
-    assert Sheet(ONE).on_paper(Setting(), "image/png").paper is not None
-    assert Sheet(ONE).on_paper(Setting(transparent=True), "image/png").paper is None
+    assert PictureGrid(ONE).on_paper(Setting(), "image/jpeg").kind == "image/jpeg"
+    assert PictureGrid(ONE).on_paper(Setting(), "image/png").paper is not None
+    assert PictureGrid(ONE).on_paper(Setting(transparent=True), "image/png").paper is None
     with pytest.raises(ValueError, match="a JPEG cannot be transparent"):
-        Sheet(ONE).on_paper(Setting(transparent=True), "image/jpeg")
+        PictureGrid(ONE).on_paper(Setting(transparent=True), "image/jpeg")

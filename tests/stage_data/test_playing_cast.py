@@ -10,7 +10,7 @@ from omote.model.space.face import Face
 from omote.show.messages import Manifest
 from omote.showfile.contents import ContentError, content_key, pack_expression, pack_face
 from omote.stage_data.assets import content_asset, documents
-from omote.stage_data.playing_cast import Own, Troupe, digest_of, manifest_of, troupe_of
+from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast, digest_of, manifest_of
 from tests.server.synthetic_server import meshes
 
 Contents = dict[str, bytes]
@@ -38,43 +38,43 @@ def cousin(cast: Cast, contents: Contents) -> tuple[Own, Face]:
 def test_own_things_stand_behind_the_built_in_cast(cast: Cast) -> None:
     contents: Contents = {}
     own = (grin(cast, contents), cousin(cast, contents)[0])
-    troupe = troupe_of(cast, own, contents)
-    assert [*troupe.expressions] == [*cast.expressions, "grin"]
-    assert [*troupe.faces] == [*cast.faces, "cousin"]
-    assert troupe.faces["cousin"] == own[1].source == "#" + own[1].content
-    assert troupe.expression_sources["grin"] == own[0].source
-    assert all(troupe.expression_sources[name] == name for name in cast.expressions)
-    assert np.array_equal(troupe.expressions["grin"].dh, cast.expressions["smile"].dh)
+    playing = build_playing_cast(cast, own, contents)
+    assert [*playing.expressions] == [*cast.expressions, "grin"]
+    assert [*playing.faces] == [*cast.faces, "cousin"]
+    assert playing.faces["cousin"] == own[1].source == "#" + own[1].content
+    assert playing.expression_sources["grin"] == own[0].source
+    assert all(playing.expression_sources[name] == name for name in cast.expressions)
+    assert np.array_equal(playing.expressions["grin"].dh, cast.expressions["smile"].dh)
 
 
 def test_the_digest_names_exactly_this_cast(cast: Cast) -> None:
     contents: Contents = {}
     first, later = grin(cast, contents), grin(cast, contents, place=2.0)
     face, _ = cousin(cast, contents)
-    assert troupe_of(cast, (), {}).digest == cast.digest
-    found = {troupe_of(cast, own, contents).digest for own in ((first,), (later,), (first, face), ())}
+    assert build_playing_cast(cast, (), {}).digest == cast.digest
+    found = {build_playing_cast(cast, own, contents).digest for own in ((first,), (later,), (first, face), ())}
     assert len(found) == 4
-    assert troupe_of(cast, (first,), contents).digest == digest_of(cast.digest, (first,))
+    assert build_playing_cast(cast, (first,), contents).digest == digest_of(cast.digest, (first,))
 
 
 def test_what_was_unpacked_is_not_unpacked_again(cast: Cast) -> None:
     contents: Contents = {}
     own = grin(cast, contents)
-    before = troupe_of(cast, (own,), contents)
+    before = build_playing_cast(cast, (own,), contents)
     renamed = msgspec.structs.replace(own, label="Smirk")
-    after = troupe_of(cast, (renamed,), {}, before=before)  # without its bytes
+    after = build_playing_cast(cast, (renamed,), {}, before=before)  # without its bytes
     assert after.expressions["grin"] is before.expressions["grin"]
     with pytest.raises(KeyError):
-        troupe_of(cast, (own,), {})
+        build_playing_cast(cast, (own,), {})
 
 
 def test_a_name_of_the_cast_is_not_given_twice(cast: Cast) -> None:
     contents: Contents = {}
     for own in ((grin(cast, contents, name="smile"),), (grin(cast, contents), grin(cast, contents))):
         with pytest.raises(ValueError, match=r"there are two expressions named '(smile|grin)'"):
-            troupe_of(cast, own, contents)
+            build_playing_cast(cast, own, contents)
     both = (grin(cast, contents, name="cousin"), cousin(cast, contents)[0])
-    assert troupe_of(cast, both, contents).own == both  # a face and an expression may share one
+    assert build_playing_cast(cast, both, contents).own == both  # a face and an expression may share one
 
 
 def test_an_expression_of_another_head_is_refused(cast: Cast) -> None:
@@ -82,55 +82,55 @@ def test_an_expression_of_another_head_is_refused(cast: Cast) -> None:
     contents: Contents = {}
     own = Own("expression", "small", "Small", (), 1.0, kept(contents, pack_expression(small)))
     with pytest.raises(ValueError, match="has 9 vertices; expected the"):
-        troupe_of(cast, (own,), contents)
+        build_playing_cast(cast, (own,), contents)
     face = Own("expression", "face", "Face", (), 1.0, cousin(cast, contents)[0].content)
     with pytest.raises(ContentError):
-        troupe_of(cast, (face,), contents)
+        build_playing_cast(cast, (face,), contents)
 
 
 def test_nothing_is_unpacked_before_somebody_wants_it_and_what_is_none_plays_as_nothing(cast: Cast) -> None:
     contents: Contents = {}
     own = (grin(cast, contents), Own("expression", "lost", "Lost", (), 2.0, "0" * 24))
-    troupe = troupe_of(cast, own, contents, check=False)
-    assert [*troupe.expressions] == [*cast.expressions, "grin", "lost"]
-    assert len(troupe.expressions) == len(cast.expressions) + 2
-    assert "grin" in troupe.expressions
-    assert "nothing" not in troupe.expressions
-    grins = troupe.expressions["grin"]
+    playing = build_playing_cast(cast, own, contents, check=False)
+    assert [*playing.expressions] == [*cast.expressions, "grin", "lost"]
+    assert len(playing.expressions) == len(cast.expressions) + 2
+    assert "grin" in playing.expressions
+    assert "nothing" not in playing.expressions
+    grins = playing.expressions["grin"]
     assert np.array_equal(grins.dh, cast.expressions["smile"].dh)
-    assert troupe.expressions["grin"] is grins
-    assert troupe.expressions["lost"] is cast.expressions["neutral"]
+    assert playing.expressions["grin"] is grins
+    assert playing.expressions["lost"] is cast.expressions["neutral"]
     with pytest.raises(KeyError):
-        troupe.expressions["nothing"]
+        playing.expressions["nothing"]
 
 
-def manifest(cast: Cast, troupe: Troupe, contents: Contents) -> Manifest:
+def manifest(cast: Cast, playing: PlayingCast, contents: Contents) -> Manifest:
     """The manifest of a troupe with all its faces."""
     built_in = documents(cast, meshes(cast), mask="/mask").manifest
     faces = {}
-    for own in troupe.own:
+    for own in playing.own:
         if own.kind == "face":
             _, face = cousin(cast, contents)
             faces[own.content] = content_asset(cast, own.content, face, Look(skin="#102030")).face
-    return manifest_of(troupe, built_in, faces)
+    return manifest_of(playing, built_in, faces)
 
 
 def test_the_manifest_tells_people_what_they_call_it_and_pages_where_it_is(cast: Cast) -> None:
     contents: Contents = {}
     own = (grin(cast, contents), cousin(cast, contents)[0])
-    troupe = troupe_of(cast, own, contents)
-    found = manifest(cast, troupe, contents)
-    assert (found.base, found.digest) == (cast.digest, troupe.digest)
+    playing = build_playing_cast(cast, own, contents)
+    found = manifest(cast, playing, contents)
+    assert (found.base, found.digest) == (cast.digest, playing.digest)
     expression, face = found.expressions[-1], found.faces[-1]
     assert (expression.name, expression.label, expression.kind, expression.tags) == ("grin", "Grin", "own", ["happy"])
     assert (face.name, face.label, face.source, face.place) == ("cousin", "Cousin", own[1].source, 2.0)
     assert (face.url, face.look.skin) == (f"/contents/{own[1].content}", "#102030")
     assert [each.source for each in found.faces[:-1]] == [*cast.faces]
-    assert manifest(cast, troupe_of(cast, (), {}), {}) == documents(cast, meshes(cast), mask="/mask").manifest
+    assert manifest(cast, build_playing_cast(cast, (), {}), {}) == documents(cast, meshes(cast), mask="/mask").manifest
 
 
 def test_a_face_that_could_not_be_made_is_left_out_of_the_manifest(cast: Cast) -> None:
     contents: Contents = {}
-    troupe = troupe_of(cast, (cousin(cast, contents)[0],), contents)
-    found = manifest_of(troupe, documents(cast, meshes(cast), mask="/mask").manifest, {})
+    playing = build_playing_cast(cast, (cousin(cast, contents)[0],), contents)
+    found = manifest_of(playing, documents(cast, meshes(cast), mask="/mask").manifest, {})
     assert [face.name for face in found.faces] == [*cast.faces]

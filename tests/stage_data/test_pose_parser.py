@@ -7,36 +7,43 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
-from omote.stage_data.pose_parser import angles, channel_weights, expression_mix, mix, pose_of, posed
+from omote.stage_data.pose_parser import (
+    parse_angles,
+    parse_channels,
+    parse_expression_mix,
+    parse_mix,
+    parse_pose,
+    pose_of,
+)
 
 NAMES = ("neutral", "smile", "sad", "jawOpen")
 FACES = ("generic", "kaori", "dog")
 
 
 def test_names_without_a_weight_share_what_is_left() -> None:
-    assert mix("kaori", FACES, "face") == {"kaori": 1.0}
-    assert mix("kaori+dog", FACES, "face") == {"kaori": 0.5, "dog": 0.5}
-    assert mix(" kaori = 0.25 + dog ", FACES, "face") == {"kaori": 0.25, "dog": 0.75}
+    assert parse_mix("kaori", FACES, "face") == {"kaori": 1.0}
+    assert parse_mix("kaori+dog", FACES, "face") == {"kaori": 0.5, "dog": 0.5}
+    assert parse_mix(" kaori = 0.25 + dog ", FACES, "face") == {"kaori": 0.25, "dog": 0.75}
 
 
 def test_what_is_left_of_the_expressions_is_neutral() -> None:
-    assert expression_mix("", NAMES) == {"neutral": 1.0}
-    assert expression_mix("smile=0.75", NAMES) == {"smile": 0.75, "neutral": 0.25}
-    assert expression_mix("smile=0.75+sad", NAMES) == {"smile": 0.75, "sad": 0.25}
+    assert parse_expression_mix("", NAMES) == {"neutral": 1.0}
+    assert parse_expression_mix("smile=0.75", NAMES) == {"smile": 0.75, "neutral": 0.25}
+    assert parse_expression_mix("smile=0.75+sad", NAMES) == {"smile": 0.75, "sad": 0.25}
 
 
 @given(st.floats(0.0, 1.0))
 def test_a_mix_of_expressions_sums_to_one(weight: float) -> None:
-    assert sum(expression_mix(f"smile={weight!r}", NAMES).values()) == pytest.approx(1.0, abs=2e-6)
+    assert sum(parse_expression_mix(f"smile={weight!r}", NAMES).values()) == pytest.approx(1.0, abs=2e-6)
 
 
 def test_a_channel_without_a_weight_is_full() -> None:
-    assert channel_weights("jawOpen+smile=-0.25", NAMES) == {"jawOpen": 1.0, "smile": -0.25}
+    assert parse_channels("jawOpen+smile=-0.25", NAMES) == {"jawOpen": 1.0, "smile": -0.25}
 
 
 def test_angles_are_degrees_and_may_be_left_out() -> None:
-    assert angles("", 3, "turn") == []
-    assert angles("30, -45", 3, "turn") == [math.radians(30), math.radians(-45)]
+    assert parse_angles("", 3, "turn") == []
+    assert parse_angles("30, -45", 3, "turn") == [math.radians(30), math.radians(-45)]
 
 
 @pytest.mark.parametrize(
@@ -59,13 +66,13 @@ def test_angles_are_degrees_and_may_be_left_out() -> None:
 )
 def test_what_makes_no_sense_is_refused(cast: Cast, words: dict[str, str], named: str) -> None:
     with pytest.raises(ValueError, match=r".") as refused:
-        posed(cast, **words)
+        parse_pose(cast, **words)
     assert named in str(refused.value)
 
 
 def test_a_pose_is_what_a_stage_would_be_told(cast: Cast) -> None:
     pose = pose_of(
-        cast, posed(cast, expression="smile=0.5", channels="jawOpen=0.5", turn="30,0,5", gaze="10", light="flat")
+        cast, parse_pose(cast, expression="smile=0.5", channels="jawOpen=0.5", turn="30,0,5", gaze="10", light="flat")
     )
     assert pose["light"] == {"flat": 1.0}
     assert pose["faces"] == {"generic": 1.0}

@@ -23,7 +23,7 @@ from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, label, regio
 from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head, Piece
 from tools.baking.heads.moves import Move
-from tools.baking.heads.neck import settle_throat
+from tools.baking.heads.neck import level_throat
 from tools.baking.heads.people import PEOPLE
 from tools.baking.heads.person import person_points
 from tools.baking.package import Package
@@ -38,7 +38,7 @@ def face_arrays(package: Package, base: BaseMesh, head: Head, step: Step) -> Arr
     generic = head.metres(base.points)[head.skin.vertices]
     for name, person in PEOPLE.items():
         points = head.metres(person_points(person, package, base, head))
-        skin = settle_throat(points[head.skin.vertices], generic, head.skin.triangles)
+        skin = level_throat(points[head.skin.vertices], generic, head.skin.triangles)
         arrays[f"face/{name}"] = skin.astype(np.float32)
         for part in PARTS:
             arrays[f"face/{name}/{part}"] = points[head.parts[part].vertices].astype(np.float32)
@@ -49,15 +49,15 @@ def face_arrays(package: Package, base: BaseMesh, head: Head, step: Step) -> Arr
 def mesh_arrays(head: Head, layout: Floats) -> Arrays:
     """Triangles, and the meshes as they are drawn: the skin on its own layout, the parts on the published one."""
     arrays: Arrays = {"triangles": head.skin.triangles}
-    arrays.update(_drawn(SKIN, head.skin, layout))
+    arrays.update(_split_at_seams(SKIN, head.skin, layout))
     for part in PARTS:
         piece = head.parts[part]
         arrays[f"part/{part}"] = piece.triangles
-        arrays.update(_drawn(part, piece, piece.uvs * [1.0, -1.0] + [0.0, 1.0]))
+        arrays.update(_split_at_seams(part, piece, piece.uvs * [1.0, -1.0] + [0.0, 1.0]))
     return arrays
 
 
-def _drawn(name: str, piece: Piece, uvs: Floats) -> Arrays:
+def _split_at_seams(name: str, piece: Piece, uvs: Floats) -> Arrays:
     """Every pair of vertex and texture coordinate once; uvs (k, 2), (0, 0) the upper left corner."""
     pairs = np.stack([piece.triangles.ravel(), piece.uv_corners.ravel()], axis=1)
     drawn, corners = np.unique(pairs, axis=0, return_inverse=True)
@@ -80,7 +80,7 @@ def space_of(arrays: Arrays) -> ParameterSpace:
     return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
 
 
-def line_mouths(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
+def fit_mouth_bags(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
     """Puts the mouth bags of all faces but the generic one as far behind their skin as its own lies, in place."""
     for name in names:
         if name != GENERIC:
@@ -100,7 +100,7 @@ def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move
     for name, pupil in OWN.items():
         expressions.append(replace(_at_rest(space), pupil=pupil))
         step(name)
-    return _stacked(expressions, space)
+    return _stack(expressions, space)
 
 
 def _at_rest(space: ParameterSpace) -> Expression:
@@ -108,7 +108,7 @@ def _at_rest(space: ParameterSpace) -> Expression:
     return Expression(np.zeros(count), np.zeros(count), np.ones(count), np.zeros((len(space.inner.vertices), 3)))
 
 
-def _stacked(expressions: list[Expression], space: ParameterSpace) -> Arrays:
+def _stack(expressions: list[Expression], space: ParameterSpace) -> Arrays:
     """The fields as float32: their rounding is below a millionth of a millimetre."""
     stacks: dict[str, list[NDArray[Any]]] = {
         "dtheta": [expression.dtheta for expression in expressions],

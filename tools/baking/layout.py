@@ -28,8 +28,8 @@ def unwrap(skin: Piece, points: Floats) -> Floats:
     nose = skin.uv_corners[skin.triangles == points[:, 2].argmax()][0]
     layout = np.empty_like(skin.uvs)
     inside = island == main
-    layout[inside, 0] = _magnified(across[inside], across[nose], MAGNIFY_ACROSS, MARGIN, 1.0 - MARGIN)
-    layout[inside, 1] = _magnified(along[inside], along[nose], MAGNIFY_ALONG, MARGIN, ROW_TOP - MARGIN)
+    layout[inside, 0] = _magnify(across[inside], across[nose], MAGNIFY_ACROSS, MARGIN, 1.0 - MARGIN)
+    layout[inside, 1] = _magnify(along[inside], along[nose], MAGNIFY_ALONG, MARGIN, ROW_TOP - MARGIN)
     others = [island == other for other in range(island.max() + 1) if other != main]
     _pack_row(layout, skin.uvs, others)
     return layout
@@ -53,7 +53,7 @@ def islands(corners: Ints, count: int) -> Ints:
     return np.asarray(connected_components(links, directed=False)[1].astype(np.int32))
 
 
-def _magnified(values: Floats, centre: float, strength: float, low: float, high: float) -> Floats:
+def _magnify(values: Floats, centre: float, strength: float, low: float, high: float) -> Floats:
     """Values spread over [low, high], enlarged around `centre` by a rising function, so that nothing folds."""
     reach = max(values.max() - centre, centre - values.min())
     spread = np.arcsinh(strength * (values - centre) / reach)

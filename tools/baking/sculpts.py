@@ -48,14 +48,14 @@ def sculpt_arrays(arrays: Arrays, space: ParameterSpace, sculpts: tuple[Sculpt, 
     for sculpt in sculpts:
         face = sculpted(space, sculpt, people)
         shift = _eyes(people[GENERIC]) - _eyes(face)
-        found[f"face/{face.name}"] = _settled(face.positions + shift)
+        found[f"face/{face.name}"] = _round_to_nanometre(face.positions + shift)
         for part in PARTS:
-            found[f"face/{face.name}/{part}"] = _settled(face.parts[part] + shift)
+            found[f"face/{face.name}/{part}"] = _round_to_nanometre(face.parts[part] + shift)
         step(face.name)
     return found
 
 
-def _settled(points: Floats) -> NDArray[np.float32]:
+def _round_to_nanometre(points: Floats) -> NDArray[np.float32]:
     """To the nanometre: a solver's last bits, which depend on the machine, are gone, and the midline is at zero."""
     return np.asarray(np.round(points, 9) + 0.0, np.float32)
 

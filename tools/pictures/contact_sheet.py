@@ -13,7 +13,7 @@ import omote
 from omote.model.cast import Cast
 from omote.stage_data.picture_grid import Setting
 from tools.baking.sculpts import sculpt_paths
-from tools.pictures.drawing import Picture, Words, draw_wanted, sheet
+from tools.pictures.drawing import Picture, Words, draw_wanted, grid_of
 
 TILE = Setting(150, 172, quality="low")
 EXPRESSIONS = ("neutral", "smile", "laugh", "sad", "angry", "surprise", "disgust", "kiss", "pain", "doubt")
@@ -53,7 +53,7 @@ STEPS = (0.0, 0.25, 0.5, 0.5, 0.75, 1.0)
 def expressions(cast: Cast) -> Picture:
     """Ten expressions of every face."""
     rows = [(face, [(name, {"face": face, "expression": name}) for name in EXPRESSIONS]) for face in cast.faces]
-    return Picture("contact-expressions", sheet(cast, rows), TILE)
+    return Picture("contact-expressions", grid_of(cast, rows), TILE)
 
 
 def shapes(cast: Cast) -> Picture:
@@ -68,21 +68,21 @@ def shapes(cast: Cast) -> Picture:
         }
         worn = {name: {"face": face, **words} for name, words in SHAPES.items()} | between
         rows.append((face, list(worn.items())))
-    return Picture("contact-shapes", sheet(cast, rows), TILE)
+    return Picture("contact-shapes", grid_of(cast, rows), TILE)
 
 
 def eyes(cast: Cast) -> Picture:
     """Eyes and lids of every face, from near."""
     rows = [(face, [(name, {"face": face, **words}) for name, words in EYES.items()]) for face in cast.faces]
     return Picture(
-        "contact-eyes", replace(sheet(cast, rows), part=(0.19, 0.33, 0.62, 0.22)), Setting(480, 550, quality="low")
+        "contact-eyes", replace(grid_of(cast, rows), part=(0.19, 0.33, 0.62, 0.22)), Setting(480, 550, quality="low")
     )
 
 
 def sculpts(cast: Cast) -> Picture:
     """A row for each sculpt: at rest, turned, barking, smiling, angry, with closed eyes."""
     rows = [(path.stem, [("", {"face": path.stem, **words}) for words in SCULPTS]) for path in sculpt_paths()]
-    return Picture("sculpts", sheet(cast, rows), Setting(200, 190))
+    return Picture("sculpts", grid_of(cast, rows), Setting(200, 190))
 
 
 def morphs(cast: Cast) -> Picture:
@@ -93,7 +93,7 @@ def morphs(cast: Cast) -> Picture:
         said = ["surprise=0.5" if column == 3 else "neutral" for column in range(len(STEPS))]
         worn = [("", {"face": face, "expression": word}) for face, word in zip(faces, said, strict=True)]
         rows.append((f"{person} to {name}", worn))
-    return Picture("morphs", sheet(cast, rows), Setting(200, 190))
+    return Picture("morphs", grid_of(cast, rows), Setting(200, 190))
 
 
 def main() -> int:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 import omote
 from omote.geometry.mesh import normals
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.space.skin_sheet import unwrapped
+from omote.model.space.skin_sheet import unwrap_corners
 from tests.model import heads
 from tools.baking.skin.raster import rasterise
 from tools.baking.write import png_bytes
@@ -28,11 +28,11 @@ BACKGROUND, MEMBRANE = np.array([18.0, 18.0, 22.0]), np.array([226.0, 150.0, 40.
 def picture(space: ParameterSpace) -> NDArray[np.uint8]:
     """S as a picture (rows, columns, 4), one metre of h as long as one metre along the mean circle."""
     corners, size = space.location_triangles, SIZE * SMOOTHER
-    x, y = unwrapped(space.theta, corners), space.h[corners]
+    x, y = unwrap_corners(space.theta, corners), space.h[corners]
     metric = float(space.cylinder.unroll(space.points[space.on_sheet])[2].mean())
     scale = size / (2 * np.pi * metric)
     rows = int(np.ptp(y) * scale) + 1
-    twice = [_placed(x + shift, y, metric, scale) for shift in (-2 * np.pi, 0.0, 2 * np.pi)]
+    twice = [_place(x + shift, y, metric, scale) for shift in (-2 * np.pi, 0.0, 2 * np.pi)]
     owner, weights, _ = rasterise(np.concatenate(twice), size)
     owner, weights = owner[:rows], weights[:rows]
     shown = owner >= 0
@@ -51,7 +51,7 @@ def picture(space: ParameterSpace) -> NDArray[np.uint8]:
     return _smaller(full)
 
 
-def _placed(x: NDArray[np.float64], y: NDArray[np.float64], metric: float, scale: float) -> NDArray[np.float64]:
+def _place(x: NDArray[np.float64], y: NDArray[np.float64], metric: float, scale: float) -> NDArray[np.float64]:
     column, row = (x + np.pi) * metric * scale, (y.max() - y) * scale
     return np.stack([column, row, np.zeros_like(row)], axis=-1)
 

@@ -11,11 +11,11 @@ from pathlib import Path
 from omote.interchange.formats.atomic_file import write_whole
 from omote.model.cast import Cast
 from omote.server.headless.chromium import open_chromium
-from omote.server.headless.picture_studio import open_house, open_studio
-from omote.server.http.cast_documents import built_in
-from omote.server.http.static_pages import read_bundle
-from omote.stage_data.picture_grid import Setting, Sheet
-from omote.stage_data.pose_parser import pose_of, posed
+from omote.server.headless.picture_studio import open_picture_page, serve_pages
+from omote.server.http.cast_documents import built_in_documents
+from omote.server.http.static_pages import read_pages
+from omote.stage_data.picture_grid import PictureGrid, Setting
+from omote.stage_data.pose_parser import parse_pose, pose_of
 from tools.browser import SENTENCE, find_browser
 
 PICTURES = Path(__file__).resolve().parents[2] / "docs" / "pictures"
@@ -29,14 +29,14 @@ class Picture:
     """A sheet in its setting, and the name of its file, without `.jpg`."""
 
     name: str
-    sheet: Sheet
+    sheet: PictureGrid
     setting: Setting
 
 
-def sheet(cast: Cast, rows: Sequence[tuple[str, Sequence[tuple[str, Words]]]]) -> Sheet:
+def grid_of(cast: Cast, rows: Sequence[tuple[str, Sequence[tuple[str, Words]]]]) -> PictureGrid:
     """Rows of (name, pictures), each picture a caption and the words of its pose."""
-    return Sheet(
-        [[pose_of(cast, posed(cast, **words)) for _, words in row] for _, row in rows],
+    return PictureGrid(
+        [[pose_of(cast, parse_pose(cast, **words)) for _, words in row] for _, row in rows],
         rows=[name for name, _ in rows],
         captions=[[caption for caption, _ in row] for _, row in rows],
         paper="#000",
@@ -57,9 +57,9 @@ def draw_wanted(pictures: Sequence[Picture], names: Sequence[str]) -> int:
 
 async def _draw(pictures: Sequence[Picture], browser: Path) -> None:
     """Draws the pictures into their files, one after the other."""
-    async with open_house(built_in(), read_bundle()) as address, open_chromium(browser) as tools:
+    async with serve_pages(built_in_documents(), read_pages()) as address, open_chromium(browser) as tools:
         for picture in pictures:
-            studio = await open_studio(tools, address, picture.setting)
+            studio = await open_picture_page(tools, address, picture.setting)
             target = PICTURES / f"{picture.name}.jpg"
             write_whole(target, await studio.draw(picture.sheet))
             await studio.close()

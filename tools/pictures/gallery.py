@@ -12,7 +12,7 @@ from dataclasses import replace
 import omote
 from omote.model.cast import Cast
 from omote.stage_data.picture_grid import Setting
-from tools.pictures.drawing import PICTURES, Picture, draw_wanted, sheet
+from tools.pictures.drawing import PICTURES, Picture, draw_wanted, grid_of
 
 MOST_BYTES = 6_000_000
 PLAYERS = ("kaori", "old", "child", "dog")
@@ -34,14 +34,14 @@ BLUE, PAPER = "#2a5aa8", "#cfc6b4"
 def expressions(cast: Cast, face: str) -> Picture:
     """Ten expressions of a face, in two rows of five."""
     worn = [(name, {"face": face, "expression": name}) for name in EXPRESSIONS]
-    drawn = replace(sheet(cast, [("", worn[:5]), ("", worn[5:])]), rows=())
+    drawn = replace(grid_of(cast, [("", worn[:5]), ("", worn[5:])]), rows=())
     return Picture(f"gallery-{face}", drawn, Setting(400, 450))
 
 
 def turntable(cast: Cast) -> Picture:
     """Every face from seven sides."""
     rows = [(face, [("", {"face": face, "turn": str(yaw)}) for yaw in YAWS]) for face in cast.faces]
-    return Picture("gallery-turntable", sheet(cast, rows), Setting(280, 240))
+    return Picture("gallery-turntable", grid_of(cast, rows), Setting(280, 240))
 
 
 def mouths(cast: Cast) -> Picture:
@@ -50,7 +50,7 @@ def mouths(cast: Cast) -> Picture:
         (face, [(name, {"face": face, "channels": unit, "turn": "30"}) for name, unit in MOUTHS.items()])
         for face in (*PLAYERS, "man")
     ]
-    return Picture("gallery-mouths", sheet(cast, rows), Setting(380, 400))
+    return Picture("gallery-mouths", grid_of(cast, rows), Setting(380, 400))
 
 
 def eyes(cast: Cast) -> Picture:
@@ -59,7 +59,7 @@ def eyes(cast: Cast) -> Picture:
     for face in PLAYERS:
         looks = [(f"{face} {gaze}", {"face": face, "gaze": gaze}) for gaze in GAZES]
         rows += [(face, looks[at : at + 3]) for at in (0, 3, 6)]
-    drawn = replace(sheet(cast, rows), rows=(), part=(0.19, 0.33, 0.62, 0.2))
+    drawn = replace(grid_of(cast, rows), rows=(), part=(0.19, 0.33, 0.62, 0.2))
     return Picture("gallery-eyes", drawn, Setting(760, 860))
 
 
@@ -69,13 +69,13 @@ def lights(cast: Cast) -> Picture:
         (face, [(light, {"face": face, "expression": "smile", "light": light, "turn": "-20"}) for light in LIGHTS])
         for face in PLAYERS
     ]
-    return Picture("gallery-lights", sheet(cast, rows), Setting(400, 430))
+    return Picture("gallery-lights", grid_of(cast, rows), Setting(400, 430))
 
 
-def keyed(cast: Cast, name: str, setting: Setting, paper: str) -> Picture:
+def draw_keyed(cast: Cast, name: str, setting: Setting, paper: str) -> Picture:
     """Four faces before one colour."""
     row = [(face, {"face": face, "expression": "smile", "light": "portrait", "turn": "15"}) for face in PLAYERS]
-    return Picture(f"gallery-{name}", replace(sheet(cast, [("", row)]), rows=(), paper=paper), setting)
+    return Picture(f"gallery-{name}", replace(grid_of(cast, [("", row)]), rows=(), paper=paper), setting)
 
 
 def morphs(cast: Cast) -> Picture:
@@ -87,7 +87,7 @@ def morphs(cast: Cast) -> Picture:
         )
         for one, other in MORPHS
     ]
-    return Picture("gallery-morphs", sheet(cast, rows), Setting(260, 290))
+    return Picture("gallery-morphs", grid_of(cast, rows), Setting(260, 290))
 
 
 def gallery(cast: Cast) -> list[Picture]:
@@ -100,8 +100,8 @@ def gallery(cast: Cast) -> list[Picture]:
         mouths(cast),
         eyes(cast),
         lights(cast),
-        keyed(cast, "background", blue, "#000"),
-        keyed(cast, "transparent", clear, PAPER),
+        draw_keyed(cast, "background", blue, "#000"),
+        draw_keyed(cast, "transparent", clear, PAPER),
         morphs(cast),
     ]
 

@@ -33,7 +33,7 @@ def cotangents(points: Points, triangles: Triangles, /) -> sparse.csr_array:
     return sparse.coo_array((np.concatenate(values), (np.concatenate(rows), np.concatenate(cols))), shape=shape).tocsr()
 
 
-def smoothing(triangles: Triangles, vertex_count: int, /) -> sparse.csr_array:
+def smoothing_matrix(triangles: Triangles, vertex_count: int, /) -> sparse.csr_array:
     """The matrix (V, V) that averages each vertex with its one-ring; a lone vertex keeps its value."""
     a, b = triangles.ravel(), np.roll(triangles, 1, axis=1).ravel()
     ones = np.ones(2 * len(a))
@@ -69,7 +69,7 @@ def harmonic_weights(
         options={"SymmetricMode": True},
     )
     best, owner = _largest(solver, outer, keep)
-    return _softly_cut(best, owner, anchors)
+    return _cut_softly(best, owner, anchors)
 
 
 def _largest(solver: object, outer: sparse.csc_array, keep: int) -> tuple[Values, NDArray[np.int64]]:
@@ -86,7 +86,7 @@ def _largest(solver: object, outer: sparse.csc_array, keep: int) -> tuple[Values
     return np.take_along_axis(best, order, axis=1), np.take_along_axis(owner, order, axis=1)
 
 
-def _softly_cut(best: Values, owner: NDArray[np.int64], anchors: Indices) -> tuple[Indices, Values]:
+def _cut_softly(best: Values, owner: NDArray[np.int64], anchors: Indices) -> tuple[Indices, Values]:
     keep = best.shape[1] - 1
     cut = best[:, :keep] - best[:, keep:]
     total = cut.sum(axis=1, keepdims=True)

@@ -162,7 +162,7 @@ def walk_strip(
 
 
 @njit(cache=True)
-def _seen(points: Values, corners: Indices, ray: Values, b: Values) -> bool:
+def _hit_by_ray(points: Values, corners: Indices, ray: Values, b: Values) -> bool:
     """Barycentric coordinates where a ray from the axis meets the triangle's plane; False where it does not.
 
     ray: axis x, axis z, sine and cosine of theta, height.
@@ -199,14 +199,14 @@ def _way_on(neighbours: Indices, t: int, before: int, b: Values) -> int:
 
 
 @njit(cache=True)
-def _walk_seen(
+def _walk_by_ray(
     points: Values, triangles: Indices, neighbours: Indices, ray: Values, t: int, budget: int, best: Values
 ) -> tuple[int, bool]:
     """Walks until the ray meets a triangle; else returns the one it missed least (weights in best)."""
     b = np.empty(3)
     nearest, miss, before = -1, -1e300, -1
     for _ in range(budget):
-        ahead = _seen(points, triangles[t], ray, b)
+        ahead = _hit_by_ray(points, triangles[t], ray, b)
         if ahead and _lowest(b) > miss:
             nearest, miss = t, _lowest(b)
             best[:] = b
@@ -220,7 +220,7 @@ def _walk_seen(
 
 
 @njit(cache=True)
-def _search_seen(
+def _search_by_ray(
     points: Values, triangles: Indices, neighbours: Indices, ray: Values, start: int, stamp: int,
     seen: Indices, queue: Indices, best: Values,
 ) -> tuple[int, bool]:  # fmt: skip
@@ -231,7 +231,7 @@ def _search_seen(
     while head < tail and miss < -SLACK:
         t = queue[head]
         head += 1
-        if _seen(points, triangles[t], ray, b) and _lowest(b) > miss:
+        if _hit_by_ray(points, triangles[t], ray, b) and _lowest(b) > miss:
             nearest, miss = t, _lowest(b)
             best[:] = b
         for k in range(3):
@@ -261,9 +261,9 @@ def walk_face(
         dx, dz = targets[i, 0] - axis_x, targets[i, 2] - axis_z
         r = np.sqrt(dx * dx + dz * dz)
         ray[0], ray[1], ray[2], ray[3], ray[4] = axis_x, axis_z, dx / r, dz / r, targets[i, 1]
-        t, found = _walk_seen(points, corners, neighbours, ray, start[i], budget, best)
+        t, found = _walk_by_ray(points, corners, neighbours, ray, start[i], budget, best)
         if not found:
-            t, found = _search_seen(points, corners, neighbours, ray, start[i], i, seen, queue, best)
+            t, found = _search_by_ray(points, corners, neighbours, ray, start[i], i, seen, queue, best)
         if t < 0:
             t = start[i]
             best[:] = 1.0 / 3.0

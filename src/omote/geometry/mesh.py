@@ -14,13 +14,13 @@ FARTHEST = 1e6
 """No number of a mesh lies farther from zero: float32 would keep nothing of a face, and squares would overflow."""
 
 
-def checked_numbers(values: ArrayLike, /, *, name: str) -> NDArray[np.float64]:
+def validate_numbers(values: ArrayLike, /, *, name: str) -> NDArray[np.float64]:
     """A new float64 array of real numbers, in any shape.
 
     Raises ValueError on rows of different lengths, on masked values and on what is no number: text, bool, complex,
     objects. Whether the numbers are finite is left to whoever knows what their rows are.
     """
-    given = _regular(values, name)
+    given = _to_array(values, name)
     if given.dtype.kind not in "iuf" and given.size:
         kind = type(values).__name__ if given.dtype.kind in "OU" and given.ndim == 0 else given.dtype.name
         raise ValueError(f"{name} has no numbers but {kind}: expected an array of real numbers, such as float32")
@@ -29,29 +29,29 @@ def checked_numbers(values: ArrayLike, /, *, name: str) -> NDArray[np.float64]:
     return np.array(given, dtype=np.float64)
 
 
-def out_of_reach(values: NDArray[np.float64], /) -> NDArray[np.intp]:
+def rows_out_of_reach(values: NDArray[np.float64], /) -> NDArray[np.intp]:
     """The rows of values that are not finite, or farther than FARTHEST from zero."""
     near = np.abs(values) <= FARTHEST  # not so for NaN
     return np.flatnonzero(~near.all(axis=tuple(range(1, near.ndim))))
 
 
-def _regular(values: ArrayLike, name: str) -> NDArray[Any]:
+def _to_array(values: ArrayLike, name: str) -> NDArray[Any]:
     try:
         return np.asarray(values)
     except (ValueError, TypeError) as error:
         raise ValueError(f"{name} has rows of different lengths; expected an array of numbers") from error
 
 
-def checked_points(points: ArrayLike, /, *, name: str = "points") -> Points:
+def validate_points(points: ArrayLike, /, *, name: str = "points") -> Points:
     """Points as float64.
 
     points (V, 3), metres. Raises ValueError on another shape, on what is no real number and on values that are not
     finite or out of all reach.
     """
-    result = checked_numbers(points, name=name)
+    result = validate_numbers(points, name=name)
     if result.ndim != 2 or result.shape[1] != 3 or len(result) == 0:
         raise ValueError(f"{name} has shape {result.shape}; expected (V, 3), one row of x, y, z per vertex")
-    bad = out_of_reach(result)
+    bad = rows_out_of_reach(result)
     if len(bad):
         raise ValueError(
             f"{name}[{bad[0]}] is {result[bad[0]]}; expected finite numbers in every one of its {len(result)} rows, "
@@ -60,13 +60,13 @@ def checked_points(points: ArrayLike, /, *, name: str = "points") -> Points:
     return result
 
 
-def checked_triangles(triangles: ArrayLike, vertex_count: int, /) -> Triangles:
+def validate_triangles(triangles: ArrayLike, vertex_count: int, /) -> Triangles:
     """Triangles as int32.
 
     triangles (F, 3), vertex indices counter-clockwise from outside. Raises ValueError on another shape, on indices
     outside 0..vertex_count-1, on a triangle that names a vertex twice and on one that is there twice.
     """
-    result = _regular(triangles, "triangles")
+    result = _to_array(triangles, "triangles")
     if result.ndim != 2 or result.shape[1] != 3 or len(result) == 0:
         raise ValueError(f"triangles has shape {result.shape}; expected (F, 3), three vertex indices per triangle")
     if not np.issubdtype(result.dtype, np.integer):
@@ -121,13 +121,13 @@ def neighbours(triangles: Triangles, /) -> Triangles:
     inside = found < len(order)
     other = order[np.minimum(found, len(order) - 1)]
     inside &= forward[other] == backward
-    unique = _occurs_once(forward)
+    unique = _find_unique(forward)
     inside &= unique & unique[other]
     result: Triangles = np.where(inside, other // 3, -1).astype(np.int32).reshape(-1, 3)
     return result
 
 
-def _occurs_once(keys: NDArray[np.int64], /) -> NDArray[np.bool_]:
+def _find_unique(keys: NDArray[np.int64], /) -> NDArray[np.bool_]:
     _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
     once: NDArray[np.bool_] = counts[inverse] == 1
     return once

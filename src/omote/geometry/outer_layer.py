@@ -10,7 +10,7 @@ Values = NDArray[np.float64]
 
 
 @njit(cache=True)
-def one_layer(
+def keep_outer_layer(
     theta: Values, h: Values, radius: Values, width: float, cell: float, keep: NDArray[np.bool_]
 ) -> None:  # fmt: skip
     """Clears keep where a triangle of a periodic strip lies under one nearer to an eye that looks in along the radius.
@@ -27,7 +27,7 @@ def one_layer(
         covered = False
         for c in range(c0, c1 + 1):
             for r in range(r0, r1 + 1):
-                covered = covered or _covered(theta, h, t, first[c % columns, r], links, width)
+                covered = covered or _is_covered(theta, h, t, first[c % columns, r], links, width)
         keep[t] = not covered
         for c in range(c0, c1 + 1 if keep[t] else c0):
             for r in range(r0, r1 + 1):
@@ -39,7 +39,7 @@ def one_layer(
 
 
 @njit(cache=True)
-def _covered(theta: Values, h: Values, t: int, link: int, links: NDArray[np.int64], width: float) -> bool:
+def _is_covered(theta: Values, h: Values, t: int, link: int, links: NDArray[np.int64], width: float) -> bool:
     while link >= 0:
         if _overlap(theta, h, t, links[link, 0], width):
             return True
@@ -50,11 +50,11 @@ def _covered(theta: Values, h: Values, t: int, link: int, links: NDArray[np.int6
 @njit(cache=True)
 def _overlap(theta: Values, h: Values, t: int, other: int, width: float) -> bool:
     shift = np.round((theta[t].mean() - theta[other].mean()) / width) * width
-    return not (_apart(theta, h, t, other, shift) or _apart(theta, h, other, t, -shift))
+    return not (_is_separated(theta, h, t, other, shift) or _is_separated(theta, h, other, t, -shift))
 
 
 @njit(cache=True)
-def _apart(theta: Values, h: Values, t: int, other: int, shift: float) -> bool:
+def _is_separated(theta: Values, h: Values, t: int, other: int, shift: float) -> bool:
     """Whether an edge of t has all of the other triangle on its outer side (touching counts as apart)."""
     for k in range(3):
         x0, y0 = theta[t, k], h[t, k]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 Values = NDArray[Any]
 
 
-def unit(values: Values, /) -> Values:
+def clamp_unit(values: Values, /) -> Values:
     """The values, those below 0 as 0 and those above 1 as 1."""
     result: Values = np.clip(values, 0.0, 1.0)
     return result
@@ -18,6 +18,6 @@ def unit(values: Values, /) -> Values:
 
 def smooth_ramp(low: float, high: float, values: Values, /) -> Values:
     """0 up to low, 1 from high on, level at both ends (GLSL's smoothstep)."""
-    share = unit((values - low) / (high - low))
+    share = clamp_unit((values - low) / (high - low))
     result: Values = share * share * (3.0 - 2.0 * share)
     return result

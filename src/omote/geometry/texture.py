@@ -13,21 +13,19 @@ MARGIN = 12
 _TOUCH = 1e-6
 
 
-def painted(
-    values: NDArray[np.floating], uv: NDArray[np.floating], triangles: NDArray[np.integer], size: int
-) -> Values:
+def paint(values: NDArray[np.floating], uv: NDArray[np.floating], triangles: NDArray[np.integer], size: int) -> Values:
     """Values (k,) of vertices at uv (k, 2) as a picture (size, size), linear within triangles (t, 3).
 
     uv as in glTF: (0, 0) is the upper left corner. Around the islands a margin, beyond it 0.
     """
     picture, known = np.zeros((size, size)), np.zeros((size, size), np.bool_)
-    _paint(np.asarray(values, np.float64), np.asarray(uv, np.float64) * size - 0.5, triangles, picture, known)
+    _paint_triangles(np.asarray(values, np.float64), np.asarray(uv, np.float64) * size - 0.5, triangles, picture, known)
     for _ in range(MARGIN):
-        picture, known = _grown(picture, known)
+        picture, known = _grow(picture, known)
     return picture
 
 
-def _grown(picture: Values, known: NDArray[np.bool_]) -> tuple[Values, NDArray[np.bool_]]:
+def _grow(picture: Values, known: NDArray[np.bool_]) -> tuple[Values, NDArray[np.bool_]]:
     """The picture with each texel beside a known one filled by the mean of those."""
     total, count = np.zeros_like(picture), np.zeros(picture.shape)
     for rows, columns in (((1, 0), (0, 0)), ((0, 1), (0, 0)), ((0, 0), (1, 0)), ((0, 0), (0, 1))):
@@ -39,7 +37,7 @@ def _grown(picture: Values, known: NDArray[np.bool_]) -> tuple[Values, NDArray[n
 
 
 @njit(cache=True)
-def _paint(
+def _paint_triangles(
     values: Values, places: Values, triangles: NDArray[np.integer], picture: Values, known: NDArray[np.bool_]
 ) -> None:
     size = len(picture)

@@ -15,15 +15,15 @@ from omote.interchange import part_textures as part_pictures
 from omote.interchange.formats.glb_writer import Material, Scene, Shape, Target
 from omote.interchange.formats.png import Picture, png_bytes, read_png
 from omote.interchange.hair_mesh import hair_shape
-from omote.interchange.skin_texture import Canvas, canvas, linear, skin_picture
+from omote.interchange.skin_texture import Canvas, build_canvas, decode_srgb, paint_skin
 from omote.model.cast import NEUTRAL, Cast, Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.model.space.face_fit import Fitted, fit
+from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import moved_parts, turned_eyes, worn
 from omote.model.transfer.paper_map import compile_expression
-from omote.perform.limits import known
+from omote.perform.limits import check_known
 
 Points = NDArray[np.float64]
 Meshes = dict[str, Points]
@@ -39,7 +39,7 @@ NOTICE = (
 
 
 @dataclass(frozen=True, eq=False)
-class Workbench:
+class ExportContext:
     """What all exports of a cast share: its meshes and the skin's layers (a PNG), painted once."""
 
     cast: Cast
@@ -50,10 +50,10 @@ class Workbench:
     def canvas(self) -> Canvas:
         """The skin's layers, ready to be coloured."""
         skin = next(part for part in self.meshes if part.name == SKIN)
-        return canvas(read_png(self.layers), skin, self.cast.space.points)
+        return build_canvas(read_png(self.layers), skin, self.cast.space.points)
 
 
-def chosen(cast: Cast, text: str, /) -> list[str]:
+def choose_expressions(cast: Cast, text: str, /) -> list[str]:
     """The expressions that a text names: kinds (`arkit`, `performed`), `all`, or names, by commas; neutral is the rest.
 
     ValueError for a name that is neither.
@@ -68,29 +68,31 @@ def chosen(cast: Cast, text: str, /) -> list[str]:
     return [name for name in found if name != NEUTRAL]
 
 
-def worn_meshes(cast: Cast, face: str, expression: str, /) -> Meshes:
+def named_compound_meshes(cast: Cast, face: str, expression: str, /) -> Meshes:
     """The vertices of skin and parts of a face wearing an expression: {mesh: (n, 3)} metres, eyeballs turned.
 
     ValueError for a face that is not in the cast.
     """
-    return dressed(cast.space, cast.faces[known(face, cast.faces, "face")], cast.expressions[expression])
+    return compound_meshes(cast.space, cast.faces[check_known(face, cast.faces, "face")], cast.expressions[expression])
 
 
-def dressed(space: ParameterSpace, face: Face, expression: Expression, /) -> Meshes:
-    """What `worn_meshes` gives, of a face and an expression of any cast."""
+def compound_meshes(space: ParameterSpace, face: Face, expression: Expression, /) -> Meshes:
+    """What `named_compound_meshes` gives, of a face and an expression of any cast."""
     compiled, fitted = compile_expression(space, expression), fit(space, face)
     skin = worn(space, face, compiled)
     parts = turned_eyes(space, moved_parts(space, fitted, skin, compiled.parts), fitted.centres, expression.eyes)
     return {name: points.astype(np.float64) for name, points in {SKIN: skin, **parts}.items()}
 
 
-def exported(bench: Workbench, face: str, poses: Iterable[tuple[str, Meshes]], /, *, hair: bool = True) -> Scene:
-    """The scene of a face of the cast: poses give each expression's name and what `worn_meshes` makes of it.
+def build_scene(
+    context: ExportContext, face: str, poses: Iterable[tuple[str, Meshes]], /, *, hair: bool = True
+) -> Scene:
+    """The scene of a face of the cast: poses give each expression's name and what `named_compound_meshes` makes of it.
 
     ValueError for a face that is not in the cast, and for names that programs keep for themselves.
     """
-    cast = bench.cast
-    known(face, cast.faces, "face")
+    cast = context.cast
+    check_known(face, cast.faces, "face")
     fitted, look = fit(cast.space, cast.faces[face]), cast.looks[face]
     rest: Meshes = {SKIN: fitted.positions.astype(np.float64)}
     rest |= {name: points.astype(np.float64) for name, points in fitted.parts.items()}
@@ -100,8 +102,10 @@ def exported(bench: Workbench, face: str, poses: Iterable[tuple[str, Meshes]], /
     for expression, meshes in poses:
         for name in rest:
             targets[name][expression] = _target(rest[name], meshes[name], corners[name], upright[name])
-    surfaces = _materials(bench, look)
-    shapes = [_shape(bench, fitted, part, upright[part.name], targets[part.name], surfaces) for part in bench.meshes]
+    surfaces = _materials(context, look)
+    shapes = [
+        _shape(context, fitted, part, upright[part.name], targets[part.name], surfaces) for part in context.meshes
+    ]
     style = cast.hair.get(look.hair_style)
     if hair and style is not None:
         shapes.append(hair_shape(style, cast.space.points, fitted.positions, targets[SKIN], look))
@@ -124,15 +128,15 @@ def _target(rest: Points, posed: Points, corners: NDArray[np.int32], upright: Po
 
 
 def _shape(
-    bench: Workbench,
-    fitted: Fitted,
+    context: ExportContext,
+    fitted: FittedFace,
     part: BakedMesh,
     upright: Points,
     targets: Mapping[str, Target],
     surfaces: Mapping[str, Material],
 ) -> Shape:
     """One mesh split at its texture's seams; an eyeball around its own centre, so that it can be turned."""
-    rows, space = part.source, bench.cast.space
+    rows, space = part.source, context.cast.space
     points = (fitted.positions if part.name == SKIN else fitted.parts[part.name]).astype(np.float64)
     eye = part.name != SKIN and bool(space.parts[part.name].eye)
     place = fitted.centres[part.name].astype(np.float32).astype(np.float64) if eye else np.zeros(3)
@@ -141,7 +145,7 @@ def _shape(
         name=part.name,
         points=(points - place)[rows].astype(np.float32),
         normals=upright[own][rows].astype(np.float32),
-        uv=_uv(bench, part),
+        uv=_uv(context, part),
         rows=rows,
         triangles=part.triangles,
         material=surfaces[part.name],
@@ -150,11 +154,11 @@ def _shape(
     )
 
 
-def _uv(bench: Workbench, part: BakedMesh) -> NDArray[np.float32]:
+def _uv(context: ExportContext, part: BakedMesh) -> NDArray[np.float32]:
     """The places that the mesh's picture is painted for: the cast's own for the skin."""
     if part.name == SKIN:
         return part.uv
-    space = bench.cast.space
+    space = context.cast.space
     points = space.parts[part.name].points
     if space.parts[part.name].eye:
         return part_pictures.eye_uv(points - points.mean(axis=0))[part.source]
@@ -167,18 +171,20 @@ def _uv(bench: Workbench, part: BakedMesh) -> NDArray[np.float32]:
     return part_pictures.arch_uv(points, upper=part.name == "teeth_upper")[part.source]
 
 
-def _materials(bench: Workbench, look: Look) -> dict[str, Material]:
+def _materials(context: ExportContext, look: Look) -> dict[str, Material]:
     """What each mesh wears."""
     lashes = _lashes(look)
-    eye = _wearing("eye", part_pictures.eye_picture(look), roughness=0.15)
+    eye = _textured_material("eye", part_pictures.paint_eye(look), roughness=0.15)
     return {
-        SKIN: _wearing("skin", skin_picture(bench.canvas, look), roughness=0.62 - 0.3 * look.lacquer + 0.3 * look.fur),
+        SKIN: _textured_material(
+            "skin", paint_skin(context.canvas, look), roughness=0.62 - 0.3 * look.lacquer + 0.3 * look.fur
+        ),
         "eye_left": eye,
         "eye_right": eye,
         "teeth_upper": _teeth("teeth_upper", look),
         "teeth_lower": _teeth("teeth_lower", look),
-        TONGUE: replace(_wearing(TONGUE, part_pictures.tongue_picture(), roughness=0.35), both=True),
-        LASHES: replace(_wearing(LASHES, lashes, roughness=0.8), both=True, cut=0.0),
+        TONGUE: replace(_textured_material(TONGUE, part_pictures.paint_tongue(), roughness=0.35), both=True),
+        LASHES: replace(_textured_material(LASHES, lashes, roughness=0.8), both=True, cut=0.0),
     }
 
 
@@ -186,13 +192,13 @@ def _lashes(look: Look) -> Picture:
     """Lashes all around the eyeball, as many and as dense as a look has."""
     strands = 30 + round(70 * look.lashes)
     cover = 0.1 + 0.08 * look.lashes
-    return part_pictures.strand_picture(linear(look.brow) * 0.3, strands, columns=2048, rows=64, cover=cover)
+    return part_pictures.paint_strands(decode_srgb(look.brow) * 0.3, strands, columns=2048, rows=64, cover=cover)
 
 
 def _teeth(name: str, look: Look) -> Material:
-    picture = part_pictures.teeth_picture(look, upper=name == "teeth_upper")
-    return replace(_wearing(name, picture, roughness=0.25), both=True, cut=0.5)
+    picture = part_pictures.paint_teeth(look, upper=name == "teeth_upper")
+    return replace(_textured_material(name, picture, roughness=0.25), both=True, cut=0.5)
 
 
-def _wearing(name: str, picture: Picture, *, roughness: float) -> Material:
+def _textured_material(name: str, picture: Picture, *, roughness: float) -> Material:
     return Material(name, png_bytes(picture), roughness=round(roughness, 3))

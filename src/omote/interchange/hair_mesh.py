@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from omote.interchange.formats.glb_writer import Material, Shape, Target
 from omote.interchange.formats.png import png_bytes
-from omote.interchange.part_textures import strand_picture
-from omote.interchange.skin_texture import linear
+from omote.interchange.part_textures import paint_strands
+from omote.interchange.skin_texture import decode_srgb
 from omote.model.cast import Look
-from omote.model.hair import HairStyle, carried
+from omote.model.hair import HairStyle, place_strands
 
 Points = NDArray[np.float64]
 
@@ -25,7 +25,7 @@ def hair_shape(
     style: HairStyle, generic: Points, positions: NDArray[np.floating], targets: Mapping[str, Target], look: Look
 ) -> Shape:
     """The hair of a face with positions (V, 3): two vertices for each place of a strand; targets: the skin's."""
-    strands = carried(style, generic, positions.astype(np.float64))
+    strands = place_strands(style, generic, positions.astype(np.float64))
     count, places = strands.shape[:2]
     along = np.gradient(strands, axis=1)
     facing = style.facing.astype(np.float64)
@@ -37,20 +37,20 @@ def hair_shape(
     down = np.broadcast_to(np.linspace(0.0, 1.0, places)[None, :, None], shape)
     rows = np.repeat(style.anchors, 2 * places)
     still = np.zeros((len(rows), 3), np.float32)
-    picture = strand_picture(linear(look.hair), STRANDS, columns=128, rows=256)
+    picture = paint_strands(decode_srgb(look.hair), STRANDS, columns=128, rows=256)
     return Shape(
         name=HAIR,
         points=points.astype(np.float32),
         normals=normals.astype(np.float32),
         uv=np.stack([across, down], axis=-1).reshape(-1, 2).astype(np.float32),
-        triangles=_ribbons(count, places),
+        triangles=_ribbon_triangles(count, places),
         material=Material(HAIR, png_bytes(picture), roughness=0.55, cut=0.4, both=True),
         targets={name: Target(target.moves[rows], still) for name, target in targets.items()},
         shade=np.repeat(0.25 + 0.75 * style.light.reshape(-1), 2).astype(np.float32),
     )
 
 
-def _ribbons(count: int, places: int) -> NDArray[np.int32]:
+def _ribbon_triangles(count: int, places: int) -> NDArray[np.int32]:
     """The triangles of ribbons, two vertices a place, seen from where they face."""
     first = (np.arange(count)[:, None] * places + np.arange(places - 1)).ravel() * 2
     left, right, down, far = first, first + 1, first + 2, first + 3

@@ -13,15 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
-from omote.interchange.export_face import dressed
+from omote.interchange.export_face import compound_meshes
 from omote.interchange.formats.glb_reader import Piece
-from omote.interchange.mesh_correspondence import SKIN, Likeness, Meshes, as_face, likeness, rest_of
+from omote.interchange.mesh_correspondence import SKIN, MatchedHead, Meshes, build_face, match_head, rest_of
 from omote.model.cast import NEUTRAL, Cast, Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.transfer.extract import extract
-from omote.perform.limits import known
+from omote.perform.limits import check_known
 
 Points = NDArray[np.float64]
 
@@ -35,7 +35,7 @@ WIDELY = 10.0
 
 
 @dataclass(frozen=True, eq=False)
-class Taken:
+class ImportedExpression:
     """An expression taken from a face; error: metres by which the face, wearing it, misses the shape it came from."""
 
     label: str
@@ -44,37 +44,37 @@ class Taken:
     error: float
 
 
-def taken(
+def import_expressions(
     cast: Cast, meshes: Sequence[BakedMesh], shapes: Mapping[str, Sequence[Piece]], /, *, face: str = ""
-) -> Iterator[Taken]:  # fmt: skip
+) -> Iterator[ImportedExpression]:  # fmt: skip
     """The expressions in shapes by name: those of their morph targets; of a shape without any, the shape itself.
 
     A shape named as a shape at rest (RESTS), or that is a face of the cast, is what the others are measured from; face:
     the face of the cast that they are measured from instead. ValueError, in a sentence, where there is nothing to take.
     """
-    heads = {label: _head(cast, meshes, label, pieces) for label, pieces in shapes.items()}
+    heads = {label: _match_named_head(cast, meshes, label, pieces) for label, pieces in shapes.items()}
     if face:
-        known(face, cast.faces, "face")
+        check_known(face, cast.faces, "face")
     found = 0
     for head in heads.values():
         for name, moves in head.moves.items():
             found += 1
-            yield _take(cast, as_face(cast, head, face), name, moves)
+            yield _import_expression(cast, build_face(cast, head, face), name, moves)
     single = {label: head for label, head in heads.items() if not head.moves}
-    start = _start(cast, single, face)
+    start = _base_face(cast, single, face)
     for label, head in single.items():
         if label.lower() in RESTS or (head.face and head.face == start.name):
             continue
         found += 1
         before = _meshes(cast, start)
-        yield _take(cast, start, label, {name: rest - before[name] for name, rest in head.rest.items()})
+        yield _import_expression(cast, start, label, {name: rest - before[name] for name, rest in head.rest.items()})
     if not found:
         raise ValueError("these files show a face at rest and no expression; add a shape for each expression")
 
 
-def _head(cast: Cast, meshes: Sequence[BakedMesh], label: str, pieces: Sequence[Piece]) -> Likeness:
+def _match_named_head(cast: Cast, meshes: Sequence[BakedMesh], label: str, pieces: Sequence[Piece]) -> MatchedHead:
     try:
-        head = likeness(cast, meshes, pieces)
+        head = match_head(cast, meshes, pieces)
     except ValueError as error:
         raise ValueError(f"{label}: {error}") from error
     size, usual = (float(np.ptp(points, axis=0).max()) for points in (head.rest[SKIN], cast.space.points))
@@ -86,13 +86,13 @@ def _head(cast: Cast, meshes: Sequence[BakedMesh], label: str, pieces: Sequence[
     return head
 
 
-def _start(cast: Cast, heads: Mapping[str, Likeness], face: str) -> Face:
+def _base_face(cast: Cast, heads: Mapping[str, MatchedHead], face: str) -> Face:
     """What shapes without targets are measured from."""
     if face or not heads:
         return cast.faces[face or next(iter(cast.faces))]
     for label, head in heads.items():
         if label.lower() in RESTS:
-            return as_face(cast, head)
+            return build_face(cast, head)
     for head in heads.values():
         if head.face:
             return cast.faces[head.face]
@@ -102,23 +102,23 @@ def _start(cast: Cast, heads: Mapping[str, Likeness], face: str) -> Face:
     )
 
 
-def _take(cast: Cast, face: Face, label: str, moves: Meshes) -> Taken:
+def _import_expression(cast: Cast, face: Face, label: str, moves: Meshes) -> ImportedExpression:
     """What moves a face so; the cast's own expression of this name where that is what it does there."""
     moves = {SKIN: np.zeros((cast.space.vertex_count, 3)), **moves}
     own = cast.expressions.get(label)
-    if own is not None and (off := _missed(cast, face, own, moves)) <= SAME:
-        return Taken(label, own, face.name, off)
+    if own is not None and (off := _position_error(cast, face, own, moves)) <= SAME:
+        return ImportedExpression(label, own, face.name, off)
     try:
         parts = {name: moved for name, moved in moves.items() if name != SKIN}
         expression = extract(cast.space, face, moves[SKIN], parts=parts)
     except ValueError as error:
         raise ValueError(f"{label!r} cannot be worn by our faces: {error}") from error
-    return Taken(label, expression, face.name, _missed(cast, face, expression, moves))
+    return ImportedExpression(label, expression, face.name, _position_error(cast, face, expression, moves))
 
 
-def _missed(cast: Cast, face: Face, expression: Expression, moves: Meshes) -> float:
+def _position_error(cast: Cast, face: Face, expression: Expression, moves: Meshes) -> float:
     """Metres by which a face that wears an expression is not where the moves have it."""
-    worn, before = dressed(cast.space, face, expression), _meshes(cast, face)
+    worn, before = compound_meshes(cast.space, face, expression), _meshes(cast, face)
     return max(float(np.abs(worn[name] - before[name] - moved).max()) for name, moved in moves.items())
 
 
@@ -129,14 +129,14 @@ def _meshes(cast: Cast, face: Face) -> Meshes:
     return {name: points.astype(np.float64) for name, points in {SKIN: fitted.positions, **fitted.parts}.items()}
 
 
-def face_in(
+def import_face(
     cast: Cast, meshes: Sequence[BakedMesh], label: str, pieces: Sequence[Piece], /
 ) -> tuple[Face, Look]:  # fmt: skip
     """The face whose rest is in a file's pieces, with the look of the cast's face that it is, or a plain one.
 
     ValueError, in a sentence, where there is none, or it cannot wear our expressions.
     """
-    head = _head(cast, meshes, label, pieces)
+    head = _match_named_head(cast, meshes, label, pieces)
     face = Face(label, head.rest[SKIN], {name: points for name, points in head.rest.items() if name != SKIN})
     fit(cast.space, face)
     return face, cast.looks.get(head.face, Look())

@@ -26,7 +26,7 @@ _NUMBERED = re.compile(r"\.\d{3}$")  # what Blender adds to a name that is there
 
 
 @dataclass(frozen=True, eq=False)
-class Likeness:
+class MatchedHead:
     """A head of our topology: rest by mesh (n, 3) metres, what targets add by name and mesh; face: whose rest it is."""
 
     face: str
@@ -46,7 +46,7 @@ def rest_of(cast: Cast, face: str) -> Meshes:
     return {name: points.astype(np.float64) for name, points in meshes.items()}
 
 
-def likeness(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece], /) -> Likeness:
+def match_head(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece], /) -> MatchedHead:
     """The head in a file's pieces; face: "" where its rest is no face of the cast.
 
     Vertices are told by what the file says of them, else by their order, else by where they lie on a face of the cast.
@@ -54,7 +54,7 @@ def likeness(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece], /
     """
     found: dict[str, tuple[Points, dict[str, Points]]] = {}
     for piece in pieces:
-        name, rows = _told(cast, meshes, piece)
+        name, rows = _match_piece(cast, meshes, piece)
         if name:
             _gather(cast, found, name, rows, piece)
     if SKIN not in found or np.isnan(found[SKIN][0]).any():
@@ -66,7 +66,7 @@ def likeness(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece], /
     rest = {name: points for name, (points, _) in whole.items()}
     labels = dict.fromkeys(label for _, moves in whole.values() for label in moves)
     moves = {label: {name: moved[label] for name, (_, moved) in whole.items() if label in moved} for label in labels}
-    return Likeness(nearest_face(cast, rest[SKIN]), rest, moves)
+    return MatchedHead(nearest_face(cast, rest[SKIN]), rest, moves)
 
 
 def nearest_face(cast: Cast, skin: Points) -> str:
@@ -76,7 +76,7 @@ def nearest_face(cast: Cast, skin: Points) -> str:
     return best if off[best] <= NEAR else ""
 
 
-def _told(cast: Cast, meshes: Sequence[BakedMesh], piece: Piece) -> tuple[str, NDArray[np.int64]]:
+def _match_piece(cast: Cast, meshes: Sequence[BakedMesh], piece: Piece) -> tuple[str, NDArray[np.int64]]:
     """Which mesh a piece belongs to and which rows of it its vertices are; "" where it belongs to none."""
     named = _NUMBERED.sub("", piece.name)
     counts, none = sizes(cast), np.zeros(0, np.int64)
@@ -89,11 +89,11 @@ def _told(cast: Cast, meshes: Sequence[BakedMesh], piece: Piece) -> tuple[str, N
     for name, count in counts.items():
         if len(piece.points) == count and name in (named, SKIN):
             return name, np.arange(count)
-    rows = _by_place(cast, piece.points)
+    rows = _match_by_place(cast, piece.points)
     return ("", none) if rows is None else (SKIN, rows)
 
 
-def _by_place(cast: Cast, points: Points) -> NDArray[np.int64] | None:
+def _match_by_place(cast: Cast, points: Points) -> NDArray[np.int64] | None:
     """The rows of the skin at points (n, 3), in any order, where they all lie on vertices of one face."""
     if not cast.space.vertex_count * 0.9 <= len(points) <= cast.space.vertex_count * 2:
         return None
@@ -125,7 +125,7 @@ def _fill(values: Points, rows: NDArray[np.int64], given: Points, twins: NDArray
     values[lost] = known[twins[lost]]
 
 
-def as_face(cast: Cast, like: Likeness, name: str = "") -> Face:
+def build_face(cast: Cast, like: MatchedHead, name: str = "") -> Face:
     """The face whose rest a likeness has: one of the cast (by name, or found), else the file's own."""
     if chosen := name or like.face:
         return cast.faces[chosen]

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.geometry.ramp import smooth_ramp, unit
+from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.interchange.formats.png import Picture
-from omote.interchange.skin_texture import encoded, linear
+from omote.interchange.skin_texture import decode_srgb, encode_srgb
 from omote.model.cast import Look
 
 Values = NDArray[Any]
@@ -35,7 +35,7 @@ def eye_uv(points: Values) -> NDArray[np.float32]:
     return np.stack([0.5 + reach * x, 0.5 - reach * y], axis=1).astype(np.float32)
 
 
-def eye_picture(look: Look, size: int = 512) -> Picture:
+def paint_eye(look: Look, size: int = 512) -> Picture:
     """An eyeball (size, size, 3) on `eye_uv`: iris, pupil, white with its vessels."""
     x, y, radius = _disc(size)
     off = radius * np.sqrt(np.maximum(1.0 - radius**2, 0.0)) * 2.0  # of the unit ball, seen from ahead
@@ -49,7 +49,7 @@ def eye_picture(look: Look, size: int = 512) -> Picture:
     white = white * (1.0 + look.fur * (np.array([0.62, 0.50, 0.38]) * 0.65 - 1.0))
     white = white * (1.0 - np.array([0.02, 0.10, 0.11]) * smooth_ramp(0.45, 0.95, np.where(front, off, 1.0))[..., None])
     disc = np.where(front, 1.0 - smooth_ramp(0.91, 1.07, out), 0.0)[..., None]
-    return encoded(white + (iris - white) * disc)
+    return encode_srgb(white + (iris - white) * disc)
 
 
 def _disc(size: int) -> tuple[Values, Values, Values]:
@@ -70,11 +70,11 @@ def _pupil(place: Values, slit: float) -> Values:
 
 def _iris(look: Look, angle: Values, out: Values, hole: Values) -> Values:
     rim = out / np.maximum(hole, 0.05)
-    share = unit((out - rim) / np.maximum(1.0 - rim, 0.05))
+    share = clamp_unit((out - rim) / np.maximum(1.0 - rim, 0.05))
     fine, coarse = _fibres(angle, 90), _fibres(angle, 22)
     ridge = 0.30 + 0.05 * coarse
     inner = 1.0 - smooth_ramp(-0.05, 0.06, share - ridge)
-    tone = linear(look.iris) * (1.25 - 0.45 * smooth_ramp(0.2, 0.95, share))[..., None] + np.array(
+    tone = decode_srgb(look.iris) * (1.25 - 0.45 * smooth_ramp(0.2, 0.95, share))[..., None] + np.array(
         [0.012, 0.009, 0.006]
     )
     warm = tone * np.array([1.30, 1.02, 0.66]) + np.array([0.02, 0.010, 0.0])
@@ -106,7 +106,7 @@ def arch_uv(points: Values, *, upper: bool) -> NDArray[np.float32]:
     return np.stack([0.5 + angle / (2.0 * _WIDEST), 1.0 - level if upper else level], axis=1).astype(np.float32)
 
 
-def teeth_picture(look: Look, *, upper: bool, size: int = 512) -> Picture:
+def paint_teeth(look: Look, *, upper: bool, size: int = 512) -> Picture:
     """A row of teeth (size / 2, size, 4) on `arch_uv`, gums above; clear beyond the teeth's edges."""
     angle = ((np.arange(size) + 0.5) / size * 2.0 - 1.0) * _WIDEST
     height = ((np.arange(size // 2) + 0.5) / (size // 2))[:, None]
@@ -116,13 +116,13 @@ def teeth_picture(look: Look, *, upper: bool, size: int = 512) -> Picture:
     line = 0.36 + 0.13 * sides**2 - np.where(number == 1, 0.0, 0.03)
     gum = (1.0 - smooth_ramp(-0.03, 0.03, height - line))[..., None]
     groove = (smooth_ramp(0.80, 1.0, np.abs(across)) * np.ones_like(height))[..., None] * (1.0 - gum)
-    enamel = _between((0.80, 0.68, 0.50), (0.86, 0.79, 0.68), smooth_ramp(0.0, 0.45, height - line))
+    enamel = _interpolate((0.80, 0.68, 0.50), (0.86, 0.79, 0.68), smooth_ramp(0.0, 0.45, height - line))
     clear = 0.55 * smooth_ramp(0.84, 1.02, height + 0.05 * sides)[..., None]
     enamel = enamel + (0.60 - enamel) * clear
     enamel = enamel * (1.0 + look.age * (np.array([0.93, 0.84, 0.66]) - 1.0)) * (1.0 - 0.62 * groove)
-    pink = _between((0.50, 0.17, 0.16), (0.60, 0.27, 0.25), smooth_ramp(-0.16, 0.0, height - line))
+    pink = _interpolate((0.50, 0.17, 0.16), (0.60, 0.27, 0.25), smooth_ramp(-0.16, 0.0, height - line))
     there = np.where(height > end + 0.02, 0, 255).astype(np.uint8)[..., None]
-    return np.concatenate([encoded(enamel + (pink - enamel) * gum), there], axis=2)
+    return np.concatenate([encode_srgb(enamel + (pink - enamel) * gum), there], axis=2)
 
 
 def _teeth_at(angle: Values, *, upper: bool) -> tuple[Values, Values]:
@@ -137,16 +137,16 @@ def tongue_uv(points: Values) -> NDArray[np.float32]:
     """Places (k, 2) of a tongue's points (k, 3): across, and how far back."""
     x, z = points[:, 0], points[:, 2]
     reach = max(float(np.abs(x).max()), 1e-9)
-    return np.stack([0.5 + 0.5 * x / reach, unit((z.max() - z) / _DEEP)], axis=1).astype(np.float32)
+    return np.stack([0.5 + 0.5 * x / reach, clamp_unit((z.max() - z) / _DEEP)], axis=1).astype(np.float32)
 
 
-def tongue_picture(size: int = 128) -> Picture:
+def paint_tongue(size: int = 128) -> Picture:
     """A tongue (size, size, 3) on `tongue_uv`: a furrow along the middle, darker at the root."""
     across, back = np.meshgrid((np.arange(size) + 0.5) / size * 2.0 - 1.0, (np.arange(size) + 0.5) / size)
     bumps = 0.12 * np.random.default_rng(SEED).standard_normal((size, size))
-    flesh = _between((0.42, 0.115, 0.105), (0.50, 0.21, 0.19), unit(0.35 + bumps))
+    flesh = _interpolate((0.42, 0.115, 0.105), (0.50, 0.21, 0.19), clamp_unit(0.35 + bumps))
     furrow = np.exp(-((across / 0.12) ** 2))
-    return encoded(flesh * ((1.0 - 0.38 * furrow) * (1.0 - 0.35 * back))[..., None])
+    return encode_srgb(flesh * ((1.0 - 0.38 * furrow) * (1.0 - 0.35 * back))[..., None])
 
 
 def lash_uv(points: Values, centre: Values) -> NDArray[np.float32]:
@@ -159,7 +159,7 @@ def lash_uv(points: Values, centre: Values) -> NDArray[np.float32]:
     return np.stack([0.5 + angle / np.pi, along], axis=1).astype(np.float32)
 
 
-def strand_picture(
+def paint_strands(
     colour: NDArray[np.floating], strands: int, *, columns: int, rows: int, cover: float = 0.84
 ) -> Picture:
     """Hairs (rows, columns, 4) from their roots in the first row to their tips in the last, clear between them.
@@ -176,13 +176,13 @@ def strand_picture(
     hidden, tone = np.zeros((rows, columns)), np.ones((rows, columns))
     for start, lean, end in zip(root, bend, length, strict=True):
         wide = 0.5 * cover / strands * np.maximum(1.0 - y / end, 0.0) ** 0.5
-        here = unit((wide - np.abs(x - start - lean * y**2 / strands)) * columns + 0.5) * (wide > 0.0)
+        here = clamp_unit((wide - np.abs(x - start - lean * y**2 / strands)) * columns + 0.5) * (wide > 0.0)
         tone = np.where(here > hidden, 0.75 + 0.5 * end * end, tone)
         hidden = np.maximum(hidden, here)
-    drawn = encoded(colour * tone[..., None])
+    drawn = encode_srgb(colour * tone[..., None])
     return np.concatenate([drawn, np.rint(255.0 * hidden).astype(np.uint8)[..., None]], axis=2)
 
 
-def _between(one: tuple[float, float, float], other: tuple[float, float, float], share: Values) -> Values:
+def _interpolate(one: tuple[float, float, float], other: tuple[float, float, float], share: Values) -> Values:
     result: Values = np.array(one) + (np.array(other) - np.array(one)) * share[..., None]
     return result

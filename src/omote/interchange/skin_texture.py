@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
-from omote.geometry.ramp import smooth_ramp, unit
-from omote.geometry.texture import painted
+from omote.geometry.ramp import clamp_unit, smooth_ramp
+from omote.geometry.texture import paint
 from omote.interchange.formats.png import Picture
 from omote.model.cast import Look
 
@@ -35,11 +35,11 @@ class Canvas:
     hair: Values
 
 
-def canvas(layers: Picture, skin: BakedMesh, generic: Points) -> Canvas:
+def build_canvas(layers: Picture, skin: BakedMesh, generic: Points) -> Canvas:
     """The canvas of a cast: layers (5k, k, 4) as the bake paints them, the skin's mesh, the generic face (V, 3)."""
     size = layers.shape[1]
     parts = layers.reshape(len(LAYERS), size, size, 4).astype(np.float32) / np.float32(255.0)
-    hair = painted(hairline(generic)[skin.source], skin.uv, skin.triangles, size)
+    hair = paint(hairline(generic)[skin.source], skin.uv, skin.triangles, size)
     return Canvas(dict(zip(LAYERS, parts, strict=True)), hair.astype(np.float32))
 
 
@@ -51,34 +51,36 @@ def hairline(points: Points) -> Points:
     return smooth_ramp(0.0, 1.0, (y - height) / 0.024 + 0.5) * (1.0 - ear)
 
 
-def skin_picture(canvas: Canvas, look: Look) -> Picture:
+def paint_skin(canvas: Canvas, look: Look) -> Picture:
     """The skin (k, k, 3) of a look, sRGB."""
-    return encoded(_albedo(canvas, look))
+    return encode_srgb(_albedo(canvas, look))
 
 
-def linear(colour: str) -> NDArray[np.float32]:
+def decode_srgb(colour: str) -> NDArray[np.float32]:
     """A colour "#rrggbb" in linear light, (3,)."""
     code = np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)]) / 255.0
     return np.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4).astype(np.float32)
 
 
-def encoded(light: Values) -> Picture:
+def encode_srgb(light: Values) -> Picture:
     """Linear light (..., 3) as sRGB, 8 bits."""
-    seen = unit(light)
+    seen = clamp_unit(light)
     code = np.where(seen <= 0.0031308, 12.92 * seen, 1.055 * seen ** (1.0 / 2.4) - 0.055)
     return np.rint(255.0 * code).astype(np.uint8)
 
 
 def _albedo(at: Canvas, look: Look) -> Values:
     mask, marks, patches = at.layers["mask"], at.layers["marks"], at.layers["patches"]
-    skin, lip, brow, hair = (linear(colour) for colour in (look.skin, look.lip, look.brow, look.hair))
+    skin, lip, brow, hair = (decode_srgb(colour) for colour in (look.skin, look.lip, look.brow, look.hair))
     grown = at.hair + (marks[..., 3] - 0.5) * 2.8 * at.hair * (1.0 - at.hair)
     lips, lining = _lips(at, look)
     fur = look.fur * (1.0 - lips)
     leather = smooth_ramp(0.80, 0.92, patches[..., 0])
-    seen = _mix(_bare(at, look, skin, lip, brow), lip * _grey(0.86 + 0.28 * at.layers["finish"][..., 3]), lips * 0.9)
-    seen = _mix(seen, _mix(_pelt(at, look, skin, brow), lip, leather), fur)
-    hairs = unit((mask[..., 1] - (1.0 - 1.12 * look.brows)) * 2.6)
+    seen = _mix(
+        _paint_bare_skin(at, look, skin, lip, brow), lip * _grey(0.86 + 0.28 * at.layers["finish"][..., 3]), lips * 0.9
+    )
+    seen = _mix(seen, _mix(_paint_fur(at, look, skin, brow), lip, leather), fur)
+    hairs = clamp_unit((mask[..., 1] - (1.0 - 1.12 * look.brows)) * 2.6)
     seen = _mix(seen, brow, hairs * 0.92)
     seen = _mix(seen, brow * 0.5, patches[..., 3] * look.lacquer)
     seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), smooth_ramp(0.15, 0.9, grown) * look.scalp)
@@ -98,21 +100,21 @@ def _lips(at: Canvas, look: Look) -> tuple[Values, Values]:
     return np.maximum(lips, lining), lining
 
 
-def _bare(at: Canvas, look: Look, skin: Values, lip: Values, brow: Values) -> Values:
+def _paint_bare_skin(at: Canvas, look: Look, skin: Values, lip: Values, brow: Values) -> Values:
     mask, marks, patches, finish = (at.layers[name] for name in ("mask", "marks", "patches", "finish"))
     blood = np.array([0.08, -0.34, -0.30], np.float32)
     seen = skin * (1.0 + look.pores * _grey(finish[..., 3] - 0.5) * blood)
     seen = seen * _grey(1.0 + (finish[..., 2] - 1.0) * 0.5 * look.pores)
     for layer, trait, tint in ((0, look.age, (0.70, 0.50, 0.42)), (1, look.freckles, (0.70, 0.50, 0.36))):
         seen = seen * (1.0 + _grey(marks[..., layer] * trait) * (np.array(tint, np.float32) - 1.0))
-    seen = _mix(seen, linear(look.blush), mask[..., 2] * 0.4)
+    seen = _mix(seen, decode_srgb(look.blush), mask[..., 2] * 0.4)
     seen = _mix(seen, 0.5 * brow + 0.14 * skin, marks[..., 2] * look.stubble * 0.78)
     return _mix(seen, brow * 0.6 + lip * 0.18, patches[..., 2] * look.makeup * 0.85)
 
 
-def _pelt(at: Canvas, look: Look, skin: Values, brow: Values) -> Values:
+def _paint_fur(at: Canvas, look: Look, skin: Values, brow: Values) -> Values:
     patches, strand = at.layers["patches"], at.layers["marks"][..., 3] - 0.5
-    seen = _mix(skin, linear(look.coat), smooth_ramp(0.04, 0.66, patches[..., 0]))
+    seen = _mix(skin, decode_srgb(look.coat), smooth_ramp(0.04, 0.66, patches[..., 0]))
     seen = _mix(seen, brow, smooth_ramp(0.0, 0.5, patches[..., 1]) * look.stripes * 0.85)
     seen = _mix(seen, brow, smooth_ramp(0.5, 0.95, patches[..., 1]) * 0.85)
     found: Values = seen * _grey(1.0 + 1.15 * strand) + _grey(np.maximum(strand, 0.0) * 0.10)

@@ -71,7 +71,7 @@ class Look:
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
             if name in TRAITS:
-                object.__setattr__(self, name, _checked_trait(name, value))
+                object.__setattr__(self, name, _validate_trait(name, value))
                 continue
             if name == "hair_style":
                 continue  # the cast knows which there are
@@ -81,7 +81,7 @@ class Look:
                 raise ValueError(f"{name} of a look is {colour!r}; expected a colour such as '#c08a70'")
 
 
-def _checked_trait(name: str, value: object) -> float:
+def _validate_trait(name: str, value: object) -> float:
     low, high = TRAITS[name]
     if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
         raise ValueError(f"{name} of a look is {value!r}; expected a number from {low:g} to {high:g}")

@@ -61,7 +61,7 @@ class HairStyle:
         return self.points, self.rows, self.weights, self.anchors, self.facing, self.light, width
 
 
-def carriers(points: Values, skin: Values, allowed: NDArray[np.bool_], /) -> tuple[Indices, Values]:
+def find_anchors(points: Values, skin: Values, allowed: NDArray[np.bool_], /) -> tuple[Indices, Values]:
     """The skin's vertices (..., LINKS) that carry points (..., 3), and their weights, which sum to one.
 
     skin (V, 3) metres; allowed (V,): the vertices that may. Weights fall to zero at the first vertex that is left out
@@ -74,7 +74,7 @@ def carriers(points: Values, skin: Values, allowed: NDArray[np.bool_], /) -> tup
     return usable[found[..., :LINKS]].astype(np.int32), weights / weights.sum(axis=-1, keepdims=True)
 
 
-def carried(style: HairStyle, generic: Values, positions: Values, /) -> Values:
+def place_strands(style: HairStyle, generic: Values, positions: Values, /) -> Values:
     """The strands (n, k, 3) of a style on a face with positions (V, 3); generic (V, 3): where they were made.
 
     Linear in the positions, so that a mix of faces wears the mix of their hair.

@@ -16,14 +16,14 @@ from omote.perform.easing import (
     bump,
     bump_rate,
     decay_seconds,
-    easing_named,
-    glide,
+    find_easing,
     glide_after,
-    glided,
+    glide_state,
     is_over,
+    plan_glide,
 )
 from omote.perform.frame import CallStatus
-from omote.perform.mix import alone, combined, share_in_range
+from omote.perform.mix import combine, mix_of_one, share_in_range
 
 
 @dataclass(frozen=True)
@@ -69,11 +69,11 @@ REST = Slots(0.0, 1.0, 0.0)
 def progress(call: Call) -> tuple[float, float]:
     """How far a call is, 0..1, and its rate per second."""
     if call.way is not None:
-        return glided(call.way)
+        return glide_state(call.way)
     if call.seconds is None:
         return 0.0, 0.0
     x = min(1.0, call.elapsed / call.seconds)
-    easing = easing_named(call.easing)
+    easing = find_easing(call.easing)
     return easing.value(x), easing.rate(x) / call.seconds
 
 
@@ -97,12 +97,12 @@ def slot_rates(axis: Axis) -> Slots:
 
 def weights(axis: Axis) -> dict[str, float]:
     """The mix on air; it sums to one."""
-    return alone(axis.on_air) if axis.call is None else _mixed(axis.call, slots(axis))
+    return mix_of_one(axis.on_air) if axis.call is None else _mix_at(axis.call, slots(axis))
 
 
 def rates(axis: Axis) -> dict[str, float]:
     """The change of the mix per second; it sums to nothing."""
-    return {} if axis.call is None else _mixed(axis.call, slot_rates(axis))
+    return {} if axis.call is None else _mix_at(axis.call, slot_rates(axis))
 
 
 def called(axis: Axis, target: str, seconds: float | None, easing: str) -> Axis:
@@ -115,7 +115,7 @@ def called(axis: Axis, target: str, seconds: float | None, easing: str) -> Axis:
     if seconds == 0.0:
         return replace(axis, on_air=target, call=None)
     start, velocity = weights(axis), rates(axis)
-    decay = decay_seconds(start, velocity, target, seconds, easing_named(easing))
+    decay = decay_seconds(start, velocity, target, seconds, find_easing(easing))
     call = Call(target, start, velocity, decay, easing, seconds)
     return replace(axis, call=call, flipped=axis.hand > 0.5)
 
@@ -130,7 +130,7 @@ def faded(axis: Axis, hand: float) -> Axis:
     before, now = _along(axis, axis.hand), _along(axis, hand)
     if not call.held and (before - y) * (now - y) > 0.0:
         return moved
-    return replace(moved, call=replace(call, held=True, way=glide(y, rate, now, HAND_SECONDS)))
+    return replace(moved, call=replace(call, held=True, way=plan_glide(y, rate, now, HAND_SECONDS)))
 
 
 def released(axis: Axis) -> Axis:
@@ -141,7 +141,7 @@ def released(axis: Axis) -> Axis:
     call = replace(call, held=False)
     if call.seconds is not None:
         y, rate = progress(call)
-        call = replace(call, way=glide(y, rate, 1.0, (1.0 - y) * call.seconds))
+        call = replace(call, way=plan_glide(y, rate, 1.0, (1.0 - y) * call.seconds))
     return replace(axis, call=call)
 
 
@@ -164,15 +164,17 @@ def status(axis: Axis) -> CallStatus | None:
     return CallStatus(call.target, y, None if by_hand else _remaining(call), by_hand, axis.hand, _along(axis, y))
 
 
-def _mixed(call: Call, share: Slots) -> dict[str, float]:
-    return combined(((share.start, call.start), (share.target, alone(call.target)), (share.velocity, call.velocity)))
+def _mix_at(call: Call, share: Slots) -> dict[str, float]:
+    return combine(
+        ((share.start, call.start), (share.target, mix_of_one(call.target)), (share.velocity, call.velocity))
+    )
 
 
 def _share(call: Call) -> float:
     """The last wall: a T-bar pushed at once after an interruption may outrun the decay that was planned."""
     y, _ = progress(call)
-    base = combined(((1.0 - y, call.start), (y, alone(call.target))))
-    return share_in_range(base, combined(((call.decay * bump(call.elapsed / call.decay), call.velocity),)))
+    base = combine(((1.0 - y, call.start), (y, mix_of_one(call.target))))
+    return share_in_range(base, combine(((call.decay * bump(call.elapsed / call.decay), call.velocity),)))
 
 
 def _along(axis: Axis, position: float) -> float:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from omote.model.cast import NEUTRAL
 from omote.model.space.expression import Expression
 from omote.perform.frame import Gaze
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, known, within
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 
 LEFT, RIGHT = 0, 1
 YAW, PITCH = 0, 1
@@ -31,8 +31,8 @@ def with_channel(
     channels: Mapping[str, float], expressions: Mapping[str, Expression], name: str, value: float
 ) -> dict[str, float]:
     """The channels with one of them set; 0 takes it out. Refuses unknown names, `neutral` and values out of range."""
-    known(name, (unit for unit in expressions if unit != NEUTRAL), "channel")
-    value = within(value, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {name}")
+    check_known(name, (unit for unit in expressions if unit != NEUTRAL), "channel")
+    value = check_within(value, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {name}")
     kept = {**channels, name: value}
     return {unit: kept[unit] for unit in sorted(kept) if kept[unit]}
 

@@ -69,7 +69,7 @@ class Glide:
     elapsed: float = 0.0
 
 
-def easing_named(name: str) -> Easing:
+def find_easing(name: str) -> Easing:
     """The easing of that name, or a refusal that lists all of them."""
     if name not in EASINGS:
         raise ValueError(f"there is no easing {name!r}; choose one of {', '.join(EASINGS)}")
@@ -100,12 +100,12 @@ def decay_seconds(start: Weights, velocity: Weights, target: str, seconds: float
     starts = np.array([start.get(name, 0.0) for name in names])[:, None]
     goals = np.array([float(name == target) for name in names])[:, None]
     towards = (goals - starts) * rates > 0.0
-    base = starts + np.where(towards, goals - starts, 0.0) * (1.0 if seconds is None else _eased_grid(easing))
+    base = starts + np.where(towards, goals - starts, 0.0) * (1.0 if seconds is None else _sample_easing(easing))
     room = np.where(rates > 0.0, HIGHEST - base, base - LOWEST)
     return float(min(longest, max(0.0, (room / (np.abs(rates) * _BUMPS)).min())))
 
 
-def glide(origin: float, rate: float, goal: float, seconds: float) -> Glide:
+def plan_glide(origin: float, rate: float, goal: float, seconds: float) -> Glide:
     """The way from `origin` at `rate` to rest at `goal`, shortened where it would pass the goal or leave 0..1.
 
     A cubic from a slope to none is monotone up to slope * time = 3 * distance (Fritsch & Carlson 1980); a slope that
@@ -120,7 +120,7 @@ def glide(origin: float, rate: float, goal: float, seconds: float) -> Glide:
     return Glide(origin, rate, goal, seconds)
 
 
-def glided(way: Glide) -> tuple[float, float]:
+def glide_state(way: Glide) -> tuple[float, float]:
     """Where a glide is now, and its rate per second."""
     if way.elapsed >= way.seconds:
         return way.goal, 0.0
@@ -144,5 +144,5 @@ _GRID = np.arange(1, 32) / 32.0
 _BUMPS = np.array([bump(u) for u in _GRID])
 
 
-def _eased_grid(easing: Easing) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+def _sample_easing(easing: Easing) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     return np.array([easing.value(u) for u in _GRID])

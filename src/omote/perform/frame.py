@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from omote.perform.lights import FIRST_LIGHT
-from omote.perform.limits import GAZE_LIMIT, HEAD_LIMIT, within
+from omote.perform.limits import GAZE_LIMIT, HEAD_LIMIT, check_within
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class Head:
     def __post_init__(self) -> None:
         """Refuse what is no direction of a head."""
         for name in ("yaw", "pitch", "roll"):
-            value = within(getattr(self, name), -HEAD_LIMIT, HEAD_LIMIT, f"the head's {name} (radians)")
+            value = check_within(getattr(self, name), -HEAD_LIMIT, HEAD_LIMIT, f"the head's {name} (radians)")
             object.__setattr__(self, name, value)
 
 
@@ -34,7 +34,7 @@ class Gaze:
     def __post_init__(self) -> None:
         """Refuse what no eye can do."""
         for name in ("yaw", "pitch"):
-            value = within(getattr(self, name), -GAZE_LIMIT, GAZE_LIMIT, f"the gaze's {name} (radians)")
+            value = check_within(getattr(self, name), -GAZE_LIMIT, GAZE_LIMIT, f"the gaze's {name} (radians)")
             object.__setattr__(self, name, value)
 
 

@@ -10,7 +10,7 @@ LIGHTS: Mapping[str, str] = {"theatre": "Theatre", "portrait": "Portrait", "flat
 """The lights in the order of the console, with what they are called there."""
 
 
-def light_named(name: str) -> str:
+def check_light(name: str) -> str:
     """The name itself where there is such a light, else a refusal that lists all of them."""
     if name not in LIGHTS:
         raise ValueError(f"there is no light {name!r}; choose one of {', '.join(LIGHTS)}")

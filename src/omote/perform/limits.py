@@ -21,17 +21,17 @@ FOREVER = 1e9
 """Seconds; more than any show."""
 
 
-def within(value: object, low: float, high: float, what: str) -> float:
+def check_within(value: object, low: float, high: float, what: str) -> float:
     """`value` as a float where it is a real number from `low` to `high`; else a refusal that names `what`."""
     if isinstance(value, bool) or not isinstance(value, Real):
         raise TypeError(f"{what} must be a number, not {value!r}; give {low:g} to {high:g}")
     number: Any = value  # typeshed gives Real no comparison with float
     if not low <= number <= high:  # also catches NaN
-        raise ValueError(f"{what} is {_shown(value)}; give a number from {low:.4g} to {high:.4g}")
+        raise ValueError(f"{what} is {_format(value)}; give a number from {low:.4g} to {high:.4g}")
     return float(number)
 
 
-def known(name: object, names: Iterable[str], what: str) -> str:
+def check_known(name: object, names: Iterable[str], what: str) -> str:
     """`name` where it is one of `names`; else a refusal that names the nearest ones."""
     choices = list(names)
     if isinstance(name, str) and name in choices:
@@ -40,7 +40,7 @@ def known(name: object, names: Iterable[str], what: str) -> str:
     raise ValueError(f"there is no {what} {str(name)[:80]!r} in this cast; near are {', '.join(near)}")
 
 
-def _shown(value: Real) -> str:
+def _format(value: Real) -> str:
     try:
         return repr(float(value))
     except OverflowError:  # an integer of more digits than a message wants

@@ -10,12 +10,12 @@ LOWEST, HIGHEST = -0.1, 1.1
 """A weight on air never leaves this range: a velocity taken over may carry it past 0 or 1, but not far."""
 
 
-def alone(name: str) -> dict[str, float]:
+def mix_of_one(name: str) -> dict[str, float]:
     """The mix of one name."""
     return {name: 1.0}
 
 
-def combined(terms: Iterable[tuple[float, Weights]]) -> dict[str, float]:
+def combine(terms: Iterable[tuple[float, Weights]]) -> dict[str, float]:
     """The sum of factor times mix over the terms, without the names that weigh exactly nothing."""
     total: dict[str, float] = {}
     for factor, weights in terms:

@@ -10,18 +10,18 @@ from omote.model.cast import GENERIC, NEUTRAL
 from omote.perform import axis
 from omote.perform.axis import Axis
 from omote.perform.channels import with_channel
-from omote.perform.easing import DEFAULT_EASING, easing_named
+from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.frame import Frame, Gaze, Head
-from omote.perform.lights import light_named
-from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
-from omote.perform.snapshot import Playable, Snapshot, checked
+from omote.perform.lights import check_light
+from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, check_known, check_within
+from omote.perform.snapshot import Playable, Snapshot, check_snapshot
 
 
 class Performer:
     """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out."""
 
     def __init__(self, cast: Playable) -> None:
-        known(GENERIC, cast.faces, "face")
+        check_known(GENERIC, cast.faces, "face")
         self._cast = cast
         self._now = Snapshot(Axis(GENERIC), Axis(NEUTRAL))
 
@@ -29,7 +29,7 @@ class Performer:
     def restored(cls, cast: Playable, snapshot: Snapshot) -> Performer:
         """The performer that continues from a snapshot, frame by frame the same. Refuses what this cast cannot play."""
         performer = cls(cast)
-        performer._now = checked(snapshot, cast)
+        performer._now = check_snapshot(snapshot, cast)
         return performer
 
     def snapshot(self) -> Snapshot:
@@ -38,31 +38,33 @@ class Performer:
 
     def recast(self, cast: Playable) -> None:
         """Plays another cast from now on; what is on air stays. Refuses (ValueError) one without what is on air."""
-        self._now = checked(self._now, cast)
+        self._now = check_snapshot(self._now, cast)
         self._cast = cast
 
     def call_face(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings a face on air from whatever is showing; 0 seconds cut, `math.inf` waits for `fade_face`."""
-        self._now = replace(self._now, face=_called(self._now.face, self._cast.faces, name, "face", seconds, easing))
+        self._now = replace(
+            self._now, face=_start_call(self._now.face, self._cast.faces, name, "face", seconds, easing)
+        )
 
     def call_expression(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings an expression on air from whatever shows; 0 seconds cut, `math.inf` waits for `fade_expression`."""
-        called = _called(self._now.expression, self._cast.expressions, name, "expression", seconds, easing)
+        called = _start_call(self._now.expression, self._cast.expressions, name, "expression", seconds, easing)
         self._now = replace(self._now, expression=called)
 
     def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings a light on air from whatever light shows; 0 seconds cut."""
-        light_named(name)
-        easing_named(easing)
+        check_light(name)
+        find_easing(easing)
         self._now = replace(self._now, light=axis.called(self._now.light, name, _length(seconds), easing))
 
     def fade_face(self, x: float) -> None:
         """Moves the T-bar of the faces to `x`, 0..1; it takes over the call once it has passed its progress."""
-        self._now = replace(self._now, face=axis.faded(self._now.face, within(x, 0.0, 1.0, "the face T-bar")))
+        self._now = replace(self._now, face=axis.faded(self._now.face, check_within(x, 0.0, 1.0, "the face T-bar")))
 
     def fade_expression(self, x: float) -> None:
         """Moves the T-bar of the expressions to `x`, 0..1; it takes over the call once it has passed its progress."""
-        hand = within(x, 0.0, 1.0, "the expression T-bar")
+        hand = check_within(x, 0.0, 1.0, "the expression T-bar")
         self._now = replace(self._now, expression=axis.faded(self._now.expression, hand))
 
     def release_face(self) -> None:
@@ -93,7 +95,7 @@ class Performer:
 
     def advance(self, dt: float) -> Frame:
         """What is on air `dt` seconds later (0 or more); one long step lands where many short ones do."""
-        dt = within(dt, 0.0, FOREVER, "the time step (seconds)")
+        dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
         now = self._now
         self._now = replace(
             now,
@@ -105,16 +107,16 @@ class Performer:
         return _frame(self._now)
 
 
-def _called(on: Axis, names: Mapping[str, object], name: str, what: str, seconds: float, easing: str) -> Axis:
-    known(name, names, what)
-    easing_named(easing)
+def _start_call(on: Axis, names: Mapping[str, object], name: str, what: str, seconds: float, easing: str) -> Axis:
+    check_known(name, names, what)
+    find_easing(easing)
     if isinstance(seconds, float) and seconds == math.inf:
         return axis.called(on, name, None, easing)
     return axis.called(on, name, _length(seconds), easing)
 
 
 def _length(seconds: float) -> float:
-    seconds = within(seconds, 0.0, LONGEST_CALL, "the time of a call (seconds)")
+    seconds = check_within(seconds, 0.0, LONGEST_CALL, "the time of a call (seconds)")
     return seconds if seconds >= SHORTEST_CALL else 0.0
 
 

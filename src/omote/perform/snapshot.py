@@ -10,10 +10,10 @@ from typing import Protocol
 from omote.model.space.expression import Expression
 from omote.perform.axis import Axis, Call
 from omote.perform.channels import with_channel
-from omote.perform.easing import DECAY_SECONDS, Glide, easing_named
+from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
 from omote.perform.frame import Gaze, Head
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
-from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, known, within
+from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, check_known, check_within
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 
 
@@ -50,56 +50,56 @@ class Snapshot:
     light: Axis = field(default_factory=lambda: Axis(FIRST_LIGHT))  # shows of before had no light to call
 
 
-def checked(snapshot: Snapshot, cast: Playable) -> Snapshot:
+def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     """The same snapshot; refuses one that the cast cannot play, or that no performer can have written."""
     _check_axis(snapshot.face, cast.faces, "face")
     _check_axis(snapshot.expression, cast.expressions, "expression")
     _check_axis(snapshot.light, LIGHTS, "light")
     for name, value in snapshot.channels.items():
         with_channel({}, cast.expressions, name, value)
-    within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
+    check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     return snapshot
 
 
 def names_held(snapshot: Snapshot) -> tuple[frozenset[str], frozenset[str]]:
     """The faces and the expressions (channels are expressions too) that a snapshot cannot be played without."""
-    return _held(snapshot.face), _held(snapshot.expression) | frozenset(snapshot.channels)
+    return _names_of(snapshot.face), _names_of(snapshot.expression) | frozenset(snapshot.channels)
 
 
-def _held(axis: Axis) -> frozenset[str]:
+def _names_of(axis: Axis) -> frozenset[str]:
     call = axis.call
     return frozenset((axis.on_air,) if call is None else (axis.on_air, call.target, *call.start, *call.velocity))
 
 
 def _check_axis(axis: Axis, names: Mapping[str, object], what: str) -> None:
-    known(axis.on_air, names, what)
-    within(axis.hand, 0.0, 1.0, f"the {what} T-bar")
+    check_known(axis.on_air, names, what)
+    check_within(axis.hand, 0.0, 1.0, f"the {what} T-bar")
     if axis.call is not None:
         _check_call(axis.call, names, what)
 
 
 def _check_call(call: Call, names: Mapping[str, object], what: str) -> None:
     for name in (call.target, *call.start, *call.velocity):
-        known(name, names, what)
-    easing_named(call.easing)
+        check_known(name, names, what)
+    find_easing(call.easing)
     for weight in call.start.values():
-        within(weight, LOWEST - ROUNDING, HIGHEST + ROUNDING, f"the weight of a {what}")
+        check_within(weight, LOWEST - ROUNDING, HIGHEST + ROUNDING, f"the weight of a {what}")
     _check_sum(call.start, 1.0, f"the weights of the {what}s")
     _check_sum(call.velocity, 0.0, f"the velocities of the {what}s")
-    within(call.decay, 0.0, DECAY_SECONDS, "the decay of a call (seconds)")
-    within(call.elapsed, 0.0, FOREVER, "the elapsed time of a call (seconds)")
+    check_within(call.decay, 0.0, DECAY_SECONDS, "the decay of a call (seconds)")
+    check_within(call.elapsed, 0.0, FOREVER, "the elapsed time of a call (seconds)")
     if call.seconds is not None:
-        within(call.seconds, SHORTEST_CALL, LONGEST_CALL, "the time of a call (seconds)")
+        check_within(call.seconds, SHORTEST_CALL, LONGEST_CALL, "the time of a call (seconds)")
     if call.way is not None:
         _check_way(call.way)
 
 
 def _check_way(way: Glide) -> None:
-    within(way.origin, -ROUNDING, 1.0 + ROUNDING, "the origin of a T-bar's way")
-    within(way.goal, 0.0, 1.0, "the goal of a T-bar's way")
-    within(way.rate, -FOREVER, FOREVER, "the rate of a T-bar (per second)")
-    within(way.seconds, 0.0, LONGEST_CALL, "the time of a T-bar's way (seconds)")
-    within(way.elapsed, 0.0, FOREVER, "the elapsed time of a T-bar's way (seconds)")
+    check_within(way.origin, -ROUNDING, 1.0 + ROUNDING, "the origin of a T-bar's way")
+    check_within(way.goal, 0.0, 1.0, "the goal of a T-bar's way")
+    check_within(way.rate, -FOREVER, FOREVER, "the rate of a T-bar (per second)")
+    check_within(way.seconds, 0.0, LONGEST_CALL, "the time of a T-bar's way (seconds)")
+    check_within(way.elapsed, 0.0, FOREVER, "the elapsed time of a T-bar's way (seconds)")
 
 
 def _check_sum(weights: Weights, expected: float, what: str) -> None:

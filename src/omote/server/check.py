@@ -15,15 +15,15 @@ LIBRARIES = ("numpy", "numba", "aiohttp", "msgspec")
 Verdict = tuple[bool, str]
 
 
-def checked() -> Iterator[Verdict]:
+def run_checks() -> Iterator[Verdict]:
     """Verdict by verdict: versions, pages, cast, the time of a frame."""
     libraries = ", ".join(f"{name} {version(name)}" for name in LIBRARIES)
     yield True, f"omote {version('omote')} on Python {platform.python_version()}, {platform.system()}; {libraries}"
     for check in (check_pages, check_frame):
-        yield tried(check)
+        yield run_check(check)
 
 
-def tried(check: Callable[[], Verdict]) -> Verdict:
+def run_check(check: Callable[[], Verdict]) -> Verdict:
     """The verdict of a check; what it raises is a bad one."""
     try:
         return check()
@@ -33,9 +33,9 @@ def tried(check: Callable[[], Verdict]) -> Verdict:
 
 def check_pages() -> Verdict:
     """The pages are built."""
-    from omote.server.http.static_pages import read_bundle
+    from omote.server.http.static_pages import read_pages
 
-    pages = read_bundle()
+    pages = read_pages()
     return True, f"pages: {len(pages)} files, {sum(len(page.body) for page in pages.values()) / 1024:.0f} KB"
 
 
@@ -43,9 +43,9 @@ def check_frame() -> Verdict:
     """The cast is there, and a frame of it takes less time than it is shown."""
     from omote.perform.blending.evaluate import evaluate
     from omote.perform.performer import Performer
-    from omote.server.http.cast_documents import built_in
+    from omote.server.http.cast_documents import built_in_documents
 
-    cast = built_in().cast
+    cast = built_in_documents().cast
     performer = Performer(cast)
     face, expression = list(cast.faces)[-1], list(cast.expressions)[-1]
     performer.call_face(face, seconds=1.0)

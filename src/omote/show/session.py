@@ -14,7 +14,7 @@ from omote.perform.snapshot import Snapshot, names_held
 from omote.show import messages as wire
 from omote.show import validation as door
 from omote.show.state import state_of
-from omote.show.validation import Refusal, number
+from omote.show.validation import Refusal, validate_number
 from omote.show.wire import decode
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class Member:
 
 
 @dataclass(frozen=True)
-class Wish:
+class KeepRequest:
     """Something to be kept in the show file, which a console asked for: for whoever holds the file."""
 
     who: str
@@ -66,7 +66,7 @@ class ShowSession:
         self.refused = 0
         self.commands = 0
         self.crew: dict[str, Member] = {}
-        self.wishes: list[Wish] = []
+        self.wishes: list[KeepRequest] = []
         self._calls: dict[str, None] = {}
         self._now: float | None = None
         self._time = performer.snapshot().time
@@ -82,7 +82,7 @@ class ShowSession:
         """The show as it is now."""
         return SessionSnapshot(performer=self.performer.snapshot(), calls=list(self._calls))
 
-    def hear(self, who: str, data: bytes, now: float) -> list[Outgoing]:
+    def receive_bytes(self, who: str, data: bytes, now: float) -> list[Outgoing]:
         """What to answer to the bytes of a client; bytes that are no message are refused and counted."""
         try:
             message = decode(data)
@@ -117,10 +117,10 @@ class ShowSession:
         """The faces and the expressions that the cast must not lose: they are on air, called or going."""
         return names_held(self.performer.snapshot())
 
-    def take_wishes(self) -> list[Wish]:
+    def take_keep_requests(self) -> list[KeepRequest]:
         """What consoles have asked to keep since the last time."""
-        wishes, self.wishes = self.wishes, []
-        return wishes
+        requests, self.wishes = self.wishes, []
+        return requests
 
     def clock(self, now: float) -> float:
         """The show's clock at `now`, as in `State.time`: it runs on through a restart of the server."""
@@ -141,25 +141,25 @@ class ShowSession:
             case wire.Hello():
                 return [Outgoing(who, self._welcome(who, message))]
             case wire.Ping():
-                return [Outgoing(who, wire.Pong(sent=number(message.sent, door.SENT), time=self.clock(now)))]
+                return [Outgoing(who, wire.Pong(sent=validate_number(message.sent, door.SENT), time=self.clock(now)))]
             case wire.Drawing():
-                report = wire.StageReport(number(message.fps, door.FPS), message.level)
+                report = wire.StageReport(validate_number(message.fps, door.FPS), message.level)
                 self.crew[who] = Member(self._member(who).role, report, heard=now)
             case (
                 wire.CallFace() | wire.CallExpression() | wire.CallLight() | wire.KeepFace() | wire.KeepExpression()
             ) if message.id in self._calls:
                 pass  # a retry or a bouncing key: each call executes once
             case wire.KeepFace() | wire.KeepExpression() | wire.SetLayout():
-                self._wish(Wish(who, message))
+                self._wish(KeepRequest(who, message))
             case _:
                 self._obey(who, message)
         return []
 
-    def _wish(self, wish: Wish) -> None:
-        self._refuse_a_stage(wish.who, wish.message)
-        self.wishes.append(wish)
-        if not isinstance(wish.message, wire.SetLayout):
-            self._remember(wish.message.id)
+    def _wish(self, request: KeepRequest) -> None:
+        self._refuse_a_stage(request.who, request.message)
+        self.wishes.append(request)
+        if not isinstance(request.message, wire.SetLayout):
+            self._remember(request.message.id)
 
     def _refuse_a_stage(self, who: str, message: wire.FromClient) -> None:
         if self._member(who).role != "console":
@@ -208,30 +208,36 @@ def _call_expression(performer: Performer, call: wire.CallExpression) -> None:
 
 
 def _call_light(performer: Performer, call: wire.CallLight) -> None:
-    performer.call_light(call.name, seconds=number(call.seconds, door.SECONDS), easing=call.easing)
+    performer.call_light(call.name, seconds=validate_number(call.seconds, door.SECONDS), easing=call.easing)
 
 
 def _set_head(performer: Performer, head: wire.SetHead) -> None:
-    performer.set_head(number(head.yaw, door.HEAD), number(head.pitch, door.HEAD), number(head.roll, door.HEAD))
+    performer.set_head(
+        validate_number(head.yaw, door.HEAD),
+        validate_number(head.pitch, door.HEAD),
+        validate_number(head.roll, door.HEAD),
+    )
 
 
 def _set_gaze(performer: Performer, gaze: wire.SetGaze) -> None:
-    performer.set_gaze(number(gaze.yaw, door.GAZE), number(gaze.pitch, door.GAZE))
+    performer.set_gaze(validate_number(gaze.yaw, door.GAZE), validate_number(gaze.pitch, door.GAZE))
 
 
 def _seconds(seconds: float | None) -> float:
-    return math.inf if seconds is None else number(seconds, door.SECONDS)
+    return math.inf if seconds is None else validate_number(seconds, door.SECONDS)
 
 
 OBEY: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
     wire.CallFace: _call_face,
     wire.CallExpression: _call_expression,
     wire.CallLight: _call_light,
-    wire.FadeFace: lambda performer, bar: performer.fade_face(number(bar.value, door.FADER)),
+    wire.FadeFace: lambda performer, bar: performer.fade_face(validate_number(bar.value, door.FADER)),
     wire.ReleaseFace: lambda performer, _: performer.release_face(),
-    wire.FadeExpression: lambda performer, bar: performer.fade_expression(number(bar.value, door.FADER)),
+    wire.FadeExpression: lambda performer, bar: performer.fade_expression(validate_number(bar.value, door.FADER)),
     wire.ReleaseExpression: lambda performer, _: performer.release_expression(),
-    wire.SetChannel: lambda performer, fader: performer.set_channel(fader.name, number(fader.value, door.CHANNEL)),
+    wire.SetChannel: lambda performer, fader: performer.set_channel(
+        fader.name, validate_number(fader.value, door.CHANNEL)
+    ),
     wire.SetHead: _set_head,
     wire.SetGaze: _set_gaze,
     wire.Panic: lambda performer, _: performer.panic(),

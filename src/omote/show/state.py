@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def state_of(cast: Playable, frame: Frame, *, epoch: int, number: int, revision: int) -> State:
-    """The complete state of a frame; `eyes` and `lids` are what the gaze makes of it."""
+    """The complete state of a frame; `eyes` and `gaze_lids` are what the gaze makes of it."""
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
     eyes = eye_angles(cast.expressions, frame.expressions, channels).ravel().tolist()
     return State(
@@ -28,7 +28,7 @@ def state_of(cast: Playable, frame: Frame, *, epoch: int, number: int, revision:
         head=(frame.head.yaw, frame.head.pitch, frame.head.roll),
         gaze=(frame.gaze.yaw, frame.gaze.pitch),
         eyes=(eyes[0], eyes[1], eyes[2], eyes[3]),
-        lids=lids(frame.channels, channels),
+        lids=gaze_lids(frame.channels, channels),
         face_call=call_state(frame.face_call),
         expression_call=call_state(frame.expression_call),
         face_fader=frame.face_fader,
@@ -52,7 +52,7 @@ def call_state(status: CallStatus | None) -> CallState | None:
     )
 
 
-def lids(channels: Mapping[str, float], effective: Mapping[str, float]) -> dict[str, float]:
+def gaze_lids(channels: Mapping[str, float], effective: Mapping[str, float]) -> dict[str, float]:
     """What the gaze adds to the channels, name by name."""
     added = {name: weight - channels.get(name, 0.0) for name, weight in effective.items()}
     return {name: weight for name, weight in added.items() if weight}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMIT, HEAD_LIMIT, LONGEST_CALL, within
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMIT, HEAD_LIMIT, LONGEST_CALL, check_within
 
 
 class Refusal(ValueError):  # noqa: N818  (what an operator reads, not a fault)
@@ -29,9 +29,9 @@ SENT = Quantity("the time a ping was sent", -1e15, 1e15)
 FPS = Quantity("the rate of drawn frames", 0.0, 1000.0)
 
 
-def number(value: object, quantity: Quantity) -> float:
+def validate_number(value: object, quantity: Quantity) -> float:
     """`value` as a float when it is a real number in the range of `quantity`; Refusal for anything else, NaN too."""
     try:
-        return within(value, quantity.low, quantity.high, quantity.what)
+        return check_within(value, quantity.low, quantity.high, quantity.what)
     except (ValueError, TypeError) as error:
         raise Refusal(f"{error}.") from error

@@ -43,6 +43,6 @@ def decode_answer(data: bytes) -> FromServer:
     return _from_server.decode(data)
 
 
-def little(array: NDArray[np.generic], dtype: str) -> bytes:
+def le_bytes(array: NDArray[np.generic], dtype: str) -> bytes:
     """The bytes of an array for a document, as the little-endian dtype that it names."""
     return np.ascontiguousarray(array, dtype=dtype).tobytes()

@@ -80,7 +80,7 @@ def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> 
 
 def read_all(connection: sqlite3.Connection) -> Stored:
     """All authored rows, each proved by its sum; sqlite3.DatabaseError names the first that is not what was written."""
-    return as_stored({table.name: [_proved(table, row) for row in _rows(connection, table)] for table in TABLES})
+    return as_stored({table.name: [_prove_row(table, row) for row in _rows(connection, table)] for table in TABLES})
 
 
 def read_contents(connection: sqlite3.Connection) -> Iterator[tuple[str, bytes]]:
@@ -118,7 +118,7 @@ def refuse_damaged(connection: sqlite3.Connection) -> None:
 
 def _refuse_damaged_state(connection: sqlite3.Connection) -> None:
     for epoch, snapshot, sealed in connection.execute("SELECT epoch, snapshot, sum FROM journal"):
-        if sealed is not None and seal([epoch, snapshot]) != sealed:  # None: as the first schema left it
+        if sealed is not None and row_checksum([epoch, snapshot]) != sealed:  # None: as the first schema left it
             raise sqlite3.DatabaseError("its last state is damaged")
 
 
@@ -136,7 +136,7 @@ def as_stored(rows: dict[str, list[Any]]) -> Stored:
 def row_of(table: Table, columns: Sequence[Any]) -> Any | None:
     """The struct of columns and their sum; None where they are not what was written, or not by us."""
     *values, sealed = columns
-    if seal(values) != sealed:
+    if row_checksum(values) != sealed:
         return None
     document = dict(zip(table.columns, values, strict=True))
     for flag in {"deleted", "aside"} & document.keys():
@@ -149,7 +149,7 @@ def row_of(table: Table, columns: Sequence[Any]) -> Any | None:
         return None
 
 
-def seal(values: Sequence[Any]) -> str:
+def row_checksum(values: Sequence[Any]) -> str:
     """The sum of a row's columns, as SQLite gives them back: 16 hexadecimal digits."""
     return hashlib.blake2b(msgspec.msgpack.encode(values), digest_size=8).hexdigest()
 
@@ -163,7 +163,7 @@ def _rows(connection: sqlite3.Connection, table: Table) -> sqlite3.Cursor:
     return connection.execute(f"{selection(table)} ORDER BY {', '.join(table.key)}")
 
 
-def _proved(table: Table, columns: Sequence[Any]) -> Any:
+def _prove_row(table: Table, columns: Sequence[Any]) -> Any:
     row = row_of(table, columns)
     if row is None:
         place = ", ".join(map(str, columns[: len(table.key)]))
@@ -198,7 +198,7 @@ def _add_revision(connection: sqlite3.Connection, revision: Revision) -> None:
     ).fetchone()
     if found is None:
         _put(connection, REVISIONS, revision)
-    elif _proved(REVISIONS, found) != revision:
+    elif _prove_row(REVISIONS, found) != revision:
         raise sqlite3.IntegrityError(
             f"revision {revision.number} of item {revision.item} is there and is another; revisions are never changed"
         )
@@ -213,7 +213,7 @@ def _put(connection: sqlite3.Connection, table: Table, row: msgspec.Struct) -> N
     connection.execute(
         f"INSERT INTO {table.name} ({', '.join(columns)}) VALUES ({', '.join('?' * len(columns))}) "
         f"ON CONFLICT ({', '.join(table.key)}) DO UPDATE SET {changed}",
-        (*values, seal(values)),
+        (*values, row_checksum(values)),
     )
 
 

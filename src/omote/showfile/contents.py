@@ -70,14 +70,14 @@ def content_key(data: bytes, /) -> str:
 
 def content_kind(data: bytes, /) -> Kind:
     """What the bytes hold; ContentError where they are no content."""
-    return "face" if isinstance(_opened(data), _Face) else "expression"
+    return "face" if isinstance(_decompress(data), _Face) else "expression"
 
 
 def pack_expression(expression: Expression, /) -> bytes:
     """An expression as bytes."""
     whole = {name: _sparse(getattr(expression, name)) for name in ("dtheta", "dh", "residual")}
     parts = {name: _sparse(expression.parts[name]) for name in sorted(expression.parts)}
-    return _closed(
+    return _compress(
         _Expression(
             **whole,
             ratio=_sparse(expression.ratio, rest=1.0),
@@ -95,15 +95,15 @@ def unpack_expression(data: bytes, /) -> Expression:
 
     That it fits a space is checked where it is used.
     """
-    found = _opened(data)
+    found = _decompress(data)
     if not isinstance(found, _Expression):
         raise ContentError("this content is a face; expected an expression")
     _refuse_too_many(found.dtheta, found.dh, found.ratio, found.residual, found.eyes, *found.parts.values())
     try:
         return Expression(
-            **{name: _filled(getattr(found, name)) for name in ("dtheta", "dh", "residual", "eyes")},
-            ratio=_filled(found.ratio, rest=1.0),
-            parts={name: _filled(part) for name, part in found.parts.items()},
+            **{name: _fill(getattr(found, name)) for name in ("dtheta", "dh", "residual", "eyes")},
+            ratio=_fill(found.ratio, rest=1.0),
+            parts={name: _fill(part) for name, part in found.parts.items()},
             radius=found.radius,
             transfer=found.transfer,
             pupil=found.pupil,
@@ -115,7 +115,7 @@ def unpack_expression(data: bytes, /) -> Expression:
 def pack_face(face: Face, look: Look, /) -> bytes:
     """A face and its look as bytes, without its name."""
     parts = {name: _dense(face.parts[name], SINGLE) for name in sorted(face.parts)}
-    return _closed(_Face(_dense(face.positions, SINGLE), parts, dict(vars(look))))
+    return _compress(_Face(_dense(face.positions, SINGLE), parts, dict(vars(look))))
 
 
 def unpack_face(data: bytes, /, name: str) -> tuple[Face, Look]:
@@ -123,13 +123,13 @@ def unpack_face(data: bytes, /, name: str) -> tuple[Face, Look]:
 
     That it fits a space, and that the cast has its hair, is checked where it is used.
     """
-    found = _opened(data)
+    found = _decompress(data)
     if not isinstance(found, _Face):
         raise ContentError("this content is an expression; expected a face")
     _refuse_too_many(found.positions, *found.parts.values())
     try:
-        parts = {part: _filled(points, dtype=SINGLE) for part, points in found.parts.items()}
-        return Face(name, _filled(found.positions, dtype=SINGLE), parts), _look(found.look)
+        parts = {part: _fill(points, dtype=SINGLE) for part, points in found.parts.items()}
+        return Face(name, _fill(found.positions, dtype=SINGLE), parts), _look(found.look)
     except (ValueError, TypeError) as error:
         raise ContentError(f"this content holds no face: {error}") from error
 
@@ -144,14 +144,14 @@ def _look(traits: Mapping[str, Any]) -> Look:
     return Look(**traits)
 
 
-def _closed(content: _Content) -> bytes:
+def _compress(content: _Content) -> bytes:
     plain = msgspec.msgpack.encode(content)
     if len(plain) > MOST_BYTES:
         raise ContentError(f"this content takes {len(plain)} bytes; expected at most {MOST_BYTES}: use fewer vertices")
     return MAGIC + bytes([VERSION]) + zlib.compress(plain, 6)
 
 
-def _opened(data: bytes) -> _Content:
+def _decompress(data: bytes) -> _Content:
     if data[: len(MAGIC)] != MAGIC or len(data) <= len(MAGIC):
         raise ContentError(f"these {len(data)} bytes do not begin as a content does; expected one that Omote packed")
     if data[len(MAGIC)] != VERSION:
@@ -159,13 +159,13 @@ def _opened(data: bytes) -> _Content:
             f"this content has version {data[len(MAGIC)]}; this Omote reads version {VERSION}: update Omote"
         )
     try:
-        content: _Content = msgspec.msgpack.decode(_inflated(data[len(MAGIC) + 1 :]), type=_Content)
+        content: _Content = msgspec.msgpack.decode(_inflate(data[len(MAGIC) + 1 :]), type=_Content)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ContentError(f"this content cannot be read ({error}); expected one that Omote packed") from error
     return content
 
 
-def _inflated(packed: bytes) -> bytes:
+def _inflate(packed: bytes) -> bytes:
     inflater = zlib.decompressobj()
     try:
         plain = inflater.decompress(packed, MOST_BYTES)
@@ -180,7 +180,7 @@ def _inflated(packed: bytes) -> bytes:
 
 
 def _dense(values: Numbers, dtype: np.dtype[Any]) -> _Array:
-    return _Array(values.shape, None, _laid_out(np.asarray(values, dtype)))
+    return _Array(values.shape, None, _split_bytes(np.asarray(values, dtype)))
 
 
 def _sparse(values: Numbers, rest: float = 0.0) -> _Array:
@@ -190,10 +190,10 @@ def _sparse(values: Numbers, rest: float = 0.0) -> _Array:
     places = np.flatnonzero(moved.reshape(len(double), -1).any(axis=1)) if double.size else np.empty(0, np.intp)
     if 2 * len(places) > len(double):
         return _dense(double, DOUBLE)
-    return _Array(double.shape, places.astype("<u4").tobytes(), _laid_out(double[places]))
+    return _Array(double.shape, places.astype("<u4").tobytes(), _split_bytes(double[places]))
 
 
-def _laid_out(values: Numbers) -> bytes:
+def _split_bytes(values: Numbers) -> bytes:
     """First bytes of all numbers, then second ones, ...: exponents are alike, so this packs smaller."""
     return np.ascontiguousarray(values).view(np.uint8).reshape(-1, values.itemsize).T.tobytes()
 
@@ -208,7 +208,7 @@ def _refuse_too_many(*arrays: _Array) -> None:
         raise ContentError(f"this content holds {total} numbers; expected at most {MOST_NUMBERS}")
 
 
-def _filled(array: _Array, *, rest: float = 0.0, dtype: np.dtype[Any] = DOUBLE) -> NDArray[Any]:
+def _fill(array: _Array, *, rest: float = 0.0, dtype: np.dtype[Any] = DOUBLE) -> NDArray[Any]:
     """The array whole; ContentError where places or values are not what the shape says."""
     result = np.full(array.shape, rest, dtype)
     rows = np.arange(len(result)) if array.places is None else _places(array.places, len(result))

@@ -14,7 +14,7 @@ from omote.showfile.authored_rows import read_all, read_contents
 from omote.showfile.backup import good_path
 from omote.showfile.changes import Draft, Item, Kind, Revision, Stored
 from omote.showfile.contents import ContentError, content_kind
-from omote.showfile.integrity import examined, prove, reading
+from omote.showfile.integrity import check_integrity, open_read_only, prove
 from omote.showfile.schema import SCHEMA_VERSION, ShowFileError
 
 AUTHORED_SINCE = 2
@@ -33,10 +33,10 @@ class Inspection:
 
 def inspect_show(path: Path, /) -> Inspection:
     """All of a show file; ShowFileError with a sentence where there is none, or it is damaged."""
-    version = examined(path)
+    version = check_integrity(path)
     if version == 0:
         raise ShowFileError(f"there is no show file {path}; omote show makes one.")
-    with contextlib.closing(reading(path)) as connection:
+    with contextlib.closing(open_read_only(path)) as connection:
         connection.execute("BEGIN")  # one state, whatever is committed meanwhile
         row = connection.execute("SELECT epoch FROM journal").fetchone()
         epoch = int(row[0]) if row else 0
@@ -74,11 +74,11 @@ def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
     yield True, "it holds no state of a show yet" if not found.epoch else f"it holds the state of epoch {found.epoch}"
     size = sum(map(len, found.contents.values())) / 1e6
     yield True, f"{len(found.contents)} contents, {size:.1f} MB, and each is what its key says"
-    yield from _authored(found)
+    yield from _check_authored(found)
     yield from _copies(path)
 
 
-def _authored(found: Inspection) -> Iterator[tuple[bool, str]]:
+def _check_authored(found: Inspection) -> Iterator[tuple[bool, str]]:
     stored = found.stored
     wrong = [*_wrong_revisions(found), *_wrong_steps(found)]
     counts = (

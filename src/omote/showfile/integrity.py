@@ -12,7 +12,7 @@ SHORTEST = 512
 """Bytes of the smallest database; SQLite takes what is shorter for a new one and writes over it."""
 
 
-def reading(path: Path, /) -> sqlite3.Connection:
+def open_read_only(path: Path, /) -> sqlite3.Connection:
     """A connection that reads a show file and writes nothing, also while a show has it open; sqlite3.Error where there
     is none."""
     # Without a log nobody has it open; SQLite would make an empty one to read, and leave it.
@@ -20,7 +20,7 @@ def reading(path: Path, /) -> sqlite3.Connection:
     return sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro{alone}", uri=True, timeout=1.0)
 
 
-def examined(path: Path, /) -> int:
+def check_integrity(path: Path, /) -> int:
     """The version of a show file's schema, 0 where it is new or empty, once all in it is proved.
 
     CorruptShowFileError where it is damaged, ShowFileError where it cannot be used. The file stays as it is: a
@@ -29,7 +29,7 @@ def examined(path: Path, /) -> int:
     if not path.exists() or path.stat().st_size == 0:
         return 0
     try:
-        connection = reading(path)
+        connection = open_read_only(path)
         try:
             return _version(connection, path)
         finally:
@@ -42,7 +42,7 @@ def examined(path: Path, /) -> int:
 
 def prove(path: Path, /) -> None:
     """ShowFileError with a sentence where a file is no whole show file of this version; it is not touched."""
-    version = examined(path)
+    version = check_integrity(path)
     if version != SCHEMA_VERSION:
         raise ShowFileError(f"{path} has schema {version}; expected {SCHEMA_VERSION}.")
 

@@ -45,14 +45,14 @@ def changes_since(
     same = set(good.items)
     return [
         *(PutContent(key, data) for key, data in contents.items() if key not in keys),
-        *(PutItem(item) for item in (_headed(item, whole) for item in found.items) if item not in same),
+        *(PutItem(item) for item in (_set_head(item, whole) for item in found.items) if item not in same),
         *map(PutRevision, revisions),
         *(change for draft in found.drafts if draft.item in items for change in _draft(draft, good, found)),
         *(PutLayout(name, data) for name, data in found.layouts.items() if good.layouts.get(name) != data),
     ]
 
 
-def _headed(item: Item, revisions: Collection[Revision]) -> Item:
+def _set_head(item: Item, revisions: Collection[Revision]) -> Item:
     mine = [revision for revision in revisions if revision.item == item.id]
     if item.head == 0 or any(revision.number == item.head for revision in mine):
         return item

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from omote.showfile.authored_rows import TABLES, Table, as_stored, is_content, row_of, seal, selection
+from omote.showfile.authored_rows import TABLES, Table, as_stored, is_content, row_checksum, row_of, selection
 from omote.showfile.backup import good_path, put_in_place, remove
 from omote.showfile.changes import Change, Stored
 from omote.showfile.merging import changes_since
@@ -71,13 +71,13 @@ def rescue_show(path: Path, /) -> Rescue:
     ShowFileError where the good copy is of a newer Omote, sqlite3.Error and OSError where the disk fails: all is as it
     was, or `finish` and another call do the rest.
     """
-    found = salvaged(path)
+    found = salvage(path)
     draft, rescued = (path.with_name(path.name + suffix) for suffix in (".rescued-new", ".rescued"))
     remove(draft)
     try:
         show, copied = _from_good_copy(path, draft)
         try:
-            newer = _added(show, found)
+            newer = _add_newer(show, found)
         finally:
             show.close()
         put_in_place(draft, rescued)
@@ -88,7 +88,7 @@ def rescue_show(path: Path, /) -> Rescue:
     return Rescue(kept, copied, newer)
 
 
-def salvaged(path: Path, /) -> Salvage:
+def salvage(path: Path, /) -> Salvage:
     """Every row of a corrupt show file that can be read and is proved; the file and its log are not touched."""
     best = Salvage()
     if not path.exists():
@@ -100,13 +100,13 @@ def salvaged(path: Path, /) -> Salvage:
             log = path.with_name(path.name + "-wal")
             if log.exists():
                 shutil.copyfile(log, copy.with_name("copy-wal"))
-            if graft is not None and not _grafted(copy, graft):
+            if graft is not None and not _graft_first_page(copy, graft):
                 break
-            best = max(best, _salvaged(copy), key=_amount)
+            best = max(best, _salvage_copy(copy), key=_amount)
     return best
 
 
-def _grafted(copy: Path, good: Path) -> bool:
+def _graft_first_page(copy: Path, good: Path) -> bool:
     """Gives a file its good copy's first page, which says where all tables begin: they are of one descent."""
     if not good.exists():
         return False
@@ -127,7 +127,7 @@ def _amount(found: Salvage) -> int:
     return sum(map(len, rows)) + (found.journal is not None)
 
 
-def _salvaged(copy: Path) -> Salvage:
+def _salvage_copy(copy: Path) -> Salvage:
     connection = sqlite3.connect(copy)
     try:
         # Text that is no text fails its sum instead of ending the reading.
@@ -149,7 +149,7 @@ def _salvaged(copy: Path) -> Salvage:
 
 def _is_state(row: Sequence[Any]) -> bool:
     epoch, _, snapshot, sealed = row
-    return bool(seal([epoch, snapshot]) == sealed and 0 <= epoch <= HIGHEST_EPOCH)
+    return bool(row_checksum([epoch, snapshot]) == sealed and 0 <= epoch <= HIGHEST_EPOCH)
 
 
 def _proved_rows(connection: sqlite3.Connection, table: Table) -> Iterator[Any]:
@@ -192,7 +192,7 @@ def _from_good_copy(path: Path, draft: Path) -> tuple[ShowFile, float | None]:
         return open_show(draft), None
 
 
-def _added(show: ShowFile, found: Salvage) -> int:
+def _add_newer(show: ShowFile, found: Salvage) -> int:
     """Adds to a good copy what is newer; how many changes that took."""
     changes: list[Change] = changes_since(show.stored(), show.contents().keys(), found.stored, found.contents)
     try:

@@ -137,7 +137,7 @@ def migrate(connection: sqlite3.Connection, version: int) -> None:
 def refuse_without_tables(connection: sqlite3.Connection) -> None:
     """sqlite3.DatabaseError where a table or a column is missing."""
     there = _columns(connection)
-    for table, columns in _wanted().items():
+    for table, columns in _expected_columns().items():
         missing = columns - there.get(table, set())
         if missing:
             what = f"column: {table}.{min(missing)}" if table in there else f"table: {table}"
@@ -145,7 +145,7 @@ def refuse_without_tables(connection: sqlite3.Connection) -> None:
 
 
 @cache
-def _wanted() -> dict[str, set[str]]:
+def _expected_columns() -> dict[str, set[str]]:
     made = sqlite3.connect(":memory:")
     made.executescript("".join(MIGRATIONS))
     wanted = _columns(made)

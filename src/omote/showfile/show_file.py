@@ -13,9 +13,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from omote.showfile.authored_rows import apply_changes, read_all, read_contents, seal
+from omote.showfile.authored_rows import apply_changes, read_all, read_contents, row_checksum
 from omote.showfile.changes import Change, Stored
-from omote.showfile.integrity import examined
+from omote.showfile.integrity import check_integrity
 from omote.showfile.schema import (
     APPLICATION_ID,
     SCHEMA_VERSION,
@@ -93,7 +93,7 @@ class ShowFile:
         with self._connection:
             self._connection.execute(
                 "INSERT OR REPLACE INTO journal (slot, epoch, written, snapshot, sum) VALUES (1, ?, ?, ?, ?)",
-                (entry.epoch, entry.written, entry.snapshot, seal([entry.epoch, entry.snapshot])),
+                (entry.epoch, entry.written, entry.snapshot, row_checksum([entry.epoch, entry.snapshot])),
             )
 
     def set_aside(self, entry: JournalEntry, reason: str) -> None:
@@ -111,9 +111,9 @@ class ShowFile:
 
     def again(self) -> ShowFile:
         """The same file opened a second time, for another thread."""
-        connection = _connected(self.path)
+        connection = _connect(self.path)
         try:
-            _set(connection)
+            _configure(connection)
         except sqlite3.Error:
             connection.close()
             raise
@@ -153,13 +153,13 @@ def open_show(path: Path) -> ShowFile:
     """The show file at `path`, made when there is none; ShowFileError when it cannot be used."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        version = examined(path)
-        connection = _connected(path)
+        version = check_integrity(path)
+        connection = _connect(path)
     except (OSError, sqlite3.Error) as error:
         raise ShowFileError(f"{path} cannot be opened ({error}); name another file.") from error
     try:
         connection.execute("PRAGMA journal_mode = WAL").fetchone()
-        _set(connection)
+        _configure(connection)
         migrate(connection, version)
     except sqlite3.OperationalError as error:
         connection.close()
@@ -192,10 +192,10 @@ def default_path(environment: Mapping[str, str] = os.environ) -> Path:
     return folder / "omote" / "show.omote"
 
 
-def _connected(path: Path) -> sqlite3.Connection:
+def _connect(path: Path) -> sqlite3.Connection:
     return sqlite3.connect(path, timeout=1.0, check_same_thread=False)
 
 
-def _set(connection: sqlite3.Connection) -> None:
+def _configure(connection: sqlite3.Connection) -> None:
     connection.execute("PRAGMA foreign_keys = ON")
     connection.execute("PRAGMA synchronous = NORMAL")

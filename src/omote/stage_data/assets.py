@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
 from omote.model.cast import Cast, Look, Title
-from omote.model.hair import LINKS, HairStyle, carried
+from omote.model.hair import LINKS, HairStyle, place_strands
 from omote.model.recipes.recipe import KEY
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -36,7 +36,7 @@ from omote.show.messages import (
     Manifest,
     MeshDocument,
 )
-from omote.show.wire import little
+from omote.show.wire import le_bytes
 from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
 
 FINEST_STEP = 1e-6
@@ -73,7 +73,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         vertices=sum(len(part.points) for part in cast.space.parts.values()) + cast.space.vertex_count,
         skin=cast.space.vertex_count,
         meshes=[_mesh_document(mesh, starts) for mesh in meshes],
-        lines=[LineDocument(line.name, little(line.loop, "<u4")) for line in cast.space.lines],
+        lines=[LineDocument(line.name, le_bytes(line.loop, "<u4")) for line in cast.space.lines],
         mask=mask,
         faces=[_built_in_face(cast, name, url) for name, url in urls.items()],
         expressions=[expression_document(name, cast.expressions[name], cast.titles[name], name) for name in names],
@@ -83,7 +83,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
     )
     return Documents(
         manifest,
-        faces={urls[name]: FaceAsset(little(rest, "<f4")) for name, rest in rests.items()},
+        faces={urls[name]: FaceAsset(le_bytes(rest, "<f4")) for name, rest in rests.items()},
         hair={combed[name]: asset for name, asset in hair.items()},
     )
 
@@ -123,7 +123,7 @@ def compound_asset(cast: Cast, face: Face, expression: str | Expression) -> Comp
     """
     own = cast.expressions[expression] if isinstance(expression, str) else expression
     positions = compound_positions(cast, face, own)
-    moves = quantised(positions.astype(np.float64) - rest_positions(cast, face))
+    moves = quantise(positions.astype(np.float64) - rest_positions(cast, face))
     skin = positions[: cast.space.vertex_count]
     return msgspec.structs.replace(moves, allowed=allowance_document(cast.space, face, own, skin))
 
@@ -135,7 +135,7 @@ def content_asset(cast: Cast, key: str, face: Face, look: Look) -> ContentAsset:
             f"the face has hair {look.hair_style!r}, which this cast has not: give it {', '.join(cast.hair)}"
         )
     document = face_document(cast, face, look, label=key, url=f"/contents/{key}", source=KEY + key)
-    return ContentAsset(document, little(rest_positions(cast, face), "<f4"))
+    return ContentAsset(document, le_bytes(rest_positions(cast, face), "<f4"))
 
 
 def hair_asset(style: HairStyle) -> HairAsset:
@@ -145,24 +145,24 @@ def hair_asset(style: HairStyle) -> HairAsset:
         links=LINKS,
         width=style.width,
         scale=HAIR_STEP,
-        points=little(np.rint(style.points / HAIR_STEP), "<i2"),
-        rows=little(style.rows, "<u4"),
-        weights=little(np.rint(style.weights * 255), "u1"),
-        anchors=little(style.anchors, "<u4"),
-        facing=little(np.rint(style.facing * 127), "i1"),
-        light=little(np.rint(style.light * 255), "u1"),
+        points=le_bytes(np.rint(style.points / HAIR_STEP), "<i2"),
+        rows=le_bytes(style.rows, "<u4"),
+        weights=le_bytes(np.rint(style.weights * 255), "u1"),
+        anchors=le_bytes(style.anchors, "<u4"),
+        facing=le_bytes(np.rint(style.facing * 127), "i1"),
+        light=le_bytes(np.rint(style.light * 255), "u1"),
     )
 
 
-def quantised(moves: NDArray[np.float64]) -> CompoundAsset:
+def quantise(moves: NDArray[np.float64]) -> CompoundAsset:
     """Moves (n, 3) in metres as whole counts of one scale, only those vertices that move at all."""
     scale = float(max(np.abs(moves).max(initial=0.0) / MOST_COUNTS, FINEST_STEP))
     counts = np.rint(moves / scale).astype(np.int16)
     moved = np.flatnonzero(counts.any(axis=1))
-    return CompoundAsset(scale=scale, indices=little(moved, "<u4"), deltas=little(counts[moved], "<i2"))
+    return CompoundAsset(scale=scale, indices=le_bytes(moved, "<u4"), deltas=le_bytes(counts[moved], "<i2"))
 
 
-def unpacked(asset: CompoundAsset, count: int) -> NDArray[np.float64]:
+def unpack_compound(asset: CompoundAsset, count: int) -> NDArray[np.float64]:
     """The moves (count, 3) in metres that a page reads from a compound."""
     moves = np.zeros((count, 3))
     moves[np.frombuffer(asset.indices, "<u4")] = np.frombuffer(asset.deltas, "<i2").reshape(-1, 3) * asset.scale
@@ -173,7 +173,7 @@ def _mesh_document(mesh: BakedMesh, starts: dict[str, int]) -> MeshDocument:
     if mesh.name not in starts:
         raise ValueError(f"there is no part {mesh.name!r} to draw; the space has {', '.join(starts)}")
     source = np.asarray(mesh.source, np.int64) + starts[mesh.name]
-    return MeshDocument(mesh.name, little(source, "<u4"), little(mesh.uv, "<f4"), little(mesh.triangles, "<u4"))
+    return MeshDocument(mesh.name, le_bytes(source, "<u4"), le_bytes(mesh.uv, "<f4"), le_bytes(mesh.triangles, "<u4"))
 
 
 def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, source: str) -> FaceDocument:
@@ -205,7 +205,7 @@ def outline(cast: Cast, face: Face, hair_style: str) -> Points:
     style = cast.hair.get(hair_style)
     if style is None:
         return face.positions
-    strands = carried(style, cast.space.points, face.positions.astype(np.float64)).reshape(-1, 3)
+    strands = place_strands(style, cast.space.points, face.positions.astype(np.float64)).reshape(-1, 3)
     return np.concatenate([face.positions, strands.astype(np.float32)])
 
 

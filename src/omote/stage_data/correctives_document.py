@@ -14,7 +14,7 @@ from omote.model.transfer.corrective_regions import Crossing, Settling, settling
 from omote.perform.blending.correctives import BULGE, CORNEA, ROUNDS, UPRIGHT, Balls, allowance
 from omote.perform.blending.orientation import EAGER, FLATTEST
 from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument
-from omote.show.wire import little
+from omote.show.wire import le_bytes
 
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int32]
@@ -28,19 +28,19 @@ def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | 
     followers, anchors, weights = _followers(cast, settling, starts)
     return SettlingDocument(
         rounds=ROUNDS, upright=UPRIGHT, eager=EAGER, flattest=FLATTEST, bulge=BULGE, cornea=CORNEA,
-        rows=little(settling.rows, "<u4"),
-        triangles=little(settling.triangles, "<u4"),
+        rows=le_bytes(settling.rows, "<u4"),
+        triangles=le_bytes(settling.triangles, "<u4"),
         crossings=[_crossing(crossing) for crossing in settling.crossings],
-        lids=little(settling.lids, "<u4"), eye=little(settling.eye, "<u4"),
-        followers=little(followers, "<u4"), anchors=little(anchors, "<u4"), weights=little(weights, "<f4"),
+        lids=le_bytes(settling.lids, "<u4"), eye=le_bytes(settling.eye, "<u4"),
+        followers=le_bytes(followers, "<u4"), anchors=le_bytes(anchors, "<u4"), weights=le_bytes(weights, "<f4"),
     )  # fmt: skip
 
 
 def _crossing(crossing: Crossing) -> CrossingDocument:
     return CrossingDocument(
         upward=crossing.kind == "lips",
-        vertices=little(crossing.vertices, "<u4"), weights=little(crossing.weights, "<f4"),
-        near=little(crossing.near, "<u4"), side=little(crossing.side, "<f4"), share=little(crossing.share, "<f4"),
+        vertices=le_bytes(crossing.vertices, "<u4"), weights=le_bytes(crossing.weights, "<f4"),
+        near=le_bytes(crossing.near, "<u4"), side=le_bytes(crossing.side, "<f4"), share=le_bytes(crossing.share, "<f4"),
     )  # fmt: skip
 
 
@@ -71,7 +71,7 @@ def allowance_document(
         return None
     allowed = allowance(settling, fit(space, face), expression, skin)
     places = np.flatnonzero(allowed)
-    return AllowanceDocument(places=little(places, "<u4"), values=little(allowed[places], "<f4"))
+    return AllowanceDocument(places=le_bytes(places, "<u4"), values=le_bytes(allowed[places], "<f4"))
 
 
 def ball_radii(space: ParameterSpace, face: Face) -> tuple[float, float]:

@@ -10,10 +10,10 @@ from omote.showfile.changes import Item, Stored
 from omote.showfile.contents import unpack_expression, unpack_face
 
 
-def ensemble(base: Cast, stored: Stored, contents: Mapping[str, bytes], /) -> Cast:
+def build_full_cast(base: Cast, stored: Stored, contents: Mapping[str, bytes], /) -> Cast:
     """The base with every item that plays, under the items' names; KeyError where a content is missing."""
     faces, looks, expressions, titles = dict(base.faces), dict(base.looks), dict(base.expressions), dict(base.titles)
-    for item, content in playing(stored):
+    for item, content in playing_items(stored):
         data = contents[content]
         if item.kind == "face":
             faces[item.name], looks[item.name] = unpack_face(data, item.name)
@@ -22,7 +22,7 @@ def ensemble(base: Cast, stored: Stored, contents: Mapping[str, bytes], /) -> Ca
     return replace(base, faces=faces, looks=looks, expressions=expressions, titles=titles)
 
 
-def playing(stored: Stored, /) -> list[tuple[Item, str]]:
+def playing_items(stored: Stored, /) -> list[tuple[Item, str]]:
     """Every item that plays, with the key of its content."""
     saved = {(revision.item, revision.number): revision.content for revision in stored.revisions}
     return [(item, saved[item.id, item.head]) for item in stored.items if item.head and not item.deleted]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, get_args
 
 from omote.interchange.formats.picture_names import Kind
 from omote.show.messages import Level
-from omote.stage_data.pose_parser import Pose, pose_of, posed
+from omote.stage_data.pose_parser import Pose, parse_pose, pose_of
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
@@ -44,7 +44,7 @@ class Setting:
 
 
 @dataclass(frozen=True)
-class Sheet:
+class PictureGrid:
     """Pictures in rows and columns, with or without the names of rows and columns, and words in each picture.
 
     `part`: what is kept of each picture: left, top, width, height, as shares. `paper`: the colour behind the pictures,
@@ -69,7 +69,7 @@ class Sheet:
         if self.captions and [len(row) for row in self.captions] != [len(row) for row in self.poses]:
             raise ValueError("every picture has a caption, or none has")
 
-    def on_paper(self, setting: Setting, kind: Kind) -> Sheet:
+    def on_paper(self, setting: Setting, kind: Kind) -> PictureGrid:
         """The sheet as a file of this kind, dark between its pictures where they are not transparent.
 
         ValueError for a transparent JPEG, which there is not.
@@ -79,22 +79,22 @@ class Sheet:
         return replace(self, paper=None if setting.transparent else PAPER, kind=kind)
 
 
-def grid(cast: Cast, *, faces: str, expressions: str, turns: str, light: str, labels: bool) -> Sheet:
+def build_grid(cast: Cast, *, faces: str, expressions: str, turns: str, light: str, labels: bool) -> PictureGrid:
     """Faces, row by row, wearing expressions, each at every turn, all by commas; ValueError for what there is not."""
-    columns = [(expression, turn) for expression in listed(expressions) for turn in listed(turns)]
+    columns = [(expression, turn) for expression in split_list(expressions) for turn in split_list(turns)]
     poses = [
         [
-            pose_of(cast, posed(cast, face=face, expression=expression, turn=turn, light=light))
+            pose_of(cast, parse_pose(cast, face=face, expression=expression, turn=turn, light=light))
             for expression, turn in columns
         ]
-        for face in listed(faces)
+        for face in split_list(faces)
     ]
-    turned = len(listed(turns)) > 1
+    turned = len(split_list(turns)) > 1
     titles = [f"{expression} {turn}°" if turned else expression for expression, turn in columns]
-    return Sheet(poses, listed(faces), titles) if labels else Sheet(poses)
+    return PictureGrid(poses, split_list(faces), titles) if labels else PictureGrid(poses)
 
 
-def listed(text: str) -> list[str]:
+def split_list(text: str) -> list[str]:
     """The words of a text between its commas."""
     return [word.strip() for word in text.split(",") if word.strip()]
 

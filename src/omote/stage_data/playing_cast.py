@@ -38,7 +38,7 @@ class Own(msgspec.Struct, frozen=True):
         return KEY + self.content
 
 
-class Repertoire(Mapping[str, Expression]):
+class PlayingExpressions(Mapping[str, Expression]):
     """Expressions by name: the built-in ones, and own ones, which are unpacked when somebody first wants them.
 
     own: keys of contents by name. A content that turns out to be none plays as nothing, for the show goes on.
@@ -70,7 +70,7 @@ class Repertoire(Mapping[str, Expression]):
     def __contains__(self, name: object) -> bool:
         return name in self._own or name in self._built_in
 
-    def learn(self, other: Repertoire) -> None:
+    def learn(self, other: PlayingExpressions) -> None:
         """Takes over what another has unpacked."""
         keys = set(self._own.values())
         self._unpacked |= {key: each for key, each in other._unpacked.items() if key in keys}
@@ -78,12 +78,12 @@ class Repertoire(Mapping[str, Expression]):
     def unpack(self, key: str) -> None:
         """Unpacks a content now; ValueError where it is no expression of this head, KeyError where it is missing."""
         if key not in self._unpacked:
-            self._unpacked[key] = _fitting(self._built_in[NEUTRAL], unpack_expression(self._contents[key]))
+            self._unpacked[key] = _check_fit(self._built_in[NEUTRAL], unpack_expression(self._contents[key]))
 
 
 @dataclass(frozen=True, eq=False)
-class Troupe:
-    """The built-in cast and own things beside it; made by `troupe_of`, plays as a cast does.
+class PlayingCast:
+    """The built-in cast and own things beside it; made by `build_playing_cast`, plays as a cast does.
 
     expressions: built-in and own; `faces` and `expression_sources`: for each name its source.
     """
@@ -91,7 +91,7 @@ class Troupe:
     base: Cast
     own: tuple[Own, ...]
     faces: Mapping[str, str]
-    expressions: Repertoire
+    expressions: PlayingExpressions
     expression_sources: Mapping[str, str]
 
     @cached_property
@@ -111,9 +111,14 @@ def digest_of(base: str, own: tuple[Own, ...]) -> str:
     return hashlib.blake2b(base.encode() + msgspec.msgpack.encode(own), digest_size=12).hexdigest()
 
 
-def troupe_of(
-    base: Cast, own: tuple[Own, ...], contents: Mapping[str, bytes], *, before: Troupe | None = None, check: bool = True
-) -> Troupe:
+def build_playing_cast(
+    base: Cast,
+    own: tuple[Own, ...],
+    contents: Mapping[str, bytes],
+    *,
+    before: PlayingCast | None = None,
+    check: bool = True,
+) -> PlayingCast:
     """The cast with own things; before: what played until now, of which nothing is unpacked or checked again.
 
     check: what is new is unpacked now; else when somebody first wants it. Raises ValueError where a name is taken
@@ -128,29 +133,29 @@ def troupe_of(
         names[each.name] = each.source
         if each.kind == "expression":
             keys[each.name] = each.content
-    repertoire = Repertoire(base.expressions, keys, contents)
+    playing_expressions = PlayingExpressions(base.expressions, keys, contents)
     played = frozenset() if before is None else frozenset(each.content for each in before.own)
     if before is not None:
-        repertoire.learn(before.expressions)
+        playing_expressions.learn(before.expressions)
     for key in keys.values():
         if check and key not in played:
-            repertoire.unpack(key)
-    return Troupe(base, own, MappingProxyType(faces), repertoire, MappingProxyType(expressions))
+            playing_expressions.unpack(key)
+    return PlayingCast(base, own, MappingProxyType(faces), playing_expressions, MappingProxyType(expressions))
 
 
-def manifest_of(troupe: Troupe, built_in: Manifest, faces: Mapping[str, FaceDocument]) -> Manifest:
+def manifest_of(playing: PlayingCast, built_in: Manifest, faces: Mapping[str, FaceDocument]) -> Manifest:
     """The manifest with own things; faces: by the keys of their contents (`assets.content_asset`), others are left
     out."""
-    own = [each for each in troupe.own if each.kind == "face" and each.content in faces]
+    own = [each for each in playing.own if each.kind == "face" and each.content in faces]
     return msgspec.structs.replace(
         built_in,
-        digest=troupe.digest,
+        digest=playing.digest,
         faces=[*built_in.faces, *(_face_document(each, faces[each.content]) for each in own)],
-        expressions=[*built_in.expressions, *(_document(troupe, e) for e in troupe.own if e.kind == "expression")],
+        expressions=[*built_in.expressions, *(_document(playing, e) for e in playing.own if e.kind == "expression")],
     )
 
 
-def _fitting(neutral: Expression, expression: Expression) -> Expression:
+def _check_fit(neutral: Expression, expression: Expression) -> Expression:
     count = len(neutral.dtheta)
     if len(expression.dtheta) != count or len(expression.residual) != len(neutral.residual):
         raise ValueError(f"the expression has {len(expression.dtheta)} vertices; expected the {count} of this cast")
@@ -161,7 +166,7 @@ def _face_document(own: Own, document: FaceDocument) -> FaceDocument:
     return msgspec.structs.replace(document, name=own.name, label=own.label, tags=list(own.tags), place=own.place)
 
 
-def _document(troupe: Troupe, own: Own) -> ExpressionDocument:
+def _document(playing: PlayingCast, own: Own) -> ExpressionDocument:
     title = Title(own.label, OWN)
-    document = expression_document(own.name, troupe.expressions[own.name], title, own.source)
+    document = expression_document(own.name, playing.expressions[own.name], title, own.source)
     return msgspec.structs.replace(document, tags=list(own.tags), place=own.place)

@@ -10,7 +10,7 @@ import msgspec
 
 from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, known, within
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 from omote.perform.mix import HIGHEST, LOWEST
 from omote.show.state import state_of
 
@@ -22,7 +22,7 @@ EVEN = 1e-6
 """By how much a mix may miss the sum of one: people type three digits, and their sums are exact enough."""
 
 
-def posed(
+def parse_pose(
     cast: Cast,
     *,
     face: str = "generic",
@@ -38,12 +38,12 @@ def posed(
     roll; `gaze`: yaw, pitch; what is left out is 0. ValueError with a sentence for what is not understood or not there.
     """
     return Frame(
-        faces=mix(face, cast.faces, "face"),
-        expressions=expression_mix(expression, cast.expressions),
-        channels=channel_weights(channels, cast.expressions),
-        head=Head(*angles(turn, 3, "turn")),
-        gaze=Gaze(*angles(gaze, 2, "gaze")),
-        light=mix(light, LIGHTS, "light"),
+        faces=parse_mix(face, cast.faces, "face"),
+        expressions=parse_expression_mix(expression, cast.expressions),
+        channels=parse_channels(channels, cast.expressions),
+        head=Head(*parse_angles(turn, 3, "turn")),
+        gaze=Gaze(*parse_angles(gaze, 2, "gaze")),
+        light=parse_mix(light, LIGHTS, "light"),
     )
 
 
@@ -53,18 +53,18 @@ def pose_of(cast: Cast, frame: Frame) -> Pose:
     return pose
 
 
-def mix(text: str, names: Iterable[str], what: str) -> dict[str, float]:
+def parse_mix(text: str, names: Iterable[str], what: str) -> dict[str, float]:
     """Names by weight, `kaori=0.5+dog`; ValueError where they do not sum to one."""
-    weights = shared(read_weights(text, names, what, LOWEST, HIGHEST))
+    weights = share_rest(parse_weights(text, names, what, LOWEST, HIGHEST))
     total = sum(weights.values())
     if abs(total - 1.0) > EVEN:
         raise ValueError(f"the {what}s in {text!r} weigh {total:g} together; give weights that sum to 1")
     return weights
 
 
-def expression_mix(text: str, names: Iterable[str]) -> dict[str, float]:
+def parse_expression_mix(text: str, names: Iterable[str]) -> dict[str, float]:
     """Expressions by weight, `smile=0.7`, the rest neutral; ValueError where they weigh more than one."""
-    weights = shared(read_weights(text, names, "expression", LOWEST, HIGHEST))
+    weights = share_rest(parse_weights(text, names, "expression", LOWEST, HIGHEST))
     rest = 1.0 - sum(weights.values())
     if not LOWEST - EVEN <= rest <= HIGHEST + EVEN:
         raise ValueError(f"the expressions {text!r} weigh {1.0 - rest:g} together; give weights that sum to 1 at most")
@@ -73,40 +73,40 @@ def expression_mix(text: str, names: Iterable[str]) -> dict[str, float]:
     return weights
 
 
-def channel_weights(text: str, names: Iterable[str]) -> dict[str, float]:
+def parse_channels(text: str, names: Iterable[str]) -> dict[str, float]:
     """Channels by weight, `jawOpen=0.5+mouthSmileLeft`; one without a weight is full."""
-    read = read_weights(text, names, "channel", CHANNEL_LOWEST, CHANNEL_HIGHEST)
+    read = parse_weights(text, names, "channel", CHANNEL_LOWEST, CHANNEL_HIGHEST)
     return {name: 1.0 if weight is None else weight for name, weight in read.items()}
 
 
-def read_weights(text: str, names: Iterable[str], what: str, low: float, high: float) -> dict[str, float | None]:
+def parse_weights(text: str, names: Iterable[str], what: str, low: float, high: float) -> dict[str, float | None]:
     """Names and their weights, None where none is given, of `one=0.5+two`; ValueError for what is not understood."""
     choices, read = list(names), dict[str, float | None]()
     for part in filter(None, (part.strip() for part in text.split("+"))):
         name, given, weight = part.partition("=")
-        name = known(name.strip(), choices, what)
+        name = check_known(name.strip(), choices, what)
         if name in read:
             raise ValueError(f"the {what} {name!r} comes twice in {text!r}; give it one weight")
-        read[name] = within(number(weight, part), low, high, f"the weight in {part!r}") if given else None
+        read[name] = check_within(parse_number(weight, part), low, high, f"the weight in {part!r}") if given else None
     return read
 
 
-def shared(read: dict[str, float | None]) -> dict[str, float]:
+def share_rest(read: dict[str, float | None]) -> dict[str, float]:
     """A mix in which the names without a weight share what is left of one."""
     open_names = [name for name, weight in read.items() if weight is None]
     left = 1.0 - sum(weight for weight in read.values() if weight is not None)
     return {name: left / len(open_names) if weight is None else weight for name, weight in read.items()}
 
 
-def angles(text: str, count: int, what: str) -> list[float]:
+def parse_angles(text: str, count: int, what: str) -> list[float]:
     """Up to `count` angles of `30,0,-5`, degrees, as radians; ValueError for what is not understood."""
     parts = [part.strip() for part in text.split(",")] if text.strip() else []
     if len(parts) > count:
         raise ValueError(f"{what} {text!r} has {len(parts)} angles; give {count} at most, in degrees, as in 30,-5")
-    return [math.radians(within(number(part, text), -90.0, 90.0, f"{what} (degrees)")) for part in parts]
+    return [math.radians(check_within(parse_number(part, text), -90.0, 90.0, f"{what} (degrees)")) for part in parts]
 
 
-def number(text: str, whole: str) -> float:
+def parse_number(text: str, whole: str) -> float:
     """The number in a text; ValueError, with the whole that it came in, for what is none."""
     try:
         return float(text)

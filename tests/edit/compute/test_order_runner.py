@@ -7,18 +7,18 @@ import numpy as np
 import pytest
 
 import omote
-from omote.edit.compute.order_runner import Craft
+from omote.edit.compute.order_runner import OrderRunner
 from omote.edit.protocol.orders import Bake, Flat, Renet, Solve
 from omote.model.controls.default_net import default_net
 from omote.model.controls.tangents import tangents
-from omote.model.recipes.compose_expression import composed
+from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
 from omote.model.space.expression import Expression
 from omote.model.transfer.compound import compound
 from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
 
 CAST = omote.load_cast()
-CRAFT = Craft(CAST)
+CRAFT = OrderRunner(CAST)
 NET = default_net(CAST.space)
 REST: tuple[Vector, ...] = ((0.0, 0.0, 1.0),) * len(NET)
 SMILE = Recipe(NET, REST, layers=(Layer("smile", "Smile"),), pulls=(Pull("mentalis", 0.5),))
@@ -30,17 +30,17 @@ def apart(one: Expression, other: Expression) -> float:
 
 
 def test_a_bake_is_the_recipes_expression_under_the_key_of_its_bytes() -> None:
-    made = CRAFT.perform(Bake(SMILE, {}))
+    made = CRAFT.run(Bake(SMILE, {}))
     data = made.contents[made.key]
     assert content_key(data) == made.key
-    assert apart(unpack_expression(data), composed(CAST.space, SMILE, CAST.expressions)) == 0.0
+    assert apart(unpack_expression(data), compose_expression(CAST.space, SMILE, CAST.expressions)) == 0.0
     assert made.net is None
-    assert CRAFT.perform(Bake(SMILE, {})) == made
+    assert CRAFT.run(Bake(SMILE, {})) == made
 
 
 def test_a_net_that_is_asked_for_says_the_field_of_its_vectors() -> None:
-    document = CRAFT.perform(Bake(SMILE, {}, True)).net
-    assert document == CRAFT.weave(NET)
+    document = CRAFT.run(Bake(SMILE, {}, True)).net
+    assert document == CRAFT.with_net(NET)
     assert document is not None
     corners = np.frombuffer(document.corners, "<u2").reshape(-1, 3)
     weights = np.frombuffer(document.weights, "<f4").reshape(-1, 3)
@@ -49,15 +49,15 @@ def test_a_net_that_is_asked_for_says_the_field_of_its_vectors() -> None:
     values = np.concatenate([vectors - [0, 0, 1], np.zeros((rings, 3))])
     field = np.einsum("vk,vkc->vc", weights, values[corners])
     recipe = Recipe(NET, tuple((float(a), float(b), float(c)) for a, b, c in vectors))
-    expected = composed(CAST.space, recipe, {})
+    expected = compose_expression(CAST.space, recipe, {})
     assert np.allclose(field, np.stack([expected.dtheta, expected.dh, expected.ratio - 1], 1), atol=1e-8)
 
 
 def test_a_solve_puts_the_point_where_it_was_let_go() -> None:
     face, row = CAST.faces["dog"], NET[20]
-    start = compound(CAST.space, face, composed(CAST.space, SMILE, CAST.expressions))[row]
+    start = compound(CAST.space, face, compose_expression(CAST.space, SMILE, CAST.expressions))[row]
     target = (float(start[0]), float(start[1]) + 0.004, float(start[2]))
-    made = CRAFT.perform(Solve(SMILE, {}, "dog", (20,), (target,), REST))
+    made = CRAFT.run(Solve(SMILE, {}, "dog", (20,), (target,), REST))
     assert isinstance(made.recipe, Recipe)
     assert made.recipe.layers == SMILE.layers
     there = compound(CAST.space, face, unpack_expression(made.contents[made.key]))[row]
@@ -67,13 +67,13 @@ def test_a_solve_puts_the_point_where_it_was_let_go() -> None:
 
 def test_another_net_and_a_flat_one_mean_the_same() -> None:
     moved = msgspec.structs.replace(SMILE, vectors=tuple((0.01, 0.001 * (i % 5), 1.0) for i in range(len(NET))))
-    before = unpack_expression((whole := CRAFT.perform(Bake(moved, {}))).contents[whole.key])
+    before = unpack_expression((whole := CRAFT.run(Bake(moved, {}))).contents[whole.key])
     for order in (Renet(moved, {}, NET[:-3]), Flat(moved, {})):
-        made = CRAFT.perform(order)
+        made = CRAFT.run(order)
         assert apart(unpack_expression(made.contents[made.key]), before) < 1e-9
-        again = CRAFT.perform(Bake(made.recipe, made.contents))
+        again = CRAFT.run(Bake(made.recipe, made.contents))
         assert apart(unpack_expression(again.contents[again.key]), before) < 1e-9
-    flat = CRAFT.perform(Flat(moved, {})).recipe
+    flat = CRAFT.run(Flat(moved, {})).recipe
     assert isinstance(flat, Recipe)
     assert (flat.vectors, flat.layers, flat.pulls) == (REST, (), ())
 
@@ -81,11 +81,11 @@ def test_another_net_and_a_flat_one_mean_the_same() -> None:
 def test_own_contents_are_layers_and_faces() -> None:
     data = pack_expression(CAST.expressions["angry"])
     key = content_key(data)
-    made = CRAFT.perform(Bake(Recipe(NET, REST, layers=(Layer(f"#{key}", "Mine", 0.5),)), {key: data}))
+    made = CRAFT.run(Bake(Recipe(NET, REST, layers=(Layer(f"#{key}", "Mine", 0.5),)), {key: data}))
     assert np.allclose(unpack_expression(made.contents[made.key]).dh, 0.5 * CAST.expressions["angry"].dh, atol=1e-15)
     face = pack_face(CAST.faces["baby"], CAST.looks["baby"])
     own = {content_key(face): face}
-    mixed = CRAFT.perform(Bake(FaceRecipe({f"#{content_key(face)}": 1.0}), own))
+    mixed = CRAFT.run(Bake(FaceRecipe({f"#{content_key(face)}": 1.0}), own))
     positions = unpack_face(mixed.contents[mixed.key], "x")[0].positions
     assert np.allclose(positions, CAST.faces["baby"].positions, atol=1e-6)
     slopes = CRAFT.tangents_asset(f"#{content_key(face)}", own)
@@ -115,16 +115,16 @@ def test_orders_that_name_nothing_or_nonsense_are_refused(
     order: Bake | Renet | Solve, sentence: str
 ) -> None:  # fmt: skip
     with pytest.raises(ValueError, match=sentence):
-        CRAFT.perform(order)
+        CRAFT.run(order)
 
 
 def test_only_so_many_contents_stay_unpacked() -> None:
-    craft = Craft(CAST)
+    runner = OrderRunner(CAST)
     for step in range(70):
         data = pack_expression(widened(step))
         key = content_key(data)
-        craft.perform(Flat(Recipe(NET, REST, ground=f"#{key}"), {key: data}))
-    assert len(craft._expressions) == 64
+        runner.run(Flat(Recipe(NET, REST, ground=f"#{key}"), {key: data}))
+    assert len(runner._expressions) == 64
 
 
 def widened(step: int) -> Expression:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import omote
-from omote.edit.compute.welcome import followers, greeting
+from omote.edit.compute.welcome import build_welcome, followers
 from omote.edit.protocol.wire import encode
 from omote.model.controls.face_muscles import muscle_fields
 from omote.model.sculpting.regions import REGIONS, region_weights
@@ -34,7 +34,7 @@ def test_followers_move_with_the_sheet_as_the_bindings_say() -> None:
 
 
 def test_masks_and_muscles_decode_to_what_they_are() -> None:
-    told = greeting(CAST)
+    told = build_welcome(CAST)
     masks = np.frombuffer(told.masks, np.uint8).reshape(len(REGIONS), -1) / 255.0
     weights = region_weights(CAST.space)
     assert told.regions == list(REGIONS)

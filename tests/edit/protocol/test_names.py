@@ -6,9 +6,9 @@ from hypothesis import strategies as st
 
 from omote.edit.protocol.names import (
     LONGEST_LABEL,
-    checked_label,
-    checked_tags,
-    checked_text,
+    clean_label,
+    clean_tags,
+    clean_text,
     new_label,
     new_name,
     slug,
@@ -49,17 +49,17 @@ def test_own_labels_count_up_and_fill_gaps() -> None:
 @pytest.mark.parametrize("label", ["", "   ", "a\nb", "x" * 81, "\x00", "\u202e"])
 def test_labels_that_nobody_can_read_are_refused(label: str) -> None:
     with pytest.raises(Refusal, match="give 1 to 80 printable characters"):
-        checked_label(label)
+        clean_label(label)
 
 
 def test_labels_lose_blanks_and_tags_their_doubles() -> None:
-    assert checked_label("  Crooked smile ") == "Crooked smile"
-    assert checked_tags(["mouth", " mouth", "act 2"]) == ("mouth", "act 2")
+    assert clean_label("  Crooked smile ") == "Crooked smile"
+    assert clean_tags(["mouth", " mouth", "act 2"]) == ("mouth", "act 2")
     with pytest.raises(Refusal, match="a tag"):
-        checked_tags(["mouth", "\n"])
+        clean_tags(["mouth", "\n"])
 
 
 def test_notes_may_be_empty_but_not_unreadable() -> None:
-    assert checked_text("  ") == ""
+    assert clean_text("  ") == ""
     with pytest.raises(Refusal, match="printable"):
-        checked_text("a\x07b")
+        clean_text("a\x07b")

@@ -5,7 +5,7 @@ import pytest
 
 from omote.edit.protocol.orders import Bake, Baked, EditOrder, Flat, Renet, Solve
 from omote.model.recipes.recipe import FaceRecipe, Recipe
-from tests.authoring import woven
+from tests.authoring import net_document
 
 REST = (0.0, 0.0, 1.0)
 RECIPE = Recipe((0, 1, 2), (REST, (0.1, -0.01, 1.2), REST), ground="#key")
@@ -15,7 +15,7 @@ CONTENTS = {"key": b"\x00\xff"}
 @pytest.mark.parametrize(
     "order",
     [
-        Bake(RECIPE, CONTENTS, weave=True),
+        Bake(RECIPE, CONTENTS, with_net=True),
         Bake(FaceRecipe({"generic": 1.0}), {}),
         Solve(RECIPE, CONTENTS, "broad", (1,), ((0.0, 0.1, 0.1),), RECIPE.vectors),
         Renet(RECIPE, CONTENTS, (0, 1, 2, 3)),
@@ -28,5 +28,5 @@ def test_orders_come_back_as_they_were(order: EditOrder) -> None:
 
 
 def test_answers_come_back_as_they_were() -> None:
-    baked = Baked(RECIPE, "key", CONTENTS, woven(RECIPE.net), 1e-5)
+    baked = Baked(RECIPE, "key", CONTENTS, net_document(RECIPE.net), 1e-5)
     assert msgspec.msgpack.decode(msgspec.msgpack.encode(baked), type=Baked) == baked

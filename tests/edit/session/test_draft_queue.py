@@ -3,7 +3,7 @@
 import pytest
 
 from omote.edit.protocol.orders import Bake
-from omote.edit.session.draft_queue import MOST_WAITING, Lanes, Task
+from omote.edit.session.draft_queue import MOST_WAITING, DraftQueues, Task
 from omote.edit.session.plan import Plan, Result
 from omote.model.recipes.recipe import Recipe
 from omote.show.validation import Refusal
@@ -11,43 +11,43 @@ from omote.show.validation import Refusal
 PLAN = Plan(Bake(Recipe((), ()), {}), lambda baked: Result())
 
 
-def task(lane: tuple[int, str] | None, request: int = 0) -> Task:
+def task(queue: tuple[int, str] | None, request: int = 0) -> Task:
     """A task in a lane."""
-    return Task(lane, lambda: PLAN, "ann", request)
+    return Task(queue, lambda: PLAN, "ann", request)
 
 
 def test_tasks_of_one_lane_take_turns_in_order() -> None:
-    lanes, first = Lanes(), task((1, "ann"))
-    assert lanes.enter(first)
-    number, order = lanes.order(first, PLAN)
+    queues, first = DraftQueues(), task((1, "ann"))
+    assert queues.try_start(first)
+    number, order = queues.order(first, PLAN)
     assert order is PLAN.order
     waiting = [task((1, "ann"), request) for request in range(5)]
-    assert [lanes.enter(each) for each in waiting] == [False] * 5
-    assert lanes.land(number) == (first, PLAN)
-    assert [lanes.following(first) for _ in range(6)] == [*waiting, None]
-    assert lanes.enter(task((1, "ann"))), "the lane is free again"
+    assert [queues.try_start(each) for each in waiting] == [False] * 5
+    assert queues.finish_order(number) == (first, PLAN)
+    assert [queues.next_task(first) for _ in range(6)] == [*waiting, None]
+    assert queues.try_start(task((1, "ann"))), "the lane is free again"
 
 
 def test_lanes_do_not_wait_for_each_other() -> None:
-    lanes = Lanes()
-    for lane in ((1, "ann"), (1, "bob"), (2, "ann"), None):
-        assert lanes.enter(task(lane))
-        lanes.order(task(lane), PLAN)
-    assert lanes.enter(task(None))
+    queues = DraftQueues()
+    for queue in ((1, "ann"), (1, "bob"), (2, "ann"), None):
+        assert queues.try_start(task(queue))
+        queues.order(task(queue), PLAN)
+    assert queues.try_start(task(None))
 
 
 def test_orders_have_numbers_of_their_own_and_land_once() -> None:
-    lanes = Lanes()
-    numbers = [lanes.order(task((item, "ann")), PLAN)[0] for item in range(4)]
+    queues = DraftQueues()
+    numbers = [queues.order(task((item, "ann")), PLAN)[0] for item in range(4)]
     assert len(set(numbers)) == 4
-    assert lanes.land(numbers[2]) is not None
-    assert lanes.land(numbers[2]) is None
+    assert queues.finish_order(numbers[2]) is not None
+    assert queues.finish_order(numbers[2]) is None
 
 
 def test_too_much_that_waits_is_refused() -> None:
-    lanes = Lanes()
-    lanes.order(task((1, "ann")), PLAN)
+    queues = DraftQueues()
+    queues.order(task((1, "ann")), PLAN)
     for _ in range(MOST_WAITING):
-        assert not lanes.enter(task((1, "ann")))
+        assert not queues.try_start(task((1, "ann")))
     with pytest.raises(Refusal, match="wait until they are answered"):
-        lanes.enter(task((1, "ann")))
+        queues.try_start(task((1, "ann")))

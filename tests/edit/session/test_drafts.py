@@ -15,19 +15,19 @@ from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Layer, Pull, Recipe
 from omote.show.messages import Message
 from tests import synthetic
-from tests.authoring import POINTS, Studio, net_of, woven
+from tests.authoring import POINTS, EditHarness, net_document, net_of
 
 REST = (0.0, 0.0, 1.0)
 PULLED = [Pull("smiler", 0.5)]
 
 
 @pytest.fixture
-def studio(cast: Cast) -> Studio:
+def harness(cast: Cast) -> EditHarness:
     """Ann at a new expression, item 1."""
-    studio = Studio(cast)
-    studio.greet("ann")
-    studio.ask("ann", wire.CreateExpression, "Grin", {}, False)
-    return studio
+    harness = EditHarness(cast)
+    harness.greet("ann")
+    harness.ask("ann", wire.CreateExpression, "Grin", {}, False)
+    return harness
 
 
 def vectors(*, dtheta: float = 0.1) -> list[tuple[float, float, float]]:
@@ -35,9 +35,9 @@ def vectors(*, dtheta: float = 0.1) -> list[tuple[float, float, float]]:
     return [(dtheta, 0.0, 1.0), *[REST] * (POINTS - 1)]
 
 
-def test_a_drag_is_solved_from_where_the_page_puts_it(studio: Studio) -> None:
-    state = studio.ask("ann", wire.DragPoints, 1, "broad", [1], [(0.2, 0.01, 0.05)], vectors())
-    order = studio.ordered[-1]
+def test_a_drag_is_solved_from_where_the_page_puts_it(harness: EditHarness) -> None:
+    state = harness.ask("ann", wire.DragPoints, 1, "broad", [1], [(0.2, 0.01, 0.05)], vectors())
+    order = harness.ordered[-1]
     assert isinstance(order, Solve)
     assert (order.face, order.points, order.targets) == ("broad", (1,), ((0.2, 0.01, 0.05),))
     assert order.vectors == tuple(vectors())
@@ -46,8 +46,8 @@ def test_a_drag_is_solved_from_where_the_page_puts_it(studio: Studio) -> None:
     assert (state.undo, state.redo, state.dirty, state.what) == (1, 0, True, "drag of a point")
 
 
-def test_every_kind_of_edit_is_a_step(studio: Studio) -> None:
-    net = net_of(studio.cast, POINTS + 1)
+def test_every_kind_of_edit_is_a_step(harness: EditHarness) -> None:
+    net = net_of(harness.cast, POINTS + 1)
     steps: list[tuple[Any, ...]] = [
         (wire.SetVectors, vectors(), "nudge"),
         (wire.SetLayers, [Layer("smile", "Smile", 0.5, "mouth", True)]),
@@ -57,39 +57,39 @@ def test_every_kind_of_edit_is_a_step(studio: Studio) -> None:
         (wire.Flatten,),
     ]
     for number, (request, *arguments) in enumerate(steps, 1):
-        state = studio.ask("ann", request, 1, *arguments)
+        state = harness.ask("ann", request, 1, *arguments)
         assert (state.undo, state.redo) == (number, 0)
     assert isinstance(state.recipe, Recipe)
     assert state.recipe.net == net
     assert state.recipe.ground is not None
-    assert state.recipe.ground.removeprefix(KEY) in studio.tables.contents, "a recipe's ground is kept with it"
+    assert state.recipe.ground.removeprefix(KEY) in harness.tables.contents, "a recipe's ground is kept with it"
     assert (state.recipe.layers, state.recipe.pulls) == ((), ())
 
 
-def test_the_history_says_what_was_done(studio: Studio) -> None:
-    assert studio.ask("ann", wire.SetVectors, 1, vectors(), " mirrored ").what == "mirrored"
-    assert studio.ask("ann", wire.SetNet, 1, list(net_of(studio.cast, POINTS - 1))).what == "1 control points removed"
-    assert studio.ask("ann", wire.Undo, 1).what == "mirrored"
+def test_the_history_says_what_was_done(harness: EditHarness) -> None:
+    assert harness.ask("ann", wire.SetVectors, 1, vectors(), " mirrored ").what == "mirrored"
+    assert harness.ask("ann", wire.SetNet, 1, list(net_of(harness.cast, POINTS - 1))).what == "1 control points removed"
+    assert harness.ask("ann", wire.Undo, 1).what == "mirrored"
 
 
-def test_what_changes_nothing_is_no_step(studio: Studio) -> None:
-    first = studio.ask("ann", wire.SetPulls, 1, PULLED)
-    before = studio.tables.stored()
-    again = studio.ask("ann", wire.SetPulls, 1, PULLED)
+def test_what_changes_nothing_is_no_step(harness: EditHarness) -> None:
+    first = harness.ask("ann", wire.SetPulls, 1, PULLED)
+    before = harness.tables.stored()
+    again = harness.ask("ann", wire.SetPulls, 1, PULLED)
     assert again.undo == first.undo == 1
-    same = studio.ask("ann", wire.SetNet, 1, list(net_of(studio.cast)))
-    assert (same.undo, studio.tables.stored()) == (1, before)
+    same = harness.ask("ann", wire.SetNet, 1, list(net_of(harness.cast)))
+    assert (same.undo, harness.tables.stored()) == (1, before)
 
 
 @given(st.lists(st.floats(-1.0, 2.0), min_size=1, max_size=12, unique=True), st.data())
 def test_undo_and_redo_lead_to_the_same_places(pulls: list[float], data: st.DataObject) -> None:
-    studio = Studio(synthetic.cast())
-    studio.greet("ann")
-    states = [studio.ask("ann", wire.CreateExpression, "Grin", {}, False)]
-    states += [studio.ask("ann", wire.SetPulls, 1, [Pull("smiler", pull)]) for pull in pulls]
+    harness = EditHarness(synthetic.cast())
+    harness.greet("ann")
+    states = [harness.ask("ann", wire.CreateExpression, "Grin", {}, False)]
+    states += [harness.ask("ann", wire.SetPulls, 1, [Pull("smiler", pull)]) for pull in pulls]
     at = len(pulls)
     for step in data.draw(st.lists(st.sampled_from([-1, 1]), max_size=30)):
-        answer = studio.ask("ann", wire.Undo if step < 0 else wire.Redo, 1)
+        answer = harness.ask("ann", wire.Undo if step < 0 else wire.Redo, 1)
         if 0 <= at + step <= len(pulls):
             at += step
             seen, wanted = answer, states[at]
@@ -99,90 +99,90 @@ def test_undo_and_redo_lead_to_the_same_places(pulls: list[float], data: st.Data
             assert isinstance(answer, wire.EditRefused)
 
 
-def test_a_new_step_drops_what_was_undone(studio: Studio) -> None:
+def test_a_new_step_drops_what_was_undone(harness: EditHarness) -> None:
     for pull in (0.1, 0.2, 0.3):
-        studio.ask("ann", wire.SetPulls, 1, [Pull("smiler", pull)])
-    studio.ask("ann", wire.Undo, 1)
-    studio.ask("ann", wire.Undo, 1)
-    state = studio.ask("ann", wire.SetPulls, 1, [Pull("smiler", 0.9)])
+        harness.ask("ann", wire.SetPulls, 1, [Pull("smiler", pull)])
+    harness.ask("ann", wire.Undo, 1)
+    harness.ask("ann", wire.Undo, 1)
+    state = harness.ask("ann", wire.SetPulls, 1, [Pull("smiler", 0.9)])
     assert (state.undo, state.redo) == (2, 0)
-    assert studio.ask("ann", wire.Undo, 1).recipe.pulls == (Pull("smiler", 0.1),)
-    assert studio.ask("ann", wire.Redo, 1).recipe.pulls == (Pull("smiler", 0.9),)
+    assert harness.ask("ann", wire.Undo, 1).recipe.pulls == (Pull("smiler", 0.1),)
+    assert harness.ask("ann", wire.Redo, 1).recipe.pulls == (Pull("smiler", 0.9),)
 
 
-def test_the_net_goes_with_the_first_state_and_whenever_it_changes(studio: Studio) -> None:
-    net, other = net_of(studio.cast), net_of(studio.cast, POINTS + 1)
-    assert studio.ask("ann", wire.OpenItem, 1).net == woven(net)
-    assert studio.ask("ann", wire.SetPulls, 1, PULLED).net is None
-    assert studio.ask("ann", wire.SetNet, 1, list(other)).net == woven(other)
-    assert studio.ask("ann", wire.SetPulls, 1, []).net is None
-    studio.ask("ann", wire.Undo, 1)
-    studio.start()
-    studio.greet("ann")
-    assert studio.ask("ann", wire.OpenItem, 1).net == woven(other)
-    assert studio.ask("ann", wire.Undo, 1).net == woven(net), "across the change, after a restart"
+def test_the_net_goes_with_the_first_state_and_whenever_it_changes(harness: EditHarness) -> None:
+    net, other = net_of(harness.cast), net_of(harness.cast, POINTS + 1)
+    assert harness.ask("ann", wire.OpenItem, 1).net == net_document(net)
+    assert harness.ask("ann", wire.SetPulls, 1, PULLED).net is None
+    assert harness.ask("ann", wire.SetNet, 1, list(other)).net == net_document(other)
+    assert harness.ask("ann", wire.SetPulls, 1, []).net is None
+    harness.ask("ann", wire.Undo, 1)
+    harness.start()
+    harness.greet("ann")
+    assert harness.ask("ann", wire.OpenItem, 1).net == net_document(other)
+    assert harness.ask("ann", wire.Undo, 1).net == net_document(net), "across the change, after a restart"
 
 
-def test_a_restart_finds_the_draft_the_cursor_and_all_steps(studio: Studio) -> None:
+def test_a_restart_finds_the_draft_the_cursor_and_all_steps(harness: EditHarness) -> None:
     for pull in (0.1, 0.2, 0.3):
-        studio.ask("ann", wire.SetPulls, 1, [Pull("smiler", pull)])
-    before = studio.ask("ann", wire.Undo, 1)
-    studio.start()
-    studio.greet("page 2", editor="ann")
-    after = studio.ask("page 2", wire.OpenItem, 1)
+        harness.ask("ann", wire.SetPulls, 1, [Pull("smiler", pull)])
+    before = harness.ask("ann", wire.Undo, 1)
+    harness.start()
+    harness.greet("page 2", editor="ann")
+    after = harness.ask("page 2", wire.OpenItem, 1)
     assert (after.recipe, after.content, after.undo, after.redo) == (before.recipe, before.content, 2, 1)
-    assert studio.ask("page 2", wire.Redo, 1).recipe.pulls == (Pull("smiler", 0.3),)
+    assert harness.ask("page 2", wire.Redo, 1).recipe.pulls == (Pull("smiler", 0.3),)
 
 
-def test_another_editor_begins_where_the_unsaved_draft_is(studio: Studio) -> None:
-    studio.ask("ann", wire.SetPulls, 1, PULLED)
-    studio.greet("bob")
-    state = studio.ask("bob", wire.OpenItem, 1)
+def test_another_editor_begins_where_the_unsaved_draft_is(harness: EditHarness) -> None:
+    harness.ask("ann", wire.SetPulls, 1, PULLED)
+    harness.greet("bob")
+    state = harness.ask("bob", wire.OpenItem, 1)
     assert (list(state.recipe.pulls), state.undo, state.others) == (PULLED, 0, ["Ann"])
-    studio.ask("bob", wire.SetPulls, 1, [])
-    assert list(studio.ask("ann", wire.OpenItem, 1).recipe.pulls) == PULLED, "each has a draft of their own"
+    harness.ask("bob", wire.SetPulls, 1, [])
+    assert list(harness.ask("ann", wire.OpenItem, 1).recipe.pulls) == PULLED, "each has a draft of their own"
 
 
-def test_an_untouched_draft_is_brought_up_to_what_plays_and_can_go_back(studio: Studio) -> None:
-    studio.ask("ann", wire.Save, 1, "")
-    studio.greet("bob")
-    studio.ask("bob", wire.OpenItem, 1)
-    studio.ask("bob", wire.SetPulls, 1, PULLED)
-    studio.ask("bob", wire.Save, 1, "")
-    state = studio.ask("ann", wire.OpenItem, 1)
+def test_an_untouched_draft_is_brought_up_to_what_plays_and_can_go_back(harness: EditHarness) -> None:
+    harness.ask("ann", wire.Save, 1, "")
+    harness.greet("bob")
+    harness.ask("bob", wire.OpenItem, 1)
+    harness.ask("bob", wire.SetPulls, 1, PULLED)
+    harness.ask("bob", wire.Save, 1, "")
+    state = harness.ask("ann", wire.OpenItem, 1)
     assert (state.base, state.dirty, state.undo, list(state.recipe.pulls)) == (2, False, 1, PULLED)
     assert state.what == "revision 2 of Bob"
-    assert studio.ask("ann", wire.Undo, 1).recipe.pulls == ()
+    assert harness.ask("ann", wire.Undo, 1).recipe.pulls == ()
 
 
-def test_a_draft_with_work_in_it_is_left_as_it_is(studio: Studio) -> None:
-    studio.ask("ann", wire.Save, 1, "")
-    studio.ask("ann", wire.SetEyes, 1, (0.1, 0.0, 0.1, 0.0), 0.0)
-    studio.greet("bob")
-    studio.ask("bob", wire.OpenItem, 1)
-    studio.ask("bob", wire.SetPulls, 1, PULLED)
-    studio.ask("bob", wire.Save, 1, "")
-    state = studio.ask("ann", wire.OpenItem, 1)
+def test_a_draft_with_work_in_it_is_left_as_it_is(harness: EditHarness) -> None:
+    harness.ask("ann", wire.Save, 1, "")
+    harness.ask("ann", wire.SetEyes, 1, (0.1, 0.0, 0.1, 0.0), 0.0)
+    harness.greet("bob")
+    harness.ask("bob", wire.OpenItem, 1)
+    harness.ask("bob", wire.SetPulls, 1, PULLED)
+    harness.ask("bob", wire.Save, 1, "")
+    state = harness.ask("ann", wire.OpenItem, 1)
     assert (state.base, state.dirty, state.recipe.pulls) == (1, True, ())
 
 
-def test_faces_are_edited_whole(studio: Studio) -> None:
-    state = studio.ask("ann", wire.CreateFace, "Aunt", {"generic": 0.5, "broad": 0.5}, False)
+def test_faces_are_edited_whole(harness: EditHarness) -> None:
+    state = harness.ask("ann", wire.CreateFace, "Aunt", {"generic": 0.5, "broad": 0.5}, False)
     assert state.net is None
     recipe = FaceRecipe({"long": 1.0}, {"mouth": "broad"}, 1.5, (3,), ((0.0, 0.01, 0.0),))
-    state = studio.ask("ann", wire.SetFace, 2, recipe, "mouth of another")
+    state = harness.ask("ann", wire.SetFace, 2, recipe, "mouth of another")
     assert (state.recipe, state.undo, state.what) == (recipe, 1, "mouth of another")
-    assert studio.ask("ann", wire.Undo, 2).recipe == FaceRecipe({"generic": 0.5, "broad": 0.5})
+    assert harness.ask("ann", wire.Undo, 2).recipe == FaceRecipe({"generic": 0.5, "broad": 0.5})
 
 
-def test_own_layers_are_kept_as_they_played_when_they_were_laid(studio: Studio) -> None:
-    studio.ask("ann", wire.SetPulls, 1, PULLED)
-    studio.ask("ann", wire.Save, 1, "")
-    (before,) = studio.session.own()
-    studio.ask("ann", wire.CreateExpression, "Wide grin", {"grin": 1.0}, False)
-    studio.ask("ann", wire.SetPulls, 1, [])
-    studio.ask("ann", wire.Save, 1, "")
-    state = studio.ask("ann", wire.OpenItem, 2)
+def test_own_layers_are_kept_as_they_played_when_they_were_laid(harness: EditHarness) -> None:
+    harness.ask("ann", wire.SetPulls, 1, PULLED)
+    harness.ask("ann", wire.Save, 1, "")
+    (before,) = harness.session.own()
+    harness.ask("ann", wire.CreateExpression, "Wide grin", {"grin": 1.0}, False)
+    harness.ask("ann", wire.SetPulls, 1, [])
+    harness.ask("ann", wire.Save, 1, "")
+    state = harness.ask("ann", wire.OpenItem, 2)
     assert state.recipe.layers == (Layer(before.source, "Grin", 1.0),)
 
 
@@ -212,30 +212,30 @@ def bad_requests(net: tuple[int, ...]) -> list[tuple[str, type[Message], tuple[A
 
 
 @pytest.mark.parametrize("number", range(len(bad_requests((0, 1, 2)))))
-def test_what_cannot_be_is_refused_and_changes_nothing(studio: Studio, number: int) -> None:
-    sentence, request, arguments = bad_requests(net_of(studio.cast))[number]
-    before = studio.tables.stored(), studio.session.stored(), dict(studio.tables.contents)
-    answer = studio.ask("ann", request, 1, *arguments)
+def test_what_cannot_be_is_refused_and_changes_nothing(harness: EditHarness, number: int) -> None:
+    sentence, request, arguments = bad_requests(net_of(harness.cast))[number]
+    before = harness.tables.stored(), harness.session.stored(), dict(harness.tables.contents)
+    answer = harness.ask("ann", request, 1, *arguments)
     assert isinstance(answer, wire.EditRefused)
     assert sentence in answer.reason
     assert answer.reason.endswith(".")
-    assert (studio.tables.stored(), studio.session.stored(), studio.tables.contents) == before
+    assert (harness.tables.stored(), harness.session.stored(), harness.tables.contents) == before
 
 
-def test_the_beginning_cannot_be_undone_and_faces_take_no_vectors(studio: Studio) -> None:
-    assert "this is how the draft began" in studio.ask("ann", wire.Undo, 1).reason
-    studio.ask("ann", wire.CreateFace, "Aunt", {"broad": 1.0}, False)
-    assert "item 2 is a face" in studio.ask("ann", wire.SetVectors, 2, vectors(), "").reason
+def test_the_beginning_cannot_be_undone_and_faces_take_no_vectors(harness: EditHarness) -> None:
+    assert "this is how the draft began" in harness.ask("ann", wire.Undo, 1).reason
+    harness.ask("ann", wire.CreateFace, "Aunt", {"broad": 1.0}, False)
+    assert "item 2 is a face" in harness.ask("ann", wire.SetVectors, 2, vectors(), "").reason
 
 
-def test_a_solve_that_ends_out_of_range_is_refused(studio: Studio) -> None:
-    answer = studio.ask("ann", wire.DragPoints, 1, "broad", [1], [(0.0, 0.9, 0.0)], vectors())
+def test_a_solve_that_ends_out_of_range_is_refused(harness: EditHarness) -> None:
+    answer = harness.ask("ann", wire.DragPoints, 1, "broad", [1], [(0.0, 0.9, 0.0)], vectors())
     assert isinstance(answer, wire.EditRefused)
     assert "dh of a control point" in answer.reason
-    assert len(studio.tables.edits) == 1
+    assert len(harness.tables.edits) == 1
 
 
-def test_all_steps_in_the_file_can_be_read(studio: Studio) -> None:
-    studio.ask("ann", wire.SetPulls, 1, PULLED)
-    assert all(isinstance(read_recipe(edit.recipe), Recipe) for edit in studio.tables.edits.values())
+def test_all_steps_in_the_file_can_be_read(harness: EditHarness) -> None:
+    harness.ask("ann", wire.SetPulls, 1, PULLED)
+    assert all(isinstance(read_recipe(edit.recipe), Recipe) for edit in harness.tables.edits.values())
     assert len(EDITS) == 8

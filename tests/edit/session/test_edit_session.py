@@ -24,7 +24,7 @@ from omote.showfile.changes import Stored
 from omote.showfile.show_file import ShowFile, open_show
 from omote.stage_data.playing_cast import digest_of
 from tests import synthetic
-from tests.authoring import MUSCLES, POINTS, WALL, Studio, craft, net_of, welcome
+from tests.authoring import MUSCLES, POINTS, WALL, EditHarness, make_baked, net_of, welcome
 
 REST = (0.0, 0.0, 1.0)
 NOBODY = OnAir({"generic": 1.0}, {"neutral": 1.0})
@@ -41,12 +41,12 @@ def told(outcome: Outcome, kind: type) -> list[Any]:
 
 
 def test_greet_is_answered_with_everything_there_is(cast: Cast) -> None:
-    studio = Studio(cast)
-    greeted = studio.greet("ann")
+    harness = EditHarness(cast)
+    greeted = harness.greet("ann")
     assert (greeted.version, greeted.digest, greeted.items) == (wire.EDITING_VERSION, cast.digest, [])
     assert [muscle.name for muscle in greeted.muscles] == list(MUSCLES)
-    studio.ask("ann", wire.CreateExpression, "Grin", {}, False)
-    assert [item.label for item in studio.greet("bob").items] == ["Grin"]
+    harness.ask("ann", wire.CreateExpression, "Grin", {}, False)
+    assert [item.label for item in harness.greet("bob").items] == ["Grin"]
 
 
 @pytest.mark.parametrize(
@@ -61,7 +61,7 @@ def test_greet_is_answered_with_everything_there_is(cast: Cast) -> None:
 )
 def test_bytes_that_are_no_message_are_refused_and_counted(cast: Cast, data: bytes, sentence: str) -> None:
     session = session_of(cast)
-    outcome = session.hear("ann", data, wall=WALL, on_air=NOBODY)
+    outcome = session.receive_bytes("ann", data, wall=WALL, on_air=NOBODY)
     ((who, refusal),) = [(each.who, each.message) for each in outcome.replies]
     assert who == "ann"
     assert isinstance(refusal, wire.EditRefused)
@@ -71,7 +71,9 @@ def test_bytes_that_are_no_message_are_refused_and_counted(cast: Cast, data: byt
 
 def test_nothing_is_heard_before_greet(cast: Cast) -> None:
     session = session_of(cast)
-    outcome = session.hear("ann", encode(wire.CreateFace(4, "Aunt", {"broad": 1.0}, False)), wall=WALL, on_air=NOBODY)
+    outcome = session.receive_bytes(
+        "ann", encode(wire.CreateFace(4, "Aunt", {"broad": 1.0}, False)), wall=WALL, on_air=NOBODY
+    )
     sentence = "nothing is heard before greet: send greet with editor, name and version first."
     assert outcome == Outcome(replies=(Outgoing("ann", wire.EditRefused(4, sentence)),))
 
@@ -79,8 +81,8 @@ def test_nothing_is_heard_before_greet(cast: Cast) -> None:
 @given(st.binary(max_size=200))
 def test_no_bytes_change_anything(data: bytes) -> None:
     session = session_of(synthetic.cast())
-    session.hear("ann", encode(wire.Greet("ann", "Ann", wire.EDITING_VERSION)), wall=WALL, on_air=NOBODY)
-    outcome = session.hear("ann", data, wall=WALL, on_air=NOBODY)
+    session.receive_bytes("ann", encode(wire.Greet("ann", "Ann", wire.EDITING_VERSION)), wall=WALL, on_air=NOBODY)
+    outcome = session.receive_bytes("ann", data, wall=WALL, on_air=NOBODY)
     assert (outcome.changes, outcome.orders, outcome.cast, session.stored()) == ((), (), False, Stored())
 
 
@@ -88,42 +90,42 @@ def test_no_bytes_change_anything(data: bytes) -> None:
 
 
 @pytest.fixture
-def slow(cast: Cast) -> Studio:
+def slow(cast: Cast) -> EditHarness:
     """Ann at item 1, and a workshop that takes its time."""
-    studio = Studio(cast)
-    studio.greet("ann")
-    studio.ask("ann", wire.CreateExpression, "Grin", {}, False)
-    studio.slow = True
-    return studio
+    harness = EditHarness(cast)
+    harness.greet("ann")
+    harness.ask("ann", wire.CreateExpression, "Grin", {}, False)
+    harness.slow = True
+    return harness
 
 
-def pull(studio: Studio, number: int, who: str = "ann") -> list[tuple[str, Any]]:
+def pull(harness: EditHarness, number: int, who: str = "ann") -> list[tuple[str, Any]]:
     """A step that needs the workshop."""
-    return studio.hear(who, encode(wire.SetPulls(number, 1, [Pull("smiler", number / 100)])))
+    return harness.receive_bytes(who, encode(wire.SetPulls(number, 1, [Pull("smiler", number / 100)])))
 
 
-def test_nothing_is_acknowledged_before_it_is_made(slow: Studio) -> None:
+def test_nothing_is_acknowledged_before_it_is_made(slow: EditHarness) -> None:
     before = slow.tables.stored()
     assert pull(slow, 10) == []
     assert (len(slow.orders), slow.tables.stored()) == (1, before)
-    ((who, state),) = slow.settle(slow.answer(*slow.orders.pop()))
+    ((who, state),) = slow.carry_out(slow.answer(*slow.orders.pop()))
     assert (who, state.request, state.undo) == ("ann", 10, 1)
 
 
-def test_one_order_at_a_time_for_a_draft_and_answers_in_order(slow: Studio) -> None:
+def test_one_order_at_a_time_for_a_draft_and_answers_in_order(slow: EditHarness) -> None:
     for number in (10, 11, 12):
         pull(slow, number)
-    slow.hear("ann", encode(wire.Undo(13, 1)))
-    slow.hear("ann", encode(wire.Save(14, 1, "")))
+    slow.receive_bytes("ann", encode(wire.Undo(13, 1)))
+    slow.receive_bytes("ann", encode(wire.Save(14, 1, "")))
     assert len(slow.orders) == 1, "each stands on the one before"
     answered = []
     while slow.orders:
-        answered += [m.request for _, m in slow.settle(slow.answer(*slow.orders.pop(0))) if hasattr(m, "request")]
+        answered += [m.request for _, m in slow.carry_out(slow.answer(*slow.orders.pop(0))) if hasattr(m, "request")]
     assert [request for request in answered if request >= 0] == [10, 11, 12, 13, 14]
     assert read_recipe(slow.tables.revisions[1, 1].recipe).pulls == (Pull("smiler", 0.11),)  # type: ignore[union-attr]
 
 
-def test_drafts_do_not_wait_for_each_other(slow: Studio) -> None:
+def test_drafts_do_not_wait_for_each_other(slow: EditHarness) -> None:
     slow.slow = False
     slow.greet("bob")
     slow.ask("bob", wire.OpenItem, 1)
@@ -131,11 +133,11 @@ def test_drafts_do_not_wait_for_each_other(slow: Studio) -> None:
     pull(slow, 10)
     pull(slow, 11, "bob")
     assert len(slow.orders) == 2
-    later = slow.settle(slow.answer(*slow.orders.pop(1)))
+    later = slow.carry_out(slow.answer(*slow.orders.pop(1)))
     assert [(who, message.request) for who, message in later] == [("bob", 11)]
 
 
-def test_too_much_that_waits_is_refused_at_once(slow: Studio) -> None:
+def test_too_much_that_waits_is_refused_at_once(slow: EditHarness) -> None:
     answers = [pull(slow, number) for number in range(10, 12 + MOST_WAITING)]
     assert [len(each) for each in answers] == [0] * (MOST_WAITING + 1) + [1]
     assert "wait until they are answered" in answers[-1][0][1].reason
@@ -151,44 +153,48 @@ def test_too_much_that_waits_is_refused_at_once(slow: Studio) -> None:
     ],
 )
 def test_an_order_that_fails_is_refused_and_the_next_goes_on(
-    slow: Studio, result: bytes | str | None, sentence: str
+    slow: EditHarness, result: bytes | str | None, sentence: str
 ) -> None:
     pull(slow, 10)
     pull(slow, 11)
     before = slow.tables.stored()
     number, _ = slow.orders.pop()
-    outcome = slow.session.made(number, result)
+    outcome = slow.session.finish_order(number, result)
     (refusal,) = told(outcome, wire.EditRefused)
     assert (refusal.request, sentence in refusal.reason) == (10, True)
     assert slow.tables.stored() == before
     assert len(outcome.orders) == 1, "the one that waited has its turn"
 
 
-def test_an_answer_that_nobody_waits_for_does_nothing(slow: Studio) -> None:
+def test_an_answer_that_nobody_waits_for_does_nothing(slow: EditHarness) -> None:
     pull(slow, 10)
     number, order = slow.orders.pop()
-    slow.settle(slow.answer(number, order))
-    assert slow.session.made(number, encode(craft(order))) == slow.session.made(999, None) == Outcome()
+    slow.carry_out(slow.answer(number, order))
+    assert (
+        slow.session.finish_order(number, encode(make_baked(order)))
+        == slow.session.finish_order(999, None)
+        == Outcome()
+    )
 
 
-def test_what_was_asked_is_done_when_the_page_is_gone(slow: Studio) -> None:
+def test_what_was_asked_is_done_when_the_page_is_gone(slow: EditHarness) -> None:
     pull(slow, 10)
     pull(slow, 11)
-    slow.settle(slow.session.leave("ann"))
+    slow.carry_out(slow.session.leave("ann"))
     slow.slow = False
-    assert slow.settle(Outcome()) == []
+    assert slow.carry_out(Outcome()) == []
     slow.greet("page 2", editor="ann")
     state = slow.ask("page 2", wire.OpenItem, 1)
     assert (state.undo, state.recipe.pulls) == (2, (Pull("smiler", 0.11),))
 
 
-def test_what_is_on_air_is_kept_as_it_was_when_the_key_was_pressed(slow: Studio) -> None:
+def test_what_is_on_air_is_kept_as_it_was_when_the_key_was_pressed(slow: EditHarness) -> None:
     slow.session.keep("face", OnAir({"broad": 1.0}), label=None, wall=WALL, editor="console", ticket="a")
     first = slow.session.keep("face", OnAir({"long": 1.0}), label=None, wall=WALL, editor="console", ticket="b")
     assert (first.orders, first.kept) == ((), ()), "it waits for the one before, so that labels are in order"
 
 
-def test_too_many_presses_are_refused(slow: Studio) -> None:
+def test_too_many_presses_are_refused(slow: EditHarness) -> None:
     presses = [
         slow.session.keep("face", OnAir({"broad": 1.0}), label=None, wall=WALL, editor="console", ticket=str(number))
         for number in range(MOST_WAITING + 2)
@@ -198,32 +204,32 @@ def test_too_many_presses_are_refused(slow: Studio) -> None:
 
 
 def test_two_windows_of_one_editor_show_one_draft(cast: Cast) -> None:
-    studio = Studio(cast)
-    studio.greet("left", editor="ann", name="Ann")
-    studio.greet("right", editor="ann", name="Ann")
-    studio.ask("left", wire.CreateExpression, "Grin", {}, False)
-    assert studio.ask("right", wire.OpenItem, 1).others == []
-    answers = pull(studio, 10, "left")
+    harness = EditHarness(cast)
+    harness.greet("left", editor="ann", name="Ann")
+    harness.greet("right", editor="ann", name="Ann")
+    harness.ask("left", wire.CreateExpression, "Grin", {}, False)
+    assert harness.ask("right", wire.OpenItem, 1).others == []
+    answers = pull(harness, 10, "left")
     states = {who: message for who, message in answers if isinstance(message, wire.DraftState)}
     assert (states["left"].request, states["right"].request) == (10, -1)
     assert states["left"].recipe == states["right"].recipe
-    studio.ask("right", wire.CloseItem, 1)
-    assert [who for who, _ in pull(studio, 11, "left")] == ["left"]
+    harness.ask("right", wire.CloseItem, 1)
+    assert [who for who, _ in pull(harness, 11, "left")] == ["left"]
 
 
 def test_a_file_with_a_recipe_of_another_time_opens_all_the_same(cast: Cast) -> None:
-    studio = Studio(cast)
-    studio.greet("ann")
-    studio.ask("ann", wire.CreateExpression, "Grin", {}, False)
-    studio.ask("ann", wire.Save, 1, "")
-    studio.ask("ann", wire.SetPulls, 1, [Pull("smiler", 0.5)])
-    revision = studio.tables.revisions[1, 1]
-    studio.tables.revisions[1, 1] = type(revision)(**{**_fields(revision), "recipe": b"{"})
-    studio.start()
-    studio.greet("ann")
-    assert studio.ask("ann", wire.OpenItem, 1).dirty, "the draft is there"
-    assert "cannot be read" in studio.ask("ann", wire.BringBack, 1, 1).reason
-    assert studio.ask("ann", wire.Save, 1, "").revision == 2
+    harness = EditHarness(cast)
+    harness.greet("ann")
+    harness.ask("ann", wire.CreateExpression, "Grin", {}, False)
+    harness.ask("ann", wire.Save, 1, "")
+    harness.ask("ann", wire.SetPulls, 1, [Pull("smiler", 0.5)])
+    revision = harness.tables.revisions[1, 1]
+    harness.tables.revisions[1, 1] = type(revision)(**{**_fields(revision), "recipe": b"{"})
+    harness.start()
+    harness.greet("ann")
+    assert harness.ask("ann", wire.OpenItem, 1).dirty, "the draft is there"
+    assert "cannot be read" in harness.ask("ann", wire.BringBack, 1, 1).reason
+    assert harness.ask("ann", wire.Save, 1, "").revision == 2
 
 
 def _fields(struct: Any) -> dict[str, Any]:
@@ -251,7 +257,7 @@ class Authors(RuleBasedStateMachine):
     @initialize()
     def begin(self) -> None:
         """An empty file, both greet, one item."""
-        self.studio = Studio(synthetic.cast(), None if self.tables is None else self.tables())
+        self.harness = EditHarness(synthetic.cast(), None if self.tables is None else self.tables())
         self._greet()
         self.create("ann", 3, "Grin")
         self.save("ann", 0)
@@ -264,15 +270,15 @@ class Authors(RuleBasedStateMachine):
         request: tuple[Any, ...] = (wire.CreateExpression, label, start, False)
         if number == 7:
             request = (wire.CreateFace, label, {"broad": 0.5, "long": 0.5}, False)
-        if len(self.studio.session.stored().items) < MOST_ITEMS:
-            self._heard(who, self.studio.ask(who, *request))
+        if len(self.harness.session.stored().items) < MOST_ITEMS:
+            self._heard(who, self.harness.ask(who, *request))
 
     @rule(who=pages, number=numbers)
     def open_item(self, who: str, number: int) -> None:
         """An editor comes to an item."""
         item = self._item(number)
         before = self.shown.get((who, item))
-        state = self.studio.ask(who, wire.OpenItem, item)
+        state = self.harness.ask(who, wire.OpenItem, item)
         if isinstance(state, wire.DraftState) and before is not None and state.what == before.what:
             assert (state.recipe, state.content, state.undo, state.redo, state.base) == (
                 before.recipe, before.content, before.undo, before.redo, before.base
@@ -282,14 +288,14 @@ class Authors(RuleBasedStateMachine):
     @rule(who=pages, number=numbers)
     def close_item(self, who: str, number: int) -> None:
         """An editor leaves an item."""
-        self.studio.ask(who, wire.CloseItem, self._item(number))
+        self.harness.ask(who, wire.CloseItem, self._item(number))
 
     @rule(who=pages, number=numbers, kind=st.integers(0, 6), amount=amounts)
     def edit(self, who: str, number: int, kind: int, amount: float) -> None:
         """One step, which is shown, and nothing is left to redo."""
         before = self._at(who, number)
         if before is not None:
-            state = self.studio.ask(who, *self._edit(kind, before, amount))
+            state = self.harness.ask(who, *self._edit(kind, before, amount))
             assert isinstance(state, wire.DraftState)
             self._see(state, kind, amount)
             if state.recipe == before.recipe:
@@ -314,25 +320,25 @@ class Authors(RuleBasedStateMachine):
     def undo_and_redo(self, who: str, number: int) -> None:
         """Undo then redo is as if nothing had been done."""
         item, before = self._item(number), self._at(who, number)
-        tables = self.studio.tables.stored()
-        state = self.studio.ask(who, wire.Undo, item)
+        tables = self.harness.tables.stored()
+        state = self.harness.ask(who, wire.Undo, item)
         if isinstance(state, wire.DraftState) and before is not None:
             assert (state.undo, state.redo) == (before.undo - 1, before.redo + 1)
-            again = self.studio.ask(who, wire.Redo, item)
+            again = self.harness.ask(who, wire.Redo, item)
             assert (again.recipe, again.content, again.undo) == (before.recipe, before.content, before.undo)
-            assert self.studio.tables.stored() == tables
+            assert self.harness.tables.stored() == tables
 
     @rule(who=pages, number=numbers, back=st.booleans())
     def step(self, who: str, number: int, back: bool) -> None:
         """Undo, or redo."""
-        self._heard(who, self.studio.ask(who, wire.Undo if back else wire.Redo, self._item(number)))
+        self._heard(who, self.harness.ask(who, wire.Undo if back else wire.Redo, self._item(number)))
 
     @rule(who=pages, number=numbers)
     def save(self, who: str, number: int) -> None:
         """A revision: it plays unless another played that this editor was not told of."""
         item = self._item(number)
         state, head = self._at(who, number), self._head(item)
-        saved = self.studio.ask(who, wire.Save, item, "")
+        saved = self.harness.ask(who, wire.Save, item, "")
         if isinstance(saved, wire.Saved):
             assert state is not None
             if state.dirty:
@@ -349,54 +355,54 @@ class Authors(RuleBasedStateMachine):
         known = [each[1] for each in self.saved if each[0] == item]
         if self._at(who, number) is not None and known:
             wanted = revision if revision in known else known[revision % len(known)]
-            state = self.studio.ask(who, wire.BringBack, item, wanted)
+            state = self.harness.ask(who, wire.BringBack, item, wanted)
             assert state.content == self.saved[item, wanted]
             self._heard(who, state)
 
     @rule(who=pages, number=numbers, label=st.sampled_from(["Copy", "Grin"]))
     def duplicate(self, who: str, number: int, label: str) -> None:
         """A copy that plays."""
-        if len(self.studio.session.stored().items) < MOST_ITEMS:
-            saved = self.studio.ask(who, wire.Duplicate, self._item(number), label)
+        if len(self.harness.session.stored().items) < MOST_ITEMS:
+            saved = self.harness.ask(who, wire.Duplicate, self._item(number), label)
             if isinstance(saved, wire.Saved):
-                self.saved[saved.item, 1] = self.studio.tables.stored().revisions[-1].content
+                self.saved[saved.item, 1] = self.harness.tables.stored().revisions[-1].content
                 self._note_revisions(saved.item)
 
     @rule(who=pages, number=numbers, label=st.sampled_from(["Grin", "Other", "\n"]), place=amounts)
     def describe(self, who: str, number: int, label: str, place: float) -> None:
         """Another label; the name stays."""
-        names = {item.id: item.name for item in self.studio.session.stored().items}
-        self.studio.ask(who, wire.Describe, self._item(number), label, ["tag"], place)
-        assert {item.id: item.name for item in self.studio.session.stored().items} == names
+        names = {item.id: item.name for item in self.harness.session.stored().items}
+        self.harness.ask(who, wire.Describe, self._item(number), label, ["tag"], place)
+        assert {item.id: item.name for item in self.harness.session.stored().items} == names
 
     @rule(who=pages, number=numbers, on_air=st.booleans(), back=st.booleans())
     def delete(self, who: str, number: int, on_air: bool, back: bool) -> None:
         """Out of the cast, unless it is on air; and often back again."""
         item = self._item(number)
-        name = next(each.name for each in self.studio.session.stored().items if each.id == item)
-        self.studio.on_air = OnAir({"generic": 1.0}, {name: 1.0} if on_air else {"neutral": 1.0})
-        answer = self.studio.ask(who, wire.Delete, item)
+        name = next(each.name for each in self.harness.session.stored().items if each.id == item)
+        self.harness.on_air = OnAir({"generic": 1.0}, {name: 1.0} if on_air else {"neutral": 1.0})
+        answer = self.harness.ask(who, wire.Delete, item)
         assert isinstance(answer, wire.EditRefused) == on_air
-        self.studio.on_air = NOBODY
+        self.harness.on_air = NOBODY
         if back:
             self.restore(who, number)
 
     @rule(who=pages, number=numbers)
     def restore(self, who: str, number: int) -> None:
         """Into the cast again."""
-        assert isinstance(self.studio.ask(who, wire.Restore, self._item(number)), wire.Done)
+        assert isinstance(self.harness.ask(who, wire.Restore, self._item(number)), wire.Done)
 
     @rule(kind=st.sampled_from(["face", "expression"]), number=numbers, amount=amounts)
     def keep(self, kind: Any, number: int, amount: float) -> None:
         """The console's one press."""
-        if len(self.studio.session.stored().items) < MOST_ITEMS:
-            self.studio.on_air = OnAir(
+        if len(self.harness.session.stored().items) < MOST_ITEMS:
+            self.harness.on_air = OnAir(
                 {"broad": 0.5, "long": 0.5}, {synthetic.EXPRESSIONS[number]: 1.0}, {"jawOpen": amount}
             )  # fmt: skip
-            kept = self.studio.keep(kind)
+            kept = self.harness.keep(kind)
             assert not kept.trouble
             self._note_revisions(kept.item)
-            self.studio.on_air = NOBODY
+            self.harness.on_air = NOBODY
 
     @rule(who=pages, number=numbers, kind=st.integers(0, 4))
     def refused(self, who: str, number: int, kind: int) -> None:
@@ -409,30 +415,30 @@ class Authors(RuleBasedStateMachine):
             (wire.BringBack, item, 999),
             (wire.OpenItem, 999),
         ]
-        before = self.studio.tables.stored(), dict(self.studio.tables.contents)
-        assert isinstance(self.studio.ask(who, *bad[kind]), wire.EditRefused)
-        assert (self.studio.tables.stored(), dict(self.studio.tables.contents)) == before
+        before = self.harness.tables.stored(), dict(self.harness.tables.contents)
+        assert isinstance(self.harness.ask(who, *bad[kind]), wire.EditRefused)
+        assert (self.harness.tables.stored(), dict(self.harness.tables.contents)) == before
 
     @rule(who=pages)
     def workshop_fails(self, who: str) -> None:
         """An order without an answer changes nothing but the sentence."""
-        before = self.studio.tables.stored()
-        self.studio.craft = lambda order: None
-        answer = self.studio.ask(who, wire.CreateExpression, "Grin", {"smile": 0.123}, False)
-        self.studio.craft = craft
+        before = self.harness.tables.stored()
+        self.harness.make_baked = lambda order: None
+        answer = self.harness.ask(who, wire.CreateExpression, "Grin", {"smile": 0.123}, False)
+        self.harness.make_baked = make_baked
         assert isinstance(answer, wire.EditRefused)
-        assert self.studio.tables.stored() == before
+        assert self.harness.tables.stored() == before
 
     @rule()
     def restart(self) -> None:
         """The server dies and another starts from the file: every draft is as it was."""
-        before = self.studio.session.stored()
-        self.studio.start()
-        assert self.studio.session.stored() == before
+        before = self.harness.session.stored()
+        self.harness.start()
+        assert self.harness.session.stored() == before
         self._greet()
         for (who, item), state in [*self.shown.items()]:
             if not self._of(item).deleted:
-                again = self.studio.ask(who, wire.OpenItem, item)
+                again = self.harness.ask(who, wire.OpenItem, item)
                 if again.what == state.what:
                     assert (again.recipe, again.content, again.undo, again.redo) == (
                         state.recipe, state.content, state.undo, state.redo
@@ -442,14 +448,14 @@ class Authors(RuleBasedStateMachine):
     @invariant()
     def the_file_is_what_the_session_says(self) -> None:
         """Everything acknowledged was committed, and nothing else."""
-        if hasattr(self, "studio"):
-            assert self.studio.session.stored() == self.studio.tables.stored()
+        if hasattr(self, "harness"):
+            assert self.harness.session.stored() == self.harness.tables.stored()
 
     @invariant()
     def every_revision_stays_with_its_bytes(self) -> None:
         """No revision acknowledged vanishes or changes."""
-        if hasattr(self, "studio"):
-            stored, contents = self.studio.tables.stored(), self.studio.tables.contents
+        if hasattr(self, "harness"):
+            stored, contents = self.harness.tables.stored(), self.harness.tables.contents
             kept = {(each.item, each.number): KEY + each.content for each in stored.revisions}
             assert self.saved.items() <= kept.items()
             assert {content.removeprefix(KEY) for content in kept.values()} <= contents.keys()
@@ -457,26 +463,26 @@ class Authors(RuleBasedStateMachine):
     @invariant()
     def what_plays_was_never_put_aside_and_names_are_new(self) -> None:
         """Heads are there and not aside; no two names, nor one of the cast."""
-        if hasattr(self, "studio"):
-            stored = self.studio.tables.stored()
+        if hasattr(self, "harness"):
+            stored = self.harness.tables.stored()
             aside = {(each.item, each.number): each.aside for each in stored.revisions}
             assert not any(aside[item.id, item.head] for item in stored.items if item.head)
             names = [item.name.casefold() for item in stored.items]
-            cast = self.studio.cast
+            cast = self.harness.cast
             assert len({*names, *map(str.casefold, cast.faces), *map(str.casefold, cast.expressions)}) == len(
                 names
             ) + len(cast.faces) + len(cast.expressions)
 
     def _greet(self) -> None:
         for who in ("ann", "bob"):
-            self.studio.greet(who)
+            self.harness.greet(who)
 
     def _item(self, number: int) -> int:
-        items = self.studio.session.stored().items
+        items = self.harness.session.stored().items
         return items[number % len(items)].id
 
     def _of(self, item: int) -> Any:
-        return next(each for each in self.studio.session.stored().items if each.id == item)
+        return next(each for each in self.harness.session.stored().items if each.id == item)
 
     def _head(self, item: int) -> int:
         head: int = self._of(item).head
@@ -489,7 +495,7 @@ class Authors(RuleBasedStateMachine):
     def _refresh(self, who: str, item: int) -> None:
         states = [
             reply.message
-            for outcome in self.studio.outcomes[-2:]
+            for outcome in self.harness.outcomes[-2:]
             for reply in outcome.replies
             if reply.who == who and isinstance(reply.message, wire.DraftState) and reply.message.item == item
         ]
@@ -497,7 +503,7 @@ class Authors(RuleBasedStateMachine):
             self.shown[who, item] = states[-1]
 
     def _note_revisions(self, item: int) -> None:
-        for revision in self.studio.tables.stored().revisions:
+        for revision in self.harness.tables.stored().revisions:
             if revision.item == item:
                 self.saved[item, revision.number] = KEY + revision.content
 
@@ -505,7 +511,7 @@ class Authors(RuleBasedStateMachine):
         """What an editor sees of an item, opened where it is not; None where it is deleted."""
         item = self._item(number)
         if not self._of(item).deleted and (who, item) not in self.shown:
-            self._heard(who, self.studio.ask(who, wire.OpenItem, item))
+            self._heard(who, self.harness.ask(who, wire.OpenItem, item))
         return None if self._of(item).deleted else self.shown[who, item]
 
     def _edit(self, kind: int, state: wire.DraftState, amount: float) -> tuple[Any, ...]:
@@ -515,7 +521,7 @@ class Authors(RuleBasedStateMachine):
         edits: list[tuple[Any, ...]] = [
             (wire.SetVectors, state.item, vectors, "nudge"),
             (wire.DragPoints, state.item, "broad", [0], [(amount / 10, 0.01, 0.05)], vectors),
-            (wire.SetNet, state.item, list(net_of(self.studio.cast, POINTS + int(2 * abs(amount))))),
+            (wire.SetNet, state.item, list(net_of(self.harness.cast, POINTS + int(2 * abs(amount))))),
             (wire.SetLayers, state.item, [Layer("smile", "Smile", amount)]),
             (wire.SetPulls, state.item, [Pull("smiler", amount)]),
             (wire.SetEyes, state.item, (amount, 0.0, amount, 0.0), amount),
@@ -532,7 +538,7 @@ class Authors(RuleBasedStateMachine):
         assert {
             0: recipe.vectors[0] == (amount / 10, 0.0, 1.0),
             1: recipe.vectors[0] == (amount / 10, 0.01, 1.0),
-            2: recipe.net == net_of(self.studio.cast, POINTS + int(2 * abs(amount))),
+            2: recipe.net == net_of(self.harness.cast, POINTS + int(2 * abs(amount))),
             3: recipe.layers == (Layer("smile", "Smile", amount),),
             4: recipe.pulls == (Pull("smiler", amount),),
             5: (recipe.eyes, recipe.pupil) == ((amount, 0.0, amount, 0.0), amount),
@@ -566,17 +572,17 @@ def played(seed: int, steps: int) -> Authors:
 
 def test_the_same_inputs_give_the_same_outcomes() -> None:
     one, other = played(1993, 80), played(1993, 80)
-    assert one.studio.outcomes == other.studio.outcomes
-    assert one.studio.tables == other.studio.tables
+    assert one.harness.outcomes == other.harness.outcomes
+    assert one.harness.tables == other.harness.tables
 
 
 @pytest.mark.parametrize("seed", range(6))
 def test_a_newcomer_is_told_what_everybody_was_told_last(seed: int) -> None:
-    studio = played(seed, 40).studio
-    lists = [each.message for out in studio.outcomes for each in out.replies if isinstance(each.message, wire.Items)]
-    greeted = studio.greet("carol")
+    harness = played(seed, 40).harness
+    lists = [each.message for out in harness.outcomes for each in out.replies if isinstance(each.message, wire.Items)]
+    greeted = harness.greet("carol")
     assert (greeted.items, greeted.digest) == (lists[-1].items, lists[-1].digest)
-    assert greeted.digest == digest_of(studio.cast.digest, studio.session.own())
+    assert greeted.digest == digest_of(harness.cast.digest, harness.session.own())
 
 
 class ShowTables:

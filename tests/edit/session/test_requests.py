@@ -3,9 +3,9 @@
 import pytest
 
 from omote.edit.protocol import messages as wire
-from omote.edit.session.requests import ANSWERS, OF_DRAFTS, lane
+from omote.edit.session.requests import ANSWERS, OF_DRAFTS, queue_key
 from omote.model.cast import Cast
-from tests.authoring import Studio
+from tests.authoring import EditHarness
 
 
 def test_every_request_has_an_answer_but_greet() -> None:
@@ -13,30 +13,30 @@ def test_every_request_has_an_answer_but_greet() -> None:
 
 
 def test_what_changes_a_draft_waits_for_it_and_nothing_else_does() -> None:
-    assert lane(wire.Undo(1, 5), "ann") == lane(wire.Save(1, 5, ""), "ann") == (5, "ann")
-    assert lane(wire.Undo(1, 5), "bob") == (5, "bob")
-    assert lane(wire.CreateFace(1, "Aunt", {}, True), "ann") == (0, "ann")
+    assert queue_key(wire.Undo(1, 5), "ann") == queue_key(wire.Save(1, 5, ""), "ann") == (5, "ann")
+    assert queue_key(wire.Undo(1, 5), "bob") == (5, "bob")
+    assert queue_key(wire.CreateFace(1, "Aunt", {}, True), "ann") == (0, "ann")
     for message in (wire.Delete(1, 5), wire.Restore(1, 5), wire.AskHistory(1, 5), wire.Duplicate(1, 5, "Copy")):
-        assert lane(message, "ann") is None
+        assert queue_key(message, "ann") is None
     assert set(OF_DRAFTS) < {*wire.EDITOR_MESSAGES}
 
 
 def test_there_must_be_an_item_and_a_draft(cast: Cast) -> None:
-    studio = Studio(cast)
-    studio.greet("ann")
-    assert studio.ask("ann", wire.OpenItem, 1).reason == "there is no item 1: choose one from the list."
-    studio.ask("ann", wire.CreateExpression, "Grin", {}, False)
-    studio.greet("bob")
+    harness = EditHarness(cast)
+    harness.greet("ann")
+    assert harness.ask("ann", wire.OpenItem, 1).reason == "there is no item 1: choose one from the list."
+    harness.ask("ann", wire.CreateExpression, "Grin", {}, False)
+    harness.greet("bob")
     for request, arguments in ((wire.Undo, ()), (wire.Save, ("",)), (wire.BringBack, (1,)), (wire.Flatten, ())):
-        assert studio.ask("bob", request, 1, *arguments).reason == "'Grin' is not open here: open it first."
+        assert harness.ask("bob", request, 1, *arguments).reason == "'Grin' is not open here: open it first."
 
 
 def test_new_things_begin_from_what_was_said(cast: Cast) -> None:
-    studio = Studio(cast)
-    studio.greet("ann")
-    state = studio.ask("ann", wire.CreateExpression, "Grin", {"smile": 0.5, "jawOpen": -0.5, "neutral": 1.0}, False)
+    harness = EditHarness(cast)
+    harness.greet("ann")
+    state = harness.ask("ann", wire.CreateExpression, "Grin", {"smile": 0.5, "jawOpen": -0.5, "neutral": 1.0}, False)
     assert [(layer.source, layer.weight) for layer in state.recipe.layers] == [("smile", 0.5), ("jawOpen", -0.5)]
-    state = studio.ask("ann", wire.CreateFace, "Aunt", {}, True)
+    state = harness.ask("ann", wire.CreateFace, "Aunt", {}, True)
     assert state.recipe.base == {"generic": 1.0}
     assert (state.undo, state.redo, state.dirty, state.base, state.what) == (0, 0, True, 0, "new")
 
@@ -55,7 +55,7 @@ def test_new_things_begin_from_what_was_said(cast: Cast) -> None:
 def test_new_things_that_cannot_be_are_refused(
     cast: Cast, request_type: type, arguments: tuple[object, ...], sentence: str
 ) -> None:
-    studio = Studio(cast)
-    studio.greet("ann")
-    assert sentence in studio.ask("ann", request_type, *arguments).reason
-    assert studio.tables.stored().items == ()
+    harness = EditHarness(cast)
+    harness.greet("ann")
+    assert sentence in harness.ask("ann", request_type, *arguments).reason
+    assert harness.tables.stored().items == ()

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.edit.store.authored_state import Ledger
+from omote.edit.store.authored_state import AuthoredState
 from omote.showfile.changes import (
     Change,
     Draft,
@@ -63,48 +63,48 @@ def histories(draw: st.DrawFn) -> list[Change]:
 
 @given(histories())
 def test_changes_mean_the_same_to_the_ledger_and_to_a_file(changes: list[Change]) -> None:
-    ledger, tables = Ledger(Stored()), Tables()
-    ledger.apply(changes)
+    state, tables = AuthoredState(Stored()), Tables()
+    state.apply(changes)
     tables.apply(changes)
-    assert ledger.stored() == tables.stored()
-    assert Ledger(tables.stored()).stored() == tables.stored(), "what is read is what was written"
+    assert state.stored() == tables.stored()
+    assert AuthoredState(tables.stored()).stored() == tables.stored(), "what is read is what was written"
 
 
 def test_a_step_takes_the_place_of_what_was_undone() -> None:
-    ledger = Ledger(Stored())
+    state = AuthoredState(Stored())
     edits = [Edit(1, "ann", number, b"{}", f"step {number}") for number in range(4)]
-    ledger.apply([PutDraft(Draft(1, "ann", 0, 3)), *[PutEdit(edit) for edit in edits]])
-    ledger.apply([PutEdit(Edit(1, "ann", 2, b"{}", "another")), PutDraft(Draft(1, "ann", 0, 2))])
-    assert [edit.what for edit in ledger.edits[1, "ann"]] == ["step 0", "step 1", "another"]
-    assert ledger.shown((1, "ann")).what == "another"
+    state.apply([PutDraft(Draft(1, "ann", 0, 3)), *[PutEdit(edit) for edit in edits]])
+    state.apply([PutEdit(Edit(1, "ann", 2, b"{}", "another")), PutDraft(Draft(1, "ann", 0, 2))])
+    assert [edit.what for edit in state.edits[1, "ann"]] == ["step 0", "step 1", "another"]
+    assert state.shown_edit((1, "ann")).what == "another"
 
 
 def test_a_revision_is_never_replaced() -> None:
-    ledger = Ledger(Stored())
-    ledger.apply([PutRevision(revision(1))])
+    state = AuthoredState(Stored())
+    state.apply([PutRevision(revision(1))])
     with pytest.raises(ValueError, match="revision 1 is there already"):
-        ledger.apply([PutRevision(revision(1))])
+        state.apply([PutRevision(revision(1))])
 
 
 def test_only_changes_are_applied() -> None:
     with pytest.raises(TypeError, match="str is no change"):
-        Ledger(Stored()).apply(["drop everything"])  # type: ignore[list-item]
+        AuthoredState(Stored()).apply(["drop everything"])  # type: ignore[list-item]
 
 
 def test_a_damaged_file_opens_with_what_is_whole() -> None:
     drafts = (Draft(1, "ann", 1, 3), Draft(1, "bob", 1, 0))
     edits = tuple(Edit(1, "ann", number, b"{}", f"step {number}") for number in (0, 1, 3))
-    ledger = Ledger(Stored((item(head=7),), (revision(1),), drafts, edits))
-    assert [edit.number for edit in ledger.edits[1, "ann"]] == [0, 1]
-    assert ledger.shown((1, "ann")).what == "step 1"
-    assert (1, "bob") not in ledger.drafts
-    assert ledger.head(ledger.items[1]) is None
+    state = AuthoredState(Stored((item(head=7),), (revision(1),), drafts, edits))
+    assert [edit.number for edit in state.edits[1, "ann"]] == [0, 1]
+    assert state.shown_edit((1, "ann")).what == "step 1"
+    assert (1, "bob") not in state.drafts
+    assert state.head(state.items[1]) is None
 
 
 def test_new_items_stand_behind_all_others_under_ids_never_used() -> None:
-    ledger = Ledger(Stored())
-    assert (ledger.new_item(), ledger.new_place(), ledger.numbers(1)) == (1, 1.0, 0)
-    ledger.apply([PutItem(item(4, place=7.5, deleted=True)), PutRevision(revision(3, 4))])
-    assert (ledger.new_item(), ledger.new_place(), ledger.numbers(4)) == (5, 8.5, 3)
-    assert ledger.named("smile_4") == item(4, place=7.5, deleted=True)
-    assert ledger.named("nobody") is None
+    state = AuthoredState(Stored())
+    assert (state.new_item(), state.new_place(), state.last_number(1)) == (1, 1.0, 0)
+    state.apply([PutItem(item(4, place=7.5, deleted=True)), PutRevision(revision(3, 4))])
+    assert (state.new_item(), state.new_place(), state.last_number(4)) == (5, 8.5, 3)
+    assert state.find("smile_4") == item(4, place=7.5, deleted=True)
+    assert state.find("nobody") is None

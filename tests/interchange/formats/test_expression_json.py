@@ -15,11 +15,11 @@ from omote.interchange.formats.expression_json import (
     Control,
     ExpressionFile,
     decode,
-    dense_of,
     encode,
-    expression_of,
+    from_dense,
     schema,
     space_digest,
+    to_dense,
 )
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
@@ -31,7 +31,7 @@ SCHEMA = Path(__file__).parents[3] / "docs" / "expression.schema.json"
 def document(**changes: Any) -> ExpressionFile:
     """A document of the synthetic smile."""
     smile = synthetic.cast().expressions["smile"]
-    whole = {"label": "smile", "tags": ["mouth"], "space": space_digest(synthetic.space()), "dense": dense_of(smile)}
+    whole = {"label": "smile", "tags": ["mouth"], "space": space_digest(synthetic.space()), "dense": to_dense(smile)}
     return ExpressionFile(omote="expression", version=1, **{**whole, **changes})
 
 
@@ -53,9 +53,9 @@ def same(one: Expression, other: Expression) -> bool:
 @pytest.mark.parametrize("name", synthetic.EXPRESSIONS)
 def test_an_expression_comes_back_in_every_number(name: str, cast: Cast) -> None:
     expression = cast.expressions[name]
-    read = decode(encode(document(dense=dense_of(expression)))).dense
+    read = decode(encode(document(dense=to_dense(expression)))).dense
     assert read is not None
-    assert same(expression_of(cast.space, read), expression)
+    assert same(from_dense(cast.space, read), expression)
 
 
 @given(st.lists(st.tuples(st.floats(-7, 7), st.floats(-10, 10), st.floats(1e-3, 100)), min_size=1, max_size=5))
@@ -102,7 +102,7 @@ def test_what_is_no_document_is_refused(name: str) -> None:
 
 
 def test_rows_that_do_not_belong_together_are_refused(cast: Cast) -> None:
-    dense = dense_of(cast.expressions["jawOpen"])
+    dense = to_dense(cast.expressions["jawOpen"])
     inner = int(np.flatnonzero(~cast.space.on_sheet)[0])
     for rows, sentence in (
         (dense.sheet.rows[1:], "differ in number"),
@@ -112,10 +112,10 @@ def test_rows_that_do_not_belong_together_are_refused(cast: Cast) -> None:
     ):
         sheet = msgspec.structs.replace(dense.sheet, rows=rows)
         with pytest.raises(ValueError, match=sentence):
-            expression_of(cast.space, msgspec.structs.replace(dense, sheet=sheet))
+            from_dense(cast.space, msgspec.structs.replace(dense, sheet=sheet))
     strange = msgspec.structs.replace(dense, parts={"trunk": dense.inner})
     with pytest.raises(ValueError, match="moves a part 'trunk'; expected some of eye_left"):
-        expression_of(cast.space, strange)
+        from_dense(cast.space, strange)
 
 
 def test_a_document_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:

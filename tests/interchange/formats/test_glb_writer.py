@@ -10,7 +10,7 @@ from omote.interchange.formats.glb_reader import read_glb
 from omote.interchange.formats.glb_writer import Material, Scene, Target, check_name, glb_bytes
 from omote.interchange.formats.png import png_bytes
 from tests.interchange.formats.scenes import NAMES, scene, taken_apart, tetrahedron
-from tools.gltf import inspected
+from tools.gltf import inspect
 
 
 def test_what_is_written_is_read_again() -> None:
@@ -64,7 +64,7 @@ def test_the_validator_and_three_agree(tmp_path: Path) -> None:
     files["bare"] = scene(replace(tetrahedron(), targets={}))
     for name, each in files.items():
         (tmp_path / f"{name}.glb").write_bytes(glb_bytes(each))
-    plain, two, bare = inspected(tmp_path / f"{name}.glb" for name in files)
+    plain, two, bare = inspect(tmp_path / f"{name}.glb" for name in files)
     for found in (plain, two, bare):
         assert [said for said in found["validator"]["said"] if said["code"] != "UNUSED_OBJECT"] == []
         assert found["three"]["root"] == ["head"]

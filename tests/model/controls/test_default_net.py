@@ -8,8 +8,8 @@ import pytest
 import omote
 from omote.model.controls.default_net import COUNT, default_net
 from omote.model.controls.mirror import mirror_rows
-from omote.model.controls.net_field import woven
-from omote.model.recipes.compose_expression import composed
+from omote.model.controls.net_field import build_net_field
+from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import Recipe
 from omote.model.sculpting.regions import region_weights
 from omote.model.space.lid_lip_lines import chains
@@ -24,7 +24,7 @@ def test_about_a_hundred_points_each_with_its_mirror_image() -> None:
     assert len(set(rows)) == len(rows)
     assert space.on_sheet[list(rows)].all()
     assert set(mirror_rows(space)[list(rows)]) == set(rows)
-    assert all(place >= 0 for place in woven(space, rows).mirror)
+    assert all(place >= 0 for place in build_net_field(space, rows).mirror)
 
 
 def test_every_lid_and_lip_has_its_corners_and_points_on_both_edges() -> None:
@@ -52,7 +52,7 @@ def test_lips_whose_points_go_as_their_place_on_the_edge_says_stay_closed(
         for row, share in zip(chain, shares, strict=True):
             if int(row) in place:
                 vectors[place[int(row)]] = np.add([0.0, 0.0, 1.0], np.multiply(way, max(0.0, 2.0 * share - 1.0) ** 2))
-    worn = composed(space, Recipe(net, tuple((a, b, c) for a, b, c in vectors.tolist())), {})
+    worn = compose_expression(space, Recipe(net, tuple((a, b, c) for a, b, c in vectors.tolist())), {})
     face = cast.faces[name]
     opening = line.rungs(compound(space, face, worn).astype(np.float64)) - line.rungs(face.positions.astype(np.float64))
     assert opening[:, 1].max() < 5e-4
@@ -68,5 +68,5 @@ def test_most_points_stand_where_expressions_move() -> None:
 def test_one_head_has_one_net_and_another_head_one_too() -> None:
     assert default_net(omote.load_cast().space) == default_net(omote.load_cast().space)
     egg = synthetic.space()
-    made = woven(egg, default_net(egg))
+    made = build_net_field(egg, default_net(egg))
     assert np.allclose(made.net.basis.sum(axis=1)[egg.on_sheet], 1.0)

@@ -8,7 +8,7 @@ import pytest
 import omote
 from omote.model.controls.face_muscles import muscle_fields, muscles
 from omote.model.controls.mirror import mirror_rows
-from omote.model.recipes.compose_expression import shifted
+from omote.model.recipes.compose_expression import add_field
 from omote.model.space.lid_lip_lines import chains
 from omote.model.transfer.compound import carrier, compound, generic_face, on_generic
 from omote.model.transfer.paper_map import compile_expression
@@ -42,7 +42,7 @@ def test_lines_lie_on_the_sheet_and_every_muscle_moves_something() -> None:
 def test_no_muscle_folds_a_face_and_a_smile_goes_up_and_out(name: str) -> None:
     face = CAST.faces[name]
     for muscle in muscles(CAST.space):
-        worn = shifted(CAST.space, None, muscle_fields(CAST.space)[muscle])
+        worn = add_field(CAST.space, None, muscle_fields(CAST.space)[muscle])
         positions = compound(CAST.space, face, worn).astype(np.float64)
         moved = generic_face(CAST.space).positions + on_generic(CAST.space, compile_expression(CAST.space, worn))
         assert folds(carrier(CAST.space, face), positions, moved).sum() == 0, muscle

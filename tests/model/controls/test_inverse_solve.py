@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 import omote
 from omote.model.controls.default_net import default_net
-from omote.model.controls.inverse_solve import MOST, solved
-from omote.model.controls.net_field import Weave, woven
-from omote.model.recipes.compose_expression import composed
+from omote.model.controls.inverse_solve import MOST, solve_vectors
+from omote.model.controls.net_field import NetField, build_net_field
+from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import Layer, Recipe
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound
@@ -29,8 +29,8 @@ def space() -> ParameterSpace:
 
 
 @cache
-def net() -> Weave:
-    return woven(space(), default_net(space()))
+def net() -> NetField:
+    return build_net_field(space(), default_net(space()))
 
 
 def at_rest() -> np.ndarray:
@@ -45,16 +45,16 @@ def at_rest() -> np.ndarray:
 def test_dragged_points_lie_where_they_were_put(name: str, worn: str, point: int, count: int, seed: int) -> None:
     made, face, random = net(), CAST.faces[name], np.random.default_rng(seed)
     layers = Recipe(made.rows, (REST,) * len(made.rows), layers=(Layer(worn, ""),))
-    under = composed(space(), layers, CAST.expressions, made)
+    under = compose_expression(space(), layers, CAST.expressions, made)
     rows = np.array(made.rows)
     near = np.linalg.norm(space().points[rows] - space().points[rows[point]], axis=1)
     points = [int(one) for one in np.argsort(near, kind="stable")[:count]]
     way = random.normal(size=3)
     way *= random.uniform(0.001, 0.012) / np.linalg.norm(way)
     targets = compound(space(), face, under)[rows[points]].astype(np.float64) + way
-    found = solved(space(), face, under, made, at_rest(), points, targets)
+    found = solve_vectors(space(), face, under, made, at_rest(), points, targets)
     vectors = tuple((float(a), float(b), float(c)) for a, b, c in found.vectors)
-    whole = composed(space(), Recipe(made.rows, vectors, layers=layers.layers), CAST.expressions, made)
+    whole = compose_expression(space(), Recipe(made.rows, vectors, layers=layers.layers), CAST.expressions, made)
     there = compound(space(), face, whole)[rows[points]]
     assert np.linalg.norm(there - targets, axis=1).max() == pytest.approx(found.miss, abs=1e-6)
     assert found.miss < PROMISED
@@ -66,12 +66,12 @@ def test_points_that_are_not_dragged_stay_and_a_point_at_its_target_costs_one_co
     start[50] += [0.01, 0.002, 0.01]
     row = made.rows[20]
     rest = face.positions[row].astype(np.float64)
-    found = solved(
+    found = solve_vectors(
         space(), face, CAST.expressions["neutral"], made, start, [20], [rest + np.array([0.0, 0.003, 0.001])]
     )
     others = np.arange(len(made.rows)) != 20
     assert np.array_equal(found.vectors[others], start[others])
-    still = solved(space(), face, CAST.expressions["neutral"], made, at_rest(), [20], [rest])
+    still = solve_vectors(space(), face, CAST.expressions["neutral"], made, at_rest(), [20], [rest])
     assert still.compounds == 1
     assert np.allclose(still.vectors, at_rest(), atol=1e-12)
 
@@ -80,7 +80,7 @@ def test_what_cannot_be_reached_is_missed_by_what_it_says() -> None:
     """A lid cannot go through the eyeball to the back of the head, whatever is tried."""
     made, face = net(), CAST.faces["baby"]
     target = face.positions[made.rows[2]].astype(np.float64) - [0.0, 0.0, 0.08]
-    found = solved(space(), face, CAST.expressions["neutral"], made, at_rest(), [2], [target])
+    found = solve_vectors(space(), face, CAST.expressions["neutral"], made, at_rest(), [2], [target])
     assert np.isfinite(found.vectors).all()
     assert found.miss > PROMISED or found.compounds < 5 * MOST
 
@@ -92,9 +92,9 @@ def test_a_drag_on_one_face_extracted_from_another_is_the_same_on_s(name: str) -
     point = made.rows.index(next(row for row in made.rows if space().points[row, 1] > 0.02))
     goal = CAST.faces["generic"].positions[made.rows[point]] + np.array([0.0, 0.004, 0.002])
     under = CAST.expressions["neutral"]
-    found = solved(space(), CAST.faces["generic"], under, made, at_rest(), [point], [goal])
+    found = solve_vectors(space(), CAST.faces["generic"], under, made, at_rest(), [point], [goal])
     vectors = tuple((float(a), float(b), float(c)) for a, b, c in found.vectors)
-    expression = composed(space(), Recipe(made.rows, vectors), {}, made)
+    expression = compose_expression(space(), Recipe(made.rows, vectors), {}, made)
     moved = compound(space(), worn_by, expression).astype(np.float64) - worn_by.positions
     back = extract(space(), worn_by, moved)
     rows = list(made.rows)
@@ -112,15 +112,15 @@ def test_points_and_targets_that_are_none_are_refused() -> None:
         ([1], [[0, np.nan, 0]], "expected finite metres"),
     ):
         with pytest.raises(ValueError, match=sentence):
-            solved(space(), face, under, made, at_rest(), points, targets)
+            solve_vectors(space(), face, under, made, at_rest(), points, targets)
 
 
 def test_what_is_far_out_of_reach_is_given_up_before_anybody_waits_for_it() -> None:
     """Nobody gives way for a point a metre off, and where all are dragged there is nobody who could."""
     made, face, under = net(), CAST.faces["dog"], CAST.expressions["neutral"]
-    far = solved(space(), face, under, made, at_rest(), [5], [[0.0, 1.0, 0.0]])
+    far = solve_vectors(space(), face, under, made, at_rest(), [5], [[0.0, 1.0, 0.0]])
     assert far.compounds <= MOST
     every = range(len(made.rows))
     here = face.positions[list(made.rows)].astype(np.float64)
-    all_dragged = solved(space(), face, under, made, at_rest(), every, here + np.array([0.01, 0, 0]))
+    all_dragged = solve_vectors(space(), face, under, made, at_rest(), every, here + np.array([0.01, 0, 0]))
     assert all_dragged.compounds <= MOST

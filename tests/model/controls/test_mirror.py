@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.controls.mirror import mirror_of, mirror_rows, mirrored
+from omote.model.controls.mirror import mirror_expression, mirror_of, mirror_rows
 from omote.model.space.expression import Expression
 from omote.model.space.parameter_space import ParameterSpace
 from tests import synthetic
@@ -32,14 +32,14 @@ def test_an_expression_mirrored_twice_is_itself() -> None:
     cast = omote.load_cast()
     for name in ("wink", "smile", "tongueOut", "eyeLookUpLeft"):
         expression = cast.expressions[name]
-        assert same(mirrored(cast.space, mirrored(cast.space, expression)), expression)
+        assert same(mirror_expression(cast.space, mirror_expression(cast.space, expression)), expression)
 
 
 def test_the_left_unit_mirrored_is_the_right_one() -> None:
     cast = omote.load_cast()
     for unit in ("eyeBlink", "eyeLookOut", "mouthSmile", "browDown"):
         left, right = cast.expressions[unit + "Left"], cast.expressions[unit + "Right"]
-        image = mirrored(cast.space, left)
+        image = mirror_expression(cast.space, left)
         here, there = (np.stack([0.1 * one.dtheta, one.dh]) for one in (image, right))
         assert np.linalg.norm(here - there) < 0.05 * np.linalg.norm(there)
         assert np.allclose(image.eyes, right.eyes, atol=0.02)

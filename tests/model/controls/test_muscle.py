@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import omote
 from omote.model.controls.face_muscles import muscles
-from omote.model.controls.muscle import Muscle, lip_share, metric_of, pull_field, slid
+from omote.model.controls.muscle import Muscle, lip_share, metric_of, pull_field, slide_radius
 from omote.model.controls.upper_lower import sides
 from omote.model.space.parameter_space import ParameterSpace
 from tests import synthetic
@@ -67,9 +67,9 @@ def test_a_sphincter_draws_towards_its_middle_from_all_sides() -> None:
 def test_skin_slides_along_an_egg() -> None:
     """Sideways on a body of revolution the radius stays; nothing moves, nothing changes."""
     still = np.zeros(egg().vertex_count)
-    assert not slid(egg(), still, still).any()
+    assert not slide_radius(egg(), still, still).any()
     back = np.abs(egg().theta) > 2.0
-    assert np.abs(slid(egg(), np.where(back, 0.02, 0.0), still)).max() < 0.01
+    assert np.abs(slide_radius(egg(), np.where(back, 0.02, 0.0), still)).max() < 0.01
 
 
 def test_a_lip_muscle_leaves_the_other_lip() -> None:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import omote
 from omote.model.controls.default_net import default_net
-from omote.model.controls.net_field import Weave, woven
+from omote.model.controls.net_field import NetField, build_net_field
 from omote.model.controls.upper_lower import sides
 from omote.model.space.parameter_space import ParameterSpace
 
@@ -22,8 +22,8 @@ def space() -> ParameterSpace:
 
 
 @cache
-def net() -> Weave:
-    return woven(space(), default_net(space()))
+def net() -> NetField:
+    return build_net_field(space(), default_net(space()))
 
 
 def with_rings(field: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -84,13 +84,13 @@ def test_the_field_is_bilinear_and_zero_off_the_sheet() -> None:
 )
 def test_rows_that_make_no_net_are_refused(rows: tuple[int, ...], sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
-        woven(space(), rows)
+        build_net_field(space(), rows)
 
 
 def test_inner_skin_carries_no_point() -> None:
     inner = int(space().inner.vertices[0])
     with pytest.raises(ValueError, match="which is inner skin"):
-        woven(space(), (*default_net(space()), inner))
+        build_net_field(space(), (*default_net(space()), inner))
 
 
 def test_vectors_of_other_shapes_or_not_finite_are_refused() -> None:

@@ -7,9 +7,9 @@ import pytest
 
 import omote
 from omote.model.controls.default_net import default_net
-from omote.model.controls.net_field import woven
+from omote.model.controls.net_field import build_net_field
 from omote.model.controls.tangents import generic_tangents, tangents
-from omote.model.recipes.compose_expression import shifted
+from omote.model.recipes.compose_expression import add_field
 from omote.model.transfer.compound import compound
 
 CAST = omote.load_cast()
@@ -31,13 +31,13 @@ def test_the_generic_head_keeps_cylinder_coordinates() -> None:
 @pytest.mark.parametrize("name", ["kaori", "baby", "dog"])
 def test_a_drag_of_five_millimetres_is_nearly_its_tangent(name: str) -> None:
     space, face = CAST.space, CAST.faces[name]
-    made = woven(space, default_net(space))
+    made = build_net_field(space, default_net(space))
     slope, found = tangents(space, face), []
     for point in range(2, len(made.rows), 9):
         vectors = np.tile([0.0, 0.0, 1.0], (len(made.rows), 1))
         vectors[point] += [0.02, 0.003, 0.02]
         field = made.field(vectors)
-        way = compound(space, face, shifted(space, None, field)).astype(np.float64) - face.positions
+        way = compound(space, face, add_field(space, None, field)).astype(np.float64) - face.positions
         moved = space.on_sheet & (np.linalg.norm(way, axis=1) > 2e-4)
         apart = np.linalg.norm(np.einsum("vk,kvc->vc", field, slope) - way, axis=1)
         found.append(np.median(apart[moved] / np.linalg.norm(way[moved], axis=1)))

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 import omote
 from omote.model.controls.default_net import default_net
-from omote.model.controls.net_field import woven
-from omote.model.controls.upper_lower import apart, held, own_side, sides
+from omote.model.controls.net_field import build_net_field
+from omote.model.controls.upper_lower import clamp_weights, is_across, nearest_own_side, sides
 from omote.model.space.lid_lip_lines import chains
 from tests import synthetic
 
@@ -34,7 +34,7 @@ def test_whatever_points_an_artist_takes_no_vertex_is_moved_from_across_an_openi
     """Also where the points of a lip's edge are taken away."""
     space, random = omote.load_cast().space, np.random.default_rng(seed)
     rows = random.choice(np.array(default_net(space)), 80, replace=False)
-    made = woven(space, [int(row) for row in rows])
+    made = build_net_field(space, [int(row) for row in rows])
     sheet = np.flatnonzero(space.on_sheet)
     side = sides(space)
     corners, weights = made.net.corners[sheet], made.net.weights[sheet]
@@ -49,11 +49,11 @@ def test_the_nearest_triangle_of_its_own_side_is_carried_on_beyond_its_edge() ->
     place = np.array([[0.0, 1.0], [1.0, 1.0], [0.5, 2.0], [0.0, 0.0], [1.0, 0.0]])
     triangles = np.array([[0, 1, 2], [3, 4, 1], [3, 1, 0]], np.int32)
     vertex = np.array([[1]], np.int8)
-    assert apart(np.array([1], np.int8), points[:, triangles]).tolist() == [False, True, True]
-    assert own_side(vertex, points, triangles, place[triangles], np.array([[0.5, 0.9]])).tolist() == [0]
-    assert own_side(-vertex, points, triangles, place[triangles], np.array([[0.5, 0.1]])).tolist() == [-1]
+    assert is_across(np.array([1], np.int8), points[:, triangles]).tolist() == [False, True, True]
+    assert nearest_own_side(vertex, points, triangles, place[triangles], np.array([[0.5, 0.9]])).tolist() == [0]
+    assert nearest_own_side(-vertex, points, triangles, place[triangles], np.array([[0.5, 0.1]])).tolist() == [-1]
 
 
 def test_what_lies_far_beyond_an_edge_goes_with_it() -> None:
-    weights = held(np.array([[0.6, 0.6, -0.2], [0.9, 0.9, -0.8]]))
+    weights = clamp_weights(np.array([[0.6, 0.6, -0.2], [0.9, 0.9, -0.8]]))
     assert np.allclose(weights, [[0.6, 0.6, -0.2], [0.5, 0.5, 0.0]])

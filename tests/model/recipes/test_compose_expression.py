@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 import omote
 from omote.model.controls.default_net import default_net
 from omote.model.controls.face_muscles import muscles
-from omote.model.controls.mirror import mirrored
-from omote.model.controls.net_field import Weave, woven
-from omote.model.recipes.compose_expression import composed, pulled, renetted, shifted
+from omote.model.controls.mirror import mirror_expression
+from omote.model.controls.net_field import NetField, build_net_field
+from omote.model.recipes.compose_expression import add_field, change_net, compose_expression, find_muscle_field
 from omote.model.recipes.recipe import Layer, Pull, Recipe, Vector
 from omote.model.sculpting.regions import REGIONS
 from omote.model.space.expression import Expression
@@ -30,8 +30,8 @@ def space() -> ParameterSpace:
 
 
 @cache
-def _woven() -> Weave:
-    return woven(space(), default_net(space()))
+def _woven() -> NetField:
+    return build_net_field(space(), default_net(space()))
 
 
 def recipe(*layers: Layer, seed: int | None = None, pulls: tuple[Pull, ...] = ()) -> Recipe:
@@ -44,8 +44,8 @@ def recipe(*layers: Layer, seed: int | None = None, pulls: tuple[Pull, ...] = ()
 
 
 def baked(made: Recipe, **own: Expression) -> Expression:
-    weave = _woven() if made.net == default_net(space()) else None
-    return composed(space(), made, {**CAST.expressions, **own}, weave)
+    net_field = _woven() if made.net == default_net(space()) else None
+    return compose_expression(space(), made, {**CAST.expressions, **own}, net_field)
 
 
 def numbers(expression: Expression) -> NDArray[np.float64]:
@@ -89,13 +89,15 @@ def test_the_brow_of_one_and_the_mouth_of_another() -> None:
 
 def test_a_mirrored_layer_is_the_mirror_image() -> None:
     found = baked(recipe(Layer("wink", "", mirrored=True)))
-    assert np.allclose(numbers(found), numbers(mirrored(space(), CAST.expressions["wink"])), atol=1e-15)
+    assert np.allclose(numbers(found), numbers(mirror_expression(space(), CAST.expressions["wink"])), atol=1e-15)
 
 
 def test_a_muscle_pulls_linearly_and_eyes_turn() -> None:
     for name in muscles(space()):
         half = baked(recipe(pulls=(Pull(name, 0.5),)))
-        assert np.allclose(np.stack([half.dtheta, half.dh, half.ratio - 1], 1), 0.5 * pulled(space(), name), atol=1e-15)
+        assert np.allclose(
+            np.stack([half.dtheta, half.dh, half.ratio - 1], 1), 0.5 * find_muscle_field(space(), name), atol=1e-15
+        )
     turned = msgspec.structs.replace(recipe(), eyes=(0.1, 0.2, -0.1, 0.3), pupil=0.5)
     assert baked(turned).eyes.ravel().tolist() == [0.1, 0.2, -0.1, 0.3]
     assert baked(turned).pupil == 0.5
@@ -109,8 +111,8 @@ def test_another_net_changes_nothing_that_is_seen(seed: int, fewer: int, grounde
     before = msgspec.structs.replace(before, ground="#ground" if grounded else None)
     spare = int(space().sheet_triangles[seed % 900, 0])
     net = [row for row in before.net[fewer:] if row != spare] + [spare]
-    made, weave, ground = renetted(space(), before, own.get("#ground"), net)
-    assert made.net == tuple(net) == weave.rows
+    made, net_field, ground = change_net(space(), before, own.get("#ground"), net)
+    assert made.net == tuple(net) == net_field.rows
     assert ground is not None
     after = msgspec.structs.replace(made, ground="#new")
     apart = numbers(baked(before, **own)) - numbers(baked(after, **{"#new": ground}))
@@ -118,7 +120,7 @@ def test_another_net_changes_nothing_that_is_seen(seed: int, fewer: int, grounde
 
 
 def test_the_same_net_needs_no_ground() -> None:
-    made, _, ground = renetted(space(), recipe(seed=3), None, default_net(space()))
+    made, _, ground = change_net(space(), recipe(seed=3), None, default_net(space()))
     assert ground is None
     assert np.allclose(made.vectors, recipe(seed=3).vectors, atol=1e-12)
 
@@ -146,4 +148,4 @@ def test_a_radius_must_stay_positive() -> None:
     field = np.zeros((space().vertex_count, 3))
     field[default_net(space())[0], 2] = -1.0
     with pytest.raises(ValueError, match="give layers and muscles less weight"):
-        shifted(space(), None, field)
+        add_field(space(), None, field)

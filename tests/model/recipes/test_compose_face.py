@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from omote.builtin import load_cast
 from omote.model.cast import Look
-from omote.model.recipes.compose_face import MOST_AMOUNT, Dressed, composed_face, mixed, mixed_look
-from omote.model.recipes.face_handles import default_handles, dragged
+from omote.model.recipes.compose_face import MOST_AMOUNT, FaceWithLook, compose_face, mix_faces, mix_looks
+from omote.model.recipes.face_handles import default_handles, drag_handles
 from omote.model.recipes.recipe import FaceRecipe
-from omote.model.sculpting.extrapolation import turned_over
+from omote.model.sculpting.extrapolation import find_folds
 from omote.model.sculpting.regions import REGIONS, caricature, regional
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
@@ -23,13 +23,13 @@ from omote.perform.performer import Performer
 
 CAST = load_cast()
 SPACE = CAST.space
-SOURCES = {name: Dressed(face, CAST.looks[name]) for name, face in CAST.faces.items()}
+SOURCES = {name: FaceWithLook(face, CAST.looks[name]) for name, face in CAST.faces.items()}
 ROWS = tuple(handle.row for handle in default_handles(SPACE))
 names = st.sampled_from(sorted(SOURCES))
 
 
-def made(recipe: FaceRecipe) -> Dressed:
-    return composed_face(SPACE, "hers", recipe, SOURCES)
+def made(recipe: FaceRecipe) -> FaceWithLook:
+    return compose_face(SPACE, "hers", recipe, SOURCES)
 
 
 def same(one: Face, other: Face) -> bool:
@@ -63,7 +63,7 @@ def test_a_mix_is_what_is_on_air_between_its_faces() -> None:
 @settings(max_examples=20)
 def test_a_mix_is_linear_in_its_shares(one: str, other: str, share: float) -> None:
     pair = [(SOURCES[one].face, share), (SOURCES[other].face, 1.0 - share)]
-    between = mixed(SPACE, "a", pair)
+    between = mix_faces(SPACE, "a", pair)
     for part in SPACE.parts:
         first, second = (fit(SPACE, face).parts[part].astype(float) for face, _ in pair)
         assert np.allclose(between.parts[part], share * first + (1.0 - share) * second, atol=1e-6)
@@ -82,9 +82,9 @@ def test_base_regions_caricature_and_handles_follow_one_another() -> None:
         ROWS,
         tuple((x, y, z) for x, y, z in moves.tolist()),
     )
-    face = mixed(SPACE, "a", [(SOURCES["kaori"].face, 0.5), (SOURCES["old"].face, 0.5)])
+    face = mix_faces(SPACE, "a", [(SOURCES["kaori"].face, 0.5), (SOURCES["old"].face, 0.5)])
     face = regional(SPACE, "a", {"mouth": SOURCES["dog"].face, "brows": SOURCES["cat"].face}, rest=face)
-    face = dragged(SPACE, caricature(SPACE, face, 1.2), "a", rows=ROWS, moves=moves)
+    face = drag_handles(SPACE, caricature(SPACE, face, 1.2), "a", rows=ROWS, moves=moves)
     assert same(made(recipe).face, face)
 
 
@@ -99,15 +99,15 @@ def test_the_look_of_a_region_comes_with_it_and_nothing_else_does() -> None:
 
 def test_colours_mix_in_linear_light_and_traits_as_numbers() -> None:
     black, white = Look(skin="#000000", age=0.0), Look(skin="#ffffff", age=1.0)
-    grey = mixed_look([(black, 0.5), (white, 0.5)])
+    grey = mix_looks([(black, 0.5), (white, 0.5)])
     assert (grey.skin, grey.age) == ("#bcbcbc", 0.5)  # half the light is 188 of 255 in sRGB
-    assert mixed_look([(SOURCES["dog"].look, 1.0)]) == SOURCES["dog"].look
+    assert mix_looks([(SOURCES["dog"].look, 1.0)]) == SOURCES["dog"].look
 
 
 @given(looks=st.lists(st.sampled_from([one.look for one in SOURCES.values()]), min_size=1, max_size=5))
 @settings(max_examples=30)
 def test_a_mix_of_looks_is_a_look_between_them(looks: list[Look]) -> None:
-    found = mixed_look([(look, 1.0 / len(looks)) for look in looks])
+    found = mix_looks([(look, 1.0 / len(looks)) for look in looks])
     for trait in ("age", "iris_size", "fur"):
         worn = [getattr(look, trait) for look in looks]
         assert min(worn) - 1e-9 <= getattr(found, trait) <= max(worn) + 1e-9
@@ -125,15 +125,15 @@ def test_hair_is_one_style_whole_on_its_own_scalp() -> None:
         ([(bald, 0.4), (bun, 0.35), (thin, 0.25)], "bun", 1.0),
         ([(bald, 0.5), (thin, 0.5), (bun, 0.0)], "thin", 0.25),
     ]:
-        found = mixed_look(looks)
+        found = mix_looks(looks)
         assert (found.hair_style, found.scalp, found.hair) == (style, scalp, "#202020")
 
 
 def test_hair_is_that_of_the_largest_share_all_wearers_together() -> None:
     bald, bun, bob = Look(hair_style=""), Look(hair_style="bun"), Look(hair_style="bob")
-    assert mixed_look([(bald, 0.4), (bun, 0.35), (bob, 0.25)]).hair_style == "bun"
-    assert mixed_look([(bald, 0.6), (bun, 0.2), (bob, 0.2)]).hair_style == ""
-    assert mixed_look([(bald, 0.4), (bun, 0.3), (replace(bun, age=1.0), 0.3)]).hair_style == "bun"
+    assert mix_looks([(bald, 0.4), (bun, 0.35), (bob, 0.25)]).hair_style == "bun"
+    assert mix_looks([(bald, 0.6), (bun, 0.2), (bob, 0.2)]).hair_style == ""
+    assert mix_looks([(bald, 0.4), (bun, 0.3), (replace(bun, age=1.0), 0.3)]).hair_style == "bun"
 
 
 @given(
@@ -147,9 +147,9 @@ def test_mixes_regions_and_some_caricature_fold_next_to_nothing(
 ) -> None:
     recipe = FaceRecipe(dict.fromkeys(base, 1.0 / len(base)), regions, amount)
     found = made(recipe).face
-    bad = turned_over(SPACE.points, found.positions.astype(float), SPACE.skin_triangles)
+    bad = find_folds(SPACE.points, found.positions.astype(float), SPACE.skin_triangles)
     least = max(
-        int(turned_over(SPACE.points, SOURCES[name].face.positions.astype(float), SPACE.skin_triangles).sum())
+        int(find_folds(SPACE.points, SOURCES[name].face.positions.astype(float), SPACE.skin_triangles).sum())
         for name in (*base, *regions.values())
     )
     assert bad.sum() <= least + 0.01 * len(bad)
@@ -178,6 +178,6 @@ def test_what_makes_no_face_is_refused_with_a_sentence(recipe: FaceRecipe, sente
 
 
 def test_weights_that_were_rounded_on_air_are_scaled() -> None:
-    rounded = composed_face(SPACE, "a", FaceRecipe({"kaori": 0.33334, "dog": 0.33334, "cat": 0.33334}), SOURCES)
-    exact = composed_face(SPACE, "a", FaceRecipe(dict.fromkeys(("kaori", "dog", "cat"), 1 / 3)), SOURCES)
+    rounded = compose_face(SPACE, "a", FaceRecipe({"kaori": 0.33334, "dog": 0.33334, "cat": 0.33334}), SOURCES)
+    exact = compose_face(SPACE, "a", FaceRecipe(dict.fromkeys(("kaori", "dog", "cat"), 1 / 3)), SOURCES)
     assert np.allclose(rounded.face.positions, exact.face.positions, atol=1e-9)

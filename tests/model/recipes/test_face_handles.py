@@ -12,10 +12,10 @@ from scipy.spatial.distance import cdist
 
 from omote.builtin import load_cast
 from omote.geometry import mesh
-from omote.model.recipes.face_handles import FARTHEST_MOVE, Handle, default_handles, dragged, handle_basis
-from omote.model.sculpting.extrapolation import turned_over
+from omote.model.recipes.face_handles import FARTHEST_MOVE, Handle, default_handles, drag_handles, handle_basis
+from omote.model.sculpting.extrapolation import find_folds
 from omote.model.sculpting.sculpt import Sculpt, sculpted
-from omote.model.space.eye_socket import heights, radius_of
+from omote.model.space.eye_socket import ball_heights, radius_of
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
@@ -130,7 +130,7 @@ def test_the_basis_is_the_displacement_before_eyes_are_made_round_and_lids_are_l
 ) -> None:
     face = CAST.faces[name]
     drawn = moderate(face, seed)
-    made = dragged(SPACE, face, "hers", rows=ROWS, moves=drawn)
+    made = drag_handles(SPACE, face, "hers", rows=ROWS, moves=drawn)
     difference = everything(made) - everything(face) - handle_basis(SPACE, face, ROWS) @ drawn
     fitted, row = fit(SPACE, face), SPACE.vertex_count
     for part in SPACE.parts.values():
@@ -138,7 +138,7 @@ def test_the_basis_is_the_displacement_before_eyes_are_made_round_and_lids_are_l
         row = rows.stop
         if part.eye:
             assert np.allclose(difference[rows].mean(axis=0), 0.0, atol=1e-7)
-            around = heights(fitted.positions, fitted.parts[part.name])
+            around = ball_heights(fitted.positions, fitted.parts[part.name])
             difference[: SPACE.vertex_count][around < 1.6] = 0.0
             difference[rows] = 0.0
     assert np.abs(difference).max() < 1e-7
@@ -147,7 +147,7 @@ def test_the_basis_is_the_displacement_before_eyes_are_made_round_and_lids_are_l
 def test_on_the_generic_face_it_is_the_sculpt_of_the_same_points() -> None:
     face = CAST.faces["generic"]
     drawn = moderate(face, 5)
-    ours = dragged(SPACE, face, "a", rows=ROWS, moves=drawn)
+    ours = drag_handles(SPACE, face, "a", rows=ROWS, moves=drawn)
     theirs = sculpted(SPACE, Sculpt("a", SPACE.points[ROWS], drawn, symmetric=False))
     assert np.allclose(everything(ours), everything(theirs), atol=1e-6)
 
@@ -155,7 +155,7 @@ def test_on_the_generic_face_it_is_the_sculpt_of_the_same_points() -> None:
 @faces
 def test_handles_at_rest_leave_a_face_as_it_is(name: str) -> None:
     face = CAST.faces[name]
-    made = dragged(SPACE, face, "a", rows=ROWS, moves=np.zeros((len(ROWS), 3)))
+    made = drag_handles(SPACE, face, "a", rows=ROWS, moves=np.zeros((len(ROWS), 3)))
     assert np.array_equal(everything(made), everything(face))
 
 
@@ -164,21 +164,21 @@ def test_handles_at_rest_leave_a_face_as_it_is(name: str) -> None:
 def test_handles_off_the_lids_arrive_where_they_are_put_and_moderate_moves_fold_nothing(seed: int, name: str) -> None:
     face = CAST.faces[name]
     drawn = moderate(face, seed)
-    made = dragged(SPACE, face, "hers", rows=ROWS, moves=drawn)
+    made = drag_handles(SPACE, face, "hers", rows=ROWS, moves=drawn)
     assert made.name == "hers"
     free = [place for place, handle in enumerate(HANDLES) if "lid" not in handle.label and "eye" not in handle.label]
     assert np.allclose((made.positions - face.positions)[ROWS][free], drawn[free], atol=5e-5)
-    assert not turned_over(face.positions.astype(float), made.positions.astype(float), SPACE.skin_triangles).any()
+    assert not find_folds(face.positions.astype(float), made.positions.astype(float), SPACE.skin_triangles).any()
 
 
 def test_eyes_stay_round_and_lids_stay_on_them() -> None:
     face = CAST.faces["dog"]
-    made = dragged(SPACE, face, "hers", rows=ROWS, moves=moderate(face, 3))
+    made = drag_handles(SPACE, face, "hers", rows=ROWS, moves=moderate(face, 3))
     for part in (part for part in SPACE.parts.values() if part.eye):
         before, after = (fit(SPACE, one).parts[part.name].astype(float) for one in (face, made))
         assert similar(before, after)
-        rest = heights(face.positions, before)
-        assert np.allclose(heights(made.positions, after)[rest < 1.12], rest[rest < 1.12], atol=1e-3)
+        rest = ball_heights(face.positions, before)
+        assert np.allclose(ball_heights(made.positions, after)[rest < 1.12], rest[rest < 1.12], atol=1e-3)
 
 
 def similar(before: np.ndarray, after: np.ndarray) -> bool:
@@ -204,7 +204,7 @@ def similar(before: np.ndarray, after: np.ndarray) -> bool:
 )
 def test_what_cannot_be_dragged_is_refused_with_a_sentence(rows: Any, far: Any, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
-        dragged(SPACE, CAST.faces["generic"], "a", rows=rows, moves=far)
+        drag_handles(SPACE, CAST.faces["generic"], "a", rows=rows, moves=far)
 
 
 def test_a_basis_of_handles_in_one_plane_is_refused() -> None:

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import omote
-from omote.geometry.laplacian import smoothing
-from omote.model.sculpting.extrapolation import turned_over
+from omote.geometry.laplacian import smoothing_matrix
+from omote.model.sculpting.extrapolation import find_folds
 from omote.model.sculpting.regions import REGIONS, Region, caricature, region_weights, regional
-from omote.model.space.eye_socket import NEAR, heights
+from omote.model.space.eye_socket import NEAR, ball_heights
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.space.similarity import similarity
+from omote.model.space.similarity import fit_similarity
 from tests.synthetic import FACES, cast, space
 
 CAST = omote.load_cast()
@@ -72,9 +72,9 @@ def test_each_region_has_the_form_of_its_face_and_no_border_is_rougher_than_both
     weights = region_weights(CAST.space)
     lower = weights["jaw"] + weights["mouth"]
     assert np.allclose(made.positions[lower < 1e-4], child.positions[lower < 1e-4], atol=1e-3)
-    laid = similarity(old.positions, made.positions, lower**8)
+    laid = fit_similarity(old.positions, made.positions, lower**8)
     assert np.linalg.norm(laid(old.positions) - made.positions, axis=1)[lower > 0.95].max() < 0.004
-    mean = smoothing(CAST.space.skin_triangles, CAST.space.vertex_count)
+    mean = smoothing_matrix(CAST.space.skin_triangles, CAST.space.vertex_count)
     border = (lower > 0.2) & (lower < 0.8)
     rough = [np.linalg.norm(mean @ p - p, axis=1)[border].mean() for p in (f.positions for f in (old, child, made))]
     assert rough[2] < 1.1 * max(rough[:2])
@@ -101,11 +101,11 @@ def test_eyeballs_of_a_mix_stay_round_and_outside_of_the_lids() -> None:
     made = regional(CAST.space, "staring", {"eyes": CAST.faces[used[0]]}, rest=CAST.faces[used[1]])
     for name in ("eye_left", "eye_right"):
         ball, generic = made.parts[name].astype(np.float64), CAST.space.parts[name].points
-        rough = [np.ptp(heights(points, points)) for points in (*(CAST.faces[n].parts[name] for n in used), ball)]
+        rough = [np.ptp(ball_heights(points, points)) for points in (*(CAST.faces[n].parts[name] for n in used), ball)]
         assert rough[2] <= max(rough[:2])
-        lids = heights(CAST.space.points, generic) > 1.0
-        sources = [heights(CAST.faces[n].positions, CAST.faces[n].parts[name]) for n in used]
-        over = heights(made.positions.astype(np.float64), ball)
+        lids = ball_heights(CAST.space.points, generic) > 1.0
+        sources = [ball_heights(CAST.faces[n].positions, CAST.faces[n].parts[name]) for n in used]
+        over = ball_heights(made.positions.astype(np.float64), ball)
         assert (over >= np.minimum(*sources) - 1e-4)[lids & (np.maximum(*sources) < NEAR)].all()
 
 
@@ -146,7 +146,7 @@ def test_no_caricature_folds(name: str, amount: float) -> None:
     face = CAST.faces[name]
     made = caricature(CAST.space, face, amount)
     before, after = face.positions.astype(np.float64), made.positions.astype(np.float64)
-    assert not turned_over(before, after, CAST.space.skin_triangles).any()
+    assert not find_folds(before, after, CAST.space.skin_triangles).any()
 
 
 def test_a_caricature_adds_form_and_no_detail() -> None:

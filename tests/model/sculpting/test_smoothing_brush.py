@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.sculpting.smoothing_brush import MOST_ROUNDS, Brush, brushed
+from omote.model.sculpting.smoothing_brush import MOST_ROUNDS, Brush, apply_brushes
 
 SPACE = omote.load_cast().space
 CHEEK = Brush((0.045, -0.04, 0.125), 0.025, 6)
@@ -20,9 +20,9 @@ def noisy() -> np.ndarray:
 
 
 def test_nothing_moves_without_a_brush_or_beyond_its_reach() -> None:
-    assert np.array_equal(brushed(SPACE, noisy(), ()), noisy())
+    assert np.array_equal(apply_brushes(SPACE, noisy(), ()), noisy())
     reached = CHEEK.strength(SPACE.points) + CHEEK.strength(SPACE.points * MIRROR) > 0
-    moved = (brushed(SPACE, noisy(), (CHEEK,)) != noisy()).any(axis=1)
+    moved = (apply_brushes(SPACE, noisy(), (CHEEK,)) != noisy()).any(axis=1)
     assert not moved[~reached].any()
     sheet = np.isin(np.arange(len(moved)), SPACE.skin_triangles)
     assert moved[reached & sheet].mean() > 0.9
@@ -32,15 +32,15 @@ def test_a_brush_takes_detail_and_leaves_the_form() -> None:
     vertex = int(np.linalg.norm(SPACE.points - CHEEK.at, axis=1).argmin())
     bumped = np.array(SPACE.points)
     bumped[vertex] += [0.0, 0.0, 0.002]
-    left = brushed(SPACE, bumped, (CHEEK,)) - brushed(SPACE, SPACE.points, (CHEEK,))
+    left = apply_brushes(SPACE, bumped, (CHEEK,)) - apply_brushes(SPACE, SPACE.points, (CHEEK,))
     assert np.abs(left).max() < 0.3 * 0.002
-    assert np.linalg.norm(brushed(SPACE, SPACE.points, (CHEEK,)) - SPACE.points, axis=1).max() < 0.2 * CHEEK.reach
+    assert np.linalg.norm(apply_brushes(SPACE, SPACE.points, (CHEEK,)) - SPACE.points, axis=1).max() < 0.2 * CHEEK.reach
 
 
 def test_a_symmetric_brush_works_on_both_sides_and_another_on_one() -> None:
     other = np.abs(SPACE.points * MIRROR - CHEEK.at).max(axis=1) < 0.01
-    assert (brushed(SPACE, noisy(), (CHEEK,)) != noisy())[other].any()
-    assert np.array_equal(brushed(SPACE, noisy(), (CHEEK,), symmetric=False)[other], noisy()[other])
+    assert (apply_brushes(SPACE, noisy(), (CHEEK,)) != noisy())[other].any()
+    assert np.array_equal(apply_brushes(SPACE, noisy(), (CHEEK,), symmetric=False)[other], noisy()[other])
 
 
 def test_its_strength_falls_softly_from_the_middle_to_the_rim() -> None:

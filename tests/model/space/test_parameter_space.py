@@ -7,7 +7,7 @@ import pytest
 
 from omote.geometry import mesh
 from omote.model.space.parameter_space import ParameterSpace, smoothed_scale
-from omote.model.space.skin_sheet import unwrapped
+from omote.model.space.skin_sheet import unwrap_corners
 from tests.model.heads import ict_facekit, perry_smith
 from tests.synthetic import head
 
@@ -15,7 +15,7 @@ from tests.synthetic import head
 def layers_over(space: ParameterSpace, theta: np.ndarray, h: np.ndarray) -> np.ndarray:
     """How many location triangles hold each point, by looking at all of them."""
     corners = space.location_triangles
-    x, y = unwrapped(space.theta, corners), space.h[corners]
+    x, y = unwrap_corners(space.theta, corners), space.h[corners]
     count = np.zeros(len(theta), int)
     for i, (angle, height) in enumerate(zip(theta, h, strict=True)):
         near = angle + 2 * np.pi * np.round((x.mean(axis=1) - angle) / (2 * np.pi))

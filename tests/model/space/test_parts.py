@@ -14,8 +14,8 @@ from omote.model.space.parts import (
     bind_to_skin,
     eye_angles,
     eye_rotation,
+    fit_similarity,
     place,
-    similarity,
 )
 from omote.model.transfer.compound import predicted
 from tests.synthetic import space
@@ -29,7 +29,7 @@ angles = st.floats(-1.0, 1.0)
 def test_similarity_is_found_exactly(yaw: float, pitch: float, scale: float) -> None:
     source = np.random.default_rng(1).normal(size=(12, 3))
     turn, shift = eye_rotation(yaw, pitch), np.array([0.1, -0.2, 0.3])
-    found = similarity(source, scale * source @ turn.T + shift)
+    found = fit_similarity(source, scale * source @ turn.T + shift)
     assert np.isclose(found[0], scale)
     assert np.allclose(found[1], turn)
     assert np.allclose(found[2], shift)

@@ -21,7 +21,7 @@ shifts = st.floats(-0.5, 0.5)
 
 def area_in_s(theta: NDArray[np.float64], h: NDArray[np.float64], corners: NDArray[np.int32]) -> NDArray[np.float64]:
     """Twice the signed area of each triangle in (theta, h)."""
-    u, w = sheet.unwrapped(theta, corners), h[corners]
+    u, w = sheet.unwrap_corners(theta, corners), h[corners]
     doubled: NDArray[np.float64] = (u[:, 1] - u[:, 0]) * (w[:, 2] - w[:, 0]) - (u[:, 2] - u[:, 0]) * (w[:, 1] - w[:, 0])
     return doubled
 
@@ -66,7 +66,7 @@ def test_a_triangle_without_area_is_refused_by_its_number() -> None:
 @given(st.lists(st.floats(-3.1, 3.1), min_size=3, max_size=3))
 def test_unwrapping_turns_corners_by_whole_circles_only(angles: list[float]) -> None:
     theta = np.array(angles)
-    turns = (sheet.unwrapped(theta, np.array([[0, 1, 2]], np.int32))[0] - theta) / (2 * np.pi)
+    turns = (sheet.unwrap_corners(theta, np.array([[0, 1, 2]], np.int32))[0] - theta) / (2 * np.pi)
     np.testing.assert_allclose(turns, turns.round(), atol=1e-9)
 
 
@@ -74,11 +74,11 @@ def test_the_cut_keeps_one_connected_layer_that_faces_outward_and_closes_its_hol
     points, triangles = head()
     cylinder = Cylinder(*sheet.find_axis(points, triangles))
     theta, h, _ = cylinder.unroll(points)
-    keep, membranes = sheet.cut(points, triangles, theta, h, cylinder)
+    keep, membranes = sheet.cut_sheet(points, triangles, theta, h, cylinder)
     assert keep.mean() > 0.8
     assert (area_in_s(theta, h, triangles[keep]) > 0).all()
     assert (area_in_s(theta, h, membranes) > 0).all()
-    assert not keep[~sheet.outward(theta, h, triangles)].any()
+    assert not keep[~sheet.find_outward(theta, h, triangles)].any()
     assert np.isin(membranes, triangles[keep]).all()
 
 
@@ -86,7 +86,7 @@ def test_a_head_turned_inside_out_has_no_sheet() -> None:
     points, triangles = head()
     theta, h, _ = Cylinder(0.0, 0.0).unroll(points)
     with pytest.raises(ValueError, match=r"expected a head, y up and \+z forward, wound counter-clockwise"):
-        sheet.cut(points, triangles[:, ::-1], theta, h, Cylinder(0.0, 0.0))
+        sheet.cut_sheet(points, triangles[:, ::-1], theta, h, Cylinder(0.0, 0.0))
 
 
 def test_vertices_that_nothing_joins_follow_their_four_nearest() -> None:

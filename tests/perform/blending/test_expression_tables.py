@@ -9,7 +9,7 @@ from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.model.space.face_fit import fit
 from omote.model.transfer.paper_map import compile_expression, wear
-from omote.perform.blending.expression_tables import Fields, fields_of
+from omote.perform.blending.expression_tables import ExpressionTables, tables_of
 from tests.synthetic import EXPRESSIONS
 
 FIELDS = ("dtheta", "dh", "ratio", "residual")
@@ -33,22 +33,22 @@ def mixed_field(cast: Cast, weights: dict[str, float]) -> Expression:
 def test_a_mix_is_the_compiled_sum_of_the_fields(cast: Cast, weights: dict[str, float], face: str) -> None:
     fitted = fit(cast.space, cast.faces[face])
     expected = wear(cast.space, fitted, compile_expression(cast.space, mixed_field(cast, weights)))
-    assert wear(cast.space, fitted, Fields(cast.space, cast.expressions).mixed(weights)) == pytest.approx(
+    assert wear(cast.space, fitted, ExpressionTables(cast.space, cast.expressions).mix(weights)) == pytest.approx(
         expected, abs=1e-6
     )
 
 
 def test_nothing_mixed_is_the_face_itself(cast: Cast) -> None:
     fitted = fit(cast.space, cast.faces["long"])
-    assert wear(cast.space, fitted, fields_of(cast).mixed({})) == pytest.approx(fitted.positions, abs=1e-7)
+    assert wear(cast.space, fitted, tables_of(cast).mix({})) == pytest.approx(fitted.positions, abs=1e-7)
 
 
 def test_no_sum_of_fields_turns_a_radius_over(cast: Cast) -> None:
     shrunk = dict.fromkeys(("jawOpen", "smile", "browInnerUp"), -30.0)
-    assert fields_of(cast).mixed(shrunk).ratios.min() > 0.0
-    assert np.isfinite(fields_of(cast).mixed(shrunk).weights).all()
+    assert tables_of(cast).mix(shrunk).ratios.min() > 0.0
+    assert np.isfinite(tables_of(cast).mix(shrunk).weights).all()
 
 
 def test_each_cast_has_its_own(cast: Cast) -> None:
-    assert fields_of(cast) is fields_of(cast)
-    assert fields_of(cast.with_faces()) is not fields_of(cast)
+    assert tables_of(cast) is tables_of(cast)
+    assert tables_of(cast.with_faces()) is not tables_of(cast)

@@ -13,10 +13,10 @@ from tests.server.false_browser import false_browser
 
 
 def test_the_wish_comes_before_what_is_installed(tmp_path: Path) -> None:
-    wish = tmp_path / "mine"
-    wish.touch()
+    request = tmp_path / "mine"
+    request.touch()
     false_browser(tmp_path)
-    assert find_chromium({"OMOTE_BROWSER": str(wish), "PATH": str(tmp_path)}) == wish
+    assert find_chromium({"OMOTE_BROWSER": str(request), "PATH": str(tmp_path)}) == request
 
 
 def test_a_wish_that_is_no_file_is_refused_and_not_replaced(tmp_path: Path) -> None:

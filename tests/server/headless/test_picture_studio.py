@@ -8,13 +8,13 @@ import pytest
 from omote.model.cast import Cast
 from omote.server.headless.chromium import open_chromium
 from omote.server.headless.devtools import BrowserError
-from omote.server.headless.picture_studio import draw_sheet, open_house, open_studio, query
-from omote.server.http.cast_documents import Library
-from omote.stage_data.picture_grid import Setting, Sheet
+from omote.server.headless.picture_studio import draw_grid, open_picture_page, query, serve_pages
+from omote.server.http.cast_documents import CastDocuments
+from omote.stage_data.picture_grid import PictureGrid, Setting
 from tests.server.false_browser import ANSWERS, false_browser
 from tests.server.synthetic_server import MASK, PAGES, meshes
 
-SHEET = Sheet([[{"faces": {"generic": 1.0}}]])
+SHEET = PictureGrid([[{"faces": {"generic": 1.0}}]])
 
 
 def test_a_setting_is_the_address_of_a_stage() -> None:
@@ -23,14 +23,14 @@ def test_a_setting_is_the_address_of_a_stage() -> None:
     assert query(Setting(transparent=True)) == "?quality=high&transparent=1"
 
 
-def library(cast: Cast) -> Library:
-    return Library(cast, meshes(cast), MASK)
+def documents(cast: Cast) -> CastDocuments:
+    return CastDocuments(cast, meshes(cast), MASK)
 
 
 @pytest.mark.asyncio
 async def test_the_house_serves_the_pages_on_loopback_and_closes(cast: Cast) -> None:
     async with aiohttp.ClientSession() as http:
-        async with open_house(library(cast), PAGES) as address:
+        async with serve_pages(documents(cast), PAGES) as address:
             assert address.startswith("http://127.0.0.1:")
             async with http.get(f"{address}/stage") as answer:
                 assert answer.status == 200
@@ -43,7 +43,7 @@ async def test_the_house_serves_the_pages_on_loopback_and_closes(cast: Cast) -> 
 @pytest.mark.asyncio
 async def test_a_studio_draws_what_the_page_gives(tmp_path: Path) -> None:
     async with open_chromium(false_browser(tmp_path)) as tools:
-        studio = await open_studio(tools, "http://127.0.0.1:1", Setting(100, 200))
+        studio = await open_picture_page(tools, "http://127.0.0.1:1", Setting(100, 200))
         assert await studio.draw(SHEET) == b"picture"
         await studio.close()
 
@@ -56,7 +56,7 @@ async def test_a_page_that_does_not_open_says_why(tmp_path: Path) -> None:
     )
     async with open_chromium(false_browser(tmp_path, refusing)) as tools:
         with pytest.raises(BrowserError, match=r"^background=red is no colour\.$"):
-            await open_studio(tools, "http://127.0.0.1:1", Setting(background="red"))
+            await open_picture_page(tools, "http://127.0.0.1:1", Setting(background="red"))
 
 
 @pytest.mark.asyncio
@@ -65,11 +65,11 @@ async def test_a_page_that_never_opens_is_not_waited_for(tmp_path: Path, monkeyp
     silent = ANSWERS.replace('return {"result": {"value": True}}', "sys.stdin.read(); os.read(3, 1)")
     async with open_chromium(false_browser(tmp_path, silent)) as tools:
         with pytest.raises(BrowserError, match="did not open within"):
-            await open_studio(tools, "http://127.0.0.1:1", Setting())
+            await open_picture_page(tools, "http://127.0.0.1:1", Setting())
 
 
 def test_one_call_draws_a_sheet(cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("OMOTE_BROWSER", str(false_browser(tmp_path)))
-    monkeypatch.setattr("omote.server.headless.picture_studio.built_in", lambda: library(cast))
-    monkeypatch.setattr("omote.server.headless.picture_studio.read_bundle", lambda: PAGES)
-    assert draw_sheet(SHEET, Setting()) == b"picture"
+    monkeypatch.setattr("omote.server.headless.picture_studio.built_in_documents", lambda: documents(cast))
+    monkeypatch.setattr("omote.server.headless.picture_studio.read_pages", lambda: PAGES)
+    assert draw_grid(SHEET, Setting()) == b"picture"

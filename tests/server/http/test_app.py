@@ -6,26 +6,26 @@ import msgspec
 import pytest
 
 from omote.model.cast import Cast
-from omote.server.http.app import FOR_EVER
-from omote.server.http.cast_documents import Library
+from omote.server.http.app import CACHE_FOREVER
+from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.security import HEADERS
 from omote.server.workers.workshop import FailedOrderError
 from omote.show import messages as wire
 from omote.show.messages import LINK_PATH, CompoundAsset, FaceAsset, Manifest
 from omote.show.wire import encode
 from omote.stage_data.assets import compound_asset, rest_positions
-from tests.server.conftest import House, answer, obeyed, state
+from tests.server.conftest import ShowHarness, answer, send_and_wait, state
 from tests.server.synthetic_server import MASK
 
 pytestmark = pytest.mark.asyncio
 
 
-async def test_all_consoles_get_the_same_states(house: House) -> None:
-    links = [await house.link("console"), await house.link("console"), await house.link("stage")]
-    await obeyed(links[0], wire.CallFace("1", "broad", 1.0, "smooth"))
-    await obeyed(links[1], wire.SetChannel("jawOpen", 0.5))
+async def test_all_consoles_get_the_same_states(show_harness: ShowHarness) -> None:
+    links = [await show_harness.link("console"), await show_harness.link("console"), await show_harness.link("stage")]
+    await send_and_wait(links[0], wire.CallFace("1", "broad", 1.0, "smooth"))
+    await send_and_wait(links[1], wire.SetChannel("jawOpen", 0.5))
     for _ in range(30):
-        house.tick()
+        show_harness.tick()
         states = [await state(link) for link in links]
         assert states[0] == states[1] == states[2]
     assert states[0].epoch == 7
@@ -34,19 +34,19 @@ async def test_all_consoles_get_the_same_states(house: House) -> None:
     assert states[0].channels == {"jawOpen": 0.5}
 
 
-async def test_a_latecomer_needs_one_state(house: House) -> None:
-    first = await house.link()
-    await obeyed(first, wire.SetChannel("smile", 1.5), wire.SetGaze(0.2, 0.1))
+async def test_a_latecomer_needs_one_state(show_harness: ShowHarness) -> None:
+    first = await show_harness.link()
+    await send_and_wait(first, wire.SetChannel("smile", 1.5), wire.SetGaze(0.2, 0.1))
     for _ in range(10):
-        house.tick()
-    late = await house.link("stage")
-    house.tick()
+        show_harness.tick()
+    late = await show_harness.link("stage")
+    show_harness.tick()
     seen = await state(late)
     assert (seen.number, seen.channels, seen.gaze) == (11, {"smile": 1.5}, (0.2, 0.1))
 
 
-async def test_a_link_survives_everything_it_says_wrong(house: House) -> None:
-    link = await house.link()
+async def test_a_link_survives_everything_it_says_wrong(show_harness: ShowHarness) -> None:
+    link = await show_harness.link()
     for data in (b"", b"\xc1", b"\x91" * 1000, encode(wire.SetChannel("jawOpen", float("nan")))):
         await link.send_bytes(data)
         assert isinstance(await answer(link), wire.Refused)
@@ -54,37 +54,37 @@ async def test_a_link_survives_everything_it_says_wrong(house: House) -> None:
     refused = await answer(link)
     assert isinstance(refused, wire.Refused)
     assert "MessagePack" in refused.reason
-    await obeyed(link, wire.SetChannel("jawOpen", 1.0))
-    house.tick()
+    await send_and_wait(link, wire.SetChannel("jawOpen", 1.0))
+    show_harness.tick()
     assert (await state(link)).channels == {"jawOpen": 1.0}
 
 
-async def test_a_message_too_long_closes_its_link_and_no_other(house: House) -> None:
-    link, other = await house.link(), await house.link()
+async def test_a_message_too_long_closes_its_link_and_no_other(show_harness: ShowHarness) -> None:
+    link, other = await show_harness.link(), await show_harness.link()
     await link.send_bytes(bytes(wire.MESSAGE_LIMIT + 1))
     refused = await answer(link)
     assert isinstance(refused, wire.Refused)
     assert f"longer than {wire.MESSAGE_LIMIT} bytes" in refused.reason
     closed = await link.receive()
     assert (closed.data, closed.extra) == (1009, refused.reason)  # message too big
-    house.tick()
+    show_harness.tick()
     assert (await state(other)).number == 1
 
 
-async def test_the_roll_is_called(house: House) -> None:
-    stage, console = await house.link("stage"), await house.link("console")
-    await obeyed(stage, wire.Drawing(59.5, "low"))
-    house.show.call_the_roll()
+async def test_the_roll_is_called(show_harness: ShowHarness) -> None:
+    stage, console = await show_harness.link("stage"), await show_harness.link("console")
+    await send_and_wait(stage, wire.Drawing(59.5, "low"))
+    show_harness.show.broadcast_crew()
     assert await answer(stage) == await answer(console) == wire.Crew(stages=[wire.StageReport(59.5, "low")], consoles=1)
 
 
-async def test_who_goes_is_gone(house: House) -> None:
-    stage, console = await house.link("stage"), await house.link("console")
+async def test_who_goes_is_gone(show_harness: ShowHarness) -> None:
+    stage, console = await show_harness.link("stage"), await show_harness.link("console")
     await stage.close()
-    await obeyed(console)  # after an answer to the one that stayed, the other is out of the list
-    house.show.call_the_roll()
+    await send_and_wait(console)  # after an answer to the one that stayed, the other is out of the list
+    show_harness.show.broadcast_crew()
     assert await answer(console) == wire.Crew(stages=[], consoles=1)
-    assert len(house.show.links) == 1
+    assert len(show_harness.show.links) == 1
 
 
 @pytest.mark.parametrize(
@@ -105,44 +105,46 @@ async def test_who_goes_is_gone(house: House) -> None:
         ("[::1", None, 403),
     ],
 )
-async def test_only_our_own_pages_may_link(house: House, host: str, origin: str | None, status: int) -> None:
+async def test_only_our_own_pages_may_link(
+    show_harness: ShowHarness, host: str, origin: str | None, status: int
+) -> None:
     headers = {"Host": host, "Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Version": "13"}
     headers |= {"Sec-WebSocket-Key": "AAAAAAAAAAAAAAAAAAAAAA=="} | ({"Origin": origin} if origin else {})
-    async with house.client.get(LINK_PATH, headers=headers) as response:
+    async with show_harness.client.get(LINK_PATH, headers=headers) as response:
         assert response.status == status
 
 
 @pytest.mark.parametrize("path", ["/", "/stage", "/console", "/manifest", "/nothing", LINK_PATH])
-async def test_every_answer_carries_the_headers(house: House, path: str) -> None:
-    response = await house.client.get(path)
+async def test_every_answer_carries_the_headers(show_harness: ShowHarness, path: str) -> None:
+    response = await show_harness.client.get(path)
     for name, value in HEADERS.items():
         assert response.headers[name] == value
 
 
-async def test_pages_are_found_by_name_only(house: House) -> None:
-    assert await (await house.client.get("/console")).text() == "page /console"
+async def test_pages_are_found_by_name_only(show_harness: ShowHarness) -> None:
+    assert await (await show_harness.client.get("/console")).text() == "page /console"
     for path in ("/consol", "/console/", "/..%2f..%2fetc%2fpasswd", "/%00", "/stage.html", "/CON", "/" + "x" * 300):
-        assert (await house.client.get(path)).status == 404
+        assert (await show_harness.client.get(path)).status == 404
 
 
-async def test_the_documents_lead_to_one_another(house: House, cast: Cast) -> None:
-    response = await house.client.get("/manifest")
+async def test_the_documents_lead_to_one_another(show_harness: ShowHarness, cast: Cast) -> None:
+    response = await show_harness.client.get("/manifest")
     manifest = msgspec.msgpack.decode(await response.read(), type=Manifest)
     assert manifest.digest == cast.digest
-    again = await house.client.get("/manifest", headers={"If-None-Match": response.headers["ETag"]})
+    again = await show_harness.client.get("/manifest", headers={"If-None-Match": response.headers["ETag"]})
     assert again.status == 304
     for face in manifest.faces:
-        asset = await house.client.get(face.url)
-        assert asset.headers["Cache-Control"] == FOR_EVER
+        asset = await show_harness.client.get(face.url)
+        assert asset.headers["Cache-Control"] == CACHE_FOREVER
         packed = msgspec.msgpack.decode(await asset.read(), type=FaceAsset)
         assert packed.positions == rest_positions(cast, cast.faces[face.name]).tobytes()
-    mask = await house.client.get(manifest.mask)
+    mask = await show_harness.client.get(manifest.mask)
     assert (mask.content_type, await mask.read()) == ("image/png", MASK)
 
 
-async def test_a_compound_comes_from_its_address(house: House, cast: Cast) -> None:
-    response = await house.client.get(f"/compounds/{cast.digest}/broad/smile")
-    assert response.headers["Cache-Control"] == FOR_EVER
+async def test_a_compound_comes_from_its_address(show_harness: ShowHarness, cast: Cast) -> None:
+    response = await show_harness.client.get(f"/compounds/{cast.digest}/broad/smile")
+    assert response.headers["Cache-Control"] == CACHE_FOREVER
     asset = msgspec.msgpack.decode(await response.read(), type=CompoundAsset)
     assert asset == compound_asset(cast, cast.faces["broad"], "smile")
 
@@ -150,46 +152,48 @@ async def test_a_compound_comes_from_its_address(house: House, cast: Cast) -> No
 @pytest.mark.parametrize(
     "path", ["/compounds/{}/nobody/smile", "/compounds/{}/broad/nothing", "/compounds/00/broad/smile"]
 )
-async def test_what_the_cast_has_not_is_not_found(house: House, cast: Cast, path: str) -> None:
-    response = await house.client.get(path.format(cast.digest))
+async def test_what_the_cast_has_not_is_not_found(show_harness: ShowHarness, cast: Cast, path: str) -> None:
+    response = await show_harness.client.get(path.format(cast.digest))
     assert response.status == 404
     assert "load /manifest again" in await response.text()
 
 
 async def test_a_compound_that_cannot_be_computed_now_may_be_asked_for_again(
-    house: House, cast: Cast, monkeypatch: pytest.MonkeyPatch
+    show_harness: ShowHarness, cast: Cast, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def failing(self: Library, face: str, expression: str) -> bytes:
+    async def failing(self: CastDocuments, face: str, expression: str) -> bytes:
         raise FailedOrderError("broad wearing smile cannot be computed")
 
-    monkeypatch.setattr(Library, "compound", failing)
-    response = await house.client.get(f"/compounds/{cast.digest}/broad/smile")
+    monkeypatch.setattr(CastDocuments, "compound", failing)
+    response = await show_harness.client.get(f"/compounds/{cast.digest}/broad/smile")
     assert response.status == 503
     assert "cannot be computed" in await response.text()
 
 
 async def test_a_compound_that_is_being_computed_holds_up_no_state(
-    house: House, cast: Cast, monkeypatch: pytest.MonkeyPatch
+    show_harness: ShowHarness, cast: Cast, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    link, library = await house.link(), house.show.library
+    link, documents = await show_harness.link(), show_harness.show.documents
     waiting: list[str] = []
 
-    async def slow(self: Library, face: str, expression: str) -> bytes:
+    async def slow(self: CastDocuments, face: str, expression: str) -> bytes:
         waiting.append(face)
-        house.tick()
+        show_harness.tick()
         assert (await state(link)).number == len(waiting)
         return expression.encode()
 
-    monkeypatch.setattr(Library, "compound", slow)
-    assert isinstance(library, Library)
-    response = await house.client.get(f"/compounds/{cast.digest}/broad/smile")
+    monkeypatch.setattr(CastDocuments, "compound", slow)
+    assert isinstance(documents, CastDocuments)
+    response = await show_harness.client.get(f"/compounds/{cast.digest}/broad/smile")
     assert await response.read() == b"smile"
     assert waiting == ["broad"]
 
 
-async def test_a_stranger_who_speaks_no_http_fills_no_terminal(house: House, caplog: pytest.LogCaptureFixture) -> None:
+async def test_a_stranger_who_speaks_no_http_fills_no_terminal(
+    show_harness: ShowHarness, caplog: pytest.LogCaptureFixture
+) -> None:
     for noise in (b"\x00" * 100, b"GET / HTTP/9.9\r\n\r\n", b"GET /" + b"a" * 20000 + b" HTTP/1.1\r\n\r\n"):
-        reader, writer = await asyncio.open_connection(house.client.host, house.client.port)
+        reader, writer = await asyncio.open_connection(show_harness.client.host, show_harness.client.port)
         writer.write(noise)
         assert (await reader.readline()).startswith(b"HTTP/1.0 400")
         writer.close()

@@ -9,13 +9,13 @@ import pytest
 from omote.model.cast import Cast, Look
 from omote.model.space.face import Face
 from omote.perform.performer import Performer
-from omote.server.http.cast_documents import Library
-from omote.server.http.cast_reload import Casting, gathered
+from omote.server.http.cast_documents import CastDocuments
+from omote.server.http.cast_reload import CastReload, gather_cast
 from omote.show import messages as wire
 from omote.show.messages import Manifest
 from omote.show.session import ShowSession
 from omote.showfile.contents import content_key, pack_expression, pack_face
-from omote.stage_data.playing_cast import Own, Troupe
+from omote.stage_data.playing_cast import Own, PlayingCast
 from tests.server.synthetic_server import MASK, meshes
 
 
@@ -25,11 +25,11 @@ class Show:
     def __init__(self, cast: Cast) -> None:
         self.contents: dict[str, bytes] = {}
         self.said: list[str] = []
-        self.library = Library(cast, meshes(cast), MASK)
-        self.library.employ(None, self.said.append)
-        self.library.contents = self.contents
-        self.session = ShowSession(self.library.troupe, Performer(self.library.troupe))
-        self.casting = Casting(self.session, self.library, self.said.append)
+        self.documents = CastDocuments(cast, meshes(cast), MASK)
+        self.documents.use_workshop(None, self.said.append)
+        self.documents.contents = self.contents
+        self.session = ShowSession(self.documents.playing, Performer(self.documents.playing))
+        self.cast_reload = CastReload(self.session, self.documents, self.said.append)
 
     def own(self, data: bytes, kind: str, name: str) -> Own:
         """An own thing whose bytes are there."""
@@ -38,11 +38,11 @@ class Show:
 
     def recast(self, *own: Own, contents: Mapping[str, bytes] | None = None) -> wire.CastChanged:
         """Plays these."""
-        return asyncio.run(self.casting.recast(own, self.contents if contents is None else contents))
+        return asyncio.run(self.cast_reload.recast(own, self.contents if contents is None else contents))
 
     def manifest(self) -> Manifest:
         """What pages get now."""
-        return msgspec.msgpack.decode(asyncio.run(self.library.manifest()), type=Manifest)
+        return msgspec.msgpack.decode(asyncio.run(self.documents.manifest()), type=Manifest)
 
 
 @pytest.fixture
@@ -74,7 +74,7 @@ def test_own_things_can_be_called_and_every_recast_is_told(show: Show, grin: Own
     show.session.performer.set_channel("grin", 0.5)
     state = show.session.tick(0.0)
     assert (state.faces, state.channels, state.revision) == ({"cousin": 1.0}, {"grin": 0.5}, 3)
-    show.library.close()
+    show.documents.close()
 
 
 def test_what_is_on_air_stays_until_it_is_not(show: Show, grin: Own, cousin: Own) -> None:
@@ -86,27 +86,27 @@ def test_what_is_on_air_stays_until_it_is_not(show: Show, grin: Own, cousin: Own
     assert show.session.tick(5.0).channels == {"grin": 0.5}
     show.session.performer.set_channel("grin", 0.0)
     show.session.performer.call_face("broad", seconds=0.0)
-    assert show.recast().digest == show.library.cast.digest
+    assert show.recast().digest == show.documents.cast.digest
     with pytest.raises(ValueError, match="there is no face 'cousin'"):
         show.session.performer.call_face("cousin")
-    show.library.close()
+    show.documents.close()
 
 
 def test_what_is_called_while_documents_are_made_stays_too(show: Show, grin: Own, cousin: Own) -> None:
     show.recast(grin)
-    prepare = show.library.prepare
+    prepare = show.documents.prepare
     calls = iter(["grin"])
 
-    async def meanwhile(troupe: Troupe) -> bytes:
+    async def meanwhile(playing: PlayingCast) -> bytes:
         for name in calls:
             show.session.performer.call_expression(name, seconds=1.0)
-        return await prepare(troupe)
+        return await prepare(playing)
 
-    show.library.prepare = meanwhile  # type: ignore[method-assign]
+    show.documents.prepare = meanwhile  # type: ignore[method-assign]
     show.recast(cousin)
-    assert "grin" in show.library.troupe.expressions
-    assert "cousin" in show.library.troupe.faces
-    show.library.close()
+    assert "grin" in show.documents.playing.expressions
+    assert "cousin" in show.documents.playing.faces
+    show.documents.close()
 
 
 def test_a_content_that_is_gone_or_damaged_costs_itself_and_nothing_else(show: Show, grin: Own, cousin: Own) -> None:
@@ -114,9 +114,9 @@ def test_a_content_that_is_gone_or_damaged_costs_itself_and_nothing_else(show: S
     show.contents["1" * 24] = b"noise"
     damaged = Own("expression", "damaged", "Damaged", (), 1.0, "1" * 24)
     show.recast(lost, grin, damaged, cousin)
-    assert [each.name for each in show.library.troupe.own] == ["grin", "cousin"]
+    assert [each.name for each in show.documents.playing.own] == ["grin", "cousin"]
     assert ["'Lost'" in show.said[0], "'Damaged'" in show.said[1]] == [True, True]
-    show.library.close()
+    show.documents.close()
 
 
 def test_a_face_that_cannot_be_shown_is_kept_from_pages_and_said(show: Show, grin: Own, cast: Cast) -> None:
@@ -124,11 +124,11 @@ def test_a_face_that_cannot_be_shown_is_kept_from_pages_and_said(show: Show, gri
     show.recast(grin, bald)
     assert [face.name for face in show.manifest().faces] == [*cast.faces]
     assert "'Bald' cannot be shown" in show.said[0]
-    show.library.close()
+    show.documents.close()
 
 
 def test_the_troupe_of_a_start_says_what_it_left_out(cast: Cast) -> None:
     said: list[str] = []
     taken = Own("expression", "smile", "My smile", (), 1.0, "0" * 24)
-    assert gathered(cast, (taken,), {}, said.append).own == ()
+    assert gather_cast(cast, (taken,), {}, said.append).own == ()
     assert said[0].startswith("the own expression 'My smile' cannot play")

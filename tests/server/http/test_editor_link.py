@@ -15,7 +15,7 @@ from omote.edit.protocol import messages as editing
 from omote.edit.protocol.messages import EDITING_LIMIT, EDITING_PATH
 from omote.edit.protocol.wire import decode_answer
 from omote.model.cast import Cast
-from omote.server.http.cast_documents import Library
+from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.editor_link import MOST_LAYOUTS
 from omote.server.workers.workshop import RefusedOrderError
 from omote.show import messages as wire
@@ -23,27 +23,27 @@ from omote.show.messages import CompoundAsset, ContentAsset, Manifest
 from omote.show.wire import encode
 from omote.showfile.changes import Change, PutRevision
 from omote.showfile.show_file import ShowFile, open_show
-from omote.stage_data.assets import rest_positions, unpacked
-from tests.server.conftest import Atelier, Editor, House, answer, obeyed, open_atelier, state
+from omote.stage_data.assets import rest_positions, unpack_compound
+from tests.server.conftest import EditHarness, Editor, ShowHarness, answer, open_edit_harness, send_and_wait, state
 
 pytestmark = pytest.mark.asyncio
 
 Points = NDArray[np.floating[Any]]
 
 
-async def manifest(house: House) -> Manifest:
+async def manifest(show_harness: ShowHarness) -> Manifest:
     """The manifest as it is now."""
-    response = await house.client.get("/manifest")
+    response = await show_harness.client.get("/manifest")
     return msgspec.msgpack.decode(await response.read(), type=Manifest)
 
 
-async def shown(house: Atelier, cast: Cast, face: str, content: str) -> Points:
+async def shown(show_harness: EditHarness, cast: Cast, face: str, content: str) -> Points:
     """A built-in face wearing a content, as pages get it."""
     path = f"/compounds/{cast.digest}/{quote(face, safe='')}/{quote(content, safe='')}"
-    response = await house.client.get(path)
+    response = await show_harness.client.get(path)
     assert response.status == 200, await response.text()
     rest = rest_positions(cast, cast.faces[face])
-    moves: Points = unpacked(msgspec.msgpack.decode(await response.read(), type=CompoundAsset), len(rest))
+    moves: Points = unpack_compound(msgspec.msgpack.decode(await response.read(), type=CompoundAsset), len(rest))
     worn: Points = rest + moves
     return worn
 
@@ -55,35 +55,37 @@ async def saved(page: Editor, label: str = "Grin") -> Any:
     return draft
 
 
-async def test_a_dragged_point_lies_where_it_was_put_and_plays_once_it_is_saved(atelier: Atelier, cast: Cast) -> None:
-    page, console = await atelier.editor(), await atelier.link()
+async def test_a_dragged_point_lies_where_it_was_put_and_plays_once_it_is_saved(
+    edit_harness: EditHarness, cast: Cast
+) -> None:
+    page, console = await edit_harness.editor(), await edit_harness.link()
     draft = await page.ask(editing.CreateExpression, "Crooked smile", {"smile": 0.5}, False)
     place, row = 20, draft.recipe.net[20]
-    target = (await shown(atelier, cast, "long", draft.content))[row] + [0.001, 0.002, 0.0]
+    target = (await shown(edit_harness, cast, "long", draft.content))[row] + [0.001, 0.002, 0.0]
     moved = await page.ask(
         editing.DragPoints, draft.item, "long", [place], [tuple(target.tolist())], list(draft.recipe.vectors)
     )
     assert moved.miss < 5e-5
-    assert np.linalg.norm((await shown(atelier, cast, "long", moved.content))[row] - target) < 5e-5
-    assert (await manifest(atelier)).digest == cast.digest
+    assert np.linalg.norm((await shown(edit_harness, cast, "long", moved.content))[row] - target) < 5e-5
+    assert (await manifest(edit_harness)).digest == cast.digest
     done = await page.ask(editing.Save, draft.item, "first")
     assert (done.revision, done.aside) == (1, False)
     changed = await answer(console)
     assert isinstance(changed, wire.CastChanged)
-    now = await manifest(atelier)
+    now = await manifest(edit_harness)
     assert (now.base, now.digest) == (cast.digest, changed.digest)
     own = now.expressions[-1]
     assert (own.name, own.label, own.kind, own.source) == ("crooked_smile", "Crooked smile", "own", moved.content)
-    await obeyed(console, wire.CallExpression("1", own.name, 0.0, "smooth"))
-    atelier.tick()
+    await send_and_wait(console, wire.CallExpression("1", own.name, 0.0, "smooth"))
+    edit_harness.tick()
     seen = await state(console)
     assert (seen.expressions, seen.revision) == ({own.name: 1.0}, changed.revision)
 
 
-async def test_what_is_acknowledged_is_in_the_file(atelier: Atelier) -> None:
-    page = await atelier.editor()
+async def test_what_is_acknowledged_is_in_the_file(edit_harness: EditHarness) -> None:
+    page = await edit_harness.editor()
     draft = await saved(page)
-    file = open_show(atelier.path)
+    file = open_show(edit_harness.path)
     stored, contents = file.stored(), file.contents()
     file.close()
     assert [(item.label, item.head) for item in stored.items] == [("Grin", 1)]
@@ -93,15 +95,15 @@ async def test_what_is_acknowledged_is_in_the_file(atelier: Atelier) -> None:
 
 async def test_a_show_that_starts_again_has_own_things_on_air(cast: Cast, tmp_path: Path) -> None:
     path = tmp_path / "a.omote"
-    async with open_atelier(cast, path) as first:
+    async with open_edit_harness(cast, path) as first:
         page, console = await first.editor(), await first.link()
         await saved(page)
         face = await page.ask(editing.CreateFace, "Cousin", {"broad": 0.5, "long": 0.5}, False)
         await page.ask(editing.Save, face.item, "")
-        await obeyed_after(console, wire.CallFace("1", "cousin", 0.0, "smooth"), wire.SetChannel("grin", 0.5))
+        await wait_until_obeyed(console, wire.CallFace("1", "cousin", 0.0, "smooth"), wire.SetChannel("grin", 0.5))
         first.tick()
         digest = (await manifest(first)).digest
-    async with open_atelier(cast, path) as second:
+    async with open_edit_harness(cast, path) as second:
         console = await second.link()
         second.tick()
         seen = await state(console)
@@ -110,7 +112,7 @@ async def test_a_show_that_starts_again_has_own_things_on_air(cast: Cast, tmp_pa
         assert second.said == []
 
 
-async def obeyed_after(console: Any, *messages: wire.FromClient) -> None:
+async def wait_until_obeyed(console: Any, *messages: wire.FromClient) -> None:
     """Sends messages and waits until the server has heard them all, whatever it says before."""
     for message in (*messages, wire.Ping(1.0)):
         await console.send_bytes(encode(message))
@@ -118,27 +120,29 @@ async def obeyed_after(console: Any, *messages: wire.FromClient) -> None:
         assert isinstance(said, wire.CastChanged | wire.State)
 
 
-async def test_an_own_face_is_served_by_its_content_and_is_in_the_cast_once_saved(atelier: Atelier, cast: Cast) -> None:
-    page = await atelier.editor()
+async def test_an_own_face_is_served_by_its_content_and_is_in_the_cast_once_saved(
+    edit_harness: EditHarness, cast: Cast
+) -> None:
+    page = await edit_harness.editor()
     draft = await page.ask(editing.CreateFace, "Cousin", {"broad": 0.5, "long": 0.5}, False)
     key = draft.content.removeprefix("#")
-    asset = msgspec.msgpack.decode(await (await atelier.client.get(f"/contents/{key}")).read(), type=ContentAsset)
+    asset = msgspec.msgpack.decode(await (await edit_harness.client.get(f"/contents/{key}")).read(), type=ContentAsset)
     points = np.frombuffer(asset.positions, "<f4").reshape(-1, 3)[: cast.space.vertex_count]
     both = (cast.faces["broad"].positions + cast.faces["long"].positions) / 2
     assert np.abs(points - both).max() < 1e-4
     await page.ask(editing.Save, draft.item, "")
-    face = (await manifest(atelier)).faces[-1]
+    face = (await manifest(edit_harness)).faces[-1]
     assert (face.name, face.label, face.source, face.url) == ("cousin", "Cousin", draft.content, f"/contents/{key}")
     assert face.extremes == asset.face.extremes
-    response = await atelier.client.get(f"/compounds/{cast.digest}/{quote(draft.content, safe='')}/smile")
+    response = await edit_harness.client.get(f"/compounds/{cast.digest}/{quote(draft.content, safe='')}/smile")
     assert response.status == 200
 
 
-async def test_a_console_keeps_what_is_on_air(atelier: Atelier) -> None:
-    console = await atelier.link()
-    await obeyed(console, wire.CallFace("1", "broad", 2.0, "smooth"), wire.SetChannel("jawOpen", 0.25))
+async def test_a_console_keeps_what_is_on_air(edit_harness: EditHarness) -> None:
+    console = await edit_harness.link()
+    await send_and_wait(console, wire.CallFace("1", "broad", 2.0, "smooth"), wire.SetChannel("jawOpen", 0.25))
     for _ in range(60):
-        atelier.tick()
+        edit_harness.tick()
     await console.send_bytes(encode(wire.KeepFace("k")))
     await console.send_bytes(encode(wire.KeepFace("k")))  # a bouncing key
     await console.send_bytes(encode(wire.KeepExpression("l")))
@@ -147,13 +151,13 @@ async def test_a_console_keeps_what_is_on_air(atelier: Atelier) -> None:
         said = await answer(console)
         kept += [said] if isinstance(said, wire.Kept) else []
     assert [each.id for each in kept] == ["k", "l"]
-    now = await manifest(atelier)
+    now = await manifest(edit_harness)
     assert [now.faces[-1].name, now.expressions[-1].name] == [each.name for each in kept]
     assert [now.faces[-1].label, now.expressions[-1].label] == [each.label for each in kept]
 
 
-async def test_two_editors_hear_of_each_other_and_the_second_is_told(atelier: Atelier) -> None:
-    ada, bea = await atelier.editor("a", "Ada"), await atelier.editor("b", "Bea")
+async def test_two_editors_hear_of_each_other_and_the_second_is_told(edit_harness: EditHarness) -> None:
+    ada, bea = await edit_harness.editor("a", "Ada"), await edit_harness.editor("b", "Bea")
     draft = await saved(ada)
     for page in (ada, bea):
         await page.ask(editing.OpenItem, draft.item)
@@ -165,23 +169,23 @@ async def test_two_editors_hear_of_each_other_and_the_second_is_told(atelier: At
 
 
 async def test_what_the_craft_refuses_comes_back_as_a_sentence(
-    atelier: Atelier, monkeypatch: pytest.MonkeyPatch
+    edit_harness: EditHarness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    page = await atelier.editor()
+    page = await edit_harness.editor()
     draft = await saved(page)
 
-    async def refuse(self: Library, order: object) -> bytes:
+    async def refuse(self: CastDocuments, order: object) -> bytes:
         raise RefusedOrderError("the point cannot lie there: put it nearer")
 
-    monkeypatch.setattr(Library, "work", refuse)
+    monkeypatch.setattr(CastDocuments, "run_order", refuse)
     vectors = [(0.0, 0.001, 1.0)] * len(draft.recipe.net)
     refused = await page.ask(editing.SetVectors, draft.item, vectors, "up")
     assert isinstance(refused, editing.EditRefused)
     assert "cannot lie there: put it nearer." in refused.reason
 
 
-async def test_what_an_editor_says_wrong_is_refused_and_the_link_stays(atelier: Atelier) -> None:
-    page = await atelier.editor()
+async def test_what_an_editor_says_wrong_is_refused_and_the_link_stays(edit_harness: EditHarness) -> None:
+    page = await edit_harness.editor()
     await page.socket.send_str("save")
     assert "binary MessagePack" in (await page.next(editing.EditRefused)).reason  # type: ignore[union-attr]
     await page.socket.send_bytes(b"\xc1")
@@ -196,14 +200,14 @@ async def test_what_an_editor_says_wrong_is_refused_and_the_link_stays(atelier: 
 
 
 @pytest.mark.parametrize("origin", ["http://evil.example", "null"])
-async def test_only_our_own_pages_may_edit(atelier: Atelier, origin: str) -> None:
-    response = await atelier.client.get(EDITING_PATH, headers={"Host": "localhost:8090", "Origin": origin})
+async def test_only_our_own_pages_may_edit(edit_harness: EditHarness, origin: str) -> None:
+    response = await edit_harness.client.get(EDITING_PATH, headers={"Host": "localhost:8090", "Origin": origin})
     assert response.status == 403
 
 
-async def test_without_a_file_an_editor_is_told_that_nothing_can_be_kept(house: House) -> None:
-    assert (await house.client.get("/layouts/desk")).status == 204
-    console = await house.link()
+async def test_without_a_file_an_editor_is_told_that_nothing_can_be_kept(show_harness: ShowHarness) -> None:
+    assert (await show_harness.client.get("/layouts/desk")).status == 204
+    console = await show_harness.link()
     await console.send_bytes(encode(wire.KeepFace("k")))
     said = await answer(console)
     assert isinstance(said, wire.Refused)
@@ -211,19 +215,19 @@ async def test_without_a_file_an_editor_is_told_that_nothing_can_be_kept(house: 
 
 
 async def test_an_editor_of_a_show_without_a_file_is_told(cast: Cast) -> None:
-    async with open_atelier(cast, None) as atelier:
-        page = Editor(await atelier.client.ws_connect(EDITING_PATH))
+    async with open_edit_harness(cast, None) as edit_harness:
+        page = Editor(await edit_harness.client.ws_connect(EDITING_PATH))
         await page.socket.send_bytes(encode(editing.Greet("a", "Ada", editing.EDITING_VERSION)))
         refused = await page.next(editing.EditRefused)
         assert isinstance(refused, editing.EditRefused)
         assert "no show file that can be written" in refused.reason
-        console = await atelier.link()
+        console = await edit_harness.link()
         await console.send_bytes(encode(wire.SetLayout("desk", "1")))
         assert isinstance(await answer(console), wire.Refused)
 
 
-async def test_a_page_finds_its_layout_again(atelier: Atelier) -> None:
-    console = await atelier.link()
+async def test_a_page_finds_its_layout_again(edit_harness: EditHarness) -> None:
+    console = await edit_harness.link()
     await console.send_bytes(encode(wire.SetLayout("desk", '{"order": ["smile"]}')))
     await console.send_bytes(encode(wire.SetLayout("desk 2", "{no JSON")))
     said = await answer(console)
@@ -233,9 +237,9 @@ async def test_a_page_finds_its_layout_again(atelier: Atelier) -> None:
     said = await answer(console)
     assert isinstance(said, wire.Refused)
     assert "desk 3" in said.reason
-    response = await atelier.client.get("/layouts/desk")
+    response = await edit_harness.client.get("/layouts/desk")
     assert (response.content_type, await response.text()) == ("application/json", '{"order": ["smile"]}')
-    assert (await atelier.client.get("/layouts/desk%202")).status == 204
+    assert (await edit_harness.client.get("/layouts/desk%202")).status == 204
     for number in range(MOST_LAYOUTS):
         await console.send_bytes(encode(wire.SetLayout(f"page {number}", "1")))
     said = await answer(console)
@@ -244,9 +248,9 @@ async def test_a_page_finds_its_layout_again(atelier: Atelier) -> None:
 
 
 async def test_an_edit_that_the_file_refuses_is_undone_for_everybody(
-    atelier: Atelier, monkeypatch: pytest.MonkeyPatch
+    edit_harness: EditHarness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    page = await atelier.editor()
+    page = await edit_harness.editor()
     draft = await saved(page)
     apply = ShowFile.apply
 
@@ -261,9 +265,9 @@ async def test_an_edit_that_the_file_refuses_is_undone_for_everybody(
     await page.socket.send_bytes(encode(editing.Save(99, draft.item, "")))
     while (await page.socket.receive(timeout=60.0)).type is WSMsgType.BINARY:
         pass  # until the link is cut
-    assert "no room" in atelier.said[0]
+    assert "no room" in edit_harness.said[0]
     monkeypatch.undo()
-    again = await atelier.editor()
+    again = await edit_harness.editor()
     assert again.greeted is not None
     assert [item.head for item in again.greeted.items] == [1]
     opened = await again.ask(editing.OpenItem, draft.item)
@@ -271,9 +275,9 @@ async def test_an_edit_that_the_file_refuses_is_undone_for_everybody(
 
 
 async def test_while_the_disk_fails_editors_are_told_and_nothing_is_acknowledged(
-    atelier: Atelier, monkeypatch: pytest.MonkeyPatch
+    edit_harness: EditHarness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    page = await atelier.editor()
+    page = await edit_harness.editor()
     draft = await saved(page)
     apply, left = ShowFile.apply, [1]
 
@@ -293,12 +297,12 @@ async def test_while_the_disk_fails_editors_are_told_and_nothing_is_acknowledged
     assert "disk I/O error" in told[0].reason
 
 
-async def test_what_was_called_since_the_last_tick_cannot_be_deleted(atelier: Atelier) -> None:
-    page = await atelier.editor()
+async def test_what_was_called_since_the_last_tick_cannot_be_deleted(edit_harness: EditHarness) -> None:
+    page = await edit_harness.editor()
     draft = await saved(page)
-    console = await atelier.link()
-    atelier.tick()
-    await obeyed_after(console, wire.CallExpression("1", "grin", 1.0, "smooth"))
+    console = await edit_harness.link()
+    edit_harness.tick()
+    await wait_until_obeyed(console, wire.CallExpression("1", "grin", 1.0, "smooth"))
     refused = await page.ask(editing.Delete, draft.item)
     assert isinstance(refused, editing.EditRefused)
     assert "is on air or coming" in refused.reason

@@ -17,7 +17,7 @@ from omote.server.http.links import (
 )
 from omote.show import messages as wire
 from omote.show.wire import encode
-from tests.server.conftest import House, obeyed, state
+from tests.server.conftest import ShowHarness, send_and_wait, state
 
 HANDSHAKE = (
     f"GET {wire.LINK_PATH} HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
@@ -155,43 +155,45 @@ def test_a_send_that_would_wait_is_left_to_itself() -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_browser_that_stops_reading_costs_nobody_a_state(house: House) -> None:
-    healthy = await house.link("stage")
-    with socket.create_connection((house.client.host, house.client.port or 0)) as stalled:
+async def test_a_browser_that_stops_reading_costs_nobody_a_state(show_harness: ShowHarness) -> None:
+    healthy = await show_harness.link("stage")
+    with socket.create_connection((show_harness.client.host, show_harness.client.port or 0)) as stalled:
         stalled.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         stalled.sendall(HANDSHAKE.encode())
-        while len(house.show.links) < 2:
-            await obeyed(healthy)
+        while len(show_harness.show.links) < 2:
+            await send_and_wait(healthy)
         number = 0
-        while len(house.show.links) == 2:
-            house.tick()
+        while len(show_harness.show.links) == 2:
+            show_harness.tick()
             number += 1
             assert (await state(healthy)).number == number
-        assert house.clock.now > STALL_LIMIT
+        assert show_harness.clock.now > STALL_LIMIT
     for _ in range(60):
-        house.tick()
+        show_harness.tick()
         number += 1
         assert (await state(healthy)).number == number
 
 
 @pytest.mark.asyncio
-async def test_a_flood_is_heard_in_order_and_in_time(house: House) -> None:
-    flooding, calm = await house.link(), await house.link()
+async def test_a_flood_is_heard_in_order_and_in_time(show_harness: ShowHarness) -> None:
+    flooding, calm = await show_harness.link(), await show_harness.link()
     count = int(HEARD_BURST) + 200
     for number in range(count):
         await flooding.send_bytes(encode(wire.SetChannel("jawOpen", number / count)))
-    await obeyed(calm, wire.SetChannel("smile", 1.0))
-    assert house.show.session.commands <= HEARD_BURST + 1  # the clock stands still, so no more than the burst was heard
-    house.clock.now += 10.0
-    await obeyed(flooding)
-    house.tick()
+    await send_and_wait(calm, wire.SetChannel("smile", 1.0))
+    assert (
+        show_harness.show.session.commands <= HEARD_BURST + 1
+    )  # the clock stands still, so no more than the burst was heard
+    show_harness.clock.now += 10.0
+    await send_and_wait(flooding)
+    show_harness.tick()
     assert (await state(calm)).channels == {"jawOpen": (count - 1) / count, "smile": 1.0}
 
 
 @pytest.mark.asyncio
-async def test_all_are_told_when_the_server_goes(house: House) -> None:
-    links = [await house.link(), await house.link("stage")]
-    hanging = asyncio.create_task(house.show.links.hang_up())
+async def test_all_are_told_when_the_server_goes(show_harness: ShowHarness) -> None:
+    links = [await show_harness.link(), await show_harness.link("stage")]
+    hanging = asyncio.create_task(show_harness.show.links.close_all())
     for link in links:
         assert (await link.receive()).data == 1001  # going away
     await hanging

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from omote.server.http.static_pages import PAGES, read_bundle
+from omote.server.http.static_pages import PAGES, read_pages
 
 
 def built(folder: Path) -> Path:
@@ -19,7 +19,7 @@ def built(folder: Path) -> Path:
 
 
 def test_every_file_has_its_address(tmp_path: Path) -> None:
-    pages = read_bundle(built(tmp_path))
+    pages = read_pages(built(tmp_path))
     assert pages["/stage"] == pages["/stage.html"]
     assert pages["/stage"].body == b"<title>stage.html</title>"
     assert set(pages) >= {"/", "/stage", "/console", "/editor", "/static/stage-a1b2.js", "/favicon.svg"}
@@ -35,7 +35,7 @@ def test_every_file_has_its_address(tmp_path: Path) -> None:
     ],
 )
 def test_files_are_sent_as_what_they_are(tmp_path: Path, path: str, content_type: str, immutable: bool) -> None:
-    page = read_bundle(built(tmp_path))[path]
+    page = read_pages(built(tmp_path))[path]
     assert (page.content_type, page.immutable) == (content_type, immutable)
 
 
@@ -43,9 +43,9 @@ def test_files_are_sent_as_what_they_are(tmp_path: Path, path: str, content_type
 def test_a_missing_page_says_how_to_build_it(tmp_path: Path, name: str) -> None:
     (built(tmp_path) / name).unlink()
     with pytest.raises(FileNotFoundError, match=rf"not built \({name} missing in .*: run `make web`"):
-        read_bundle(tmp_path)
+        read_pages(tmp_path)
 
 
 def test_no_bundle_at_all_says_the_same(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match=r"index\.html, stage\.html, console\.html, editor\.html missing"):
-        read_bundle(tmp_path / "nowhere")
+        read_pages(tmp_path / "nowhere")

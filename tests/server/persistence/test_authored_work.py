@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from omote.model.cast import Cast
-from omote.server.persistence.authored_work import open_desk
-from omote.server.workers.order_worker import Bench
+from omote.server.persistence.authored_work import open_authored_work
+from omote.server.workers.order_worker import OrderWorker
 from omote.showfile.changes import Item, PutContent, PutItem, PutLayout, PutRevision, Revision
 from omote.showfile.contents import content_key, pack_expression
 from omote.showfile.show_file import ShowFile, open_show
@@ -29,11 +29,13 @@ def test_a_desk_knows_what_the_file_has(cast: Cast, tmp_path: Path) -> None:
     item = Item(1, "expression", "grin", "Grin", place=1.0, head=1)
     show.apply((PutContent(content_key(data), data), PutItem(item), PutRevision(revision), PutLayout("desk", b"1")))
     said: list[str] = []
-    desk = open_desk(show, Keeper(), Bench(cast), said.append)
-    assert desk is not None
-    assert [(own.name, own.label, own.content) for own in desk.session.own()] == [("grin", "Grin", content_key(data))]
-    assert desk.session.contents[content_key(data)] == data
-    assert (desk.layouts, said) == ({"desk": b"1"}, [])
+    authored_work = open_authored_work(show, Keeper(), OrderWorker(cast), said.append)
+    assert authored_work is not None
+    assert [(own.name, own.label, own.content) for own in authored_work.session.own()] == [
+        ("grin", "Grin", content_key(data))
+    ]
+    assert authored_work.session.contents[content_key(data)] == data
+    assert (authored_work.layouts, said) == ({"desk": b"1"}, [])
     show.close()
 
 
@@ -46,6 +48,6 @@ def test_work_that_cannot_be_read_does_not_stop_the_show(
     show = open_show(tmp_path / "a.omote")
     monkeypatch.setattr(ShowFile, "stored", damaged)
     said: list[str] = []
-    assert open_desk(show, Keeper(), Bench(cast), said.append) is None
+    assert open_authored_work(show, Keeper(), OrderWorker(cast), said.append) is None
     assert "its item 1 is damaged); the show goes on without it" in said[0]
     show.close()

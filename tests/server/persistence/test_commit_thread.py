@@ -9,13 +9,13 @@ from queue import SimpleQueue
 import pytest
 
 from benchmarks.saving import Reference, check, kill_writer
-from omote.server.persistence.commit_thread import Fate, Scribe
+from omote.server.persistence.commit_thread import CommitOutcome, CommitThread
 from omote.showfile.backup import good_path
 from omote.showfile.changes import Change, PutLayout
 from omote.showfile.integrity import prove
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
-COMMITTED = Fate("committed")
+COMMITTED = CommitOutcome("committed")
 
 
 class Disk:
@@ -51,17 +51,17 @@ class Author:
     """A scribe on a disk, and what it told and said."""
 
     def __init__(self, disk: Disk | ShowFile, **seconds: float) -> None:
-        self.fates: SimpleQueue[tuple[object, Fate]] = SimpleQueue()
+        self.fates: SimpleQueue[tuple[object, CommitOutcome]] = SimpleQueue()
         self.said: list[str] = []
-        self.scribe = Scribe(disk, self.said.append, **seconds)  # type: ignore[arg-type]
+        self.scribe = CommitThread(disk, self.said.append, **seconds)  # type: ignore[arg-type]
 
     def commit(self, name: object) -> None:
         self.scribe.commit(layout(name), self.told(name))
 
-    def told(self, name: object) -> Callable[[Fate], None]:
+    def told(self, name: object) -> Callable[[CommitOutcome], None]:
         return lambda fate: self.fates.put((name, fate))
 
-    def next(self) -> tuple[object, Fate]:
+    def next(self) -> tuple[object, CommitOutcome]:
         return self.fates.get(timeout=60.0)
 
 
@@ -146,10 +146,10 @@ def test_after_the_end_changes_are_refused() -> None:
 
 
 def test_whoever_no_longer_listens_stops_nothing() -> None:
-    def ended(fate: Fate) -> None:
+    def ended(fate: CommitOutcome) -> None:
         raise RuntimeError("Event loop is closed")
 
-    def broken(fate: Fate) -> None:
+    def broken(fate: CommitOutcome) -> None:
         raise BrokenPipeError("nobody")
 
     disk = Disk()

@@ -6,21 +6,21 @@ from pathlib import Path
 import pytest
 
 from omote.server.persistence.lock import ShowLockedError, lock_show
-from omote.server.persistence.offline_show import closed_show, wall_clock
+from omote.server.persistence.offline_show import open_offline_show, wall_clock
 from omote.showfile.changes import PutLayout
 
 
 def test_what_is_written_stays_and_the_file_is_free_again(tmp_path: Path) -> None:
     path = tmp_path / "a.omote"
-    with closed_show(path, new=True) as file:
+    with open_offline_show(path, new=True) as file:
         file.apply([PutLayout("console", b"{}")])
-    with closed_show(path) as file:
+    with open_offline_show(path) as file:
         assert file.stored().layouts == {"console": b"{}"}
     os.close(lock_show(path))
 
 
 def test_a_file_that_is_not_there_is_not_made(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match="there is no show file"), closed_show(tmp_path / "a.omote"):
+    with pytest.raises(FileNotFoundError, match="there is no show file"), open_offline_show(tmp_path / "a.omote"):
         pass
     assert list(tmp_path.iterdir()) == []
 
@@ -28,7 +28,7 @@ def test_a_file_that_is_not_there_is_not_made(tmp_path: Path) -> None:
 def test_a_file_that_a_show_plays_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.omote"
     lock = lock_show(path)
-    with pytest.raises(ShowLockedError, match="another Omote plays"), closed_show(path, new=True):
+    with pytest.raises(ShowLockedError, match="another Omote plays"), open_offline_show(path, new=True):
         pass
     os.close(lock)
 

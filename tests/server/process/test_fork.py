@@ -4,12 +4,12 @@ import os
 
 import pytest
 
-from omote.server.process.fork import copied, let_go
+from omote.server.process.fork import close_descriptors, fork_process
 
 
 def test_a_copy_works_and_ends() -> None:
     theirs, ours = os.pipe()
-    pid = copied(lambda: print(os.write(ours, b"done")))  # noqa: T201  (more than one thing to do)
+    pid = fork_process(lambda: print(os.write(ours, b"done")))  # noqa: T201  (more than one thing to do)
     assert os.waitpid(pid, 0) == (pid, 0)
     assert os.read(theirs, 4) == b"done"
     os.close(theirs)
@@ -20,7 +20,7 @@ def test_a_copy_that_fails_says_why(capfd: pytest.CaptureFixture[str]) -> None:
     def fail() -> None:
         raise ArithmeticError("nothing works")
 
-    pid = copied(fail)
+    pid = fork_process(fail)
     assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 1
     assert "nothing works" in capfd.readouterr().err
 
@@ -30,10 +30,10 @@ def test_what_a_copy_lets_go_ends_with_its_parent() -> None:
     wait, go = os.pipe()
 
     def work() -> None:
-        let_go([wait])
+        close_descriptors([wait])
         os.read(wait, 1)
 
-    pid = copied(work)
+    pid = fork_process(work)
     os.close(held)
     assert os.read(end, 1) == b""  # although the copy still works
     os.write(go, b"!")

@@ -4,15 +4,15 @@ import os
 
 import pytest
 
-from omote.server.process.priority import BEHIND, NICE, behind_the_show, first_in_line
+from omote.server.process.priority import LOWERED, RAISED, lower_priority, raise_priority
 
 
 def test_a_process_goes_first_or_says_that_it_may_not() -> None:
     pid = os.fork()
     if pid == 0:  # in a copy: what is gained here could not be given back
         before = os.getpriority(os.PRIO_PROCESS, 0)
-        gained = first_in_line()
-        os._exit(0 if os.getpriority(os.PRIO_PROCESS, 0) == (NICE if gained else before) else 1)
+        gained = raise_priority()
+        os._exit(0 if os.getpriority(os.PRIO_PROCESS, 0) == (RAISED if gained else before) else 1)
     assert os.waitpid(pid, 0) == (pid, 0)
 
 
@@ -21,12 +21,12 @@ def test_no_right_to_it_is_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
         raise PermissionError
 
     monkeypatch.setattr(os, "setpriority", forbidden)
-    assert not first_in_line()
+    assert not raise_priority()
 
 
 def test_a_process_goes_behind_the_show() -> None:
     pid = os.fork()
     if pid == 0:
-        behind_the_show()
-        os._exit(0 if os.getpriority(os.PRIO_PROCESS, 0) == BEHIND else 1)
+        lower_priority()
+        os._exit(0 if os.getpriority(os.PRIO_PROCESS, 0) == LOWERED else 1)
     assert os.waitpid(pid, 0) == (pid, 0)

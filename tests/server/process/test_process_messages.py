@@ -12,10 +12,10 @@ from omote.server.process.process_messages import (
     Order,
     Ready,
     Started,
-    give_order,
     read_news,
-    take_order,
-    tell,
+    receive_order,
+    send_news,
+    send_order,
 )
 
 
@@ -23,8 +23,8 @@ def test_an_order_arrives_with_its_pipes() -> None:
     ours, theirs = socket.socketpair()
     control, end = os.pipe()
     with ours, theirs:
-        give_order(ours, Order(epoch=3, neutral=True), control, end)
-        taken = take_order(theirs)
+        send_order(ours, Order(epoch=3, neutral=True), control, end)
+        taken = receive_order(theirs)
     assert taken is not None
     order, got_control, got_pulse = taken
     assert order == Order(epoch=3, neutral=True)
@@ -39,16 +39,16 @@ def test_the_end_of_the_line_is_no_order(unread: bool) -> None:
     ours, theirs = socket.socketpair()
     with theirs:
         if unread:
-            tell(theirs, Ready())
+            send_news(theirs, Ready())
         ours.close()
-        assert take_order(theirs) is None
+        assert receive_order(theirs) is None
 
 
 def test_an_order_without_its_pipes_is_none() -> None:
     ours, theirs = socket.socketpair()
     with ours, theirs:
         ours.sendall(msgspec.json.encode(Order(epoch=1, neutral=False)))
-        assert take_order(theirs) is None
+        assert receive_order(theirs) is None
 
 
 def test_news_arrive_in_order() -> None:
@@ -56,7 +56,7 @@ def test_news_arrive_in_order() -> None:
     news: list[News] = [Ready(), Started(pid=12), Ended(pid=12, code=-9)]
     with ours, theirs:
         for each in news:
-            tell(ours, each)
+            send_news(ours, each)
         assert read_news(theirs.recv(4096)) == news
 
 
@@ -64,4 +64,4 @@ def test_news_to_nobody_are_no_fault() -> None:
     ours, theirs = socket.socketpair()
     theirs.close()
     with ours:
-        tell(ours, Ready())
+        send_news(ours, Ready())

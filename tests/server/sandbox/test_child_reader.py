@@ -8,14 +8,14 @@ import pytest
 
 from omote.interchange.formats.glb_reader import Piece
 from omote.server.sandbox import child_reader as apart
-from omote.server.sandbox.child_reader import read_apart
+from omote.server.sandbox.child_reader import read_in_sandbox
 from tests.interchange.formats.scenes import NAMES, plain_glb
 
 
 def test_pieces_come_back_whole(tmp_path: Path) -> None:
     path = tmp_path / "a.GLB"
     path.write_bytes(plain_glb())
-    (piece,) = read_apart(path)
+    (piece,) = read_in_sandbox(path)
     assert piece.name == "tetra"
     assert tuple(piece.moves) == NAMES
     assert piece.rows is not None
@@ -26,7 +26,7 @@ def test_pieces_come_back_whole(tmp_path: Path) -> None:
 def test_a_shape_comes_back(tmp_path: Path) -> None:
     path = tmp_path / "a.obj"
     path.write_bytes(b"v 1 2 3\nv 4 5 6\n")
-    (piece,) = read_apart(path)
+    (piece,) = read_in_sandbox(path)
     np.testing.assert_array_equal(piece.points, [[1, 2, 3], [4, 5, 6]])
     assert piece.rows is None
 
@@ -35,9 +35,9 @@ def test_what_is_wrong_is_told_with_its_file(tmp_path: Path) -> None:
     path = tmp_path / "a.glb"
     path.write_bytes(b"hello")
     with pytest.raises(ValueError, match=r"a\.glb: the file is no GLB"):
-        read_apart(path)
+        read_in_sandbox(path)
     with pytest.raises(ValueError, match=r"'a\.fbx' is no file with a head; expected \.glb, \.obj or \.json"):
-        read_apart(tmp_path / "a.fbx")
+        read_in_sandbox(tmp_path / "a.fbx")
 
 
 @pytest.mark.parametrize("kind", ["memory", "death", "files"])
@@ -56,6 +56,6 @@ def test_a_reader_that_takes_too_much_or_dies_harms_nobody(
     path.write_bytes(b"x")
     monkeypatch.setattr(apart, "READERS", {".glb": hungry})
     with pytest.raises(ValueError, match="needs more time or memory than any face"):
-        read_apart(path)
+        read_in_sandbox(path)
     stray = tmp_path / "stray"
     assert not stray.exists() or stray.stat().st_size == 0

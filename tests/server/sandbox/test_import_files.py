@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from omote.builtin import load_cast
-from omote.edit.store.import_items import mailed
-from omote.interchange.export_face import worn_meshes
+from omote.edit.store.import_items import make_document
+from omote.interchange.export_face import named_compound_meshes
 from omote.interchange.formats.expression_json import encode
 from omote.model.cast import Cast
 from omote.server.sandbox.import_files import expressions_from, faces_from
@@ -27,14 +27,14 @@ def as_obj(points: np.ndarray) -> bytes:
 
 def test_a_document_brings_its_expression(built_in: Cast, tmp_path: Path) -> None:
     path = tmp_path / "s.json"
-    path.write_bytes(encode(mailed(built_in.space, "Sm", ["t"], built_in.expressions["smile"])))
+    path.write_bytes(encode(make_document(built_in.space, "Sm", ["t"], built_in.expressions["smile"])))
     ((arrival, sentence),) = expressions_from(built_in, [path])
     assert (arrival.label, arrival.tags, sentence) == ("Sm", ("t",), "Sm, from s.json")
 
 
 def test_heads_bring_their_targets(built_in: Cast, tmp_path: Path) -> None:
     rest = built_in.faces["dog"].positions.astype(np.float64)
-    moved = worn_meshes(built_in, "dog", "smile")["skin"] - rest
+    moved = named_compound_meshes(built_in, "dog", "smile")["skin"] - rest
     path = tmp_path / "dog.glb"
     path.write_bytes(head_glb("skin", rest, {"grin": moved}))
     ((arrival, sentence),) = expressions_from(built_in, [path])

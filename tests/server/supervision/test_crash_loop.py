@@ -2,15 +2,15 @@
 
 import signal
 
-from omote.server.supervision.crash_loop import DEATHS, WITHIN_SECONDS, Blame
+from omote.server.supervision.crash_loop import DEATHS, WITHIN_SECONDS, CrashLoop
 
 
 def after(codes: list[int], *, apart: float = 0.1) -> bool:
     """Whether the state is blamed after servers ended with these codes."""
-    blame = Blame()
+    crash_loop = CrashLoop()
     for number, code in enumerate(codes):
-        blame.ended(number * apart, code)
-    return blame.blames_state((len(codes) - 1) * apart)
+        crash_loop.record_end(number * apart, code)
+    return crash_loop.suspects_state((len(codes) - 1) * apart)
 
 
 def test_crashes_in_a_row_are_the_fault_of_the_state() -> None:
@@ -32,16 +32,16 @@ def test_crashes_long_apart_are_not() -> None:
 
 
 def test_hanging_counts_like_crashing() -> None:
-    blame = Blame()
+    crash_loop = CrashLoop()
     for now in range(DEATHS):
-        assert not blame.blames_state(float(now))
-        blame.hung(float(now))
-    assert blame.blames_state(float(DEATHS))
+        assert not crash_loop.suspects_state(float(now))
+        crash_loop.record_hang(float(now))
+    assert crash_loop.suspects_state(float(DEATHS))
 
 
 def test_a_blamed_state_is_blamed_once() -> None:
-    blame = Blame()
+    crash_loop = CrashLoop()
     for _ in range(DEATHS):
-        blame.hung(0.0)
-    assert blame.blames_state(0.0)
-    assert not blame.blames_state(0.0)
+        crash_loop.record_hang(0.0)
+    assert crash_loop.suspects_state(0.0)
+    assert not crash_loop.suspects_state(0.0)

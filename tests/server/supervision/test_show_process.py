@@ -11,7 +11,7 @@ import pytest
 
 from omote.server.http.static_pages import FOLDER
 from omote.server.process.process_messages import TICK, Order
-from omote.server.supervision.show_process import Pipes, built_in_material, play, report, until_ended
+from omote.server.supervision.show_process import Pipes, load_material, play, report, run_until_ended
 from omote.show import messages as wire
 from omote.show.wire import encode
 from omote.showfile.show_file import open_show
@@ -73,14 +73,14 @@ def test_a_tick_that_fails_ends_the_server_with_its_error() -> None:
 
 async def ended(beating: Coroutine[object, object, None], control: int) -> None:
     """Plays with nothing around it."""
-    await until_ended(beating, control)
+    await run_until_ended(beating, control)
 
 
 def test_what_is_served_is_the_built_in_cast_and_the_built_pages() -> None:
-    served = built_in_material()
+    served = load_material()
     assert served.pages["/stage"].body == (FOLDER / "stage.html").read_bytes()
-    assert "generic" in served.library.cast.faces
-    served.library.close()
+    assert "generic" in served.documents.cast.faces
+    served.documents.close()
 
 
 def test_sentences_go_to_the_terminal(capsys: pytest.CaptureFixture[str]) -> None:

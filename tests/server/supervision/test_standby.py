@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from omote.server.process.process_messages import Ended, News, Order, Ready, Started, give_order, read_news
-from omote.server.supervision.standby import fork, gone, main, obey
+from omote.server.process.process_messages import Ended, News, Order, Ready, Started, read_news, send_order
+from omote.server.supervision.standby import fork_server, main, reap_servers, serve_orders
 
 
 def in_a_process(run: Callable[[socket.socket], object]) -> tuple[int, socket.socket]:
@@ -40,7 +40,7 @@ def ordered(line: socket.socket) -> tuple[int, int]:
     """Orders a server; our ends of its control and its pulse."""
     control, ours = os.pipe()
     far, pulse = os.pipe()
-    give_order(line, Order(epoch=1, neutral=False), control, pulse)
+    send_order(line, Order(epoch=1, neutral=False), control, pulse)
     os.close(control)
     os.close(pulse)
     return ours, far
@@ -50,7 +50,7 @@ def standing_by(play: Callable[[int, int], None]) -> tuple[int, socket.socket]:
     """A standby whose servers do this with their control and pulse."""
 
     def run(line: socket.socket) -> None:
-        obey(line, lambda _, control, pulse: fork(line, lambda: play(control, pulse)))
+        serve_orders(line, lambda _, control, pulse: fork_server(line, lambda: play(control, pulse)))
 
     return in_a_process(run)
 
@@ -129,7 +129,7 @@ def test_a_standby_without_supervisor_sees_its_servers_out(stopped: bool, monkey
 
 
 def test_without_children_none_is_gone() -> None:
-    assert gone() == []
+    assert reap_servers() == []
 
 
 @pytest.mark.parametrize("error", [FileNotFoundError("run `make bake`"), ValueError("delete it and run `make bake`")])

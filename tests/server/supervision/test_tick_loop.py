@@ -10,7 +10,7 @@ from omote.model.cast import Cast
 from omote.perform.performer import Performer
 from omote.server.http.app import ShowServer
 from omote.server.process.process_messages import PULSE_TICKS, TICK
-from omote.server.supervision.tick_loop import LATE_TICKS, RESTING_TICKS, Playing, beat, send_pulse
+from omote.server.supervision.tick_loop import LATE_TICKS, RESTING_TICKS, ShowTick, run_ticks, send_pulse
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from omote.showfile.show_file import JournalEntry
@@ -31,7 +31,7 @@ class Clock:
 
 
 def beaten(monkeypatch: pytest.MonkeyPatch, ticks: int, work: dict[int, float]) -> list[float]:
-    """The times of so many ticks, each of which takes as long as `work` says (else 1 ms)."""
+    """The times of so many ticks, each of which takes as long as `run_order` says (else 1 ms)."""
     clock, times = Clock(monkeypatch), []
 
     def tick(number: int) -> None:
@@ -41,7 +41,7 @@ def beaten(monkeypatch: pytest.MonkeyPatch, ticks: int, work: dict[int, float]) 
         clock.now += work.get(number, 0.001)
 
     with pytest.raises(KeyboardInterrupt):
-        asyncio.run(beat(tick, clock=lambda: clock.now))
+        asyncio.run(run_ticks(tick, clock=lambda: clock.now))
     return times
 
 
@@ -78,21 +78,21 @@ class Kept:
 
 
 @pytest.fixture
-def played(cast: Cast) -> tuple[ShowServer, Kept, Playing, int]:
+def played(cast: Cast) -> tuple[ShowServer, Kept, ShowTick, int]:
     """A server at rest, its journal, its ticks, and the far end of its pulse."""
     session = ShowSession(cast, Performer(cast))
     session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
     steps = iter(range(100_000))
-    show = ShowServer(session, material().library, PAGES, clock=lambda: next(steps) / 60)
+    show = ShowServer(session, material().documents, PAGES, clock=lambda: next(steps) / 60)
     far, near = os.pipe()
     os.set_blocking(far, False)
     os.set_blocking(near, False)
     journal = Kept()
-    return show, journal, Playing(show, journal, near), far  # type: ignore[arg-type]
+    return show, journal, ShowTick(show, journal, near), far  # type: ignore[arg-type]
 
 
 @pytest.mark.asyncio
-async def test_a_moving_show_is_kept_thirty_times_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+async def test_a_moving_show_is_kept_thirty_times_a_second(played: tuple[ShowServer, Kept, ShowTick, int]) -> None:
     show, journal, playing, _ = played
     show.session.receive("a", wire.CallFace("1", "broad", 10.0, "smooth"), 0.0)
     for number in range(300):
@@ -101,7 +101,7 @@ async def test_a_moving_show_is_kept_thirty_times_a_second(played: tuple[ShowSer
 
 
 @pytest.mark.asyncio
-async def test_a_resting_show_is_kept_once_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+async def test_a_resting_show_is_kept_once_a_second(played: tuple[ShowServer, Kept, ShowTick, int]) -> None:
     _, journal, playing, _ = played
     for number in range(10 * RESTING_TICKS):
         playing.tick(number)
@@ -109,7 +109,7 @@ async def test_a_resting_show_is_kept_once_a_second(played: tuple[ShowServer, Ke
 
 
 @pytest.mark.asyncio
-async def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+async def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, ShowTick, int]) -> None:
     show, journal, playing, _ = played
     for number in range(30):
         playing.tick(number)
@@ -121,7 +121,7 @@ async def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, 
 
 
 @pytest.mark.asyncio
-async def test_ten_pulses_a_second(played: tuple[ShowServer, Kept, Playing, int]) -> None:
+async def test_ten_pulses_a_second(played: tuple[ShowServer, Kept, ShowTick, int]) -> None:
     _, _, playing, far = played
     for number in range(60):
         playing.tick(number)
@@ -142,9 +142,9 @@ def test_a_supervisor_that_does_not_listen_holds_up_no_tick() -> None:
 async def test_a_show_without_a_journal_plays(cast: Cast) -> None:
     session = ShowSession(cast, Performer(cast))
     far, near = os.pipe()
-    show = ShowServer(session, material().library, PAGES)
+    show = ShowServer(session, material().documents, PAGES)
     for number in range(5):
-        Playing(show, None, near).tick(number)
+        ShowTick(show, None, near).tick(number)
     assert session.number == 5
     os.close(far)
     os.close(near)

@@ -10,7 +10,14 @@ from omote.model.cast import Cast, Look
 from omote.model.recipes.recipe import Recipe
 from omote.model.space.face import Face
 from omote.server.workers import order_worker as module
-from omote.server.workers.order_worker import Bench, CompoundOrder, FaceOrder, HandlesOrder, ShopOrder, TangentsOrder
+from omote.server.workers.order_worker import (
+    CompoundOrder,
+    FaceOrder,
+    HandlesOrder,
+    OrderWorker,
+    TangentsOrder,
+    WorkshopOrder,
+)
 from omote.show.messages import CompoundAsset, ContentAsset
 from omote.show.wire import encode
 from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
@@ -18,14 +25,14 @@ from omote.stage_data.assets import compound_asset, content_asset
 
 
 @pytest.fixture
-def bench(cast: Cast) -> Bench:
+def worker(cast: Cast) -> OrderWorker:
     """A hand's, with the synthetic cast."""
-    return Bench(cast)
+    return OrderWorker(cast)
 
 
-def made(bench: Bench, order: ShopOrder) -> bytes:
+def made(worker: OrderWorker, order: WorkshopOrder) -> bytes:
     """What an order is answered with."""
-    return bench.make(encode(order))
+    return worker.make(encode(order))
 
 
 @pytest.fixture
@@ -34,40 +41,40 @@ def face(cast: Cast) -> Face:
     return Face("own", (cast.faces["broad"].positions + cast.faces["long"].positions) / 2)
 
 
-def test_a_compound_of_the_cast_needs_only_names(bench: Bench, cast: Cast) -> None:
-    asset = msgspec.msgpack.decode(made(bench, CompoundOrder("broad", "smile", {})), type=CompoundAsset)
+def test_a_compound_of_the_cast_needs_only_names(worker: OrderWorker, cast: Cast) -> None:
+    asset = msgspec.msgpack.decode(made(worker, CompoundOrder("broad", "smile", {})), type=CompoundAsset)
     assert asset == compound_asset(cast, cast.faces["broad"], "smile")
 
 
-def test_a_compound_of_own_things_comes_of_their_bytes(bench: Bench, cast: Cast, face: Face) -> None:
+def test_a_compound_of_own_things_comes_of_their_bytes(worker: OrderWorker, cast: Cast, face: Face) -> None:
     contents = {
         content_key(data): data for data in (pack_face(face, Look()), pack_expression(cast.expressions["smile"]))
     }
     first, second = contents
-    asset = msgspec.msgpack.decode(made(bench, CompoundOrder("#" + first, "#" + second, contents)), type=CompoundAsset)
+    asset = msgspec.msgpack.decode(made(worker, CompoundOrder("#" + first, "#" + second, contents)), type=CompoundAsset)
     assert asset == compound_asset(cast, face, "smile")
 
 
 def test_a_hand_remembers_what_it_unpacked_and_only_so_much(
-    bench: Bench, cast: Cast, face: Face, monkeypatch: pytest.MonkeyPatch
+    worker: OrderWorker, cast: Cast, face: Face, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(module, "KEPT", 2)
+    monkeypatch.setattr(module, "CACHED_CONTENTS", 2)
     contents = {
         content_key(data): data
         for data in (pack_face(face, Look(skin=colour)) for colour in ("#000000", "#111111", "#222222"))
     }
     keys = list(contents)
     for key in keys:
-        made(bench, CompoundOrder("#" + key, "smile", contents))
-    made(bench, CompoundOrder("#" + keys[2], "smile", {}))
+        made(worker, CompoundOrder("#" + key, "smile", contents))
+    made(worker, CompoundOrder("#" + keys[2], "smile", {}))
     with pytest.raises(ValueError, match="did not come with its order"):
-        made(bench, CompoundOrder("#" + keys[0], "smile", {}))
+        made(worker, CompoundOrder("#" + keys[0], "smile", {}))
 
 
-def test_a_face_comes_with_what_pages_must_know_of_it(bench: Bench, cast: Cast, face: Face) -> None:
+def test_a_face_comes_with_what_pages_must_know_of_it(worker: OrderWorker, cast: Cast, face: Face) -> None:
     data = pack_face(face, Look(skin="#102030"))
     asset = msgspec.msgpack.decode(
-        made(bench, FaceOrder(content_key(data), {content_key(data): data})), type=ContentAsset
+        made(worker, FaceOrder(content_key(data), {content_key(data): data})), type=ContentAsset
     )
     assert asset == content_asset(
         cast, content_key(data), Face(content_key(data), face.positions), Look(skin="#102030")
@@ -75,25 +82,25 @@ def test_a_face_comes_with_what_pages_must_know_of_it(bench: Bench, cast: Cast, 
     assert asset.face.source == "#" + content_key(data)
 
 
-def test_a_face_with_hair_that_the_cast_has_not_is_refused(bench: Bench, face: Face) -> None:
+def test_a_face_with_hair_that_the_cast_has_not_is_refused(worker: OrderWorker, face: Face) -> None:
     data = pack_face(face, Look(hair_style="crest"))
     with pytest.raises(ValueError, match="hair 'crest', which this cast has not"):
-        made(bench, FaceOrder(content_key(data), {content_key(data): data}))
+        made(worker, FaceOrder(content_key(data), {content_key(data): data}))
 
 
-def test_the_editors_documents_are_made_of_the_cast(bench: Bench, cast: Cast) -> None:
-    tangents = msgspec.msgpack.decode(made(bench, TangentsOrder("long", {})), type=TangentsAsset)
+def test_the_editors_documents_are_made_of_the_cast(worker: OrderWorker, cast: Cast) -> None:
+    tangents = msgspec.msgpack.decode(made(worker, TangentsOrder("long", {})), type=TangentsAsset)
     assert len(tangents.tangents) == 3 * 3 * 4 * cast.space.vertex_count
-    handles = msgspec.msgpack.decode(made(bench, HandlesOrder()), type=HandlesAsset)
+    handles = msgspec.msgpack.decode(made(worker, HandlesOrder()), type=HandlesAsset)
     assert len(handles.points) == len(handles.labels) == len(handles.mirror)
 
 
-def test_an_editors_order_is_made_by_the_craft(bench: Bench) -> None:
-    recipe = Recipe(bench.net, ((0.0, 0.001, 1.0),) * len(bench.net))
-    baked = msgspec.msgpack.decode(made(bench, Bake(recipe, {})), type=Baked)
+def test_an_editors_order_is_made_by_the_craft(worker: OrderWorker) -> None:
+    recipe = Recipe(worker.net, ((0.0, 0.001, 1.0),) * len(worker.net))
+    baked = msgspec.msgpack.decode(made(worker, Bake(recipe, {})), type=Baked)
     assert baked.recipe == recipe
     field = unpack_expression(baked.contents[baked.key])
-    assert np.allclose(field.dh[list(bench.net)], 0.001)
+    assert np.allclose(field.dh[list(worker.net)], 0.001)
 
 
 @pytest.mark.parametrize(
@@ -106,10 +113,10 @@ def test_an_editors_order_is_made_by_the_craft(bench: Bench) -> None:
     ],
 )
 def test_what_is_not_there_or_something_else_is_refused(
-    bench: Bench, cast: Cast, face: Face, wearer: str, worn: str, sentence: str
+    worker: OrderWorker, cast: Cast, face: Face, wearer: str, worn: str, sentence: str
 ) -> None:
     packed = {"face": pack_face(face, Look()), "expression": pack_expression(cast.expressions["smile"])}
     names = {what: "#" + content_key(data) for what, data in packed.items()}
     contents = {content_key(data): data for data in packed.values()}
     with pytest.raises(ValueError, match=sentence):
-        made(bench, CompoundOrder(wearer.format(**names), worn.format(**names), contents))
+        made(worker, CompoundOrder(wearer.format(**names), worn.format(**names), contents))

@@ -17,9 +17,9 @@ from omote.server.workers.workshop import (
     Make,
     RefusedOrderError,
     Workshop,
-    framed,
+    frame,
     open_workshop,
-    received,
+    receive,
 )
 
 Orders = tuple[str, ...]
@@ -130,7 +130,7 @@ def test_a_hand_that_hangs_is_replaced_and_its_order_made_by_another(
 
 
 def test_without_a_keeper_the_workshop_is_closed() -> None:
-    answers = made(worn, "smile", "cry", before=lambda workshop: os.kill(workshop.keeper, signal.SIGKILL))
+    answers = made(worn, "smile", "cry", before=lambda workshop: os.kill(workshop.supervisor_pid, signal.SIGKILL))
     assert answers == [b"old smile", "the process that computes beside the show is gone"]
 
 
@@ -145,7 +145,7 @@ def test_hand_and_keeper_end_with_the_server() -> None:
         try:
             workshop = open_workshop(keep_open)
             asyncio.run(workshop.make(b"smile"))
-            os.write(held, f"{workshop.keeper}\n".encode())
+            os.write(held, f"{workshop.supervisor_pid}\n".encode())
         finally:
             os._exit(0)  # as if it were killed: it closes nothing
     os.close(held)
@@ -166,7 +166,7 @@ def test_workshop_without_a_process_to_spare(monkeypatch: pytest.MonkeyPatch) ->
     def none_left(_: object) -> int:
         raise BlockingIOError("no process to spare")
 
-    monkeypatch.setattr(module, "copied", none_left)
+    monkeypatch.setattr(module, "fork_process", none_left)
     with pytest.raises(OSError, match="no process to spare"):
         open_workshop(worn)
 
@@ -174,17 +174,17 @@ def test_workshop_without_a_process_to_spare(monkeypatch: pytest.MonkeyPatch) ->
 def test_frames_arrive_as_they_were_sent() -> None:
     ours, theirs = socket.socketpair()
     for data in (b"", b"a", bytes(1000)):
-        ours.sendall(framed(data))
-        assert received(theirs) == data
-    ours.sendall(framed(b"cut off")[:-1])
+        ours.sendall(frame(data))
+        assert receive(theirs) == data
+    ours.sendall(frame(b"cut off")[:-1])
     ours.close()
-    assert received(theirs) is None
+    assert receive(theirs) is None
     theirs.close()
 
 
 def test_a_line_whose_other_end_died_has_ended() -> None:
     ours, theirs = socket.socketpair()
-    ours.sendall(framed(b"unread"))
+    ours.sendall(frame(b"unread"))
     theirs.close()
-    assert received(ours) is None
+    assert receive(ours) is None
     ours.close()

@@ -10,7 +10,7 @@ from omote.model.transfer.paper_map import compile_expression
 from tools.baking.expressions import PERFORMED, unit_weights
 from tools.baking.heads.head import Head
 from tools.baking.heads.moves import Move, compose, jaw_vertices
-from tools.baking.heads.neck import settle_throat
+from tools.baking.heads.neck import level_throat
 from tools.baking.layout import islands, unwrap
 
 Floats = NDArray[np.float64]
@@ -55,12 +55,12 @@ def test_the_layout_shows_the_face_upright_and_as_a_viewer_sees_it(head: Head, g
 def test_the_throat_follows_the_jaw_line(head: Head, generic: Floats) -> None:
     for shift in (np.zeros(3), np.array([0.0, 0.02, 0.01])):
         np.testing.assert_allclose(
-            settle_throat(generic + shift, generic, head.skin.triangles), generic + shift, atol=1e-9
+            level_throat(generic + shift, generic, head.skin.triangles), generic + shift, atol=1e-9
         )
     hanging = generic.copy()
     throat = np.linalg.norm(generic - [0.0, -0.121, 0.074], axis=1) < 0.01
     hanging[throat, 1] -= 0.02
-    np.testing.assert_allclose(settle_throat(hanging, generic, head.skin.triangles)[throat], generic[throat], atol=2e-3)
+    np.testing.assert_allclose(level_throat(hanging, generic, head.skin.triangles)[throat], generic[throat], atol=2e-3)
 
 
 def test_the_jaw_is_found_where_it_moves_as_the_teeth_do(generic: Floats, moves: dict[str, Move]) -> None:

@@ -10,7 +10,7 @@ import pytest
 import omote
 from omote.builtin.binding import EYES
 from omote.model.sculpting.sculpt import Sculpt, sculpted, warp
-from omote.model.space.eye_socket import heights
+from omote.model.space.eye_socket import ball_heights
 from omote.model.space.face import Face
 from omote.model.transfer.mouth_bag_fit import lined
 from tools.baking.package import BakeError
@@ -52,10 +52,10 @@ def test_eyeballs_are_round_and_lids_lie_on_them(sculpt: Sculpt) -> None:
     face = made(sculpt)
     for eye in EYES:
         ball = face.parts[eye].astype(np.float64)
-        assert np.abs(heights(ball, ball) - 1.0).max() < 0.03  # as round as the people's
-        rest = heights(CAST.space.points, CAST.space.parts[eye].points)
+        assert np.abs(ball_heights(ball, ball) - 1.0).max() < 0.03  # as round as the people's
+        rest = ball_heights(CAST.space.points, CAST.space.parts[eye].points)
         lids = (rest > 1.0) & (rest < 1.1)
-        over = heights(face.positions, ball)[lids]
+        over = ball_heights(face.positions, ball)[lids]
         assert 0.98 < over.min() <= over.max() < 1.2
 
 

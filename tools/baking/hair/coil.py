@@ -20,7 +20,7 @@ class Coil:
     count: int = 160
     turns: float = 0.8
 
-    def wound(self, outward: Floats, stations: int, *, seed: int) -> Floats:
+    def wind(self, outward: Floats, stations: int, *, seed: int) -> Floats:
         """The strands (count, stations, 3), spread over the ball; outward (3,): away from the head at its foot."""
         chance = np.random.default_rng(seed).uniform(size=(self.count, 3))
         along = np.linspace(0.0, 1.0, stations)

@@ -88,10 +88,10 @@ def roots_of(groom: Groom, points: Floats, triangles: Ints) -> Floats:
     places = np.einsum("nc,ncd->nd", weights, corners[chosen])
     ear = (np.abs(places[:, 0]) > 0.0705) & (places[:, 1] < 0.024) & (places[:, 2] < 0.064)
     ragged = rng.normal(0.0, 0.0015, CANDIDATES)
-    return _spread(places[(above(groom.hairline, places) > ragged) & ~ear], groom.count)
+    return _pick_spread(places[(above(groom.hairline, places) > ragged) & ~ear], groom.count)
 
 
-def _spread(places: Floats, count: int) -> Floats:
+def _pick_spread(places: Floats, count: int) -> Floats:
     """`count` of the places, each the farthest from all before it."""
     far = np.full(len(places), np.inf)
     chosen = [int(places[:, 1].argmax())]
@@ -115,7 +115,7 @@ def grow(groom: Groom, field: Field, roots: Floats) -> Floats:
         points = points + STRIDE * heading
         course.append(points)
     ends = np.where(ends < 0, len(course) - 1, ends)
-    return _gathered(groom, _waved(groom, field, _stations(np.stack(course, axis=1), ends), chance))
+    return _gather(groom, _add_waves(groom, field, _stations(np.stack(course, axis=1), ends), chance))
 
 
 def _leaders(roots: Floats) -> Ints:
@@ -130,11 +130,11 @@ def _alike(groom: Groom, roots: Floats, chance: Floats) -> Floats:
     return np.asarray(chance + share * (chance[_leaders(roots)] - chance))
 
 
-def _gathered(groom: Groom, strands: Floats) -> Floats:
+def _gather(groom: Groom, strands: Floats) -> Floats:
     """Strands (n, STATIONS, 3) drawn toward their lock's leader where it is near, the more the nearer the tip."""
     toward = strands[_leaders(strands[:, 0])] - strands
-    near = 1.0 - _eased(np.linalg.norm(toward, axis=2).max(axis=1) / APART)
-    share = 0.6 * groom.locks * near[:, None] * _eased(np.linspace(0.0, 1.0, STATIONS))
+    near = 1.0 - _ease(np.linalg.norm(toward, axis=2).max(axis=1) / APART)
+    share = 0.6 * groom.locks * near[:, None] * _ease(np.linspace(0.0, 1.0, STATIONS))
     return np.asarray(strands + share[..., None] * toward)
 
 
@@ -143,14 +143,14 @@ def _heading(groom: Groom, field: Field, strands: Strands, before: Floats) -> Fl
     height, out = field.height(strands.points), field.outward(strands.points)
     wanted = _unit(groom.comb(strands))
     low, high = groom.layers
-    layer = (low + (high - low) * strands.chance[:, 0]) * _eased(strands.grown / groom.rise)
-    near = 1.0 - _eased((height - layer) / 0.02)
-    hold = groom.hold * _eased((strands.points[:, 1] - groom.free) / 0.03)
+    layer = (low + (high - low) * strands.chance[:, 0]) * _ease(strands.grown / groom.rise)
+    near = 1.0 - _ease((height - layer) / 0.02)
+    hold = groom.hold * _ease((strands.points[:, 1] - groom.free) / 0.03)
     into = (wanted * out).sum(axis=1)
     along = wanted - np.where(into < 0.0, near * into, hold * into)[:, None] * out
     lift = np.clip((layer - height) / 0.006, -hold, 1.2)
     heading = _unit(_unit(along) + lift[:, None] * out)
-    stiff = groom.stiffness * (0.5 + 0.5 * _eased(strands.grown / 0.02))
+    stiff = groom.stiffness * (0.5 + 0.5 * _ease(strands.grown / 0.02))
     return _unit(stiff[:, None] * before + (1.0 - stiff)[:, None] * heading)
 
 
@@ -164,7 +164,7 @@ def _stations(course: Floats, ends: Ints) -> Floats:
     return np.asarray(course[rows, first] * (1.0 - part) + course[rows, first + 1] * part)
 
 
-def _waved(groom: Groom, field: Field, strands: Floats, chance: Floats) -> Floats:
+def _add_waves(groom: Groom, field: Field, strands: Floats, chance: Floats) -> Floats:
     """Strands with their waves, which grow from nothing at the root."""
     amplitude, length = groom.wave
     steps = np.linalg.norm(np.diff(strands, axis=1), axis=2)
@@ -172,7 +172,7 @@ def _waved(groom: Groom, field: Field, strands: Floats, chance: Floats) -> Float
     out = field.outward(strands)
     aside = _unit(np.cross(np.gradient(strands, axis=1), out))
     phase = 2 * np.pi * (grown / (length * (0.75 + 0.5 * chance[:, 2:3])) + chance[:, 3:4])
-    size = amplitude * _eased(grown / 0.03) * (0.4 + 1.2 * chance[:, 1:2])
+    size = amplitude * _ease(grown / 0.03) * (0.4 + 1.2 * chance[:, 1:2])
     return np.asarray(strands + size[..., None] * (np.sin(phase)[..., None] * aside + np.cos(phase)[..., None] * out))
 
 
@@ -180,6 +180,6 @@ def _unit(vectors: Floats) -> Floats:
     return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-9))
 
 
-def _eased(share: Floats) -> Floats:
+def _ease(share: Floats) -> Floats:
     x = np.clip(share, 0.0, 1.0)
     return np.asarray(x * x * (3.0 - 2.0 * x))

@@ -6,7 +6,7 @@ import numpy as np
 from scipy import ndimage
 from scipy.spatial import cKDTree
 
-from omote.model.hair import HairStyle, carriers
+from omote.model.hair import HairStyle, find_anchors
 from omote.model.space.parameter_space import ParameterSpace
 from tools.baking.assemble import Arrays, Step
 from tools.baking.hair.groom import STATIONS, Groom, grow, roots_of
@@ -26,7 +26,7 @@ def hair_arrays(space: ParameterSpace, step: Step) -> Arrays:
     """Every style as `hair/STYLE/...` (omote.builtin.castfile)."""
     arrays: Arrays = {}
     for name, groom in GROOMS.items():
-        style = grown_style(name, groom, space)
+        style = grow_style(name, groom, space)
         for what in ("points", "rows", "weights", "anchors", "facing", "light"):
             arrays[f"hair/{name}/{what}"] = getattr(style, what)
         arrays[f"hair/{name}/width"] = np.array(style.width, np.float32)
@@ -34,13 +34,13 @@ def hair_arrays(space: ParameterSpace, step: Step) -> Arrays:
     return arrays
 
 
-def grown_style(name: str, groom: Groom, space: ParameterSpace) -> HairStyle:
+def grow_style(name: str, groom: Groom, space: ParameterSpace) -> HairStyle:
     """A style on the generic head of a space."""
     skin, triangles = space.points, space.triangles
     field = field_of(skin, triangles, closing=groom.closing, blur=groom.blur)
     roots = roots_of(groom, skin, triangles)
-    points = np.round(cleared(_all_strands(groom, field, roots), skin, triangles), 5) + 0.0
-    rows, weights = carriers(points, skin, space.on_sheet)
+    points = np.round(push_out(_all_strands(groom, field, roots), skin, triangles), 5) + 0.0
+    rows, weights = find_anchors(points, skin, space.on_sheet)
     anchors = rows[:, 0, 0]
     return HairStyle(
         name=name,
@@ -59,13 +59,13 @@ def _all_strands(groom: Groom, field: Field, roots: Floats) -> Floats:
     grown = grow(groom, field, roots)
     if groom.coil is None:
         return grown
-    wound = groom.coil.wound(field.outward(groom.coil.foot[None])[0], STATIONS, seed=groom.seed)
+    wound = groom.coil.wind(field.outward(groom.coil.foot[None])[0], STATIONS, seed=groom.seed)
     wound = wound[np.random.default_rng(groom.seed).permutation(len(wound))]
     place = np.linspace(0, len(grown), len(wound), endpoint=False).astype(int)
     return np.insert(grown, place, wound, axis=0)
 
 
-def cleared(points: Floats, skin: Floats, triangles: Ints) -> Floats:
+def push_out(points: Floats, skin: Floats, triangles: Ints) -> Floats:
     """Strands (n, k, 3) pushed out of the skin: the field they grew on is smoother than ears are."""
     spots, facing = surface_samples(skin, triangles)
     tree = cKDTree(spots)

@@ -40,7 +40,7 @@ def _azimuth(points: Floats) -> Floats:
     return np.asarray(np.arctan2(points[:, 0], points[:, 2] - 0.06))
 
 
-def _eased(values: Floats, low: float, high: float) -> Floats:
+def _ease(values: Floats, low: float, high: float) -> Floats:
     share = np.clip((values - low) / (high - low), 0.0, 1.0)
     return np.asarray(share * share * (3.0 - 2.0 * share))
 
@@ -52,7 +52,7 @@ def _bob_comb(strands: Strands) -> Floats:
     below = np.clip((-0.035 - strands.points[:, 1]) / 0.03, 0.0, 1.0)[:, None]
     inward = (np.array([0.0, 0.0, 0.045]) - strands.points) * [1.0, 0.0, 1.0] * 11.0
     side = np.clip(-strands.points[:, 1:2] / 0.02 + 3.0, 0.0, 1.0)
-    back = -0.75 * _eased(strands.points[:, 2], 0.055, 0.095)  # off the cheeks
+    back = -0.75 * _ease(strands.points[:, 2], 0.055, 0.095)  # off the cheeks
     fall = np.stack([0.0 * back, -1.0 + 0.0 * back, back], axis=1)
     return np.asarray(away * (1.0 - 0.9 * side) + side * fall + below * inward)
 
@@ -63,17 +63,17 @@ def _bob_cut(strands: Strands) -> NDArray[np.bool_]:
     fringe = (angle < 0.58) & (strands.points[:, 2] > 0.1)
     jitter = strands.chance[:, 2]
     brow = 0.035 - 3.5 * strands.points[:, 0] ** 2 - 0.005 * jitter
-    chin = -0.080 + 0.012 * _eased(angle, 1.2, 2.7) - 0.005 * jitter
+    chin = -0.080 + 0.012 * _ease(angle, 1.2, 2.7) - 0.005 * jitter
     return np.asarray(strands.points[:, 1] < np.where(fringe, brow, chin))
 
 
 def _short_comb(strands: Strands) -> Floats:
     """From the parting over to either side, on top a little forwards and up, at the sides down and back."""
     x, y, z = strands.points.T
-    top = _eased(strands.roots[:, 1], 0.055, 0.09)
+    top = _ease(strands.roots[:, 1], 0.055, 0.09)
     across = np.where(strands.roots[:, 0] > PART, 1.0, -1.0)
     over = np.stack([1.2 * across, np.full_like(x, -0.1), np.where(z > 0.07, 0.35, -0.5)], axis=1)
-    back = -0.45 * _eased(strands.roots[:, 1], 0.0, 0.04)  # not over the ears
+    back = -0.45 * _ease(strands.roots[:, 1], 0.0, 0.04)  # not over the ears
     down = np.stack([0.0 * x, np.full_like(y, -1.0), np.where(z < 0.04, -0.45, back)], axis=1)
     lean = (strands.chance[:, 1:2] - 0.5) * [0.5, 0.0, 0.7]
     return np.asarray(top[:, None] * over + (1.0 - top[:, None]) * down + lean)
@@ -88,7 +88,7 @@ def _short_cut(strands: Strands) -> NDArray[np.bool_]:
 def _back_comb(strands: Strands) -> Floats:
     """Straight back over the skull and down to the nape."""
     x, y, z = strands.points.T
-    behind = _eased(-z, -0.05, 0.03)
+    behind = _ease(-z, -0.05, 0.03)
     return np.stack([3.0 * x, -0.15 - 1.6 * behind, -1.0 + 0.9 * behind + 0.0 * y], axis=1)
 
 
@@ -117,7 +117,7 @@ def _mop_comb(strands: Strands) -> Floats:
     lock = np.sin(95.0 * x + 60.0 * y + 1.0) * np.cos(90.0 * z - 50.0 * y)
     turn = 0.5 * lock + (strands.chance[:, 1] - 0.5) * 0.45
     aside = np.stack([away[:, 2], 0.0 * turn, -away[:, 0]], axis=1)
-    side = _eased(-strands.points[:, 1:2], -0.045, 0.0)  # beside the ears it falls
+    side = _ease(-strands.points[:, 1:2], -0.045, 0.0)  # beside the ears it falls
     combed = np.cos(turn)[:, None] * away + np.sin(turn)[:, None] * aside
     return np.asarray(combed * (1.0 - 0.9 * side) + side * np.array([0.0, -1.0, -0.15]))
 

@@ -75,11 +75,11 @@ def _move(head: Head, rest: Floats, displacement: Floats) -> Move:
     metres = displacement * METRES
     parts = {part: metres[piece.vertices] for part, piece in head.parts.items()}
     for part in EYES:
-        parts[part] = _turned(rest[head.parts[part].vertices], parts[part])
+        parts[part] = _as_turn(rest[head.parts[part].vertices], parts[part])
     return Move(metres[head.skin.vertices], parts)
 
 
-def _turned(ball: Floats, displacement: Floats) -> Floats:
+def _as_turn(ball: Floats, displacement: Floats) -> Floats:
     """An eyeball's published movement, which also shifts and squeezes it by 2 mm, as a plain turn about its centre."""
     if not displacement.any():
         return displacement

@@ -22,7 +22,7 @@ NAPE = np.deg2rad(110.0)  # from here on the neck keeps its height
 AROUND = 0.02  # stiffness around the neck, of that along it
 
 
-def settle_throat(points: Floats, generic: Floats, triangles: Ints) -> Floats:
+def level_throat(points: Floats, generic: Floats, triangles: Ints) -> Floats:
     """A face (V, 3) whose throat moves, from the generic face (V, 3) to this one, up and down as its jaw line does."""
     free = _throat(generic)
     inside, outside = np.flatnonzero(free), np.flatnonzero(~free)

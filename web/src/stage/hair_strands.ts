@@ -4,7 +4,7 @@ import type { HairStrands } from "../link/strands";
 export type Offsets = Float32Array;
 
 /**
- * The strands on a face, less their anchors: linear in the face's positions (`omote.model.hair.carried`), so that a mix
+ * The strands on a face, less their anchors: linear in the face's positions (`omote.model.hair.place_strands`), so that a mix
  * of faces wears the mix of their hair.
  */
 export function offsetsOn(hair: HairStrands, generic: Float32Array, face: Float32Array): Offsets {

@@ -12,127 +12,129 @@ import msgspec
 from omote.edit.protocol.messages import NetDocument, TangentsAsset
 from omote.edit.protocol.orders import Baked, Contents, EditOrder, Flat, Renet, Solve
 from omote.model.cast import Cast
-from omote.model.controls.inverse_solve import solved
-from omote.model.controls.net_field import Weave, woven
+from omote.model.controls.inverse_solve import solve_vectors
+from omote.model.controls.net_field import NetField, build_net_field
 from omote.model.controls.tangents import tangents
-from omote.model.recipes.compose_expression import composed, renetted
-from omote.model.recipes.compose_face import Dressed, composed_face
+from omote.model.recipes.compose_expression import change_net, compose_expression
+from omote.model.recipes.compose_face import FaceWithLook, compose_face
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.model.space.expression import Expression
-from omote.show.wire import little
+from omote.show.wire import le_bytes
 from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
 
-_KEPT = 64
+_CACHED = 64
 """Contents that stay unpacked, and nets that stay woven."""
 _DRAFT = "draft"
 
 Thing = TypeVar("Thing")
 
 
-class Craft:
+class OrderRunner:
     """Bakes, solves and weaves for one cast; keeps what it unpacked and wove last."""
 
     def __init__(self, cast: Cast) -> None:
         self._cast = cast
         self._expressions: OrderedDict[str, Expression] = OrderedDict()
-        self._faces: OrderedDict[str, Dressed] = OrderedDict()
-        self._woven = lru_cache(maxsize=_KEPT)(lambda rows: woven(cast.space, rows))
+        self._faces: OrderedDict[str, FaceWithLook] = OrderedDict()
+        self._net_field = lru_cache(maxsize=_CACHED)(lambda rows: build_net_field(cast.space, rows))
 
-    def perform(self, order: EditOrder, /) -> Baked:
+    def run(self, order: EditOrder, /) -> Baked:
         """What an order asks for. ValueError, one sentence, on whatever it names that is not there and on every number
         that cannot be."""
         if isinstance(order, Solve):
-            return self._solved(order)
+            return self._solve(order)
         if isinstance(order, Renet):
-            return self._renetted(order)
+            return self._change_net(order)
         if isinstance(order, Flat):
-            return self._flat(order)
+            return self._flatten(order)
         if isinstance(order.recipe, FaceRecipe):
-            return self._baked_face(order.recipe, order.contents)
-        return self._baked(order.recipe, order.contents, weave=order.weave)
+            return self._bake_face(order.recipe, order.contents)
+        return self._bake(order.recipe, order.contents, with_net=order.with_net)
 
-    def weave(self, net: tuple[int, ...], /) -> NetDocument:
+    def with_net(self, net: tuple[int, ...], /) -> NetDocument:
         """The document of a net; ValueError on rows that make none."""
-        return net_document(self._woven(tuple(net)))
+        return net_document(self._net_field(tuple(net)))
 
     def tangents_asset(self, source: str, contents: Contents, /) -> TangentsAsset:
         """How a face answers to a field; contents hold it where it is an own one."""
-        return TangentsAsset(little(tangents(self._cast.space, self._face(source, contents).face), "<f4"))
+        return TangentsAsset(le_bytes(tangents(self._cast.space, self._face(source, contents).face), "<f4"))
 
-    def _baked(self, recipe: Recipe, contents: Contents, *, weave: bool, miss: float = 0.0) -> Baked:
-        net = self._woven(recipe.net)
-        data = pack_expression(composed(self._cast.space, recipe, self._named(recipe, contents), net))
+    def _bake(self, recipe: Recipe, contents: Contents, *, with_net: bool, miss: float = 0.0) -> Baked:
+        net = self._net_field(recipe.net)
+        data = pack_expression(
+            compose_expression(self._cast.space, recipe, self._load_expressions(recipe, contents), net)
+        )
         key = content_key(data)
-        return Baked(recipe, key, {key: data}, net_document(net) if weave else None, miss)
+        return Baked(recipe, key, {key: data}, net_document(net) if with_net else None, miss)
 
-    def _baked_face(self, recipe: FaceRecipe, contents: Contents) -> Baked:
+    def _bake_face(self, recipe: FaceRecipe, contents: Contents) -> Baked:
         named = {source: self._face(source, contents) for source in sorted(sources(recipe))}
-        made = composed_face(self._cast.space, _DRAFT, recipe, named)
+        made = compose_face(self._cast.space, _DRAFT, recipe, named)
         data = pack_face(made.face, made.look)
         return Baked(recipe, content_key(data), {content_key(data): data})
 
-    def _solved(self, order: Solve) -> Baked:
-        net = self._woven(order.recipe.net)
+    def _solve(self, order: Solve) -> Baked:
+        net = self._net_field(order.recipe.net)
         still = msgspec.structs.replace(order.recipe, vectors=((0.0, 0.0, 1.0),) * len(order.recipe.net))
-        under = composed(self._cast.space, still, self._named(order.recipe, order.contents), net)
+        under = compose_expression(self._cast.space, still, self._load_expressions(order.recipe, order.contents), net)
         face = self._face(order.face, order.contents).face
-        found = solved(self._cast.space, face, under, net, order.vectors, order.points, order.targets)
+        found = solve_vectors(self._cast.space, face, under, net, order.vectors, order.points, order.targets)
         vectors = tuple((float(a), float(b), float(c)) for a, b, c in found.vectors)
         recipe = msgspec.structs.replace(order.recipe, vectors=vectors)
-        return self._baked(recipe, order.contents, weave=False, miss=found.miss)
+        return self._bake(recipe, order.contents, with_net=False, miss=found.miss)
 
-    def _renetted(self, order: Renet) -> Baked:
-        named = self._named(order.recipe, order.contents)
+    def _change_net(self, order: Renet) -> Baked:
+        named = self._load_expressions(order.recipe, order.contents)
         before = None if order.recipe.ground is None else named[order.recipe.ground]
-        recipe, _, ground = renetted(self._cast.space, order.recipe, before, order.net)
+        recipe, _, ground = change_net(self._cast.space, order.recipe, before, order.net)
         made = Contents()
         if ground is not None and ground is not before:
             data = pack_expression(ground)
             key = content_key(data)
             made[key] = data
             recipe = msgspec.structs.replace(recipe, ground=KEY + key)
-        baked = self._baked(recipe, {**order.contents, **made}, weave=True)
+        baked = self._bake(recipe, {**order.contents, **made}, with_net=True)
         return msgspec.structs.replace(baked, contents={**made, **baked.contents})
 
-    def _flat(self, order: Flat) -> Baked:
-        whole = self._baked(order.recipe, order.contents, weave=False)
+    def _flatten(self, order: Flat) -> Baked:
+        whole = self._bake(order.recipe, order.contents, with_net=False)
         still = ((0.0, 0.0, 1.0),) * len(order.recipe.net)
         return msgspec.structs.replace(whole, recipe=Recipe(order.recipe.net, still, KEY + whole.key))
 
-    def _named(self, recipe: Recipe, contents: Contents) -> dict[str, Expression]:
+    def _load_expressions(self, recipe: Recipe, contents: Contents) -> dict[str, Expression]:
         """The expressions that a recipe names, as far as they are there; who misses one says so itself."""
         found = {}
         for source in sources(recipe):
             if not source.startswith(KEY) and source in self._cast.expressions:
                 found[source] = self._cast.expressions[source]
             elif source.removeprefix(KEY) in contents:
-                found[source] = _kept(self._expressions, source, contents, unpack_expression)
+                found[source] = _unpack_once(self._expressions, source, contents, unpack_expression)
         missing = sorted(sources(recipe) - found.keys())
         if missing:
             raise ValueError(f"there is no expression {missing[0]!r}: choose another layer, or import it again")
         return found
 
-    def _face(self, source: str, contents: Contents) -> Dressed:
+    def _face(self, source: str, contents: Contents) -> FaceWithLook:
         if not source.startswith(KEY) and source in self._cast.faces:
-            return Dressed(self._cast.faces[source], self._cast.looks[source])
+            return FaceWithLook(self._cast.faces[source], self._cast.looks[source])
         if source.startswith(KEY) and source.removeprefix(KEY) in contents:
-            return _kept(self._faces, source, contents, lambda data: Dressed(*unpack_face(data, _DRAFT)))
+            return _unpack_once(self._faces, source, contents, lambda data: FaceWithLook(*unpack_face(data, _DRAFT)))
         raise ValueError(f"there is no face {source!r}; expected one of {', '.join(self._cast.faces)}, or an own one")
 
 
-def net_document(weave: Weave, /) -> NetDocument:
+def net_document(with_net: NetField, /) -> NetDocument:
     """A net as pages read it."""
-    net = weave.net
+    net = with_net.net
     return NetDocument(
-        net=list(weave.rows),
-        triangles=little(net.triangles, "<u2"),
-        corners=little(net.corners, "<u2"),
-        weights=little(net.weights, "<f4"),
-        mirror=list(weave.mirror),
+        net=list(with_net.rows),
+        triangles=le_bytes(net.triangles, "<u2"),
+        corners=le_bytes(net.corners, "<u2"),
+        weights=le_bytes(net.weights, "<f4"),
+        mirror=list(with_net.mirror),
     )
 
 
-def _kept(
+def _unpack_once(
     known: OrderedDict[str, Thing], source: str, contents: Mapping[str, bytes], unpack: Callable[[bytes], Thing]
 ) -> Thing:
     """What bytes hold, unpacked once as long as it is asked for now and then."""
@@ -141,7 +143,7 @@ def _kept(
         if content_key(contents[key]) != key:
             raise ValueError(f"the content under {source!r} is another one's; expected bytes that hash to their key")
         known[source] = unpack(contents[key])
-        if len(known) > _KEPT:
+        if len(known) > _CACHED:
             known.popitem(last=False)
     known.move_to_end(source)
     return known[source]

@@ -10,13 +10,13 @@ from omote.model.cast import Cast
 from omote.model.controls.face_muscles import muscle_fields, muscles
 from omote.model.sculpting.regions import REGIONS, region_weights
 from omote.model.space.parameter_space import ParameterSpace
-from omote.show.wire import little
+from omote.show.wire import le_bytes
 
 Values = NDArray[np.float64]
 Rows = NDArray[np.int64]
 
 
-def greeting(cast: Cast, /) -> Greeted:
+def build_welcome(cast: Cast, /) -> Greeted:
     """The answer to an editor's greeting, still without its items; ValueError where the head has no two eyes."""
     rows, anchors, shares = followers(cast.space)
     weights = region_weights(cast.space)
@@ -25,10 +25,10 @@ def greeting(cast: Cast, /) -> Greeted:
         digest=cast.digest,
         muscles=muscle_documents(cast.space),
         regions=list(REGIONS),
-        masks=b"".join(little(np.rint(255 * weights[region]), "u1") for region in REGIONS),
-        followers=little(rows, "<u4"),
-        anchors=little(anchors, "<u4"),
-        shares=little(shares, "<f4"),
+        masks=b"".join(le_bytes(np.rint(255 * weights[region]), "u1") for region in REGIONS),
+        followers=le_bytes(rows, "<u4"),
+        anchors=le_bytes(anchors, "<u4"),
+        shares=le_bytes(shares, "<f4"),
         items=[],
     )
 
@@ -37,7 +37,7 @@ def muscle_documents(space: ParameterSpace, /) -> list[MuscleDocument]:
     """The muscles as pages read them."""
     fields = muscle_fields(space)
     return [
-        MuscleDocument(name, muscle.label, muscle.kind, list(muscle.rows), little(fields[name], "<f4"))
+        MuscleDocument(name, muscle.label, muscle.kind, list(muscle.rows), le_bytes(fields[name], "<f4"))
         for name, muscle in muscles(space).items()
     ]
 
@@ -59,8 +59,8 @@ def followers(space: ParameterSpace, /) -> tuple[Rows, Rows, Values]:
     most = max(anchors.shape[1] for _, anchors, _ in groups)
     return (
         np.concatenate([rows for rows, _, _ in groups]),
-        np.concatenate([_padded(anchors.astype(np.int64), most) for _, anchors, _ in groups]),
-        np.concatenate([_padded(shares, most) for _, _, shares in groups]),
+        np.concatenate([_pad(anchors.astype(np.int64), most) for _, anchors, _ in groups]),
+        np.concatenate([_pad(shares, most) for _, _, shares in groups]),
     )
 
 
@@ -77,5 +77,5 @@ def _on_sheet(space: ParameterSpace, anchors: NDArray[np.int32], weights: Values
     return own[anchors].reshape(count, -1), (weights[..., None] * share[anchors]).reshape(count, -1)
 
 
-def _padded(table: NDArray[np.generic], most: int) -> NDArray[np.generic]:
+def _pad(table: NDArray[np.generic], most: int) -> NDArray[np.generic]:
     return np.pad(table, ((0, 0), (0, most - table.shape[1])))

@@ -13,7 +13,7 @@ LONGEST_LABEL = 80
 _LONGEST_SLUG = 60
 
 
-def checked_label(label: str, what: str = "the label") -> str:
+def clean_label(label: str, what: str = "the label") -> str:
     """`label` without blanks around it; Refusal where nobody could read it."""
     text = label.strip()
     if not 1 <= len(text) <= LONGEST_LABEL or not text.isprintable():
@@ -22,12 +22,12 @@ def checked_label(label: str, what: str = "the label") -> str:
     return text
 
 
-def checked_tags(tags: Iterable[str]) -> tuple[str, ...]:
+def clean_tags(tags: Iterable[str]) -> tuple[str, ...]:
     """The tags in the order given, each once; Refusal where nobody could read one."""
-    return tuple(dict.fromkeys(checked_label(tag, "a tag") for tag in tags))
+    return tuple(dict.fromkeys(clean_label(tag, "a tag") for tag in tags))
 
 
-def checked_text(text: str) -> str:
+def clean_text(text: str) -> str:
     """`text` without blanks around it, nothing at all too; Refusal where it cannot be read."""
     if not text.isprintable():
         raise Refusal(f"the note is {text[:LONGEST_LABEL]!r}: give printable characters.")

@@ -16,7 +16,7 @@ class Bake(msgspec.Struct, frozen=True, tag=True):
 
     recipe: Recipe | FaceRecipe
     contents: Contents
-    weave: bool = False
+    with_net: bool = False
 
 
 class Solve(msgspec.Struct, frozen=True, tag=True):

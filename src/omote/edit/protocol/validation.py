@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from omote.model.recipes.recipe import FaceRecipe, Recipe, Vector
 from omote.model.sculpting.regions import REGIONS
-from omote.show.validation import Quantity, Refusal, number
+from omote.show.validation import Quantity, Refusal, validate_number
 
 DTHETA = Quantity("dtheta of a control point (radians)", -math.pi, math.pi)
 DH = Quantity("dh of a control point (metres)", -0.5, 0.5)
@@ -52,7 +52,7 @@ def check_targets(targets: Iterable[Vector]) -> None:
     """Refusal where a dragged point is put out of reach."""
     for target in targets:
         for coordinate in target:
-            number(coordinate, TARGET)
+            validate_number(coordinate, TARGET)
 
 
 def check_vectors(vectors: Sequence[Vector], net: Sequence[int]) -> None:
@@ -60,9 +60,9 @@ def check_vectors(vectors: Sequence[Vector], net: Sequence[int]) -> None:
     if len(vectors) != len(net):
         raise Refusal(f"there are {len(vectors)} vectors for {len(net)} control points: send one for each.")
     for dtheta, dh, ratio in vectors:
-        number(dtheta, DTHETA)
-        number(dh, DH)
-        number(ratio, RATIO)
+        validate_number(dtheta, DTHETA)
+        validate_number(dh, DH)
+        validate_number(ratio, RATIO)
 
 
 def check_net(net: Sequence[int], bounds: Bounds) -> None:
@@ -80,7 +80,7 @@ def _check_expression(recipe: Recipe, bounds: Bounds) -> None:
     check_vectors(recipe.vectors, recipe.net)
     _check_count(len(recipe.layers), MOST_LAYERS, "layers")
     for layer in recipe.layers:
-        number(layer.weight, WEIGHT)
+        validate_number(layer.weight, WEIGHT)
         if len(layer.label) > LONGEST_LABEL or not layer.label.isprintable():
             raise Refusal(
                 f"a layer is labelled {layer.label[:80]!r}: give at most {LONGEST_LABEL} printable characters."
@@ -90,31 +90,31 @@ def _check_expression(recipe: Recipe, bounds: Bounds) -> None:
     _check_count(len(recipe.pulls), MOST_PULLS, "muscles")
     pulled = [pull.muscle for pull in recipe.pulls]
     for pull in recipe.pulls:
-        number(pull.contraction, CONTRACTION)
+        validate_number(pull.contraction, CONTRACTION)
         if pull.muscle not in bounds.muscles:
             raise Refusal(f"there is no muscle {pull.muscle[:80]!r}: choose from {', '.join(sorted(bounds.muscles))}.")
         if pulled.count(pull.muscle) > 1:
             raise Refusal(f"muscle {pull.muscle!r} is there twice: give each once.")
     for angle in recipe.eyes:
-        number(angle, EYE)
-    number(recipe.pupil, PUPIL)
+        validate_number(angle, EYE)
+    validate_number(recipe.pupil, PUPIL)
 
 
 def _check_face(recipe: FaceRecipe, bounds: Bounds) -> None:
     _check_count(len(recipe.base), MOST_FACES, "faces")
-    whole = math.fsum(number(weight, WEIGHT) for weight in recipe.base.values())
+    whole = math.fsum(validate_number(weight, WEIGHT) for weight in recipe.base.values())
     if abs(whole - 1.0) > _UNITY:
         raise Refusal(f"the weights of the faces sum to {whole:.4g}: a mix of faces sums to 1.")
     for region in recipe.regions:
         _check_region(region)
-    number(recipe.amount, AMOUNT)
+    validate_number(recipe.amount, AMOUNT)
     if len(recipe.moves) != len(recipe.points):
         raise Refusal(f"there are {len(recipe.moves)} moves for {len(recipe.points)} handles: send one for each.")
     _check_count(len(recipe.points), MOST_POINTS, "handles")
     _check_rows(recipe.points, len(bounds.on_sheet), "handle")
     for move in recipe.moves:
         for coordinate in move:
-            number(coordinate, MOVE)
+            validate_number(coordinate, MOVE)
 
 
 def _check_rows(rows: Sequence[int], count: int, what: str) -> None:

@@ -8,12 +8,12 @@ from typing import Any
 from msgspec.structs import replace
 
 from omote.edit.protocol import messages as wire
-from omote.edit.protocol.names import checked_text
+from omote.edit.protocol.names import clean_text
 from omote.edit.protocol.orders import Baked, EditOrder, Flat, Renet, Solve
 from omote.edit.protocol.validation import check_net, check_recipe, check_targets, check_vectors
 from omote.edit.protocol.wire import read_recipe, write_recipe
 from omote.edit.session.plan import Authored, Plan, Result
-from omote.edit.store.authored_state import DraftKey, Ledger
+from omote.edit.store.authored_state import AuthoredState, DraftKey
 from omote.model.recipes.recipe import FaceRecipe, Recipe
 from omote.show.messages import Message
 from omote.show.validation import Refusal
@@ -24,11 +24,11 @@ Shown = Recipe | FaceRecipe
 
 def open_item(authored: Authored, item: Item, editor: str) -> Plan:
     """The editor's draft of an item as it is, or made from what plays."""
-    ledger, key = authored.ledger, (item.id, editor)
-    head = ledger.head(item)
-    if key in ledger.drafts and (head is None or not _is_outdated(ledger, key)):
-        recipe = read_recipe(ledger.shown(key).recipe)
-        return Plan(authored.bake(recipe, weave=True), lambda _: Result(draft=key, opened=item.id, whole=True))
+    state, key = authored.state, (item.id, editor)
+    head = state.head(item)
+    if key in state.drafts and (head is None or not _is_outdated(state, key)):
+        recipe = read_recipe(state.shown_edit(key).recipe)
+        return Plan(authored.bake(recipe, with_net=True), lambda _: Result(draft=key, opened=item.id, whole=True))
     if head is None:
         return _open_unsaved(authored, item, editor)
     what = f"revision {head.number} of {head.editor}"
@@ -40,7 +40,7 @@ def begin(authored: Authored, item: Item, editor: str, recipe: Shown, what: str,
     key = item.id, editor
 
     def finish(baked: Baked) -> Result:
-        number = authored.ledger.drafts[key].cursor + 1 if key in authored.ledger.drafts else 0
+        number = authored.state.drafts[key].cursor + 1 if key in authored.state.drafts else 0
         changes = (
             *authored.kept(baked.recipe),
             PutDraft(Draft(item.id, editor, base, number)),
@@ -48,44 +48,44 @@ def begin(authored: Authored, item: Item, editor: str, recipe: Shown, what: str,
         )
         return Result(changes, draft=key, opened=item.id, whole=True)
 
-    return Plan(authored.bake(recipe, weave=True), finish)
+    return Plan(authored.bake(recipe, with_net=True), finish)
 
 
 def edit(authored: Authored, key: DraftKey, message: Message) -> Plan:
     """One more step of a draft, as the request says."""
-    recipe = read_recipe(authored.ledger.shown(key).recipe)
+    recipe = read_recipe(authored.state.shown_edit(key).recipe)
     if isinstance(recipe, FaceRecipe) != isinstance(message, wire.SetFace):
         kind, other = ("face", "an expression") if isinstance(recipe, FaceRecipe) else ("expression", "a face")
         raise Refusal(f"item {key[0]} is {'a' if kind == 'face' else 'an'} {kind}, but what came is for {other}.")
     order, what = EDITS[type(message)](authored, recipe, message)
-    return Plan(order, lambda baked: _stepped(authored, key, baked, what))
+    return Plan(order, lambda baked: _add_step(authored, key, baked, what))
 
 
 def step(authored: Authored, key: DraftKey, steps: int) -> Plan:
     """Another of the draft's steps shown: -1 undoes one, 1 does one again."""
-    draft, edits = authored.ledger.drafts[key], authored.ledger.edits[key]
+    draft, edits = authored.state.drafts[key], authored.state.edits[key]
     cursor = draft.cursor + steps
     if not 0 <= cursor < len(edits):
         raise Refusal("there is nothing to undo: this is how the draft began." if steps < 0 else "nothing was undone.")
     now, then = (read_recipe(edits[place].recipe) for place in (draft.cursor, cursor))
     whole = _net(now) != _net(then)
     changes = (PutDraft(replace(draft, cursor=cursor)),)
-    return Plan(authored.bake(then, weave=whole), lambda _: Result(changes, draft=key, whole=whole))
+    return Plan(authored.bake(then, with_net=whole), lambda _: Result(changes, draft=key, whole=whole))
 
 
 def bring_back(authored: Authored, key: DraftKey, number: int) -> Plan:
     """One more step of a draft: an old revision as it was."""
-    revision = authored.ledger.revisions.get(key[0], {}).get(number)
+    revision = authored.state.revisions.get(key[0], {}).get(number)
     if revision is None:
         raise Refusal(f"there is no revision {number}: open the history again.")
     recipe = read_recipe(revision.recipe)
     what = f"revision {number} of {revision.editor}, brought back"
-    return Plan(authored.bake(recipe, weave=True), lambda baked: _stepped(authored, key, baked, what))
+    return Plan(authored.bake(recipe, with_net=True), lambda baked: _add_step(authored, key, baked, what))
 
 
-def is_dirty(ledger: Ledger, key: DraftKey) -> bool:
+def is_dirty(state: AuthoredState, key: DraftKey) -> bool:
     """Whether a draft shows anything else than the revision it is based on."""
-    base, shown = ledger.revisions.get(key[0], {}).get(ledger.drafts[key].base), ledger.shown(key)
+    base, shown = state.revisions.get(key[0], {}).get(state.drafts[key].base), state.shown_edit(key)
     if base is None or base.recipe == shown.recipe:
         return base is None
     try:  # what another program wrote may be the same recipe in other bytes, or none that can be read
@@ -94,25 +94,25 @@ def is_dirty(ledger: Ledger, key: DraftKey) -> bool:
         return True
 
 
-def _is_outdated(ledger: Ledger, key: DraftKey) -> bool:
+def _is_outdated(state: AuthoredState, key: DraftKey) -> bool:
     """Whether nothing of a draft is the editor's own any more, and another revision plays."""
-    draft = ledger.drafts[key]
-    at_its_end = draft.cursor == len(ledger.edits[key]) - 1
-    return draft.base != ledger.items[key[0]].head and at_its_end and not is_dirty(ledger, key)
+    draft = state.drafts[key]
+    at_its_end = draft.cursor == len(state.edits[key]) - 1
+    return draft.base != state.items[key[0]].head and at_its_end and not is_dirty(state, key)
 
 
 def _open_unsaved(authored: Authored, item: Item, editor: str) -> Plan:
     """A draft of what nobody has saved begins where another editor's is: theirs with the most steps."""
-    ledger = authored.ledger
-    others = [key for key in ledger.drafts if key[0] == item.id]
+    state = authored.state
+    others = [key for key in state.drafts if key[0] == item.id]
     if not others:
         raise Refusal(f"nothing of {item.label!r} is kept: delete it and begin anew.")
-    theirs = ledger.shown(max(others, key=lambda key: (len(ledger.edits[key]), key[1])))
+    theirs = state.shown_edit(max(others, key=lambda key: (len(state.edits[key]), key[1])))
     return begin(authored, item, editor, read_recipe(theirs.recipe), "another editor's draft", base=0)
 
 
-def _stepped(authored: Authored, key: DraftKey, baked: Baked, what: str) -> Result:
-    draft, shown = authored.ledger.drafts[key], authored.ledger.shown(key)
+def _add_step(authored: Authored, key: DraftKey, baked: Baked, what: str) -> Result:
+    draft, shown = authored.state.drafts[key], authored.state.shown_edit(key)
     check_recipe(baked.recipe, authored.bounds)
     data = write_recipe(baked.recipe)
     if data == shown.recipe:
@@ -154,7 +154,7 @@ def _drag(authored: Authored, recipe: Recipe, drag: wire.DragPoints) -> Ordered:
 
 
 def _set_vectors(authored: Authored, recipe: Recipe, wanted: wire.SetVectors) -> Ordered:
-    return _changed(authored, replace(recipe, vectors=tuple(wanted.vectors)), checked_text(wanted.what))
+    return _bake_changed(authored, replace(recipe, vectors=tuple(wanted.vectors)), clean_text(wanted.what))
 
 
 def _set_net(authored: Authored, recipe: Recipe, wanted: wire.SetNet) -> Ordered:
@@ -168,15 +168,15 @@ def _set_net(authored: Authored, recipe: Recipe, wanted: wire.SetNet) -> Ordered
 
 
 def _set_layers(authored: Authored, recipe: Recipe, wanted: wire.SetLayers) -> Ordered:
-    return _changed(authored, replace(recipe, layers=tuple(wanted.layers)), "layers")
+    return _bake_changed(authored, replace(recipe, layers=tuple(wanted.layers)), "layers")
 
 
 def _set_pulls(authored: Authored, recipe: Recipe, wanted: wire.SetPulls) -> Ordered:
-    return _changed(authored, replace(recipe, pulls=tuple(wanted.pulls)), "muscles")
+    return _bake_changed(authored, replace(recipe, pulls=tuple(wanted.pulls)), "muscles")
 
 
 def _set_eyes(authored: Authored, recipe: Recipe, wanted: wire.SetEyes) -> Ordered:
-    return _changed(authored, replace(recipe, eyes=wanted.eyes, pupil=wanted.pupil), "eyes")
+    return _bake_changed(authored, replace(recipe, eyes=wanted.eyes, pupil=wanted.pupil), "eyes")
 
 
 def _flatten(authored: Authored, recipe: Recipe, _: wire.Flatten) -> Ordered:
@@ -184,11 +184,11 @@ def _flatten(authored: Authored, recipe: Recipe, _: wire.Flatten) -> Ordered:
 
 
 def _set_face(authored: Authored, _: FaceRecipe, wanted: wire.SetFace) -> Ordered:
-    return _changed(authored, wanted.recipe, checked_text(wanted.what))
+    return _bake_changed(authored, wanted.recipe, clean_text(wanted.what))
 
 
-def _changed(authored: Authored, recipe: Shown, what: str) -> Ordered:
-    return authored.bake(authored.checked(recipe)), what
+def _bake_changed(authored: Authored, recipe: Shown, what: str) -> Ordered:
+    return authored.bake(authored.resolve_and_check(recipe)), what
 
 
 EDITS: Mapping[type[Message], Callable[[Authored, Any, Any], Ordered]] = {

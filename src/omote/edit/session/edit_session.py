@@ -12,18 +12,18 @@ from dataclasses import dataclass, field
 from msgspec.structs import replace
 
 from omote.edit.protocol import messages as wire
-from omote.edit.protocol.names import checked_label
+from omote.edit.protocol.names import clean_label
 from omote.edit.protocol.orders import Baked, EditOrder
 from omote.edit.protocol.validation import Bounds
 from omote.edit.protocol.wire import decode, decode_baked, read_recipe, write_recipe
 from omote.edit.session import drafts, items, saving
-from omote.edit.session.draft_queue import Lanes, Task
-from omote.edit.session.plan import Authored, Kept, Plan, Result
-from omote.edit.session.requests import Asked, lane
+from omote.edit.session.draft_queue import DraftQueues, Task
+from omote.edit.session.plan import Authored, KeepOutcome, Plan, Result
+from omote.edit.session.requests import RequestContext, queue_key
 from omote.edit.session.requests import answer as respond
-from omote.edit.session.saving import Hand
-from omote.edit.store.authored_state import DraftKey, Ledger
-from omote.edit.store.content_store import Shelf
+from omote.edit.session.saving import Author
+from omote.edit.store.authored_state import AuthoredState, DraftKey
+from omote.edit.store.content_store import ContentStore
 from omote.edit.store.on_air_recipes import OnAir, recipe_on_air
 from omote.edit.store.sources import Sources
 from omote.model.cast import Cast
@@ -51,7 +51,7 @@ class Outcome:
     changes: tuple[Change, ...] = ()
     replies: tuple[Outgoing, ...] = ()
     cast: bool = False
-    kept: tuple[Kept, ...] = ()
+    kept: tuple[KeepOutcome, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class _Answer:
     orders: list[tuple[int, EditOrder]] = field(default_factory=list)
     changes: list[Change] = field(default_factory=list)
     replies: list[Outgoing] = field(default_factory=list)
-    kept: list[Kept] = field(default_factory=list)
+    kept: list[KeepOutcome] = field(default_factory=list)
     greeted: str | None = None
     listed: bool = False
 
@@ -91,23 +91,23 @@ class EditSession:
         net: tuple[int, ...],
         welcome: wire.Greeted,
     ) -> None:
-        ledger, shelf = Ledger(stored), Shelf(contents)
+        state, store = AuthoredState(stored), ContentStore(contents)
         for revision in stored.revisions:
             with suppress(Refusal):  # what one recipe spoils, the others need not suffer
-                shelf.know(write_recipe(read_recipe(revision.recipe)), revision.content)
+                store.remember_recipe(write_recipe(read_recipe(revision.recipe)), revision.content)
         bounds = Bounds(base.space.on_sheet, frozenset(muscle.name for muscle in welcome.muscles))
-        self.authored = Authored(base, ledger, shelf, Sources(base, ledger, shelf), bounds, net)
+        self.authored = Authored(base, state, store, Sources(base, state, store), bounds, net)
         self._welcome = welcome
         self.refused = 0
         self.crew: dict[str, Member] = {}
-        self._lanes = Lanes()
+        self._queues = DraftQueues()
         self._digest = digest_of(base.digest, self.own())
-        self._told = items.listing(ledger, self._digest, self._editors)
+        self._sent = items.list_items(state, self._digest, self._editors)
 
     @property
     def contents(self) -> Mapping[str, bytes]:
         """The bytes of everything that can be shown, by key: kept or not."""
-        return self.authored.shelf
+        return self.authored.store
 
     @property
     def digest(self) -> str:
@@ -116,13 +116,13 @@ class EditSession:
 
     def own(self) -> tuple[Own, ...]:
         """The own faces and expressions that play."""
-        return items.own_things(self.authored.ledger)
+        return items.own_things(self.authored.state)
 
     def stored(self) -> Stored:
         """All authored work."""
-        return self.authored.ledger.stored()
+        return self.authored.state.stored()
 
-    def hear(self, who: str, data: bytes, *, wall: float, on_air: OnAir) -> Outcome:
+    def receive_bytes(self, who: str, data: bytes, *, wall: float, on_air: OnAir) -> Outcome:
         """What follows from the bytes of an editor; wall: seconds since 1970, for people to read only."""
         answer, request = _Answer(), -1
         try:
@@ -131,21 +131,21 @@ class EditSession:
                 self._greet(answer, who, message)
             else:
                 request = message.request
-                self._do(answer, self._task(who, message, wall, on_air))
+                self._start(answer, self._task(who, message, wall, on_air))
         except Refusal as refusal:
             self._refuse(answer, who, request, refusal)
         return self._outcome(answer)
 
-    def made(self, order: int, result: bytes | str | None) -> Outcome:
+    def finish_order(self, order: int, result: bytes | str | None) -> Outcome:
         """What follows from an order: the workshop's answer, or why there is none (a sentence, or None)."""
-        answer, landed = _Answer(), self._lanes.land(order)
-        if landed is not None:
-            task, plan = landed
+        answer, finished = _Answer(), self._queues.finish_order(order)
+        if finished is not None:
+            task, plan = finished
             try:
-                self._carry_out(answer, task, plan.finish(self._taken(plan, result)))
+                self._carry_out(answer, task, plan.finish(self._read_result(plan, result)))
             except Refusal as refusal:
                 self._fail(answer, task, refusal)
-            self._go_on(answer, task)
+            self._run_waiting(answer, task)
         return self._outcome(answer)
 
     def leave(self, who: str) -> Outcome:
@@ -157,13 +157,13 @@ class EditSession:
         self, kind: Kind, on_air: OnAir, *, label: str | None, wall: float, editor: str, ticket: str = ""
     ) -> Outcome:
         """What is on air as a new item; `Outcome.kept` says what became of it, now or after an order."""
-        authored, answer, hand = self.authored, _Answer(), Hand(editor, "", wall)
+        authored, answer, author = self.authored, _Answer(), Author(editor, "", wall)
         try:
             recipe = recipe_on_air(kind, on_air, authored.net, authored.sources)
-            plan = saving.keep(authored, kind, label, recipe, hand, ticket)
-            self._do(answer, Task((0, ""), lambda: plan, ticket=ticket))
+            plan = saving.keep(authored, kind, label, recipe, author, ticket)
+            self._start(answer, Task((0, ""), lambda: plan, ticket=ticket))
         except Refusal as refusal:
-            answer.kept.append(Kept(ticket, trouble=str(refusal)))
+            answer.kept.append(KeepOutcome(ticket, trouble=str(refusal)))
         return self._outcome(answer)
 
     # --- hearing ------------------------------------------------------------------------------------------------------
@@ -172,21 +172,21 @@ class EditSession:
         if greet.version != wire.EDITING_VERSION:
             versions = f"version {greet.version}, the server {wire.EDITING_VERSION}"
             raise Refusal(f"the page speaks {versions}: reload the page.")
-        self.crew[who] = Member(greet.editor, checked_label(greet.name, "your name"), {})
+        self.crew[who] = Member(greet.editor, clean_label(greet.name, "your name"), {})
         answer.greeted, answer.listed = who, True
 
     def _task(self, who: str, message: Message, wall: float, on_air: OnAir) -> Task:
         member = self.crew.get(who)
         if member is None:
             raise Refusal("nothing is heard before greet: send greet with editor, name and version first.")
-        asked = Asked(self.authored, message, Hand(member.name, member.editor, wall), on_air)
-        request: int = asked.message.request
-        return Task(lane(message, member.editor), lambda: respond(asked), who, request)
+        context = RequestContext(self.authored, message, Author(member.name, member.editor, wall), on_air)
+        request: int = context.message.request
+        return Task(queue_key(message, member.editor), lambda: respond(context), who, request)
 
     # --- carrying out -------------------------------------------------------------------------------------------------
 
-    def _do(self, answer: _Answer, task: Task) -> None:
-        if self._lanes.enter(task):
+    def _start(self, answer: _Answer, task: Task) -> None:
+        if self._queues.try_start(task):
             self._begin(answer, task)
 
     def _begin(self, answer: _Answer, task: Task) -> bool:
@@ -194,9 +194,9 @@ class EditSession:
         try:
             plan = task.begin()
             if isinstance(plan, Plan):
-                known = self.authored.shelf.recall(plan.order)
+                known = self.authored.store.recall(plan.order)
                 if known is None:
-                    answer.orders.append(self._lanes.order(task, plan))
+                    answer.orders.append(self._queues.order(task, plan))
                     return False
                 plan = plan.finish(known)
             self._carry_out(answer, task, plan)
@@ -204,23 +204,23 @@ class EditSession:
             self._fail(answer, task, refusal)
         return True
 
-    def _go_on(self, answer: _Answer, task: Task) -> None:
-        following = self._lanes.following(task)
+    def _run_waiting(self, answer: _Answer, task: Task) -> None:
+        following = self._queues.next_task(task)
         while following is not None and self._begin(answer, following):
-            following = self._lanes.following(following)
+            following = self._queues.next_task(following)
 
-    def _taken(self, plan: Plan, result: bytes | str | None) -> Baked:
+    def _read_result(self, plan: Plan, result: bytes | str | None) -> Baked:
         """The workshop's answer, its contents remembered; Refusal where there is none."""
         if not isinstance(result, bytes):
             raise Refusal(result or "the workshop gave no answer: try again.")
-        baked, shelf = decode_baked(result), self.authored.shelf
-        if baked.key not in baked.contents and baked.key not in shelf:
+        baked, store = decode_baked(result), self.authored.store
+        if baked.key not in baked.contents and baked.key not in store:
             raise Refusal("the workshop's answer is without its content: try again.")
-        shelf.take(plan.order, baked)
+        store.remember_result(plan.order, baked)
         return baked
 
     def _carry_out(self, answer: _Answer, task: Task, result: Result) -> None:
-        self.authored.ledger.apply(result.changes)
+        self.authored.state.apply(result.changes)
         answer.changes += result.changes
         answer.listed |= result.lists
         member = self.crew.get(task.who)
@@ -247,20 +247,20 @@ class EditSession:
                 answer.replies.append(Outgoing(who, state))
 
     def _state(self, key: DraftKey, *, whole: bool, miss: float) -> wire.DraftState:
-        ledger, shelf = self.authored.ledger, self.authored.shelf
-        draft, shown = ledger.drafts[key], ledger.shown(key)
+        state, store = self.authored.state, self.authored.store
+        draft, shown = state.drafts[key], state.shown_edit(key)
         recipe = read_recipe(shown.recipe)
         return wire.DraftState(
             request=-1,
             item=key[0],
             recipe=recipe,
-            content=KEY + shelf.key(shown.recipe),
+            content=KEY + store.key(shown.recipe),
             undo=draft.cursor,
-            redo=len(ledger.edits[key]) - 1 - draft.cursor,
+            redo=len(state.edits[key]) - 1 - draft.cursor,
             base=draft.base,
-            dirty=drafts.is_dirty(ledger, key),
+            dirty=drafts.is_dirty(state, key),
             what=shown.what,
-            net=shelf.net(recipe) if whole else None,
+            net=store.net(recipe) if whole else None,
             miss=miss,
             others=self._editors(key[0], but=key[1]),
         )
@@ -274,7 +274,7 @@ class EditSession:
         if task.ticket is None:
             self._refuse(answer, task.who, task.request, refusal)
         else:
-            answer.kept.append(Kept(task.ticket, trouble=str(refusal)))
+            answer.kept.append(KeepOutcome(task.ticket, trouble=str(refusal)))
 
     def _refuse(self, answer: _Answer, who: str, request: int, refusal: Refusal) -> None:
         self.refused += 1
@@ -285,13 +285,13 @@ class EditSession:
         before = self._digest
         if answer.listed:
             self._digest = digest_of(self.authored.base.digest, self.own())
-        listed = items.listing(self.authored.ledger, self._digest, self._editors) if answer.listed else self._told
+        listed = items.list_items(self.authored.state, self._digest, self._editors) if answer.listed else self._sent
         if answer.greeted is not None:
             welcome = replace(self._welcome, version=wire.EDITING_VERSION, digest=self._digest, items=listed.items)
             answer.replies.append(Outgoing(answer.greeted, welcome))
-        if listed != self._told:
+        if listed != self._sent:
             answer.replies += [Outgoing(who, listed) for who in self.crew if who != answer.greeted]
-            self._told = listed
+            self._sent = listed
         replies = tuple(
             each for each in answer.replies if each.who in self.crew or isinstance(each.message, wire.EditRefused)
         )

@@ -7,30 +7,30 @@ from collections.abc import Callable, Iterable
 from msgspec.structs import replace
 
 from omote.edit.protocol import messages as wire
-from omote.edit.protocol.names import checked_label, checked_tags
+from omote.edit.protocol.names import clean_label, clean_tags
 from omote.edit.protocol.validation import PLACE
 from omote.edit.session.plan import Result
-from omote.edit.store.authored_state import Ledger
+from omote.edit.store.authored_state import AuthoredState
 from omote.edit.store.on_air_recipes import OnAir
 from omote.model.recipes.recipe import KEY
-from omote.show.validation import Refusal, number
+from omote.show.validation import Refusal, validate_number
 from omote.showfile.changes import Item, PutItem
 from omote.stage_data.playing_cast import Own
 
 
-def own_things(ledger: Ledger) -> tuple[Own, ...]:
+def own_things(state: AuthoredState) -> tuple[Own, ...]:
     """Everything saved and not deleted, in the order of palettes."""
     found = []
-    for item in sorted(ledger.items.values(), key=lambda each: (each.place, each.id)):
-        head = ledger.head(item)
+    for item in sorted(state.items.values(), key=lambda each: (each.place, each.id)):
+        head = state.head(item)
         if head is not None and not item.deleted:
             found.append(Own(item.kind, item.name, item.label, item.tags, item.place, head.content))
     return tuple(found)
 
 
-def document(ledger: Ledger, item: Item, editors: Iterable[str]) -> wire.ItemDocument:
+def document(state: AuthoredState, item: Item, editors: Iterable[str]) -> wire.ItemDocument:
     """An item for lists; editors: names of those who have it open."""
-    head = ledger.head(item)
+    head = state.head(item)
     content = "" if head is None else KEY + head.content
     tags, names = list(item.tags), list(editors)
     return wire.ItemDocument(
@@ -38,38 +38,38 @@ def document(ledger: Ledger, item: Item, editors: Iterable[str]) -> wire.ItemDoc
     )
 
 
-def listing(ledger: Ledger, digest: str, editors: Callable[[int], Iterable[str]]) -> wire.Items:
+def list_items(state: AuthoredState, digest: str, editors: Callable[[int], Iterable[str]]) -> wire.Items:
     """All items in the order of palettes; editors: names of those who have an item open."""
-    order = sorted(ledger.items.values(), key=lambda item: (item.place, item.id))
-    return wire.Items(digest, [document(ledger, item, editors(item.id)) for item in order])
+    order = sorted(state.items.values(), key=lambda item: (item.place, item.id))
+    return wire.Items(digest, [document(state, item, editors(item.id)) for item in order])
 
 
-def history(ledger: Ledger, item: Item, request: int) -> Result:
+def history(state: AuthoredState, item: Item, request: int) -> Result:
     """The revisions of an item."""
     revisions = [
         wire.RevisionDocument(r.number, r.parent, KEY + r.content, r.written, r.editor, r.note, r.aside)
-        for r in ledger.revisions.get(item.id, {}).values()
+        for r in state.revisions.get(item.id, {}).values()
     ]
     return Result(reply=wire.History(request, item.id, revisions))
 
 
 def describe(item: Item, wanted: wire.Describe) -> Result:
     """Another label, other tags, another place."""
-    label, tags, place = checked_label(wanted.label), checked_tags(wanted.tags), number(wanted.place, PLACE)
-    return _put(item, replace(item, label=label, tags=tags, place=place), wanted.request)
+    label, tags, place = clean_label(wanted.label), clean_tags(wanted.tags), validate_number(wanted.place, PLACE)
+    return _replace_item(item, replace(item, label=label, tags=tags, place=place), wanted.request)
 
 
 def delete(item: Item, on_air: OnAir, request: int) -> Result:
     """The item out of the cast; Refusal while it is on air or coming. What was made from it keeps its content."""
     if item.name in on_air.names:
         raise Refusal(f"{item.label!r} is on air or coming: call another first, then delete it.")
-    return _put(item, replace(item, deleted=True), request)
+    return _replace_item(item, replace(item, deleted=True), request)
 
 
 def restore(item: Item, request: int) -> Result:
     """The item back in the cast."""
-    return _put(item, replace(item, deleted=False), request)
+    return _replace_item(item, replace(item, deleted=False), request)
 
 
-def _put(before: Item, after: Item, request: int) -> Result:
+def _replace_item(before: Item, after: Item, request: int) -> Result:
     return Result(() if after == before else (PutItem(after),), wire.Done(request))

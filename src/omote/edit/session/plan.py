@@ -10,8 +10,8 @@ import msgspec
 from omote.edit.protocol.messages import ToEditor
 from omote.edit.protocol.orders import Bake, Baked, EditOrder
 from omote.edit.protocol.validation import Bounds, check_recipe
-from omote.edit.store.authored_state import DraftKey, Ledger
-from omote.edit.store.content_store import Shelf
+from omote.edit.store.authored_state import AuthoredState, DraftKey
+from omote.edit.store.content_store import ContentStore
 from omote.edit.store.sources import Sources
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
@@ -26,33 +26,33 @@ class Authored:
     """
 
     base: Cast
-    ledger: Ledger
-    shelf: Shelf
+    state: AuthoredState
+    store: ContentStore
     sources: Sources
     bounds: Bounds
     net: tuple[int, ...]
 
-    def checked(self, recipe: Recipe | FaceRecipe) -> Recipe | FaceRecipe:
+    def resolve_and_check(self, recipe: Recipe | FaceRecipe) -> Recipe | FaceRecipe:
         """The recipe with its sources resolved; Refusal where it says what it must not."""
-        found = self.sources.resolved(recipe)
+        found = self.sources.resolve_recipe(recipe)
         check_recipe(found, self.bounds)
         return found
 
-    def bake(self, recipe: Recipe | FaceRecipe, *, weave: bool = False) -> Bake:
+    def bake(self, recipe: Recipe | FaceRecipe, *, with_net: bool = False) -> Bake:
         """The order that makes a recipe's expression or face."""
-        return Bake(recipe, self.sources.contents(recipe), weave and isinstance(recipe, Recipe))
+        return Bake(recipe, self.sources.contents(recipe), with_net and isinstance(recipe, Recipe))
 
     def kept(self, recipe: Recipe | FaceRecipe) -> tuple[Change, ...]:
         """What the show file must be given so that the recipe can be made again."""
         keys = sorted(source.removeprefix(KEY) for source in sources(recipe) if source.startswith(KEY))
-        return tuple(change for key in keys for change in self.shelf.keep(key))
+        return tuple(change for key in keys for change in self.store.changes_to_keep(key))
 
     def names(self) -> set[str]:
         """Every name that a new item must not have."""
-        return {*self.base.faces, *self.base.expressions, *(item.name for item in self.ledger.items.values())}
+        return {*self.base.faces, *self.base.expressions, *(item.name for item in self.state.items.values())}
 
 
-class Kept(msgspec.Struct, frozen=True):
+class KeepOutcome(msgspec.Struct, frozen=True):
     """What became of one press of "save what is on air": the new item, or the trouble, in one sentence.
 
     ticket: what the caller gave, to know it by.
@@ -80,7 +80,7 @@ class Result:
     closed: int | None = None
     whole: bool = False
     miss: float = 0.0
-    kept: Kept | None = None
+    kept: KeepOutcome | None = None
 
     @property
     def lists(self) -> bool:

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 from msgspec.structs import replace
 
 from omote.edit.protocol import messages as wire
-from omote.edit.protocol.names import checked_label, new_label, new_name
+from omote.edit.protocol.names import clean_label, new_label, new_name
 from omote.edit.protocol.orders import Baked
 from omote.edit.protocol.wire import read_recipe, write_recipe
 from omote.edit.session.drafts import is_dirty
-from omote.edit.session.plan import Authored, Kept, Plan, Result
+from omote.edit.session.plan import Authored, KeepOutcome, Plan, Result
 from omote.edit.store.authored_state import DraftKey
 from omote.model.recipes.recipe import FaceRecipe, Recipe
 from omote.showfile.changes import Change, Draft, Edit, Item, Kind, PutDraft, PutEdit, PutItem, PutRevision, Revision
 
 
 @dataclass(frozen=True)
-class Hand:
+class Author:
     """Who saves and when: the name that people read, the editor's id, seconds since 1970."""
 
     name: str
@@ -26,18 +26,18 @@ class Hand:
     wall: float
 
 
-def save(authored: Authored, item: Item, hand: Hand, request: int, note: str, *, on_air: bool) -> Plan | Result:
+def save(authored: Authored, item: Item, author: Author, request: int, note: str, *, on_air: bool) -> Plan | Result:
     """The draft as the next revision; nothing where it holds nothing new. on_air: whether the item is seen now."""
-    key = item.id, hand.editor
-    if not is_dirty(authored.ledger, key):
-        return Result(reply=_nothing_new(authored, item, key, request))
-    order = authored.bake(read_recipe(authored.ledger.shown(key).recipe))
-    return Plan(order, lambda baked: _saved(authored, key, hand, request, note, baked, on_air))
+    key = item.id, author.editor
+    if not is_dirty(authored.state, key):
+        return Result(reply=_nothing_new_reply(authored, item, key, request))
+    order = authored.bake(read_recipe(authored.state.shown_edit(key).recipe))
+    return Plan(order, lambda baked: _save_baked(authored, key, author, request, note, baked, on_air))
 
 
 def create(authored: Authored, kind: Kind, label: str, recipe: Recipe | FaceRecipe, editor: str) -> Plan:
     """A new item that nothing is saved of yet, and the editor's draft of it."""
-    label, recipe = checked_label(label), authored.checked(recipe)
+    label, recipe = clean_label(label), authored.resolve_and_check(recipe)
 
     def finish(baked: Baked) -> Result:
         item = _new_item(authored, kind, label)
@@ -49,86 +49,86 @@ def create(authored: Authored, kind: Kind, label: str, recipe: Recipe | FaceReci
         )
         return Result(changes, draft=(item.id, editor), opened=item.id, whole=True)
 
-    return Plan(authored.bake(recipe, weave=True), finish)
+    return Plan(authored.bake(recipe, with_net=True), finish)
 
 
 def keep(
-    authored: Authored, kind: Kind, label: str | None, recipe: Recipe | FaceRecipe, hand: Hand, ticket: str
+    authored: Authored, kind: Kind, label: str | None, recipe: Recipe | FaceRecipe, author: Author, ticket: str
 ) -> Plan:
     """A new item that plays from now on, in one go; label: None for one of its own."""
-    label = None if label is None else checked_label(label)
-    recipe = authored.checked(recipe)
+    label = None if label is None else clean_label(label)
+    recipe = authored.resolve_and_check(recipe)
 
     def finish(baked: Baked) -> Result:
-        taken = (item.label for item in authored.ledger.items.values())
+        taken = (item.label for item in authored.state.items.values())
         item = replace(_new_item(authored, kind, new_label("On air", taken) if label is None else label), head=1)
         data = write_recipe(baked.recipe)
-        revision = Revision(item.id, 1, 0, data, baked.key, hand.wall, hand.name, "saved on air")
+        revision = Revision(item.id, 1, 0, data, baked.key, author.wall, author.name, "saved on air")
         return Result(
-            (*_with_content(authored, baked), PutItem(item), PutRevision(revision)),
-            kept=Kept(ticket, item.id, item.name, item.label, kind),
+            (*_content_changes(authored, baked), PutItem(item), PutRevision(revision)),
+            kept=KeepOutcome(ticket, item.id, item.name, item.label, kind),
         )
 
     return Plan(authored.bake(recipe), finish)
 
 
-def duplicate(authored: Authored, item: Item, label: str, hand: Hand, request: int) -> Result:
+def duplicate(authored: Authored, item: Item, label: str, author: Author, request: int) -> Result:
     """A new item whose first revision is what another plays; Refusal before that one's first save."""
-    head = authored.ledger.head(item)
-    label = checked_label(label)
+    head = authored.state.head(item)
+    label = clean_label(label)
     if head is None:
         authored.sources.resolve(item.kind, item.name)  # refuses, and says why
         raise AssertionError
     copy = replace(_new_item(authored, item.kind, label), tags=item.tags, head=1)
-    revision = replace(head, item=copy.id, number=1, parent=0, written=hand.wall, editor=hand.name, aside=False)
+    revision = replace(head, item=copy.id, number=1, parent=0, written=author.wall, editor=author.name, aside=False)
     reply = wire.Saved(
         request, copy.id, 1, 1, False, f"{label!r} is a copy of revision {head.number} of {item.label!r}."
     )
     return Result((PutItem(copy), PutRevision(revision)), reply)
 
 
-def _saved(
-    authored: Authored, key: DraftKey, hand: Hand, request: int, note: str, baked: Baked, on_air: bool
+def _save_baked(
+    authored: Authored, key: DraftKey, author: Author, request: int, note: str, baked: Baked, on_air: bool
 ) -> Result:
-    ledger = authored.ledger
-    item, draft = ledger.items[key[0]], ledger.drafts[key]
-    number, aside = ledger.numbers(item.id) + 1, draft.base != item.head
+    state = authored.state
+    item, draft = state.items[key[0]], state.drafts[key]
+    number, aside = state.last_number(item.id) + 1, draft.base != item.head
     data = write_recipe(baked.recipe)
-    revision = Revision(item.id, number, draft.base, data, baked.key, hand.wall, hand.name, note, aside)
-    changes: list[Change] = [*_with_content(authored, baked), PutRevision(revision)]
+    revision = Revision(item.id, number, draft.base, data, baked.key, author.wall, author.name, note, aside)
+    changes: list[Change] = [*_content_changes(authored, baked), PutRevision(revision)]
     head = item.head if aside else number
     if not aside:
         changes.append(PutItem(replace(item, head=number)))
     changes.append(PutDraft(replace(draft, base=head)))
-    sentence = _aside(authored, item, number) if aside else _plays(item, number, on_air)
+    sentence = _aside_sentence(authored, item, number) if aside else _plays_sentence(item, number, on_air)
     return Result(tuple(changes), wire.Saved(request, item.id, number, head, aside, sentence), draft=key)
 
 
-def _plays(item: Item, number: int, on_air: bool) -> str:
+def _plays_sentence(item: Item, number: int, on_air: bool) -> str:
     place = "it is on air, so every stage has changed" if on_air else "consoles have it under Own"
     return f"Revision {number} of {item.label!r} plays from now on: {place}."
 
 
-def _aside(authored: Authored, item: Item, number: int) -> str:
-    theirs = authored.ledger.revisions[item.id][item.head]
+def _aside_sentence(authored: Authored, item: Item, number: int) -> str:
+    theirs = authored.state.revisions[item.id][item.head]
     return (
         f"{theirs.editor} saved {item.label!r} meanwhile: their revision {item.head} plays, yours is kept beside it as "
         f"revision {number}. To let yours play, save again; to look at both, open the history."
     )
 
 
-def _nothing_new(authored: Authored, item: Item, key: DraftKey, request: int) -> wire.Saved:
-    base = authored.ledger.drafts[key].base
+def _nothing_new_reply(authored: Authored, item: Item, key: DraftKey, request: int) -> wire.Saved:
+    base = authored.state.drafts[key].base
     sentence = f"Nothing has changed since revision {base}."
     if base != item.head:
-        sentence += f" What plays is revision {item.head} of {authored.ledger.revisions[item.id][item.head].editor}."
+        sentence += f" What plays is revision {item.head} of {authored.state.revisions[item.id][item.head].editor}."
     return wire.Saved(request, item.id, base, item.head, False, sentence)
 
 
-def _with_content(authored: Authored, baked: Baked) -> tuple[Change, ...]:
-    return (*authored.kept(baked.recipe), *authored.shelf.keep(baked.key))
+def _content_changes(authored: Authored, baked: Baked) -> tuple[Change, ...]:
+    return (*authored.kept(baked.recipe), *authored.store.changes_to_keep(baked.key))
 
 
 def _new_item(authored: Authored, kind: Kind, label: str) -> Item:
-    ledger = authored.ledger
-    return Item(ledger.new_item(), kind, new_name(label, kind, authored.names()), label, place=ledger.new_place())
+    state = authored.state
+    return Item(state.new_item(), kind, new_name(label, kind, authored.names()), label, place=state.new_place())

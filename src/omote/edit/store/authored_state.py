@@ -26,7 +26,7 @@ DraftKey = tuple[int, str]
 """An item and an editor."""
 
 
-class Ledger:
+class AuthoredState:
     """Items, their revisions, drafts and the drafts' edits; what `apply` does is what the show file does."""
 
     def __init__(self, stored: Stored) -> None:
@@ -34,7 +34,7 @@ class Ledger:
         self.revisions: dict[int, dict[int, Revision]] = {}
         for revision in sorted(stored.revisions, key=lambda each: (each.item, each.number)):
             self.revisions.setdefault(revision.item, {})[revision.number] = revision
-        self.edits = _unbroken(stored.edits)
+        self.edits = _complete_steps(stored.edits)
         self.drafts = {
             key: replace(draft, cursor=min(draft.cursor, len(self.edits[key]) - 1))
             for draft in stored.drafts
@@ -61,11 +61,11 @@ class Ledger:
         """The revision that plays, None before the first save."""
         return self.revisions.get(item.id, {}).get(item.head)
 
-    def numbers(self, item: int) -> int:
+    def last_number(self, item: int) -> int:
         """The highest number of a revision of the item, 0 for none."""
         return max(self.revisions.get(item, {0: None}))
 
-    def shown(self, key: DraftKey) -> Edit:
+    def shown_edit(self, key: DraftKey) -> Edit:
         """The step of a draft that is shown."""
         return self.edits[key][self.drafts[key].cursor]
 
@@ -77,7 +77,7 @@ class Ledger:
         """Behind all items."""
         return max((item.place for item in self.items.values()), default=0.0) + 1.0
 
-    def named(self, name: str) -> Item | None:
+    def find(self, name: str) -> Item | None:
         """The item of this name, deleted or not."""
         return next((item for item in self.items.values() if item.name == name), None)
 
@@ -122,7 +122,7 @@ class Ledger:
         self.layouts[change.name] = change.document
 
 
-def _unbroken(edits: Iterable[Edit]) -> dict[DraftKey, list[Edit]]:
+def _complete_steps(edits: Iterable[Edit]) -> dict[DraftKey, list[Edit]]:
     """The steps of each draft from 0 up to where, in a damaged file, the first is missing."""
     found: dict[DraftKey, list[Edit]] = {}
     for edit in sorted(edits, key=lambda each: each.number):

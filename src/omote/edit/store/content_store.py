@@ -21,11 +21,11 @@ Key = TypeVar("Key")
 Value = TypeVar("Value")
 
 
-class Shelf(Mapping[str, bytes]):
+class ContentStore(Mapping[str, bytes]):
     """Bytes by key, and which recipe made which; kept: what the show file has, looked up when asked for."""
 
-    def __init__(self, kept: Mapping[str, bytes]) -> None:
-        self._kept = kept
+    def __init__(self, in_file: Mapping[str, bytes]) -> None:
+        self._in_file = in_file
         self._given: dict[str, bytes] = {}
         self._passing: dict[str, bytes] = {}
         self._keys: dict[bytes, str] = {}
@@ -35,41 +35,41 @@ class Shelf(Mapping[str, bytes]):
         for place in (self._passing, self._given):
             if key in place:
                 return place[key]
-        return self._kept[key]
+        return self._in_file[key]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(dict.fromkeys(chain(self._kept, self._given, self._passing)))
+        return iter(dict.fromkeys(chain(self._in_file, self._given, self._passing)))
 
     def __len__(self) -> int:
         return len(list(iter(self)))
 
     def __contains__(self, key: object) -> bool:
-        return key in self._passing or key in self._given or key in self._kept
+        return key in self._passing or key in self._given or key in self._in_file
 
-    def keep(self, key: str) -> tuple[PutContent, ...]:
+    def changes_to_keep(self, key: str) -> tuple[PutContent, ...]:
         """What the show file must be given so that it has this content: nothing when it has it already."""
-        if key in self._given or key in self._kept:
+        if key in self._given or key in self._in_file:
             return ()
-        self._given = {old: data for old, data in self._given.items() if old not in self._kept}
+        self._given = {old: data for old, data in self._given.items() if old not in self._in_file}
         self._given[key] = self._passing.pop(key)
         return (PutContent(key, self._given[key]),)
 
-    def know(self, recipe: bytes, key: str) -> None:
+    def remember_recipe(self, recipe: bytes, key: str) -> None:
         """Remembers that a recipe (JSON) makes the content of this key."""
         _remember(self._keys, recipe, key, _RECIPES)
 
-    def hold(self, contents: Mapping[str, bytes]) -> None:
+    def remember_contents(self, contents: Mapping[str, bytes]) -> None:
         """Remembers contents for a while."""
         for key, data in contents.items():
-            if key not in self._given and key not in self._kept:
+            if key not in self._given and key not in self._in_file:
                 _remember(self._passing, key, data, PASSING)
 
-    def take(self, order: EditOrder, baked: Baked) -> None:
+    def remember_result(self, order: EditOrder, baked: Baked) -> None:
         """Remembers what the workshop made of an order, and what it was made from."""
-        self.hold({**order.contents, **baked.contents})
-        self.know(write_recipe(baked.recipe), baked.key)
+        self.remember_contents({**order.contents, **baked.contents})
+        self.remember_recipe(write_recipe(baked.recipe), baked.key)
         if isinstance(order, Bake):
-            self.know(write_recipe(order.recipe), baked.key)
+            self.remember_recipe(write_recipe(order.recipe), baked.key)
         if isinstance(baked.recipe, Recipe) and baked.net is not None:
             _remember(self._nets, baked.recipe.net, baked.net, _NETS)
 
@@ -82,7 +82,7 @@ class Shelf(Mapping[str, bytes]):
         if not isinstance(order, Bake):
             return None
         key, net = self._keys.get(write_recipe(order.recipe)), self.net(order.recipe)
-        if key is None or key not in self or (order.weave and net is None):
+        if key is None or key not in self or (order.with_net and net is None):
             return None
         return Baked(order.recipe, key, {}, net)
 

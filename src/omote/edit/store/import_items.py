@@ -7,17 +7,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from omote.edit.protocol.names import checked_label, checked_tags, new_name
+from omote.edit.protocol.names import clean_label, clean_tags, new_name
 from omote.edit.protocol.wire import read_recipe, write_recipe
-from omote.interchange.formats.expression_json import Control, ExpressionFile, dense_of, expression_of, space_digest
+from omote.interchange.formats.expression_json import Control, ExpressionFile, from_dense, space_digest, to_dense
 from omote.model.cast import Cast, Look
 from omote.model.controls.default_net import default_net
-from omote.model.recipes.compose_expression import composed
+from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, Vector
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.perform.limits import known
+from omote.perform.limits import check_known
 from omote.showfile.changes import Change, Item, Kind, PutContent, PutItem, PutRevision, Revision, Stored
 from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
 
@@ -28,7 +28,7 @@ EXACT = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Arrival:
+class ImportedItem:
     """Something from outside: an expression or a face with its look, and the recipe where more is known than that."""
 
     label: str
@@ -38,7 +38,7 @@ class Arrival:
     recipe: Recipe | None = None
 
 
-def adopted(cast: Cast, stored: Stored, arrivals: Iterable[Arrival], /, *, wall: float) -> list[Change]:
+def changes_to_import(cast: Cast, stored: Stored, arrivals: Iterable[ImportedItem], /, *, wall: float) -> list[Change]:
     """The changes that put arrivals into a show file as new items; wall: seconds since 1970."""
     taken = {*cast.faces, *cast.expressions, *(item.name for item in stored.items)}
     number = max((item.id for item in stored.items), default=0)
@@ -46,39 +46,39 @@ def adopted(cast: Cast, stored: Stored, arrivals: Iterable[Arrival], /, *, wall:
     changes: list[Change] = []
     for step, arrival in enumerate(arrivals, start=1):
         kind: Kind = "expression" if isinstance(arrival.made, Expression) else "face"
-        label = checked_label(arrival.label)
+        label = clean_label(arrival.label)
         name = new_name(label, kind, taken)
         taken.add(name)
-        item = Item(number + step, kind, name, label, checked_tags(arrival.tags), place + step, head=1)
-        changes += _saved(cast.space, item, arrival, wall)
+        item = Item(number + step, kind, name, label, clean_tags(arrival.tags), place + step, head=1)
+        changes += _changes_to_save(cast.space, item, arrival, wall)
     return changes
 
 
-def opened(space: ParameterSpace, document: ExpressionFile, /, *, note: str = "") -> Arrival:
+def import_document(space: ParameterSpace, document: ExpressionFile, /, *, note: str = "") -> ImportedItem:
     """What a document brings: the dense field on its own head, else its control points on this one.
 
     ValueError, in a sentence, where it fits this head in neither way.
     """
-    recipe = None if document.control is None else _netted(space, document.control)
+    recipe = None if document.control is None else _recipe_of_control(space, document.control)
     at_home = document.space == space_digest(space)
     if document.dense is not None and at_home:
-        expression = expression_of(space, document.dense)
-        recipe = recipe if recipe is not None and _same(composed(space, recipe, {}), expression) else None
+        expression = from_dense(space, document.dense)
+        recipe = recipe if recipe is not None and _same(compose_expression(space, recipe, {}), expression) else None
     elif recipe is not None:
-        expression = composed(space, recipe, {})
+        expression = compose_expression(space, recipe, {})
     else:
         raise ValueError(
             f"{document.label!r} was made on another head ({document.space}) and not by control points alone; "
             f"expected {space_digest(space)}: have it exported from the same version of Omote"
         )
-    return Arrival(document.label, expression, tuple(document.tags), note, recipe)
+    return ImportedItem(document.label, expression, tuple(document.tags), note, recipe)
 
 
-def mailed(
+def make_document(
     space: ParameterSpace, label: str, tags: Iterable[str], expression: Expression, recipe: Recipe | None = None
 ) -> ExpressionFile:  # fmt: skip
     """The document of an expression; with its control points where it is made of nothing else."""
-    alone = recipe is not None and recipe == Recipe(recipe.net, recipe.vectors) and _stands(space, recipe)
+    alone = recipe is not None and recipe == Recipe(recipe.net, recipe.vectors) and _fits_head(space, recipe)
     made_of = [] if recipe is None else [f"{each.label} x {each.weight:g}" for each in recipe.layers]
     made_of += [] if recipe is None else [f"{pull.muscle} x {pull.contraction:g}" for pull in recipe.pulls]
     return ExpressionFile(
@@ -88,12 +88,12 @@ def mailed(
         tags=list(tags),
         space=space_digest(space),
         control=_control(space, recipe) if recipe is not None and alone else None,
-        dense=dense_of(expression),
+        dense=to_dense(expression),
         made_of=made_of,
     )
 
 
-def mail_of(cast: Cast, stored: Stored, contents: Mapping[str, bytes], name: str, /) -> ExpressionFile:
+def export_document(cast: Cast, stored: Stored, contents: Mapping[str, bytes], name: str, /) -> ExpressionFile:
     """The document of an own expression by its name, else of one of the cast; ValueError where there is none."""
     revisions = {(revision.item, revision.number): revision for revision in stored.revisions}
     for item in stored.items:
@@ -101,28 +101,32 @@ def mail_of(cast: Cast, stored: Stored, contents: Mapping[str, bytes], name: str
             head = revisions[item.id, item.head]
             recipe = read_recipe(head.recipe)
             made = unpack_expression(contents[head.content])
-            return mailed(cast.space, item.label, item.tags, made, recipe if isinstance(recipe, Recipe) else None)
+            return make_document(
+                cast.space, item.label, item.tags, made, recipe if isinstance(recipe, Recipe) else None
+            )
     own = [item.name for item in stored.items if item.kind == "expression" and item.head]
-    known(name, [*own, *cast.expressions], "expression")
-    return mailed(cast.space, cast.titles[name].label, (), cast.expressions[name])
+    check_known(name, [*own, *cast.expressions], "expression")
+    return make_document(cast.space, cast.titles[name].label, (), cast.expressions[name])
 
 
-def _saved(space: ParameterSpace, item: Item, arrival: Arrival, wall: float) -> list[Change]:
+def _changes_to_save(space: ParameterSpace, item: Item, arrival: ImportedItem, wall: float) -> list[Change]:
     made = arrival.made
     content = pack_expression(made) if isinstance(made, Expression) else pack_face(*made)
     key = content_key(content)
-    recipe = arrival.recipe or (_grounded(space, key) if item.kind == "expression" else FaceRecipe({KEY + key: 1.0}))
+    recipe = arrival.recipe or (
+        _dense_recipe(space, key) if item.kind == "expression" else FaceRecipe({KEY + key: 1.0})
+    )
     revision = Revision(item.id, 1, 0, write_recipe(recipe), key, wall, EDITOR, arrival.note)
     return [PutContent(key, content), PutItem(item), PutRevision(revision)]
 
 
-def _grounded(space: ParameterSpace, key: str) -> Recipe:
+def _dense_recipe(space: ParameterSpace, key: str) -> Recipe:
     """The recipe of a field as it is, under control points that rest."""
     net = default_net(space)
     return Recipe(net, ((0.0, 0.0, 1.0),) * len(net), ground=KEY + key)
 
 
-def _stands(space: ParameterSpace, recipe: Recipe) -> bool:
+def _fits_head(space: ParameterSpace, recipe: Recipe) -> bool:
     """Whether each control point stands on this head and has a vector: files of other programs say anything."""
     there = all(0 <= row < space.vertex_count and space.on_sheet[row] for row in recipe.net)
     return there and len(recipe.net) == len(recipe.vectors)
@@ -134,7 +138,7 @@ def _control(space: ParameterSpace, recipe: Recipe) -> Control:
     return Control(points=list(places), vectors=list(recipe.vectors))
 
 
-def _netted(space: ParameterSpace, control: Control) -> Recipe:
+def _recipe_of_control(space: ParameterSpace, control: Control) -> Recipe:
     """The recipe of control points, each on the vertex nearest to its place on S."""
     if len(control.points) != len(control.vectors):
         raise ValueError(f"{len(control.points)} control points have {len(control.vectors)} vectors; export anew")

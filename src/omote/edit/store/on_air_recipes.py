@@ -29,7 +29,7 @@ class OnAir:
         return self.coming | {name for each in weights for name, weight in each.items() if weight}
 
 
-def seen(state: State) -> OnAir:
+def read_on_air(state: State) -> OnAir:
     """What a state of the show says is on air; channels as they act, what the gaze adds included."""
     calls = (call for call in (state.face_call, state.expression_call) if call is not None)
     names = (*state.channels, *(name for name in state.lids if name not in state.channels))
@@ -37,7 +37,7 @@ def seen(state: State) -> OnAir:
     return OnAir(state.faces, state.expressions, channels, frozenset(call.target for call in calls))
 
 
-def neutral(net: tuple[int, ...]) -> Recipe:
+def neutral_recipe(net: tuple[int, ...]) -> Recipe:
     """The recipe of an expression at rest, on a net."""
     return Recipe(net=net, vectors=((0.0, 0.0, 1.0),) * len(net))
 
@@ -45,12 +45,12 @@ def neutral(net: tuple[int, ...]) -> Recipe:
 def recipe_on_air(kind: Kind, on_air: OnAir, net: tuple[int, ...], sources: Sources) -> Recipe | FaceRecipe:
     """The face or the expression that is seen now."""
     if kind == "face":
-        return face_of(on_air.faces, sources)
+        return face_recipe(on_air.faces, sources)
     together = (*on_air.expressions.items(), *on_air.channels.items())
-    return expression_of([(name, weight) for name, weight in together if weight], net, sources)
+    return expression_recipe([(name, weight) for name, weight in together if weight], net, sources)
 
 
-def face_of(weights: Mapping[str, float], sources: Sources) -> FaceRecipe:
+def face_recipe(weights: Mapping[str, float], sources: Sources) -> FaceRecipe:
     """A mix of faces; Refusal for none."""
     base: dict[str, float] = {}
     for name, weight in weights.items():
@@ -62,11 +62,11 @@ def face_of(weights: Mapping[str, float], sources: Sources) -> FaceRecipe:
     return FaceRecipe(base=base)
 
 
-def expression_of(weights: list[tuple[str, float]], net: tuple[int, ...], sources: Sources) -> Recipe:
+def expression_recipe(weights: list[tuple[str, float]], net: tuple[int, ...], sources: Sources) -> Recipe:
     """A recipe of layers; what is at rest needs none."""
     layers = tuple(
         Layer(sources.resolve("expression", name), sources.label("expression", name), weight)
         for name, weight in weights
         if name != NEUTRAL and weight
     )
-    return Recipe(net=net, vectors=neutral(net).vectors, layers=layers)
+    return Recipe(net=net, vectors=neutral_recipe(net).vectors, layers=layers)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from omote.edit.store.authored_state import Ledger
-from omote.edit.store.content_store import Shelf
+from omote.edit.store.authored_state import AuthoredState
+from omote.edit.store.content_store import ContentStore
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
-from omote.perform.limits import known
+from omote.perform.limits import check_known
 from omote.show.validation import Refusal
 from omote.showfile.changes import Kind
 
@@ -16,26 +16,26 @@ from omote.showfile.changes import Kind
 class Sources:
     """Finds what sources mean now; a name of an own item becomes the key of what it plays, for ever."""
 
-    def __init__(self, base: Cast, ledger: Ledger, shelf: Shelf) -> None:
+    def __init__(self, base: Cast, state: AuthoredState, store: ContentStore) -> None:
         self._built_in = {"face": base.faces, "expression": base.expressions}
         self._titles = {name: title.label for name, title in base.titles.items()}
-        self._ledger, self._shelf = ledger, shelf
+        self._state, self._store = state, store
 
     def resolve(self, kind: Kind, source: str) -> str:
         """A name of the built-in cast, or `#` and the key of a content that is there; Refusal for anything else."""
         if source.startswith(KEY):
-            if source.removeprefix(KEY) in self._shelf:
+            if source.removeprefix(KEY) in self._store:
                 return source
             raise Refusal(f"what {source[:80]!r} names is not there any more: choose it again.")
-        own = self._ledger.named(source)
+        own = self._state.find(source)
         if own is None or own.kind != kind or own.deleted:
-            return self._of_the_cast(kind, source)
-        head = self._ledger.head(own)
+            return self._resolve_built_in(kind, source)
+        head = self._state.head(own)
         if head is None:
             raise Refusal(f"nothing of {own.label!r} has been saved yet: save it first.")
         return KEY + head.content
 
-    def resolved(self, recipe: Recipe | FaceRecipe) -> Recipe | FaceRecipe:
+    def resolve_recipe(self, recipe: Recipe | FaceRecipe) -> Recipe | FaceRecipe:
         """The recipe with every source resolved."""
         if isinstance(recipe, Recipe):
             layers = tuple(replace(x, source=self.resolve("expression", x.source)) for x in recipe.layers)
@@ -50,28 +50,28 @@ class Sources:
 
     def label(self, kind: Kind, source: str) -> str:
         """What people read of a source."""
-        own = self._ledger.named(source)
+        own = self._state.find(source)
         if own is not None and own.kind == kind:
             return own.label
         key = source.removeprefix(KEY)
-        for item, revisions in self._ledger.revisions.items():
+        for item, revisions in self._state.revisions.items():
             if any(revision.content == key for revision in revisions.values()):
-                return self._ledger.items[item].label
+                return self._state.items[item].label
         return self._titles.get(source, source[:12] if source.startswith(KEY) else source)
 
     def contents(self, recipe: Recipe | FaceRecipe, *more: str) -> dict[str, bytes]:
         """The bytes of everything that a recipe names, and of `more` sources; Refusal where one is gone."""
         keys = (source.removeprefix(KEY) for source in sorted({*sources(recipe), *more}) if source.startswith(KEY))
         try:
-            return {key: self._shelf[key] for key in keys}
+            return {key: self._store[key] for key in keys}
         except KeyError as error:
             raise Refusal(f"content {str(error.args[0])[:80]!r} is not there any more: choose it again.") from error
 
-    def _of_the_cast(self, kind: Kind, source: str) -> str:
+    def _resolve_built_in(self, kind: Kind, source: str) -> str:
         built_in = self._built_in[kind]
-        own = (item.name for item in self._ledger.items.values() if item.kind == kind and not item.deleted)
+        own = (item.name for item in self._state.items.values() if item.kind == kind and not item.deleted)
         try:
-            known(source, built_in if source in built_in else sorted({*own, *built_in}), kind)
+            check_known(source, built_in if source in built_in else sorted({*own, *built_in}), kind)
         except ValueError as error:
             raise Refusal(f"{error}.") from error
         return source

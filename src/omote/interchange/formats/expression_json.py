@@ -92,7 +92,7 @@ def space_digest(space: ParameterSpace, /) -> str:
     return state.hexdigest()
 
 
-def dense_of(expression: Expression, /) -> Dense:
+def to_dense(expression: Expression, /) -> Dense:
     """An expression as numbers, those that rest left out."""
     moved = np.flatnonzero((expression.dtheta != 0.0) | (expression.dh != 0.0) | (expression.ratio != 1.0))
     fields = (getattr(expression, name)[moved].tolist() for name in ("dtheta", "dh", "ratio"))
@@ -108,10 +108,10 @@ def dense_of(expression: Expression, /) -> Dense:
     )
 
 
-def expression_of(space: ParameterSpace, dense: Dense, /) -> Expression:
+def from_dense(space: ParameterSpace, dense: Dense, /) -> Expression:
     """The expression in a document, on its own head; ValueError where rows or lengths do not belong together."""
     sheet, count = dense.sheet, space.vertex_count
-    rows = _checked(sheet.rows, count, "the sheet", (sheet.dtheta, sheet.dh, sheet.ratio))
+    rows = _validate_rows(sheet.rows, count, "the sheet", (sheet.dtheta, sheet.dh, sheet.ratio))
     if not space.on_sheet[rows].all():
         raise ValueError("the sheet of the document has rows of inner skin; export it anew")
     fields = {name: np.full(count, rest) for name, rest in (("dtheta", 0.0), ("dh", 0.0), ("ratio", 1.0))}
@@ -122,8 +122,8 @@ def expression_of(space: ParameterSpace, dense: Dense, /) -> Expression:
         raise ValueError(f"the document moves a part {strange[0]!r}; expected some of {', '.join(space.parts)}")
     return Expression(
         **fields,
-        residual=_laid_out(dense.inner, len(space.inner.vertices), "inner skin"),
-        parts={name: _laid_out(rest, len(space.parts[name].points), name) for name, rest in dense.parts.items()},
+        residual=_scatter(dense.inner, len(space.inner.vertices), "inner skin"),
+        parts={name: _scatter(rest, len(space.parts[name].points), name) for name, rest in dense.parts.items()},
         eyes=np.reshape(dense.eyes, (2, 2)),
         radius=dense.radius,
         transfer=dense.transfer,
@@ -159,15 +159,15 @@ def _rest(values: NDArray[np.float64]) -> Rest:
     return Rest(moved.tolist(), [(x, y, z) for x, y, z in values[moved].tolist()])
 
 
-def _laid_out(rest: Rest, count: int, what: str) -> NDArray[np.float64]:
+def _scatter(rest: Rest, count: int, what: str) -> NDArray[np.float64]:
     values = np.zeros((count, 3))
-    rows = _checked(rest.rows, count, what, (rest.moves,))
+    rows = _validate_rows(rest.rows, count, what, (rest.moves,))
     if len(rows):
         values[rows] = rest.moves
     return values
 
 
-def _checked(rows: list[int], count: int, what: str, columns: tuple[list[Any], ...]) -> NDArray[np.int64]:
+def _validate_rows(rows: list[int], count: int, what: str, columns: tuple[list[Any], ...]) -> NDArray[np.int64]:
     found = np.array(rows, np.int64)
     if any(len(column) != len(rows) for column in columns):
         raise ValueError(f"the rows of {what} and their values differ in number; export the document anew")

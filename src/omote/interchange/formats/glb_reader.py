@@ -14,7 +14,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.geometry.mesh import FARTHEST, out_of_reach
+from omote.geometry.mesh import FARTHEST, rows_out_of_reach
 from omote.interchange.formats.glb_writer import BIN_CHUNK, JSON_CHUNK, MAGIC, ROWS, VERSION
 from omote.interchange.formats.gltf_document import Accessor, Document, Mesh, Node, Primitive, Sparse, parse_document
 
@@ -121,7 +121,7 @@ class _Reader:
             for label, target in zip(_labels(mesh, primitive, name), primitive.targets, strict=True)
         }
         standing = points @ place[:3, :3].T + place[:3, 3]
-        if any(len(out_of_reach(values)) for values in (standing, *moves.values())):
+        if any(len(rows_out_of_reach(values)) for values in (standing, *moves.values())):
             raise ValueError(f"mesh {name[:80]!r} stands further off than {FARTHEST:g} metres; export it in metres")
         return Piece(name, standing, self.rows(primitive, len(points)), moves)
 
@@ -152,7 +152,7 @@ class _Reader:
         if accessor.buffer_view is None:
             values = np.zeros((accessor.count, columns))
         else:
-            values = self.laid_out(accessor.buffer_view, accessor, accessor.byte_offset, accessor.count, columns)
+            values = self.read_numbers(accessor.buffer_view, accessor, accessor.byte_offset, accessor.count, columns)
         if accessor.sparse is not None:
             self.sparse(accessor, accessor.sparse, values)
         if not np.isfinite(values).all():
@@ -163,15 +163,15 @@ class _Reader:
         if not 0 < sparse.count <= accessor.count or sparse.indices.component_type not in (5121, 5123, 5125):
             raise ValueError(f"a sparse accessor has {sparse.count} values of {accessor.count}; export it anew")
         kind = Accessor(sparse.count, "SCALAR", sparse.indices.component_type)
-        at = self.laid_out(sparse.indices.buffer_view, kind, sparse.indices.byte_offset, sparse.count, 1)[:, 0]
+        at = self.read_numbers(sparse.indices.buffer_view, kind, sparse.indices.byte_offset, sparse.count, 1)[:, 0]
         if (np.diff(at) <= 0).any() or at[-1] >= accessor.count:
             raise ValueError("the places of a sparse accessor do not rise within its vertices; export it anew")
         kept = sparse.values
-        values[at.astype(np.int64)] = self.laid_out(
+        values[at.astype(np.int64)] = self.read_numbers(
             kept.buffer_view, accessor, kept.byte_offset, sparse.count, values.shape[1]
         )
 
-    def laid_out(self, view: int, accessor: Accessor, offset: int, count: int, columns: int) -> Values:
+    def read_numbers(self, view: int, accessor: Accessor, offset: int, count: int, columns: int) -> Values:
         """Numbers (count, columns) from a view, of the accessor's kind."""
         found = _at(self.document.buffer_views, view, "buffer view")
         if accessor.component_type not in _COMPONENTS:
@@ -215,7 +215,7 @@ def _places(document: Document) -> dict[int, Values]:
         if at in places:
             raise ValueError(f"node {at} hangs under two others; export the scene anew")
         places[at] = above @ _transform(node)
-        if len(out_of_reach(places[at])):
+        if len(rows_out_of_reach(places[at])):
             raise ValueError(f"node {at} stands nowhere: its place is out of all reach; export the scene anew")
         waiting += [(child, places[at]) for child in node.children]
     return dict(sorted(places.items()))

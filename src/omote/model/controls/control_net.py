@@ -13,7 +13,7 @@ from scipy.spatial import Delaunay
 from omote.geometry import mesh
 from omote.geometry.cylinder import wrap
 from omote.geometry.locate import Strip
-from omote.model.controls.upper_lower import apart, held, own_side, sides
+from omote.model.controls.upper_lower import clamp_weights, is_across, nearest_own_side, sides
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
@@ -60,7 +60,7 @@ class ControlNet:
         points
         at the same place.
         """
-        theta, h = _checked(space, theta, h)
+        theta, h = _validate_points(space, theta, h)
         low, high = _heights(space)
         margin = 0.02 * (high - low)
         turns = wrap(2 * np.pi * np.arange(_RING) / _RING)
@@ -74,7 +74,7 @@ class ControlNet:
                 f"{len(theta)} control points join each other around both sides of the head; "
                 "expected enough points, all around, that every edge of the net is the only one between its ends"
             )
-        corners, weights = _around(space, all_theta, all_h, triangles, unrolled, metric)
+        corners, weights = _weights_around(space, all_theta, all_h, triangles, unrolled, metric)
         return ControlNet(space, all_theta, all_h, triangles, corners, weights, len(theta))
 
     def expression(self, values: ArrayLike, /) -> Expression:
@@ -111,7 +111,7 @@ class ControlNet:
         """
         if not 0 <= point < self.own:
             raise ValueError(f"control point {point} does not exist; expected 0 to {self.own - 1}")
-        goal = mesh.checked_points(np.reshape(target, (1, -1)), name="target")
+        goal = mesh.validate_points(np.reshape(target, (1, -1)), name="target")
         near = self._landing()[0][point, :1].astype(np.int32)
         landing = slide(self.space, fit(self.space, face).positions.astype(np.float64), goal, near)
         corners = self.space.location_triangles[landing.triangles[0]]
@@ -127,7 +127,7 @@ class ControlNet:
         return self.space.location_triangles[landing.triangles], landing.weights
 
 
-def _checked(space: ParameterSpace, theta: ArrayLike, h: ArrayLike) -> tuple[Values, Values]:
+def _validate_points(space: ParameterSpace, theta: ArrayLike, h: ArrayLike) -> tuple[Values, Values]:
     angles, heights = np.asarray(theta, dtype=np.float64), np.asarray(h, dtype=np.float64)
     if angles.ndim != 1 or angles.shape != heights.shape or len(angles) < 3:
         raise ValueError(
@@ -174,7 +174,7 @@ def _periodic_delaunay(theta: Values, h: Values, metric: float) -> tuple[Indices
     return np.ascontiguousarray(kept % count, np.int32), unrolled[kept]
 
 
-def _around(
+def _weights_around(
     space: ParameterSpace, theta: Values, h: Values, triangles: Indices, unrolled: Values, metric: float
 ) -> tuple[Indices, Values]:  # fmt: skip
     """The points around each vertex (V, 3) and its weights (V, 3), from its own side of lids and lips."""
@@ -183,13 +183,13 @@ def _around(
     landing = strip.locate(space.theta[sheet], space.h[sheet], np.zeros(len(sheet), np.int32))
     landed, found = landing.triangles.copy(), landing.weights.copy()
     of_vertices, of_points = sides(space)[:, sheet], sides(space)[:, _nearest_vertices(space, theta, h)]
-    across = np.flatnonzero(apart(of_vertices, of_points[:, triangles[landed]]))
+    across = np.flatnonzero(is_across(of_vertices, of_points[:, triangles[landed]]))
     middle = unrolled.mean(axis=1, keepdims=True)
     plane = np.stack([(unrolled - middle + wrap(middle)) * metric, h[triangles]], axis=2)
     where = np.stack([space.theta[sheet[across]] * metric, space.h[sheet[across]]], axis=1)
-    own = own_side(of_vertices[:, across], of_points, triangles, plane, where)
+    own = nearest_own_side(of_vertices[:, across], of_points, triangles, plane, where)
     across, where, own = across[own >= 0], where[own >= 0], own[own >= 0]
-    landed[across], found[across] = own, held(_barycentric(plane[own], where))
+    landed[across], found[across] = own, clamp_weights(_barycentric(plane[own], where))
     corners = np.zeros((space.vertex_count, 3), np.int32)
     weights = np.zeros((space.vertex_count, 3))
     corners[sheet], weights[sheet] = triangles[landed], found

@@ -38,7 +38,7 @@ def default_net(space: ParameterSpace, /) -> tuple[int, ...]:
     the widest gaps; a point's mirror image is one of them. ValueError where the head is not symmetric."""
     if space not in _nets:
         seeds = [row for line in space.lines for row in _on_line(space, line)]
-        _nets[space] = _filled(space, [*seeds, *_features(space)])
+        _nets[space] = _fill(space, [*seeds, *_features(space)])
     return _nets[space]
 
 
@@ -79,7 +79,7 @@ def _candidates(space: ParameterSpace) -> NDArray[np.bool_]:
     return result
 
 
-def _filled(space: ParameterSpace, seeds: Sequence[int]) -> tuple[int, ...]:
+def _fill(space: ParameterSpace, seeds: Sequence[int]) -> tuple[int, ...]:
     """The seeds with their mirror images, then always the vertex farthest from all points, counted in its region's
     spacing."""
     mirror, unit = mirror_rows(space), eye_frame(space)[1]

@@ -26,15 +26,15 @@ _found: WeakKeyDictionary[ParameterSpace, Mapping[str, tuple[Muscle, Values]]] =
 
 def muscles(space: ParameterSpace, /) -> Mapping[str, Muscle]:
     """The muscles of a head by name, pairs left and right; none where it has no lines of lids and lips."""
-    return MappingProxyType({name: muscle for name, (muscle, _) in _of(space).items()})
+    return MappingProxyType({name: muscle for name, (muscle, _) in _muscles_of(space).items()})
 
 
 def muscle_fields(space: ParameterSpace, /) -> Mapping[str, Values]:
     """What each muscle does at full contraction, (V, 3): dtheta, dh, R - 1."""
-    return MappingProxyType({name: field for name, (_, field) in _of(space).items()})
+    return MappingProxyType({name: field for name, (_, field) in _muscles_of(space).items()})
 
 
-def _of(space: ParameterSpace) -> Mapping[str, tuple[Muscle, Values]]:
+def _muscles_of(space: ParameterSpace) -> Mapping[str, tuple[Muscle, Values]]:
     if space not in _found:
         pulled = {muscle.name: (muscle, _read_only(pull_field(space, muscle))) for muscle in _all(space)}
         _found[space] = MappingProxyType(pulled)
@@ -53,11 +53,11 @@ def _all(space: ParameterSpace) -> list[Muscle]:
     head = _Head(space, lines["lid_left"], lines["lips"])
     found = list[Muscle]()
     for muscle in _left(head):
-        found += [muscle, _across(space, muscle)]
+        found += [muscle, _mirror_muscle(space, muscle)]
     return [*found, head.mouth_ring(), head.mentalis()]
 
 
-def _across(space: ParameterSpace, muscle: Muscle) -> Muscle:
+def _mirror_muscle(space: ParameterSpace, muscle: Muscle) -> Muscle:
     """The right one of a left muscle."""
     mirror = mirror_rows(space)
     return replace(

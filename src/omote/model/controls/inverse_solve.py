@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry.cylinder import wrap
-from omote.model.controls.net_field import Weave
+from omote.model.controls.net_field import NetField
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
@@ -37,7 +37,7 @@ _LOST, _PATIENCE = 0.01, 6
 
 
 @dataclass(frozen=True, eq=False)
-class Solved:
+class Solution:
     """Vectors (n, 3) of the whole net, how far the worst dragged point is from its target, metres, and how many
     compounds it took."""
 
@@ -46,10 +46,10 @@ class Solved:
     compounds: int
 
 
-def solved(
-    space: ParameterSpace, face: Face, under: Expression, weave: Weave, vectors: ArrayLike, points: Sequence[int],
+def solve_vectors(
+    space: ParameterSpace, face: Face, under: Expression, net_field: NetField, vectors: ArrayLike, points: Sequence[int],
     targets: ArrayLike, /,
-) -> Solved:  # fmt: skip
+) -> Solution:  # fmt: skip
     """Vectors with which control points `points` (places in the net) lie at targets (m, 3), metres, on a face.
 
     under: the expression without the net's field; vectors (n, 3): where to start. Only those of the points change, and
@@ -57,10 +57,10 @@ def solved(
     Raises ValueError on places that are none, other shapes and numbers that are not finite.
     """
     start = np.array(vectors, np.float64)
-    weave.field(start)
-    goal, chosen = _checked_targets(weave, points, targets), np.array(points, np.int64)
-    drag = _Drag(space, face, under, weave, start, chosen)
-    return _found(drag, goal)
+    net_field.field(start)
+    goal, chosen = _validate_targets(net_field, points, targets), np.array(points, np.int64)
+    drag = _Drag(space, face, under, net_field, start, chosen)
+    return _find_solution(drag, goal)
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ class _Drag:
     space: ParameterSpace
     face: Face
     under: Expression
-    weave: Weave
+    net_field: NetField
     start: Values
     chosen: NDArray[np.int64]
     give: float = 0.0
@@ -79,7 +79,7 @@ class _Drag:
     @cached_property
     def rows(self) -> NDArray[np.int64]:
         """The vertices under the dragged points."""
-        return np.array(self.weave.rows)[self.chosen]
+        return np.array(self.net_field.rows)[self.chosen]
 
     @cached_property
     def beneath(self) -> Values:
@@ -109,9 +109,9 @@ class _Drag:
             [axis.x + radius * np.sin(theta), self.space.h[at] + dh, axis.z + radius * np.cos(theta)], axis=1
         )
 
-    def worn(self, places: Values) -> Values:
+    def positions_at(self, places: Values) -> Values:
         """Where the points lie on the face, (m, 3), when they are at places on the generic head."""
-        dtheta, dh, over = (self.beneath + self.weave.field(self.vectors(places))).T
+        dtheta, dh, over = (self.beneath + self.net_field.field(self.vectors(places))).T
         ratios = np.maximum(1.0 + over, _LEAST_RATIO)
         compiled = locate_field(self.space, dtheta, dh, ratios, self.under.residual, {})
         if self.space.transfer == "paper":
@@ -121,10 +121,10 @@ class _Drag:
     @cached_property
     def _around(self) -> Values:
         """How much each point of the net (n, n) goes with the dragged ones that it is joined to: their mean."""
-        count = len(self.weave.rows)
-        joined = np.zeros((len(self.weave.net.theta),) * 2)
+        count = len(self.net_field.rows)
+        joined = np.zeros((len(self.net_field.net.theta),) * 2)
         for one, other in ((0, 1), (1, 2), (2, 0)):
-            ends = self.weave.net.triangles[:, [one, other]]
+            ends = self.net_field.net.triangles[:, [one, other]]
             joined[ends[:, 0], ends[:, 1]] = joined[ends[:, 1], ends[:, 0]] = 1.0
         joined = joined[:count, :count]
         joined[self.chosen] = 0.0
@@ -137,41 +137,41 @@ class _Drag:
         return self.space.cylinder.unroll(self.space.points[self.rows])[2]
 
 
-def _found(drag: _Drag, goal: Values) -> Solved:
+def _find_solution(drag: _Drag, goal: Values) -> Solution:
     """The first way of giving that meets the goal, or the one that comes nearest."""
-    best = _approached(drag, goal)
+    best = _solve_broyden(drag, goal)
     count = best.compounds
     for give in _GIVING:
         if not CLOSE < best.miss <= _LOST or not drag._around.any():
             break
-        found = _approached(replace(drag, give=give), goal)
+        found = _solve_broyden(replace(drag, give=give), goal)
         count += found.compounds
         best = min(best, found, key=lambda one: one.miss)
     return replace(best, compounds=count)
 
 
-def _approached(drag: _Drag, goal: Values) -> Solved:
+def _solve_broyden(drag: _Drag, goal: Values) -> Solution:
     """Broyden's method (1965) on the places, from the answer of a translation; when that does not end, shorter steps
     of the translation itself, which a jump of the map does not lead astray. A goal out of reach is soon given up."""
     places, answer = drag.places(), np.eye(goal.size)
-    lack = (goal - drag.worn(places)).ravel()
+    lack = (goal - drag.positions_at(places)).ravel()
     best, least, count, vain = places, _worst(lack), 1, 0
     while least > CLOSE and count < MOST and (least <= _LOST or vain < _PATIENCE):
         quasi = count < _QUASI
         step = answer @ lack if quasi else _SHORTER * lack
         step *= min(1.0, _STRIDE / max(_worst(step), 1e-12))
         places = places + step.reshape(-1, 3)
-        after = (goal - drag.worn(places)).ravel()
+        after = (goal - drag.positions_at(places)).ravel()
         count += 1
         if quasi:
-            answer = _updated(answer, step, lack - after)
+            answer = _update_inverse(answer, step, lack - after)
         lack, vain = after, vain + 1
         if _worst(lack) < least:
             best, least, vain = places, _worst(lack), 0
-    return Solved(drag.vectors(best), least, count)
+    return Solution(drag.vectors(best), least, count)
 
 
-def _updated(answer: Values, step: Values, change: Values) -> Values:
+def _update_inverse(answer: Values, step: Values, change: Values) -> Values:
     """The inverse Jacobian after a step that changed the lack so; as it was where the step says nothing."""
     along = step @ answer
     scale = float(along @ change)
@@ -185,10 +185,10 @@ def _worst(lack: Values) -> float:
     return float(np.linalg.norm(lack.reshape(-1, 3), axis=1).max(initial=0.0))
 
 
-def _checked_targets(weave: Weave, points: Sequence[int], targets: ArrayLike) -> Values:
+def _validate_targets(net_field: NetField, points: Sequence[int], targets: ArrayLike) -> Values:
     for point in points:
-        if isinstance(point, bool) or not 0 <= point < len(weave.rows):
-            raise ValueError(f"control point {point!r} does not exist; expected 0 to {len(weave.rows) - 1}")
+        if isinstance(point, bool) or not 0 <= point < len(net_field.rows):
+            raise ValueError(f"control point {point!r} does not exist; expected 0 to {len(net_field.rows) - 1}")
     if len(set(points)) < len(points):
         raise ValueError(f"control points {list(points)} are dragged; expected each of them once")
     goal = np.asarray(targets, np.float64)

@@ -37,7 +37,7 @@ _mirrors: WeakKeyDictionary[ParameterSpace, Mirror] = WeakKeyDictionary()
 def mirror_of(space: ParameterSpace, /) -> Mirror:
     """The mirror of a space, found once. Raises ValueError where the generic head is not symmetric about x = 0."""
     if space not in _mirrors:
-        skin = _across(space.points, space.points, "the generic head")
+        skin = _match_across(space.points, space.points, "the generic head")
         inner = np.full(space.vertex_count, -1, np.int32)
         inner[space.inner.vertices] = np.arange(len(space.inner.vertices), dtype=np.int32)
         _mirrors[space] = Mirror(skin, inner[skin[space.inner.vertices]], _parts(space))
@@ -50,7 +50,7 @@ def mirror_rows(space: ParameterSpace, /) -> Rows:
     return mirror_of(space).skin
 
 
-def mirrored(space: ParameterSpace, expression: Expression, /) -> Expression:
+def mirror_expression(space: ParameterSpace, expression: Expression, /) -> Expression:
     """The expression with left and right exchanged, on the sheet, in what the bindings leave over, and in the eyes."""
     mirror = mirror_of(space)
     parts = {other: expression.parts[name][rows] * _ACROSS for other, (name, rows) in mirror.parts.items()
@@ -72,11 +72,11 @@ def _parts(space: ParameterSpace) -> dict[str, tuple[str, Rows]]:
         middle = part.points.mean(axis=0) * _ACROSS
         others = [other for other, candidate in space.parts.items() if len(candidate.points) == len(part.points)]
         nearest = min(others, key=lambda other: float(np.linalg.norm(space.parts[other].points.mean(axis=0) - middle)))
-        found[name] = (nearest, _across(part.points, space.parts[nearest].points, f"part {name!r}"))
+        found[name] = (nearest, _match_across(part.points, space.parts[nearest].points, f"part {name!r}"))
     return found
 
 
-def _across(points: Values, others: Values, what: str) -> Rows:
+def _match_across(points: Values, others: Values, what: str) -> Rows:
     """For each of points (n, 3) the row of others (m, 3) that is its mirror image."""
     distance, rows = cKDTree(others).query(points * _ACROSS)
     if distance.max() > _EXACT:

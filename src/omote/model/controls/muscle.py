@@ -15,9 +15,9 @@ from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from omote.geometry.cylinder import wrap
-from omote.geometry.laplacian import cotangents, smoothing
+from omote.geometry.laplacian import cotangents, smoothing_matrix
 from omote.model.controls.upper_lower import sides
-from omote.model.space.eye_socket import falling, radius_of
+from omote.model.space.eye_socket import fall_off, radius_of
 from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.space.parameter_space import ParameterSpace
 
@@ -85,12 +85,12 @@ def pull_field(space: ParameterSpace, muscle: Muscle, /) -> Values:
     place = np.stack([across, space.h - muscle.bone[1]], axis=1)
     move = {"linear": _linear, "sheet": _sheet, "sphincter": _sphincter}[muscle.kind](muscle, place)
     if muscle.closes:
-        move += _closing(space, muscle)
+        move += _close_lids(space, muscle)
     share = _share(space, muscle.lip) * space.on_sheet
     dtheta, dh = move[:, 0] * share / metric, move[:, 1] * share
-    over = slid(space, dtheta, dh)
+    over = slide_radius(space, dtheta, dh)
     if muscle.swell:
-        over += muscle.swell * _bell(_off(muscle, place) / muscle.reach) * share
+        over += muscle.swell * _bell(_ring_distance(muscle, place) / muscle.reach) * share
     result: Values = np.where(space.on_sheet[:, None], np.stack([dtheta, dh, over], axis=1), 0.0)
     return result
 
@@ -100,9 +100,9 @@ def metric_of(space: ParameterSpace, /) -> float:
     return float(space.cylinder.unroll(space.points[space.on_sheet])[2].mean())
 
 
-def slid(space: ParameterSpace, dtheta: Values, dh: Values, /) -> Values:
+def slide_radius(space: ParameterSpace, dtheta: Values, dh: Values, /) -> Values:
     """R - 1 (V,) with which the generic head's skin stays on its smoothed surface while it goes by dtheta, dh (V,)."""
-    average = smoothing(space.sheet_triangles, space.vertex_count)
+    average = smoothing_matrix(space.sheet_triangles, space.vertex_count)
     radius = space.cylinder.unroll(space.points)[2]
     smooth = radius
     for _ in range(_SLOPE_ROUNDS):
@@ -132,7 +132,7 @@ def _around_balls(
             along = (ahead * to_ball).sum(axis=1)
             left = distance**2 - (to_ball**2).sum(axis=1) + along**2
             radius = along + np.sqrt(np.maximum(left, 0.0)) - space.cylinder.unroll(space.points[rows])[2]
-            hold = falling((distance / radius_of(part.points) - _NEAR) / (_FAR - _NEAR)) * (left > 0)
+            hold = fall_off((distance / radius_of(part.points) - _NEAR) / (_FAR - _NEAR)) * (left > 0)
             result += hold * (radius - result)
     return result
 
@@ -170,16 +170,16 @@ def _sphincter(muscle: Muscle, place: Values) -> Values:
 
 def _ring(muscle: Muscle, place: Values) -> Values:
     """1 in the ring, falling to 0 at reach half-axes."""
-    return _bell(np.maximum(_off(muscle, place) - 1.0, 0.0) / max(muscle.reach - 1.0, 1e-9))
+    return _bell(np.maximum(_ring_distance(muscle, place) - 1.0, 0.0) / max(muscle.reach - 1.0, 1e-9))
 
 
-def _off(muscle: Muscle, place: Values) -> Values:
+def _ring_distance(muscle: Muscle, place: Values) -> Values:
     """How far from a sphincter's middle, in half-axes."""
     result: Values = np.hypot(*(place / np.array(muscle.skin)).T)
     return result
 
 
-def _closing(space: ParameterSpace, muscle: Muscle) -> Values:
+def _close_lids(space: ParameterSpace, muscle: Muscle) -> Values:
     """The lids of a line brought to where they meet; what lies farther from them follows less and less."""
     move = np.zeros((space.vertex_count, 2))
     for line in space.lines:
@@ -238,4 +238,4 @@ def _off_corners(space: ParameterSpace, line: Line) -> Values:
     corners = space.points[upper[[0, -1]]]
     half = float(np.linalg.norm(corners[1] - corners[0])) / 2
     distance = np.linalg.norm(space.points[:, None] - corners, axis=2).min(axis=1)
-    return 1.0 - falling(distance / (_CORNER * half))
+    return 1.0 - fall_off(distance / (_CORNER * half))

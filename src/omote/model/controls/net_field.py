@@ -21,8 +21,8 @@ MOST = 400
 
 
 @dataclass(frozen=True, eq=False)
-class Weave:
-    """A control net whose points stand on vertices, so that a point's vector is the field there; made by `woven`."""
+class NetField:
+    """A control net whose points stand on vertices, so that a point's vector is the field there; made by `build_net_field`."""
 
     rows: tuple[int, ...]
     net: ControlNet
@@ -56,13 +56,13 @@ class Weave:
         return sparse.csr_array(self.net.basis[:, : len(self.rows)])
 
 
-def woven(space: ParameterSpace, rows: Sequence[int], /) -> Weave:
+def build_net_field(space: ParameterSpace, rows: Sequence[int], /) -> NetField:
     """The net through vertices of the sheet. Raises ValueError on rows that are none, twice the same, or too few to
     join around the head."""
     _refuse_rows(space, rows)
     at = np.array(rows, np.int64)
     net = ControlNet.build(space, space.theta[at], space.h[at])
-    return Weave(tuple(int(row) for row in rows), net)
+    return NetField(tuple(int(row) for row in rows), net)
 
 
 def _refuse_rows(space: ParameterSpace, rows: Sequence[int]) -> None:

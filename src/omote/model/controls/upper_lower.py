@@ -34,7 +34,7 @@ def sides(space: ParameterSpace, /) -> Sides:
     return _sides[space]
 
 
-def apart(vertices: Sides, corners: Sides, /) -> NDArray[np.bool_]:
+def is_across(vertices: Sides, corners: Sides, /) -> NDArray[np.bool_]:
     """Where a vertex lies across an opening from one of a triangle's corners.
 
     vertices (lines, ...), corners (lines, ..., 3): their sides, broadcast together.
@@ -42,7 +42,7 @@ def apart(vertices: Sides, corners: Sides, /) -> NDArray[np.bool_]:
     return np.asarray((vertices[..., None] * corners < 0).any(axis=(0, -1)), np.bool_)
 
 
-def own_side(vertices: Sides, points: Sides, triangles: Indices, corners: Values, where: Values, /) -> Indices:
+def nearest_own_side(vertices: Sides, points: Sides, triangles: Indices, corners: Values, where: Values, /) -> Indices:
     """Of a net's triangles (t, 3) the nearest to each vertex that has no corner across an opening: (n,); -1 for none.
 
     vertices (lines, n), points (lines, p): their sides; corners (t, 3, 2), where (n, 2): on S, theta and h in metres,
@@ -50,13 +50,13 @@ def own_side(vertices: Sides, points: Sides, triangles: Indices, corners: Values
     """
     found = np.full(where.shape[0], -1, np.int32)
     for vertex, place in enumerate(where):
-        allowed = np.flatnonzero(~apart(vertices[:, vertex, None], points[:, triangles]))
+        allowed = np.flatnonzero(~is_across(vertices[:, vertex, None], points[:, triangles]))
         if len(allowed):
             found[vertex] = allowed[_distance(place, corners[allowed]).argmin()]
     return found
 
 
-def held(weights: Values, /) -> Values:
+def clamp_weights(weights: Values, /) -> Values:
     """Weights (n, 3) of points beyond their triangles, those far off brought back to its edge."""
     far = weights.min(axis=1) < -_BEYOND
     inside = np.maximum(weights, 0.0)

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from omote.geometry import mesh
 from omote.model.controls.face_muscles import muscle_fields
-from omote.model.controls.mirror import mirrored
-from omote.model.controls.net_field import Weave, woven
+from omote.model.controls.mirror import mirror_expression
+from omote.model.controls.net_field import NetField, build_net_field
 from omote.model.recipes.recipe import KEY, Layer, Recipe
 from omote.model.sculpting.regions import REGIONS, Region, region_weights
 from omote.model.space.expression import Expression
@@ -36,8 +36,8 @@ class _Sum:
     pupil: float = 0.0
 
 
-def composed(
-    space: ParameterSpace, recipe: Recipe, sources: Mapping[str, Expression], /, weave: Weave | None = None
+def compose_expression(
+    space: ParameterSpace, recipe: Recipe, sources: Mapping[str, Expression], /, net_field: NetField | None = None
 ) -> Expression:  # fmt: skip
     """The expression that a recipe stands for: fields add as dtheta, dh and R - 1, and so do residuals, parts, eyes and
     pupils.
@@ -45,22 +45,24 @@ def composed(
     sources: the expressions that it names; weave: of its net, where it is known. Raises ValueError on what it names and
     nobody knows, numbers that are not finite, weights beyond HEAVIEST and radii that are not positive.
     """
-    total = _nothing(space)
+    total = _zero_sum(space)
     if recipe.ground is not None:
-        _add(space, total, _found(space, sources, recipe.ground), Layer(recipe.ground, ""))
+        _add(space, total, _find_source(space, sources, recipe.ground), Layer(recipe.ground, ""))
     for layer in recipe.layers:
-        expression = _found(space, sources, layer.source)
-        _add(space, total, mirrored(space, expression) if layer.mirrored else expression, layer)
+        expression = _find_source(space, sources, layer.source)
+        _add(space, total, mirror_expression(space, expression) if layer.mirrored else expression, layer)
     for pull in recipe.pulls:
-        total.field += _amount(pull.contraction, f"contraction of muscle {pull.muscle!r}") * pulled(space, pull.muscle)
-    total.field += (weave or woven(space, recipe.net)).field(recipe.vectors)
-    eyes = mesh.checked_numbers(recipe.eyes, name="eyes of a recipe")
+        total.field += _amount(pull.contraction, f"contraction of muscle {pull.muscle!r}") * find_muscle_field(
+            space, pull.muscle
+        )
+    total.field += (net_field or build_net_field(space, recipe.net)).field(recipe.vectors)
+    eyes = mesh.validate_numbers(recipe.eyes, name="eyes of a recipe")
     total.eyes += eyes.reshape(2, 2)
     total.pupil += recipe.pupil
     return _expression(space, total)
 
 
-def pulled(space: ParameterSpace, name: str, /) -> Values:
+def find_muscle_field(space: ParameterSpace, name: str, /) -> Values:
     """The field (V, 3) of a muscle at full contraction; ValueError on a name that is none."""
     fields = muscle_fields(space)
     if name not in fields:
@@ -68,24 +70,24 @@ def pulled(space: ParameterSpace, name: str, /) -> Values:
     return fields[name]
 
 
-def shifted(
+def add_field(
     space: ParameterSpace, ground: Expression | None, field: Values, /
 ) -> Expression:  # fmt: skip
     """A ground (None: at rest) with a field (V, 3) of dtheta, dh and R - 1 added; ValueError on radii that are not
     positive."""
-    total = _nothing(space)
+    total = _zero_sum(space)
     if ground is not None:
         _add(space, total, ground, Layer("", ""))
     total.field += field
     return _expression(space, total)
 
 
-def _nothing(space: ParameterSpace) -> _Sum:
+def _zero_sum(space: ParameterSpace) -> _Sum:
     still = np.zeros((len(space.inner.vertices), 3))
     return _Sum(np.zeros((space.vertex_count, 3)), still, {}, np.zeros((2, 2)))
 
 
-def _found(space: ParameterSpace, sources: Mapping[str, Expression], name: str) -> Expression:
+def _find_source(space: ParameterSpace, sources: Mapping[str, Expression], name: str) -> Expression:
     if name not in sources:
         what = "own content" if name.startswith(KEY) else "expression of the cast"
         raise ValueError(f"a recipe names {name!r}; there is no such {what}: choose another layer")
@@ -127,20 +129,20 @@ def _mask(space: ParameterSpace, region: str | None) -> _Mask:
     """The mask of a region, None for everything, made once."""
     known = _masks.setdefault(space, {})
     if region not in known:
-        known[region] = _made(space, region)
+        known[region] = _make_mask(space, region)
     return known[region]
 
 
-def _made(space: ParameterSpace, region: str | None) -> _Mask:
+def _make_mask(space: ParameterSpace, region: str | None) -> _Mask:
     if region is None:
         whole = {name: np.ones(len(part.points)) for name, part in space.parts.items()}
         return _Mask(np.ones(space.vertex_count), whole, np.ones(2))
     if region not in REGIONS:
         raise ValueError(f"there is no region {region!r}; expected one of {', '.join(REGIONS)}")
-    return _regional(space, region)
+    return _make_region_mask(space, region)
 
 
-def _regional(space: ParameterSpace, region: Region) -> _Mask:
+def _make_region_mask(space: ParameterSpace, region: Region) -> _Mask:
     """Parts by where they lie; eyeballs and their turn belong to the eyes alone, who looks half-way looks nowhere."""
     eyes = 1.0 if region == "eyes" else 0.0
     parts = {
@@ -164,24 +166,24 @@ def _expression(space: ParameterSpace, total: _Sum) -> Expression:
     )
 
 
-def renetted(
+def change_net(
     space: ParameterSpace, recipe: Recipe, ground: Expression | None, net: Sequence[int], /
-) -> tuple[Recipe, Weave, Expression | None]:  # fmt: skip
+) -> tuple[Recipe, NetField, Expression | None]:  # fmt: skip
     """The same expression under another net: the recipe, whose ground the caller names, its weave, and that ground.
 
     The new points carry the old control field where they stand; what the new net cannot say of it goes into the ground
     (None: there is still none), so that nothing moves. ValueError as `woven`.
     """
-    before = woven(space, recipe.net).field(recipe.vectors)
-    weave = woven(space, net)
-    vectors = before[list(weave.rows)] + [0.0, 0.0, 1.0]
-    left = before - weave.field(vectors)
+    before = build_net_field(space, recipe.net).field(recipe.vectors)
+    net_field = build_net_field(space, net)
+    vectors = before[list(net_field.rows)] + [0.0, 0.0, 1.0]
+    left = before - net_field.field(vectors)
     rows = tuple((float(a), float(b), float(c)) for a, b, c in vectors)
-    woven_anew = _with(recipe, weave.rows, rows)
+    woven_anew = _replace_net(recipe, net_field.rows, rows)
     if not np.abs(left).max(initial=0.0) > 1e-12:
-        return woven_anew, weave, ground
-    return woven_anew, weave, shifted(space, ground, left)
+        return woven_anew, net_field, ground
+    return woven_anew, net_field, add_field(space, ground, left)
 
 
-def _with(recipe: Recipe, net: tuple[int, ...], vectors: tuple[tuple[float, float, float], ...]) -> Recipe:
+def _replace_net(recipe: Recipe, net: tuple[int, ...], vectors: tuple[tuple[float, float, float], ...]) -> Recipe:
     return Recipe(net, vectors, recipe.ground, recipe.layers, recipe.pulls, recipe.eyes, recipe.pupil)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import TRAITS, Look
-from omote.model.recipes.face_handles import dragged
+from omote.model.recipes.face_handles import drag_handles
 from omote.model.recipes.recipe import FaceRecipe
 from omote.model.sculpting.regions import REGIONS, Region, caricature, regional
 from omote.model.space.face import Face
@@ -34,24 +34,24 @@ _OF_REGIONS: Mapping[Region, tuple[str, ...]] = {
 
 
 @dataclass(frozen=True, eq=False)
-class Dressed:
+class FaceWithLook:
     """A face and its look."""
 
     face: Face
     look: Look
 
 
-def composed_face(
-    space: ParameterSpace, name: str, recipe: FaceRecipe, sources: Mapping[str, Dressed], /
-) -> Dressed:  # fmt: skip
+def compose_face(
+    space: ParameterSpace, name: str, recipe: FaceRecipe, sources: Mapping[str, FaceWithLook], /
+) -> FaceWithLook:  # fmt: skip
     """The face that a recipe stands for, under a name: base, then regions, then caricature, then handles.
 
     sources: the faces that it names. Raises ValueError on faces, regions and handles that nobody knows, weights that do
     not sum to one, and what makes no face of this space.
     """
     shares = _shares(recipe, sources)
-    chosen = {_region(region): _found(sources, source) for region, source in recipe.regions.items()}
-    face = mixed(space, name, [(sources[source].face, share) for source, share in shares.items()])
+    chosen = {_region(region): _find_source(sources, source) for region, source in recipe.regions.items()}
+    face = mix_faces(space, name, [(sources[source].face, share) for source, share in shares.items()])
     if chosen:
         face = regional(space, name, {region: one.face for region, one in chosen.items()}, rest=face)
     if not 0.0 <= recipe.amount <= MOST_AMOUNT:
@@ -62,13 +62,13 @@ def composed_face(
     if recipe.amount != 1.0:
         face = caricature(space, face, recipe.amount)
     if len(recipe.points) or len(recipe.moves):
-        face = dragged(space, face, name, rows=recipe.points, moves=recipe.moves)
-    look = mixed_look([(sources[source].look, share) for source, share in shares.items()])
+        face = drag_handles(space, face, name, rows=recipe.points, moves=recipe.moves)
+    look = mix_looks([(sources[source].look, share) for source, share in shares.items()])
     worn = {trait: getattr(one.look, trait) for region, one in chosen.items() for trait in _OF_REGIONS.get(region, ())}
-    return Dressed(Face(name, face.positions, face.parts), Look(**{**vars(look), **worn}))
+    return FaceWithLook(Face(name, face.positions, face.parts), Look(**{**vars(look), **worn}))
 
 
-def mixed(space: ParameterSpace, name: str, faces: Sequence[tuple[Face, float]], /) -> Face:
+def mix_faces(space: ParameterSpace, name: str, faces: Sequence[tuple[Face, float]], /) -> Face:
     """The mix of faces by shares that sum to one, skin and parts, named `name`."""
     skin = np.zeros(space.points.shape)
     parts = {part: np.zeros(one.points.shape) for part, one in space.parts.items()}
@@ -80,7 +80,7 @@ def mixed(space: ParameterSpace, name: str, faces: Sequence[tuple[Face, float]],
     return Face(name, skin, parts)
 
 
-def mixed_look(looks: Sequence[tuple[Look, float]], /) -> Look:
+def mix_looks(looks: Sequence[tuple[Look, float]], /) -> Look:
     """The mix of looks by shares that sum to one: colours in linear light, as the stage mixes them.
 
     Hair is one style, whole, on the scalp that goes with it: a mixed hairline would fit none. It is that of the largest
@@ -88,8 +88,8 @@ def mixed_look(looks: Sequence[tuple[Look, float]], /) -> Look:
     all who wear hair.
     """
     style = _style(looks)
-    wearers = _scaled([(look, share) for look, share in looks if look.hair_style == style])
-    haired = _scaled([(look, share) for look, share in looks if look.hair_style]) or looks
+    wearers = _normalize_shares([(look, share) for look, share in looks if look.hair_style == style])
+    haired = _normalize_shares([(look, share) for look, share in looks if look.hair_style]) or looks
     found: dict[str, str | float] = {"hair_style": style}
     for trait in (field.name for field in fields(Look) if field.name != "hair_style"):
         those = wearers if trait == "scalp" else haired if trait == "hair" else looks
@@ -112,7 +112,7 @@ def _style(looks: Sequence[tuple[Look, float]]) -> str:
     return max(shares, key=lambda style: shares[style])
 
 
-def _scaled(looks: Sequence[tuple[Look, float]]) -> list[tuple[Look, float]]:
+def _normalize_shares(looks: Sequence[tuple[Look, float]]) -> list[tuple[Look, float]]:
     """The same looks, their shares scaled to sum to one."""
     total = sum(share for _, share in looks)
     return [(look, share / total) for look, share in looks if share > 0.0]
@@ -131,11 +131,11 @@ def _linear(colour: str) -> Values:
     return result
 
 
-def _shares(recipe: FaceRecipe, sources: Mapping[str, Dressed]) -> dict[str, float]:
+def _shares(recipe: FaceRecipe, sources: Mapping[str, FaceWithLook]) -> dict[str, float]:
     if not recipe.base:
         raise ValueError("the base of this face is empty; expected at least one face, such as generic by 1")
     for source, weight in recipe.base.items():
-        _found(sources, source)
+        _find_source(sources, source)
         if not 0.0 <= weight <= 1.0:
             raise ValueError(f"face {source!r} has weight {weight!r} in the base; expected a number from 0 to 1")
     total = sum(recipe.base.values())
@@ -144,7 +144,7 @@ def _shares(recipe: FaceRecipe, sources: Mapping[str, Dressed]) -> dict[str, flo
     return {source: weight / total for source, weight in recipe.base.items() if weight}
 
 
-def _found(sources: Mapping[str, Dressed], source: str) -> Dressed:
+def _find_source(sources: Mapping[str, FaceWithLook], source: str) -> FaceWithLook:
     if source not in sources:
         raise ValueError(f"there is no face {source!r}; expected one of {', '.join(sources) or 'none'}")
     return sources[source]

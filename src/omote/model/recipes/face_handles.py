@@ -11,9 +11,9 @@ from scipy.spatial import cKDTree
 
 from omote.geometry import mesh
 from omote.model.sculpting.sculpt import Sculpt, warp, warp_basis
-from omote.model.space.eye_socket import heights, rolled, seated
+from omote.model.space.eye_socket import ball_heights, move_ball, set_ball_heights
 from omote.model.space.face import Face
-from omote.model.space.face_fit import Fitted, fit
+from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
@@ -111,25 +111,25 @@ def _nearest(
 
 def handle_basis(space: ParameterSpace, face: Face, rows: ArrayLike, /) -> Values:
     """How far each position of a face follows each handle's move: (N, n), skin then parts in the space's order, such
-    that basis @ moves (n, 3) is the displacement of `dragged` before eyeballs are made round and lids are laid on them.
+    that basis @ moves (n, 3) is the displacement of `drag_handles` before eyeballs are made round and lids are laid on them.
 
     It is the sculptor's map around the face's own handles, so a face with a small nose has a fine map there. Raises
-    ValueError as `dragged` does.
+    ValueError as `drag_handles` does.
     """
-    where, fitted = checked_rows(space, rows), fit(space, face)
+    where, fitted = validate_rows(space, rows), fit(space, face)
     places = np.concatenate([fitted.positions, *(fitted.parts[name] for name in space.parts)]).astype(np.float64)
     return warp_basis(places[where], places)
 
 
-def dragged(space: ParameterSpace, face: Face, name: str, /, *, rows: ArrayLike, moves: ArrayLike) -> Face:
+def drag_handles(space: ParameterSpace, face: Face, name: str, /, *, rows: ArrayLike, moves: ArrayLike) -> Face:
     """The face with its handles (rows of the sheet) moved by moves (n, 3), metres; named `name`.
 
     Skin and parts are carried by the sculptor's map; eyeballs stay round, and lids lie on them as before. Raises
     ValueError where rows are no vertices of the sheet, stand twice or all in one plane, or where a move is not finite,
     leads too far or tears the face.
     """
-    where = checked_rows(space, rows)
-    far = _checked_moves(moves, len(where))
+    where = validate_rows(space, rows)
+    far = _validate_moves(moves, len(where))
     fitted = fit(space, face)
     before = {part: fitted.parts[part].astype(np.float64) for part in space.parts}
     if not far.any():
@@ -137,21 +137,21 @@ def dragged(space: ParameterSpace, face: Face, name: str, /, *, rows: ArrayLike,
     skin = fitted.positions.astype(np.float64)
     move = warp(Sculpt(name, skin[where], far, symmetric=False))
     parts = {
-        part.name: rolled(ball, ball, move(ball)) if part.eye else move(ball)
+        part.name: move_ball(ball, ball, move(ball)) if part.eye else move(ball)
         for part, ball in zip(space.parts.values(), before.values(), strict=True)
     }
-    result = Face(name, _lidded(space, fitted, move(skin), parts), parts)
+    result = Face(name, _keep_lids(space, fitted, move(skin), parts), parts)
     fit(space, result)
     return result
 
 
-def _lidded(space: ParameterSpace, before: Fitted, skin: Values, parts: dict[str, Values]) -> Values:
+def _keep_lids(space: ParameterSpace, before: FittedFace, skin: Values, parts: dict[str, Values]) -> Values:
     eyes = [part.name for part in space.parts.values() if part.eye]
-    wanted = {eye: heights(before.positions, before.parts[eye]) for eye in eyes}
-    return seated(skin, {eye: parts[eye] for eye in eyes}, wanted)
+    wanted = {eye: ball_heights(before.positions, before.parts[eye]) for eye in eyes}
+    return set_ball_heights(skin, {eye: parts[eye] for eye in eyes}, wanted)
 
 
-def checked_rows(space: ParameterSpace, rows: ArrayLike, /) -> NDArray[np.int32]:
+def validate_rows(space: ParameterSpace, rows: ArrayLike, /) -> NDArray[np.int32]:
     """Rows (n,) of the sheet, each once; ValueError else."""
     given = np.asarray(rows)
     if given.ndim != 1 or len(given) == 0 or given.dtype.kind not in "iu":
@@ -170,8 +170,8 @@ def checked_rows(space: ParameterSpace, rows: ArrayLike, /) -> NDArray[np.int32]
     return given.astype(np.int32)
 
 
-def _checked_moves(moves: ArrayLike, count: int) -> Values:
-    far = mesh.checked_points(moves, name="moves of handles")
+def _validate_moves(moves: ArrayLike, count: int) -> Values:
+    far = mesh.validate_points(moves, name="moves of handles")
     if len(far) != count:
         raise ValueError(f"there are {count} handles and {len(far)} moves; expected as many")
     lengths = np.linalg.norm(far, axis=1)

@@ -10,7 +10,7 @@ from scipy.spatial.distance import cdist
 from scipy.spatial.transform import Rotation
 
 from omote.geometry import mesh
-from omote.geometry.laplacian import smoothing
+from omote.geometry.laplacian import smoothing_matrix
 
 Values = NDArray[np.float64]
 Triangles = NDArray[np.int32]
@@ -25,7 +25,7 @@ _CELL = 0.5
 _ROUNDS = 30
 
 
-def grown(generic: Values, face: Values, triangles: Triangles, amount: float, bell: float, /) -> Values:
+def extrapolate(generic: Values, face: Values, triangles: Triangles, amount: float, bell: float, /) -> Values:
     """The face (V, 3) with what turns and stretches it from the generic one (V, 3) applied once more, times amount.
 
     Each triangle's deformation gradient (Sumner and Popovic 2004) is a rotation and a stretch; the logarithms of both,
@@ -33,17 +33,17 @@ def grown(generic: Values, face: Values, triangles: Triangles, amount: float, be
     nearest to all grown ones follow (Yu et al. 2004). Amount zero gives the face. Its middle goes on straight ahead.
     """
     rotation, stretch = _turn_and_stretch(generic, face, triangles)
-    turn = _averaged(generic, triangles, Rotation.from_matrix(rotation).as_rotvec(), bell)
-    stretch = _averaged(generic, triangles, stretch, bell)
+    turn = _average(generic, triangles, Rotation.from_matrix(rotation).as_rotvec(), bell)
+    stretch = _average(generic, triangles, stretch, bell)
     # The stretch is known in the generic face's frame; the face's own rotation brings it to where it acts.
     acting = rotation @ _exponential(amount * stretch) @ rotation.transpose(0, 2, 1)
     wanted = Rotation.from_rotvec(amount * turn).as_matrix() @ acting @ _frames(face, triangles)[:, :, :2]
-    result = _integrated(face, triangles, wanted)
+    result = _integrate_edges(face, triangles, wanted)
     middle = _middle(face, triangles) + amount * (_middle(face, triangles) - _middle(generic, triangles))
     return result + middle - _middle(result, triangles)
 
 
-def turned_over(face: Values, positions: Values, triangles: Triangles, /) -> NDArray[np.bool_]:
+def find_folds(face: Values, positions: Values, triangles: Triangles, /) -> NDArray[np.bool_]:
     """The triangles (T,) whose normals look against those that they have on the face."""
     normals = (np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]) for p in (face[triangles], positions[triangles]))
     here, there = normals
@@ -51,12 +51,12 @@ def turned_over(face: Values, positions: Values, triangles: Triangles, /) -> NDA
     return result
 
 
-def unfolded(face: Values, positions: Values, triangles: Triangles, /) -> Values:
+def repair_folds(face: Values, positions: Values, triangles: Triangles, /) -> Values:
     """The positions (V, 3) with what is turned over against the face pulled to the mean of its one-rings, as little as
     does it, in at most so many rounds; the same where nothing is."""
-    result, mean = positions.copy(), smoothing(triangles, len(positions))
+    result, mean = positions.copy(), smoothing_matrix(triangles, len(positions))
     for _ in range(_ROUNDS):
-        bad = turned_over(face, result, triangles)
+        bad = find_folds(face, result, triangles)
         if not bad.any():
             break
         rows = np.unique(triangles[bad])
@@ -87,7 +87,7 @@ def _exponential(logs: Values) -> Values:
     return result
 
 
-def _averaged(points: Values, triangles: Triangles, values: Values, bell: float) -> Values:
+def _average(points: Values, triangles: Triangles, values: Values, bell: float) -> Values:
     """The mean of what triangles have, (T, ...), under a bell around each; they count in cells of half a bell."""
     middles, area = points[triangles].mean(axis=1), mesh.areas(points, triangles)
     _, cell = np.unique(np.floor(middles / (_CELL * bell)), axis=0, return_inverse=True)
@@ -100,7 +100,7 @@ def _averaged(points: Values, triangles: Triangles, values: Values, bell: float)
     return mean.reshape(values.shape)
 
 
-def _integrated(face: Values, triangles: Triangles, wanted: Values) -> Values:
+def _integrate_edges(face: Values, triangles: Triangles, wanted: Values) -> Values:
     """The positions (V, 3) whose edges come nearest to the wanted ones (T, 3, 2), least squares in the face's areas."""
     a, b, c = face[triangles].transpose(1, 0, 2)
     edges = np.stack([b - a, c - a], axis=2)

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from scipy.spatial.distance import cdist
 
 from omote.geometry import mesh
-from omote.model.sculpting.extrapolation import grown, unfolded
-from omote.model.space.eye_socket import heights, radius_of, seated
+from omote.model.sculpting.extrapolation import extrapolate, repair_folds
+from omote.model.space.eye_socket import ball_heights, radius_of, set_ball_heights
 from omote.model.space.face import Face
-from omote.model.space.face_fit import Fitted, fit
+from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.space.similarity import Similarity, similarity
+from omote.model.space.similarity import Similarity, fit_similarity
 
 Values = NDArray[np.float64]
 Region = Literal["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "ears", "skull"]
@@ -83,7 +83,7 @@ def regional(
     generic = rest or Face("generic", space.points, {name: part.points for name, part in space.parts.items()})
     chosen = {region: fit(space, faces.get(region, generic)) for region in REGIONS}
     whole = fit(space, generic) if len(faces) < len(REGIONS) else chosen["skull"]
-    laid = _laid(space, chosen, whole)
+    laid = _align_regions(space, chosen, whole)
     weights = region_weights(space)
     skin = sum((weights[region][:, None] * laid[region](face.positions) for region, face in chosen.items()), _NOWHERE)
     parts = {}
@@ -98,16 +98,18 @@ def regional(
     for eye in _eyes(space):
         over = ((weights[region], _heights(face, eye)) for region, face in chosen.items())
         wanted[eye] = sum((weight * height for weight, height in over), np.zeros(1))
-    return _checked(space, name, skin, parts, wanted)
+    return _fit_face(space, name, skin, parts, wanted)
 
 
-def _laid(space: ParameterSpace, chosen: Mapping[Region, Fitted], whole: Fitted) -> dict[Region, Similarity]:
+def _align_regions(
+    space: ParameterSpace, chosen: Mapping[Region, FittedFace], whole: FittedFace
+) -> dict[Region, Similarity]:
     """How each region's face is laid on the whole one: by the border of all regions that the face gives."""
     weights, area = region_weights(space), _areas(space)
     found: dict[Region, Similarity] = {}
     for region, face in chosen.items():
         own = sum((weights[other] for other in REGIONS if chosen[other] is face), np.zeros(1))
-        found[region] = similarity(face.positions, whole.positions, area * own * (1.0 - own))
+        found[region] = fit_similarity(face.positions, whole.positions, area * own * (1.0 - own))
     return found
 
 
@@ -126,17 +128,19 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     skin = space.points + within * (fitted.positions - space.points)
     parts = {name: part.points + within * (fitted.parts[name] - part.points) for name, part in space.parts.items()}
     if beyond == 0.0:
-        return _checked(space, name, skin, parts, {})
-    further = grown(space.points, skin, space.triangles, beyond, _BELL * eye_frame(space)[1])
+        return _fit_face(space, name, skin, parts, {})
+    further = extrapolate(space.points, skin, space.triangles, beyond, _BELL * eye_frame(space)[1])
     for part in space.parts.values():
         moves = _bell(space, further - skin, part.points)
-        parts[part.name] = _ball(parts[part.name], moves, part.points, beyond) if part.eye else parts[part.name] + moves
+        parts[part.name] = (
+            _extrapolate_ball(parts[part.name], moves, part.points, beyond) if part.eye else parts[part.name] + moves
+        )
     eyes = _eyes(space)
-    lidded = seated(further, {eye: parts[eye] for eye in eyes}, {eye: _heights(fitted, eye) for eye in eyes})
-    return _checked(space, name, unfolded(skin, lidded, space.skin_triangles), parts, {})
+    lidded = set_ball_heights(further, {eye: parts[eye] for eye in eyes}, {eye: _heights(fitted, eye) for eye in eyes})
+    return _fit_face(space, name, repair_folds(skin, lidded, space.skin_triangles), parts, {})
 
 
-def _ball(ball: Values, moves: Values, generic: Values, beyond: float) -> Values:
+def _extrapolate_ball(ball: Values, moves: Values, generic: Values, beyond: float) -> Values:
     """An eyeball (n, 3) that goes with its surroundings and grows once more as it did from the generic one."""
     size = (radius_of(ball) / radius_of(generic)) ** beyond
     middle = ball.mean(axis=0)
@@ -177,14 +181,14 @@ def _eyes(space: ParameterSpace) -> list[str]:
     return [name for name, part in space.parts.items() if part.eye]
 
 
-def _heights(fitted: Fitted, eye: str) -> Values:
-    return heights(fitted.positions, fitted.parts[eye])
+def _heights(fitted: FittedFace, eye: str) -> Values:
+    return ball_heights(fitted.positions, fitted.parts[eye])
 
 
-def _checked(
+def _fit_face(
     space: ParameterSpace, name: str, skin: Values, parts: dict[str, Values], wanted: Mapping[str, Values]
 ) -> Face:  # fmt: skip
     """The face, fitted, its lids at the wanted heights over its eyeballs."""
-    face = Face(name, seated(skin, {eye: parts[eye] for eye in wanted}, wanted), parts)
+    face = Face(name, set_ball_heights(skin, {eye: parts[eye] for eye in wanted}, wanted), parts)
     fit(space, face)
     return face

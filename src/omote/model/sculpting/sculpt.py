@@ -14,8 +14,8 @@ from scipy.spatial.distance import cdist
 
 from omote.geometry import mesh
 from omote.model.cast import Look
-from omote.model.sculpting.smoothing_brush import Brush, brushed
-from omote.model.space.eye_socket import heights, rolled, seated
+from omote.model.sculpting.smoothing_brush import Brush, apply_brushes
+from omote.model.space.eye_socket import ball_heights, move_ball, set_ball_heights
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
@@ -65,7 +65,7 @@ class Sculpt:
         if not 0.5 <= self.teeth <= 1.5:
             raise ValueError(f"teeth of sculpt {self.name!r} is {self.teeth!r}; expected a scale from 0.5 to 1.5")
         for attribute in ("points", "moves"):
-            rows = np.array(mesh.checked_points(getattr(self, attribute), name=f"{attribute} of sculpt {self.name!r}"))
+            rows = np.array(mesh.validate_points(getattr(self, attribute), name=f"{attribute} of sculpt {self.name!r}"))
             rows.setflags(write=False)
             object.__setattr__(self, attribute, rows)
         object.__setattr__(self, "base", MappingProxyType({name: float(w) for name, w in self.base.items()}))
@@ -122,14 +122,14 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
     move = warp(sculpt)
     skin, parts = _base(space, sculpt, faces or {})
     eyes = [name for name, part in space.parts.items() if part.eye]
-    wanted = {name: heights(space.points, space.parts[name].points) for name in eyes}
+    wanted = {name: ball_heights(space.points, space.parts[name].points) for name in eyes}
     skin += move(space.points) - space.points
-    skin = brushed(space, skin, sculpt.brushes, symmetric=sculpt.symmetric)
+    skin = apply_brushes(space, skin, sculpt.brushes, symmetric=sculpt.symmetric)
     for name, part in space.parts.items():
         there = move(part.points)
-        parts[name] = rolled(parts[name], part.points, there) if part.eye else parts[name] + there - part.points
+        parts[name] = move_ball(parts[name], part.points, there) if part.eye else parts[name] + there - part.points
     _scale_mouth(parts, sculpt.teeth)
-    face = Face(sculpt.name, seated(skin, {name: parts[name] for name in eyes}, wanted), parts)
+    face = Face(sculpt.name, set_ball_heights(skin, {name: parts[name] for name in eyes}, wanted), parts)
     fit(space, face)
     return face
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.geometry.laplacian import smoothing
-from omote.model.space.eye_socket import falling
+from omote.geometry.laplacian import smoothing_matrix
+from omote.model.space.eye_socket import fall_off
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
@@ -43,16 +43,18 @@ class Brush:
     def strength(self, points: Values) -> Values:
         """How much of a round reaches each point (n, 3) of the generic head: (n,), 1 in the core, 0 beyond."""
         away = np.linalg.norm(points - self.at, axis=1) / self.reach
-        return falling((away - _CORE) / (1.0 - _CORE))
+        return fall_off((away - _CORE) / (1.0 - _CORE))
 
 
-def brushed(space: ParameterSpace, skin: Values, brushes: Sequence[Brush], /, *, symmetric: bool = True) -> Values:
+def apply_brushes(
+    space: ParameterSpace, skin: Values, brushes: Sequence[Brush], /, *, symmetric: bool = True
+) -> Values:
     """The skin (V, 3) with each brush's place smoothed by the mean of its one-rings; what no brush reaches stays.
 
     symmetric: a brush works at its mirror image too.
     """
     result = skin.copy()
-    mean = smoothing(space.skin_triangles, space.vertex_count)
+    mean = smoothing_matrix(space.skin_triangles, space.vertex_count)
     mirror = np.array([-1.0, 1.0, 1.0])
     for brush in brushes:
         strength = brush.strength(space.points)

@@ -44,8 +44,8 @@ class Expression:
             ("residual", (*np.shape(self.residual)[:1], 3)),
             ("eyes", (2, 2)),
         ):
-            object.__setattr__(self, name, _checked(getattr(self, name), name, shape))
-        object.__setattr__(self, "pupil", float(_checked([self.pupil], "pupil", (1,))[0]))
+            object.__setattr__(self, name, _validate(getattr(self, name), name, shape))
+        object.__setattr__(self, "pupil", float(_validate([self.pupil], "pupil", (1,))[0]))
         if len(count) != 1:
             raise ValueError(f"dtheta has shape {count}; expected (V,), one angle per vertex")
         low = int(self.ratio.argmin()) if len(self.ratio) else 0
@@ -56,16 +56,16 @@ class Expression:
                 f"parts of an expression are a {type(self.parts).__name__}; expected a mapping by part name"
             )
         parts = {
-            name: _checked(value, f"part {name!r}", (*np.shape(value)[:1], 3)) for name, value in self.parts.items()
+            name: _validate(value, f"part {name!r}", (*np.shape(value)[:1], 3)) for name, value in self.parts.items()
         }
         object.__setattr__(self, "parts", MappingProxyType(parts))
 
 
-def _checked(value: ArrayLike, name: str, shape: tuple[int, ...]) -> Values:
-    result = mesh.checked_numbers(value, name=f"{name} of an expression")
+def _validate(value: ArrayLike, name: str, shape: tuple[int, ...]) -> Values:
+    result = mesh.validate_numbers(value, name=f"{name} of an expression")
     if result.shape != shape:
         raise ValueError(f"{name} of an expression has shape {result.shape}; expected {shape}")
-    bad = mesh.out_of_reach(result)
+    bad = mesh.rows_out_of_reach(result)
     if len(bad):
         raise ValueError(
             f"{name}[{bad[0]}] of an expression is {result[bad[0]]}; "

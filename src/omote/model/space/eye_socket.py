@@ -13,33 +13,33 @@ Values = NDArray[np.float64]
 NEAR, FAR = 1.12, 1.6
 
 
-def heights(skin: NDArray[np.floating], ball: NDArray[np.floating], /) -> Values:
+def ball_heights(skin: NDArray[np.floating], ball: NDArray[np.floating], /) -> Values:
     """How far each vertex of the skin (V, 3) is from the middle of an eyeball (n, 3), in the ball's radii: (V,)."""
     result: Values = np.linalg.norm(skin.astype(np.float64) - ball.mean(axis=0), axis=1) / radius_of(ball)
     return result
 
 
-def seated(skin: Values, balls: Mapping[str, Values], wanted: Mapping[str, Values], /) -> Values:
+def set_ball_heights(skin: Values, balls: Mapping[str, Values], wanted: Mapping[str, Values], /) -> Values:
     """The skin (V, 3) with the vertices around each eyeball (n, 3) lifted or let down to the heights (V,) wanted of it,
     radii; the wanted heights also say which vertices lie around it."""
     result = skin.copy()
     for name, ball in balls.items():
-        now, rest = heights(result, ball), wanted[name]
-        hold = falling((rest - NEAR) / (FAR - NEAR))
+        now, rest = ball_heights(result, ball), wanted[name]
+        hold = fall_off((rest - NEAR) / (FAR - NEAR))
         share = hold * (rest - now) / np.maximum(now, 1e-9)
         result += (result - ball.mean(axis=0)) * share[:, None]
     return result
 
 
-def rolled(ball: Values, before: Values, after: Values, /) -> Values:
+def move_ball(ball: Values, before: Values, after: Values, /) -> Values:
     """An eyeball (n, 3) elsewhere and of another size, as another went from before to after (n, 3): round as it was
     and looking where it looked, whatever happened to the other's form."""
     shift = before.mean(axis=0) - ball.mean(axis=0)
-    result: Values = rolled_at(ball + shift, before, after) - shift
+    result: Values = move_with_ball(ball + shift, before, after) - shift
     return result
 
 
-def rolled_at(points: Values, before: NDArray[np.floating], after: NDArray[np.floating], /) -> Values:
+def move_with_ball(points: Values, before: NDArray[np.floating], after: NDArray[np.floating], /) -> Values:
     """Points (m, 3) that go and grow with an eyeball from before to after (n, 3)."""
     larger = radius_of(after) / radius_of(before)
     result: Values = (points - before.mean(axis=0)) * larger + after.mean(axis=0)
@@ -51,7 +51,7 @@ def radius_of(ball: NDArray[np.floating], /) -> float:
     return float(np.sqrt(((ball - ball.mean(axis=0)) ** 2).sum(axis=1).mean()))
 
 
-def falling(share: Values) -> Values:
+def fall_off(share: Values) -> Values:
     """1 up to zero, 0 from one on, with a soft step between."""
     inside = np.clip(share, 0.0, 1.0)
     result: Values = 1.0 - inside * inside * (3.0 - 2.0 * inside)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
-from omote.model.space.parts import similarity
+from omote.model.space.parts import fit_similarity
 
 LONGEST_NAME = 80
 """Characters; what a message of a console may hold (`show/messages.py`)."""
@@ -35,8 +35,8 @@ class Face:
             raise TypeError(
                 f"parts of face {self.name!r} are a {type(self.parts).__name__}; expected a mapping by part name"
             )
-        object.__setattr__(self, "positions", _frozen(self.positions, f"positions of face {self.name!r}"))
-        parts = {part: _frozen(points, f"part {part!r} of face {self.name!r}") for part, points in self.parts.items()}
+        object.__setattr__(self, "positions", _freeze(self.positions, f"positions of face {self.name!r}"))
+        parts = {part: _freeze(points, f"part {part!r} of face {self.name!r}") for part, points in self.parts.items()}
         object.__setattr__(self, "parts", MappingProxyType(parts))
 
 
@@ -49,18 +49,18 @@ def refuse_name(name: object, what: str, /) -> None:
         )
 
 
-def _frozen(points: ArrayLike, name: str) -> NDArray[np.float32]:
-    result = np.ascontiguousarray(mesh.checked_points(points, name=name), dtype=np.float32)
+def _freeze(points: ArrayLike, name: str) -> NDArray[np.float32]:
+    result = np.ascontiguousarray(mesh.validate_points(points, name=name), dtype=np.float32)
     result.setflags(write=False)
     return result
 
 
-def aligned(
+def align(
     points: NDArray[np.float64], generic: NDArray[np.float64], /, *, rows: NDArray[np.int32]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Rotation (3, 3) and shift (3,) that bring a face nearest to the generic one, size kept (method.md, section 3).
 
     points, generic (V, 3); rows: the vertices that decide (the sheet's). Apply as `points @ rotation.T + shift`.
     """
-    _, rotation, _ = similarity(points[rows], generic[rows])
+    _, rotation, _ = fit_similarity(points[rows], generic[rows])
     return rotation, generic[rows].mean(axis=0) - rotation @ points[rows].mean(axis=0)

@@ -19,7 +19,7 @@ Floats = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
-class Fitted:
+class FittedFace:
     """A face checked against a space, with what every compound on it needs.
 
     positions (V, 3), radii (V,) to the axis, scale (inner,) of the residuals; parts (n, 3) placed, their size ratios
@@ -38,10 +38,10 @@ class Fitted:
         return float(np.linalg.norm(self.parts[eye] - self.centres[eye], axis=1).mean())
 
 
-_fitted: WeakKeyDictionary[Face, tuple[ParameterSpace, Fitted]] = WeakKeyDictionary()
+_fitted: WeakKeyDictionary[Face, tuple[ParameterSpace, FittedFace]] = WeakKeyDictionary()
 
 
-def fit(space: ParameterSpace, face: Face, /) -> Fitted:
+def fit(space: ParameterSpace, face: Face, /) -> FittedFace:
     """The face ready for compounds, remembered as long as the face lives.
 
     Raises ValueError where the face has another topology, triangles without area, or does not stand around the axis;
@@ -56,7 +56,7 @@ def fit(space: ParameterSpace, face: Face, /) -> Fitted:
     return known[1]
 
 
-def _fit(space: ParameterSpace, face: Face) -> Fitted:
+def _fit(space: ParameterSpace, face: Face) -> FittedFace:
     _refuse_misfit(space, face)
     points = face.positions.astype(np.float64)
     parts = {
@@ -64,7 +64,7 @@ def _fit(space: ParameterSpace, face: Face) -> Fitted:
         for name, part in space.parts.items()
     }
     _, _, radii = space.cylinder.unroll(points)
-    return Fitted(
+    return FittedFace(
         positions=np.asarray(face.positions, np.float32),
         radii=radii.astype(np.float32),
         scale=smoothed_scale(space, points)[space.inner.vertices].astype(np.float32),

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
 from omote.geometry.cylinder import Cylinder
-from omote.geometry.laplacian import harmonic_weights, smoothing
+from omote.geometry.laplacian import harmonic_weights, smoothing_matrix
 from omote.geometry.locate import Landing, Strip
 from omote.model.space import skin_sheet as sheet
 from omote.model.space.lid_lip_lines import Kind, Line, find_line
@@ -90,16 +90,16 @@ class ParameterSpace:
         """
         _refuse_unknown(radius, RADIUS_RULES, "radius")
         _refuse_unknown(transfer, TRANSFERS, "transfer")
-        checked = mesh.checked_points(points)
-        faces = mesh.checked_triangles(triangles, len(checked))
+        checked = mesh.validate_points(points)
+        faces = mesh.validate_triangles(triangles, len(checked))
         sheet.refuse_degenerate(checked, faces)
         joined = mesh.weld(checked)
         cylinder = _cylinder(sheet.find_axis(checked, faces) if axis is None else axis)
         theta, h, _ = cylinder.unroll(checked)
-        skin, membranes = sheet.cut(checked, joined[faces], theta, h, cylinder)
+        skin, membranes = sheet.cut_sheet(checked, joined[faces], theta, h, cylinder)
         corners = np.concatenate([joined[faces[skin]], membranes])
         sheet.refuse_axis_outside(checked, corners, cylinder)
-        strip = Strip.of(sheet.unwrapped(theta, corners), h[corners], mesh.neighbours(corners))
+        strip = Strip.of(sheet.unwrap_corners(theta, corners), h[corners], mesh.neighbours(corners))
         on_sheet = np.isin(joined, corners)
         return ParameterSpace(
             points=checked, triangles=faces, skin_triangles=faces[skin], membranes=membranes, cylinder=cylinder,
@@ -138,7 +138,7 @@ class ParameterSpace:
 
     def with_line(self, name: str, kind: Kind, near: ArrayLike, /) -> ParameterSpace:
         """This space with a line of lids or lips named: the one around the opening nearest to a point (3,), metres."""
-        (goal,) = mesh.checked_points(np.reshape(near, (1, -1)), name="near")
+        (goal,) = mesh.validate_points(np.reshape(near, (1, -1)), name="near")
         line = find_line(name, kind, self.points, self.sheet_triangles, self.membranes, self.cylinder, goal)
         return replace(self, lines=(*(known for known in self.lines if known.name != name), line))
 
@@ -165,10 +165,10 @@ def _refuse_unknown(value: object, rules: tuple[str, ...], name: str) -> None:
 
 
 def _cylinder(axis: ArrayLike) -> Cylinder:
-    place = mesh.checked_numbers(axis, name="axis")
+    place = mesh.validate_numbers(axis, name="axis")
     if place.shape != (2,):
         raise ValueError(f"axis has shape {place.shape}; expected two numbers, x and z in metres")
-    if len(mesh.out_of_reach(place)):
+    if len(mesh.rows_out_of_reach(place)):
         raise ValueError(f"axis is {place}; expected finite metres, x and z, at most {mesh.FARTHEST:g} from zero")
     return Cylinder(float(place[0]), float(place[1]))
 
@@ -197,7 +197,7 @@ def _inner_skin(points: NDArray[np.float64], triangles: NDArray[np.int32], on_sh
     corners = joined[triangles]
     free = ~on_sheet
     across = np.unique(corners[free[corners].any(axis=1)])
-    anchors = _thinned(points, across[on_sheet[across]].astype(np.int32))
+    anchors = _thin_anchors(points, across[on_sheet[across]].astype(np.int32))
     own = free & (joined == np.arange(len(points)))
     names, weights = harmonic_weights(points, corners, own, anchors)
     vertices = np.flatnonzero(free).astype(np.int32)
@@ -207,7 +207,7 @@ def _inner_skin(points: NDArray[np.float64], triangles: NDArray[np.int32], on_sh
     return InnerSkin(vertices, np.ascontiguousarray(names, np.int32), np.ascontiguousarray(weights, np.float32))
 
 
-def _thinned(points: NDArray[np.float64], anchors: NDArray[np.int32]) -> NDArray[np.int32]:
+def _thin_anchors(points: NDArray[np.float64], anchors: NDArray[np.int32]) -> NDArray[np.int32]:
     """At most _MOST_ANCHORS of the anchors, far from each other."""
     if len(anchors) <= _MOST_ANCHORS:
         return anchors
@@ -226,7 +226,7 @@ def smoothed_scale(
 ) -> NDArray[np.float64]:
     """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings (method.md,
     section 3)."""
-    average = smoothing(space.triangles, space.vertex_count)
+    average = smoothing_matrix(space.triangles, space.vertex_count)
     here, there = np.zeros(space.vertex_count), np.zeros(space.vertex_count)
     for corner in range(3):
         np.add.at(here, space.triangles[:, corner], mesh.areas(positions, space.triangles))

@@ -30,9 +30,9 @@ class Part:
     eye: str = ""
 
     def __post_init__(self) -> None:
-        points = mesh.checked_points(self.points, name=f"points of part {self.name!r}")
+        points = mesh.validate_points(self.points, name=f"points of part {self.name!r}")
         object.__setattr__(self, "points", points)
-        object.__setattr__(self, "triangles", mesh.checked_triangles(self.triangles, len(points)))
+        object.__setattr__(self, "triangles", mesh.validate_triangles(self.triangles, len(points)))
         if len(self.ring) < 3:
             raise ValueError(
                 f"part {self.name!r} has a ring of {len(self.ring)} skin vertices; expected at least 3 to place it by"
@@ -112,7 +112,7 @@ def _ring(points: NDArray[np.float64], skin: NDArray[np.float64], candidates: ND
     return np.sort(candidates[nearest]).astype(np.int32)
 
 
-def similarity(
+def fit_similarity(
     source: NDArray[np.float64], target: NDArray[np.float64], /
 ) -> tuple[float, NDArray[np.float64], NDArray[np.float64]]:
     """Scale, rotation (3, 3) and shift (3,) that carry source (m, 3) nearest to target (m, 3) (Umeyama 1991)."""
@@ -127,7 +127,7 @@ def similarity(
 
 def place(part: Part, generic: NDArray[np.float64], positions: NDArray[np.float64], /) -> NDArray[np.float64]:
     """The part's vertices (n, 3) on a face with skin positions (V, 3), by the similarity of its ring."""
-    scale, rotation, shift = similarity(generic[part.ring], positions[part.ring])
+    scale, rotation, shift = fit_similarity(generic[part.ring], positions[part.ring])
     return scale * part.points @ rotation.T + shift
 
 

@@ -24,7 +24,7 @@ class Similarity:
         return result
 
 
-def similarity(
+def fit_similarity(
     points: NDArray[np.floating], targets: NDArray[np.floating], weights: Values, /
 ) -> Similarity:  # fmt: skip
     """The similarity that brings points (n, 3) nearest to targets (n, 3), least squares by weights (n,) (Umeyama 1991).

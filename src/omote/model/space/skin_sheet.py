@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from omote.geometry import mesh
 from omote.geometry.cylinder import Cylinder, wrap
 from omote.geometry.membrane import close_loop
-from omote.geometry.outer_layer import one_layer
+from omote.geometry.outer_layer import keep_outer_layer
 
 Points = NDArray[np.float64]
 Triangles = NDArray[np.int32]
@@ -77,13 +77,13 @@ def winding_number(points: Points, triangles: Triangles, probe: NDArray[np.float
     return float(np.arctan2(triple, flat).sum() / (2 * np.pi))
 
 
-def unwrapped(theta: NDArray[np.float64], corners: Triangles, /) -> NDArray[np.float64]:
+def unwrap_corners(theta: NDArray[np.float64], corners: Triangles, /) -> NDArray[np.float64]:
     """theta of each triangle's corners (L, 3), continuous within the triangle across the seam."""
     first = theta[corners[:, :1]]
     return first + wrap(theta[corners] - first)
 
 
-def cut(
+def cut_sheet(
     points: Points, corners: Triangles, theta: NDArray[np.float64], h: NDArray[np.float64], cylinder: Cylinder, /
 ) -> tuple[NDArray[np.bool_], Triangles]:  # fmt: skip
     """The skin sheet and the membranes over its holes.
@@ -92,7 +92,7 @@ def cut(
     outward in S, the outer one wherever two lie over each other: S has one layer. Returns the mask (F,) of the sheet
     and the membranes (m, 3).
     """
-    keep = outward(theta, h, corners)
+    keep = find_outward(theta, h, corners)
     seed = _forehead(points, corners, keep, cylinder)
     keep = _flood(corners, keep, seed)
     metric = float(np.hypot(points[:, 0] - cylinder.x, points[:, 2] - cylinder.z)[corners[keep]].mean())
@@ -106,9 +106,9 @@ def cut(
     return keep, _membranes(corners[keep], theta, plane, metric)
 
 
-def outward(theta: NDArray[np.float64], h: NDArray[np.float64], corners: Triangles, /) -> NDArray[np.bool_]:
+def find_outward(theta: NDArray[np.float64], h: NDArray[np.float64], corners: Triangles, /) -> NDArray[np.bool_]:
     """Which triangles have positive area in S and do not hold the axis: (F,)."""
-    unrolled, height = unwrapped(theta, corners), h[corners]
+    unrolled, height = unwrap_corners(theta, corners), h[corners]
     span = wrap(np.roll(unrolled, -1, axis=1) - unrolled)
     whole = (np.abs(span).max(axis=1) < _WIDEST) & (np.abs(span.sum(axis=1)) < 1.0)
     a, b = unrolled[:, 1:] - unrolled[:, :1], height[:, 1:] - height[:, :1]
@@ -150,11 +150,11 @@ def _outermost(
     cylinder: Cylinder, metric: float,
 ) -> NDArray[np.bool_]:  # fmt: skip
     radius = np.hypot(points[:, 0] - cylinder.x, points[:, 2] - cylinder.z)[corners].mean(axis=1)
-    unrolled = unwrapped(theta, corners) * metric
+    unrolled = unwrap_corners(theta, corners) * metric
     rows = np.flatnonzero(keep)
     left = np.ones(len(rows), np.bool_)
     cell = float(mesh.edge_lengths(points, corners[rows]).mean()) * 2
-    one_layer(unrolled[rows], h[corners[rows]], radius[rows], 2 * np.pi * metric, cell, left)
+    keep_outer_layer(unrolled[rows], h[corners[rows]], radius[rows], 2 * np.pi * metric, cell, left)
     result = keep.copy()
     result[rows[~left]] = False
     return result

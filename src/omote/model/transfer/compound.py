@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.model.space.face_fit import Fitted, fit
+from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.eyeball_clearance import Ball
@@ -86,7 +86,7 @@ def carrier(space: ParameterSpace, face: Face, /) -> Carrier:
     return known[1]
 
 
-def _balls(space: ParameterSpace, fitted: Fitted) -> tuple[Ball, ...]:
+def _balls(space: ParameterSpace, fitted: FittedFace) -> tuple[Ball, ...]:
     """The eyeballs of a face."""
     return tuple(Ball(fitted.centres[name], fitted.ball_radius(name)) for name, part in space.parts.items() if part.eye)
 
@@ -107,7 +107,7 @@ def compound_parts(
 
 
 def moved_parts(
-    space: ParameterSpace, fitted: Fitted, worn: Floats, rest: Mapping[str, NDArray[np.float64]], /
+    space: ParameterSpace, fitted: FittedFace, worn: Floats, rest: Mapping[str, NDArray[np.float64]], /
 ) -> dict[str, Floats]:
     """The parts where the skin has gone to worn (V, 3), with the expression's own rest per part."""
     displacement = worn.astype(np.float64) - fitted.positions

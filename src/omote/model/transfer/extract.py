@@ -38,7 +38,7 @@ def extract(
     fit(space, face)
     if not isinstance(parts, Mapping | None):
         raise TypeError(f"parts is a {type(parts).__name__}; expected a mapping from part names to (n, 3) metres")
-    moved = mesh.checked_points(displacement, name="displacement")
+    moved = mesh.validate_points(displacement, name="displacement")
     if len(moved) != space.vertex_count:
         raise ValueError(
             f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
@@ -90,7 +90,7 @@ def _with_rest(
         if name not in space.parts:
             raise ValueError(f"parts has a displacement of {name!r}; expected one of {sorted(space.parts)}")
         part, before = space.parts[name], fitted.parts[name].astype(np.float64)
-        shift = mesh.checked_points(given, name=f"displacement of part {name!r}")
+        shift = mesh.validate_points(given, name=f"displacement of part {name!r}")
         if len(shift) != len(before):
             raise ValueError(f"displacement of part {name!r} has {len(shift)} rows; expected {len(before)}")
         after = before + shift

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.geometry.laplacian import smoothing
+from omote.geometry.laplacian import smoothing_matrix
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -58,7 +58,7 @@ def clearance_of(generic: Values, positions: Values, triangles: Indices, source:
     """
     used = np.unique(triangles)
     near = used[np.linalg.norm(positions[used] - ball.centre, axis=1) < REACH * ball.radius].astype(np.int32)
-    rings = smoothing(triangles, len(positions))[near][:, near]
+    rings = smoothing_matrix(triangles, len(positions))[near][:, near]
     deeper = np.maximum(depth(ball, positions[near]) - depth(source, generic[near]), 0.0)
     return Clearance(near, rings.indptr[:-1], rings.indices, source, ball, generic[near], deeper)
 

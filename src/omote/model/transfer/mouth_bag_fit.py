@@ -8,7 +8,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.space.eye_socket import falling
+from omote.model.space.eye_socket import fall_off
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.mouth_bag import Bag, bag_of
@@ -59,7 +59,7 @@ def depths(space: ParameterSpace, bag: Bag, positions: Values, /) -> Depths:
 
 def kept(space: ParameterSpace, bag: Bag, /) -> Values:
     """How far behind the skin of any face the bag has to lie, (m,) metres."""
-    ramp = 1.0 - falling(bag.away / FREE)
+    ramp = 1.0 - fall_off(bag.away / FREE)
     result: Values = ramp * np.clip(depths(space, bag, space.points).depth, 0.0, MARGIN)
     return result
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from omote.geometry.locate import Landing, walk_face
 from omote.geometry.mesh import FARTHEST
 from omote.model.space.expression import Expression
-from omote.model.space.face_fit import Fitted
+from omote.model.space.face_fit import FittedFace
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 
 Floats = NDArray[np.float32]
@@ -130,7 +130,7 @@ def locate_field(
     return Compiled(indices, weights, ratios.astype(np.float32), residual.astype(np.float32), dict(parts), inside)
 
 
-def wear(space: ParameterSpace, fitted: Fitted, compiled: Compiled, /, out: Floats | None = None) -> Floats:
+def wear(space: ParameterSpace, fitted: FittedFace, compiled: Compiled, /, out: Floats | None = None) -> Floats:
     """The compound (V, 3) of a fitted face and a compiled expression: one gather, one rescale, the inner skin behind
     it."""
     out = np.empty_like(fitted.positions) if out is None else out

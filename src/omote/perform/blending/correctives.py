@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.space.expression import Expression
-from omote.model.space.face_fit import Fitted
+from omote.model.space.face_fit import FittedFace
 from omote.model.space.lid_lip_lines import RUNGS
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.corrective_regions import Crossing, Settling
@@ -50,7 +50,7 @@ class Balls:
         return np.stack([eye_rotation(*angles)[:, 2] for angles in self.angles])
 
     @staticmethod
-    def of(face: Fitted, eyes: tuple[str, ...], angles: Values) -> Balls:
+    def of(face: FittedFace, eyes: tuple[str, ...], angles: Values) -> Balls:
         """The eyeballs of a face, by their parts' names, turned by angles (2, 2)."""
         radii = [face.ball_radius(eye) for eye in eyes]
         return Balls(np.array([face.centres[eye] for eye in eyes]).reshape(-1, 3), np.array(radii), angles)
@@ -60,7 +60,7 @@ class Balls:
         return Balls(self.centres, self.radii, np.zeros((2, 2)))
 
 
-def allowance(settling: Settling, face: Fitted, expression: Expression, worn: Floats, /) -> Floats:
+def allowance(settling: Settling, face: FittedFace, expression: Expression, worn: Floats, /) -> Floats:
     """What one compound alone uses up: (settling.size,), of triangles, rungs (metres) and lids (metres), never
     negative.
 
@@ -91,10 +91,10 @@ class _Still:
     depths: Values
 
 
-_stills: WeakKeyDictionary[Fitted, tuple[Settling, _Still]] = WeakKeyDictionary()
+_stills: WeakKeyDictionary[FittedFace, tuple[Settling, _Still]] = WeakKeyDictionary()
 
 
-def _still_of(settling: Settling, face: Fitted) -> _Still:
+def _still_of(settling: Settling, face: FittedFace) -> _Still:
     known = _stills.get(face)
     if known is None or known[0] is not settling:
         points = face.positions[settling.rows].astype(np.float64)

@@ -10,18 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import NEUTRAL, Cast
-from omote.model.space.face_fit import Fitted, fit
+from omote.model.space.face_fit import FittedFace, fit
 from omote.model.transfer.compound import generic_face, moved_parts, predicted, turned_eyes
 from omote.model.transfer.corrective_regions import settling_of
 from omote.model.transfer.paper_map import Compiled, wear
 from omote.perform.blending.compound_cache import compounds_of
 from omote.perform.blending.correctives import Balls, settled
-from omote.perform.blending.expression_tables import fields_of
+from omote.perform.blending.expression_tables import tables_of
 from omote.perform.blending.weighted_sum import weighted_sum
 from omote.perform.channels import effective_channels, eye_angles
 from omote.perform.frame import Frame
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, known, within
-from omote.perform.mix import combined
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
+from omote.perform.mix import combine
 
 Floats = NDArray[np.float32]
 Mode = Literal["bilinear", "exact"]
@@ -42,7 +42,7 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
-    return _settled(cast, frame, channels, _mixed(cast, frame, channels, mode))
+    return _apply_correctives(cast, frame, channels, _mix(cast, frame, channels, mode))
 
 
 def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
@@ -52,16 +52,16 @@ def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[st
     """
     _refuse_unplayable(cast, frame, mode)
     channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
-    mixed = _mixed(cast, frame, channels, mode)
+    mixed = _mix(cast, frame, channels, mode)
     exact = mode == "exact"
     moved = _exact_parts(cast, frame, channels, mixed) if exact else _bilinear_parts(cast, frame, channels)
-    moved |= _stuck(cast, frame, channels, mixed, moved)
+    moved |= _move_stuck_parts(cast, frame, channels, mixed, moved)
     fitted = [(weight, fit(cast.space, cast.faces[face])) for face, weight in frame.faces.items()]
     centres = {part: _sum((weight, face.centres[part]) for weight, face in fitted) for part in cast.space.parts}
     return turned_eyes(cast.space, moved, centres, eye_angles(cast.expressions, frame.expressions, channels))
 
 
-def _mixed(cast: Cast, frame: Frame, channels: Mapping[str, float], mode: Mode) -> Floats:
+def _mix(cast: Cast, frame: Frame, channels: Mapping[str, float], mode: Mode) -> Floats:
     return _exact(cast, frame, channels) if mode == "exact" else _bilinear(cast, frame, channels)
 
 
@@ -75,7 +75,7 @@ def warm(cast: Cast) -> None:
 
 def _pairs(frame: Frame, channels: Mapping[str, float]) -> dict[tuple[str, str], float]:
     """The weight of every compound: s_i (t_j + c_j)."""
-    worn = combined(((1.0, frame.expressions), (1.0, channels)))
+    worn = combine(((1.0, frame.expressions), (1.0, channels)))
     return {(face, name): s * weight for face, s in frame.faces.items() for name, weight in worn.items()}
 
 
@@ -92,7 +92,7 @@ def _bilinear(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats
     return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
 
 
-def _settled(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
+def _apply_correctives(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
     """The mix put right where compounds together fold or pierce what none does alone."""
     settling = settling_of(cast.space)
     pairs = {key: abs(weight) for key, weight in _pairs(frame, channels).items() if key[1] != NEUTRAL and weight}
@@ -111,14 +111,14 @@ def _settled(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Flo
     return settled(settling, rest, mixed, allowed, whole)
 
 
-def _stuck(
+def _move_stuck_parts(
     cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats, moved: Mapping[str, Floats]
 ) -> dict[str, Floats]:  # fmt: skip
     """The parts that stick to the skin, gone with it where it settled."""
     settling = settling_of(cast.space)
     if settling is None:
         return {}
-    settled_skin = _settled(cast, frame, channels, mixed)
+    settled_skin = _apply_correctives(cast, frame, channels, mixed)
     if settled_skin is mixed:
         return {}
     move = settled_skin.astype(np.float64) - mixed
@@ -126,14 +126,14 @@ def _stuck(
 
 
 def _exact(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
-    weights = combined(((1.0, frame.expressions), (1.0, channels)))
-    worn = fields_of(cast).mixed(weights)
+    weights = combine(((1.0, frame.expressions), (1.0, channels)))
+    worn = tables_of(cast).mix(weights)
     if cast.space.transfer == "paper":
-        return wear(cast.space, _mixed_face(cast, frame.faces), worn)
-    return _bilinear(cast, frame, channels) + _bent(cast, weights, worn)
+        return wear(cast.space, _mix_faces(cast, frame.faces), worn)
+    return _bilinear(cast, frame, channels) + _nonlinear_part(cast, weights, worn)
 
 
-def _bent(cast: Cast, weights: Mapping[str, float], worn: Compiled) -> Floats:
+def _nonlinear_part(cast: Cast, weights: Mapping[str, float], worn: Compiled) -> Floats:
     """What the generic face wears when fields add on S, less the same mix of its compounds: (V, 3), metres.
 
     The smooth map carries displacements, and carries this one as it is: nothing where one expression is worn.
@@ -145,14 +145,14 @@ def _bent(cast: Cast, weights: Mapping[str, float], worn: Compiled) -> Floats:
     return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
 
 
-def _mixed_face(cast: Cast, weights: Mapping[str, float]) -> Fitted:
+def _mix_faces(cast: Cast, weights: Mapping[str, float]) -> FittedFace:
     """The face sum s_i M_i, ready to wear; sizes of residuals and parts mix like the positions."""
     fitted = [fit(cast.space, cast.faces[face]) for face in weights]
     factors = list(weights.values())
     positions = weighted_sum([face.positions for face in fitted], factors)
     cylinder = cast.space.cylinder
     radii = np.hypot(positions[:, 0] - np.float32(cylinder.x), positions[:, 2] - np.float32(cylinder.z))
-    return Fitted(
+    return FittedFace(
         positions=positions,
         radii=radii,
         scale=weighted_sum([face.scale for face in fitted], factors),
@@ -166,8 +166,8 @@ def _mixed_face(cast: Cast, weights: Mapping[str, float]) -> Fitted:
 
 
 def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> dict[str, Floats]:
-    worn = combined(((1.0, frame.expressions), (1.0, channels)))
-    face = _mixed_face(cast, frame.faces)
+    worn = combine(((1.0, frame.expressions), (1.0, channels)))
+    face = _mix_faces(cast, frame.faces)
     moving = {part: [name for name in worn if part in cast.expressions[name].parts] for part in cast.space.parts}
     rest = {
         part: _sum((worn[name], cast.expressions[name].parts[part]) for name in names) for part, names in moving.items()
@@ -196,12 +196,14 @@ def _refuse_unplayable(cast: Cast, frame: Frame, mode: str) -> None:
     _refuse_no_average(frame.faces, cast.faces, "face")
     _refuse_no_average(frame.expressions, cast.expressions, "expression")
     for name, weight in _pairs_of(frame.channels, "channel"):
-        within(weight, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {known(name, cast.expressions, 'channel')}")
+        check_within(
+            weight, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {check_known(name, cast.expressions, 'channel')}"
+        )
 
 
 def _refuse_no_average(weights: Mapping[str, float], names: Mapping[str, object], what: str) -> None:
     total = math.fsum(
-        within(weight, -FARTHEST, FARTHEST, f"the weight of the {what} {known(name, names, what)}")
+        check_within(weight, -FARTHEST, FARTHEST, f"the weight of the {what} {check_known(name, names, what)}")
         for name, weight in _pairs_of(weights, what)
     )
     if abs(total - 1.0) > ROUNDING:

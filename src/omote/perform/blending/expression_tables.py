@@ -21,7 +21,7 @@ SMALLEST_RATIO = 0.05
 """Many channels may add up to a radius below nothing; the surface stops short of the axis then."""
 
 
-class Fields:
+class ExpressionTables:
     """Tables of the expressions on one space: sheet fields and residuals, one row per expression.
 
     expressions: those to mix, all made on the space. What is precomputed: the tables, and where each walk starts.
@@ -38,15 +38,15 @@ class Fields:
         self._table = _table([_sheet_row(expression, self._sheet) for expression in expressions.values()])
         self._residuals = _table([expression.residual.ravel() for expression in expressions.values()])
 
-    def mixed(self, weights: Mapping[str, float]) -> Compiled:
+    def mix(self, weights: Mapping[str, float]) -> Compiled:
         """The expression sum of weight times field, located on S: dtheta, dh, R - 1 and residuals add; no parts."""
         names, factors = list(weights), np.array(list(weights.values()), np.float32)
         rows = np.array([self._rows[name] for name in names], np.int64)
         field = _product(self._table, rows, factors).reshape(3, -1)
         residual = _product(self._residuals, rows, factors).reshape(-1, 3)
-        return self._located(field, residual)
+        return self._locate(field, residual)
 
-    def _located(self, field: Floats, residual: Floats) -> Compiled:
+    def _locate(self, field: Floats, residual: Floats) -> Compiled:
         space = self._space
         theta, h = self._places[0] + field[0], self._places[1] + field[1]
         landing = space.strip.locate(theta, h, self._starts, leaders=self._leaders)
@@ -57,13 +57,13 @@ class Fields:
         return Compiled(indices, weights, ratios, residual, {}, ended)
 
 
-_of_cast: WeakKeyDictionary[Cast, Fields] = WeakKeyDictionary()
+_of_cast: WeakKeyDictionary[Cast, ExpressionTables] = WeakKeyDictionary()
 
 
-def fields_of(cast: Cast) -> Fields:
+def tables_of(cast: Cast) -> ExpressionTables:
     """The fields of a cast, the same ones as long as the cast lives."""
     if cast not in _of_cast:
-        _of_cast[cast] = Fields(cast.space, cast.expressions)
+        _of_cast[cast] = ExpressionTables(cast.space, cast.expressions)
     return _of_cast[cast]
 
 

@@ -24,21 +24,21 @@ NO_BROWSER = (
     "there is no browser to draw with: install Chromium or Chrome (Debian, Ubuntu: sudo apt-get install chromium "
     "libegl1 libegl-mesa0 libgl1-mesa-dri), or set OMOTE_BROWSER to the path of one"
 )
-QUIET = (
+QUIET_FLAGS = (
     "--headless --no-first-run --no-default-browser-check --disable-background-networking --disable-component-update "
     "--disable-sync --disable-quic --disable-extensions --hide-scrollbars --mute-audio --force-color-profile=srgb"
 ).split()
 # Nothing foreign is ever loaded, and the sandbox needs what containers and root do not have.
-UNCONFINED = ["--no-sandbox", "--disable-dev-shm-usage"]
+NO_SANDBOX_FLAGS = ["--no-sandbox", "--disable-dev-shm-usage"]
 # A picture may take long on a machine without a graphics processor: that is no hang.
-PATIENT = ["--disable-gpu-watchdog", "--disable-gpu-process-crash-limit", "--disable-hang-monitor"]
+NO_TIMEOUT_FLAGS = ["--disable-gpu-watchdog", "--disable-gpu-process-crash-limit", "--disable-hang-monitor"]
 # Mesa draws three times as fast as Chromium's own software renderer, which stays the way out where there is no Mesa.
 LINUX_RENDERER = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--enable-unsafe-swiftshader"]
 LONGEST_ANSWER = 1 << 30
 """Bytes: a picture comes as one message."""
 # A process between us and the browser: puts our line on descriptors 3 and 4, where DevTools want it and where ours may
 # be in use, and ends the browser with all it has started when we end, however that comes.
-KEEPER = """
+WATCHDOG = """
 import os, shutil, signal, subprocess, sys
 line, profile, *command = int(sys.argv[1]), *sys.argv[2:]
 os.dup2(line, 3)
@@ -78,21 +78,28 @@ async def open_chromium(path: Path) -> AsyncIterator[DevTools]:
     with tempfile.TemporaryDirectory(prefix="omote-", ignore_cleanup_errors=True) as profile:
         ours, theirs = socket.socketpair()
         with theirs:
-            keeper = await _launch(path, profile, theirs.fileno())
+            watchdog = await _launch(path, profile, theirs.fileno())
         tools = DevTools(*await asyncio.open_connection(sock=ours, limit=LONGEST_ANSWER))
         try:
             yield tools
         finally:
             await tools.close()
-            await keeper.communicate(b"")  # closes its input, at which it ends everything
+            await watchdog.communicate(b"")  # closes its input, at which it ends everything
 
 
 async def _launch(path: Path, profile: str, line: int) -> asyncio.subprocess.Process:
     renderer = LINUX_RENDERER if sys.platform == "linux" else []
-    options = [*QUIET, *UNCONFINED, *PATIENT, *renderer, "--remote-debugging-pipe", f"--user-data-dir={profile}"]
-    keeper = (sys.executable, "-I", "-S", "-c", KEEPER, str(line), profile)
+    options = [
+        *QUIET_FLAGS,
+        *NO_SANDBOX_FLAGS,
+        *NO_TIMEOUT_FLAGS,
+        *renderer,
+        "--remote-debugging-pipe",
+        f"--user-data-dir={profile}",
+    ]
+    watchdog = (sys.executable, "-I", "-S", "-c", WATCHDOG, str(line), profile)
     nothing = asyncio.subprocess.DEVNULL
     return await asyncio.create_subprocess_exec(
-        *keeper, str(path), *options, "about:blank",
+        *watchdog, str(path), *options, "about:blank",
         pass_fds=(line,), stdin=asyncio.subprocess.PIPE, stdout=nothing, stderr=nothing, start_new_session=True,
     )  # fmt: skip

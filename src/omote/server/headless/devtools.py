@@ -59,13 +59,13 @@ class DevTools:
     async def _listen(self) -> None:
         try:
             while True:
-                self._hear(msgspec.json.decode((await self._reader.readuntil(END))[:-1]))
+                self._handle_message(msgspec.json.decode((await self._reader.readuntil(END))[:-1]))
         except (asyncio.IncompleteReadError, ConnectionError):
-            self._give_up("the browser ended before it had drawn; try again")
+            self._fail_all("the browser ended before it had drawn; try again")
 
-    def _hear(self, message: Answer) -> None:
+    def _handle_message(self, message: Answer) -> None:
         if message.get("method") == "Inspector.targetCrashed":
-            self._give_up("the browser's page crashed; try a smaller picture or a lower quality")
+            self._fail_all("the browser's page crashed; try a smaller picture or a lower quality")
         answer = self._waiting.pop(message.get("id", 0), None)
         if answer is None or answer.done():
             return
@@ -74,7 +74,7 @@ class DevTools:
         else:
             answer.set_result(message.get("result", {}))
 
-    def _give_up(self, reason: str) -> None:
+    def _fail_all(self, reason: str) -> None:
         for answer in self._waiting.values():
             if not answer.done():
                 answer.set_exception(BrowserError(reason))

@@ -15,11 +15,11 @@ from omote.perform.performer import Performer
 from omote.server.headless.chromium import find_chromium, open_chromium
 from omote.server.headless.devtools import BrowserError, DevTools
 from omote.server.http.app import ShowServer
-from omote.server.http.cast_documents import Library, built_in
+from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.security import own_names
-from omote.server.http.static_pages import Page, read_bundle
+from omote.server.http.static_pages import Page, read_pages
 from omote.show.session import ShowSession
-from omote.stage_data.picture_grid import Setting, Sheet
+from omote.stage_data.picture_grid import PictureGrid, Setting
 
 OPENED = """new Promise((open, refuse) => {
     const look = () => {
@@ -34,13 +34,13 @@ OPENING = 60.0
 """Seconds a page may take to open on a slow machine."""
 
 
-class Studio:
+class PicturePage:
     """A page that draws sheets."""
 
     def __init__(self, tools: DevTools, target: str, session: str) -> None:
         self._tools, self._target, self._session = tools, target, session
 
-    async def draw(self, sheet: Sheet) -> bytes:
+    async def draw(self, sheet: PictureGrid) -> bytes:
         """The sheet as a file; BrowserError where the browser cannot draw it."""
         words = msgspec.json.encode(sheet).decode()
         drawn = await self._tools.evaluate(self._session, f"window.omoteStage.sheet({words})")
@@ -51,7 +51,7 @@ class Studio:
         await self._tools.call("Target.closeTarget", targetId=self._target)
 
 
-def draw_sheet(sheet: Sheet, setting: Setting) -> bytes:
+def draw_grid(sheet: PictureGrid, setting: Setting) -> bytes:
     """A sheet as a file, by a browser that starts and ends with this call.
 
     FileNotFoundError where there is no browser, cast or page; BrowserError where the browser does not draw.
@@ -59,17 +59,17 @@ def draw_sheet(sheet: Sheet, setting: Setting) -> bytes:
     browser = find_chromium()
 
     async def drawn() -> bytes:
-        async with open_house(built_in(), read_bundle()) as address, open_chromium(browser) as tools:
-            return await (await open_studio(tools, address, setting)).draw(sheet)
+        async with serve_pages(built_in_documents(), read_pages()) as address, open_chromium(browser) as tools:
+            return await (await open_picture_page(tools, address, setting)).draw(sheet)
 
     return asyncio.run(drawn())
 
 
 @asynccontextmanager
-async def open_house(library: Library, pages: dict[str, Page]) -> AsyncIterator[str]:
+async def serve_pages(documents: CastDocuments, pages: dict[str, Page]) -> AsyncIterator[str]:
     """The address of a server for one browser, on loopback and a port of its own; no show, nothing is played."""
-    session = ShowSession(library.cast, Performer(library.cast))
-    server = ShowServer(session, library, pages)
+    session = ShowSession(documents.cast, Performer(documents.cast))
+    server = ShowServer(session, documents, pages)
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()
     try:
@@ -77,9 +77,9 @@ async def open_house(library: Library, pages: dict[str, Page]) -> AsyncIterator[
         await site.start()
         yield f"http://127.0.0.1:{runner.addresses[0][1]}"
     finally:
-        await server.links.hang_up()
+        await server.links.close_all()
         await runner.cleanup()
-        library.close()
+        documents.close()
 
 
 def query(setting: Setting) -> str:
@@ -90,7 +90,7 @@ def query(setting: Setting) -> str:
     return "?" + urlencode({name: word for name, word in words.items() if word is not None})
 
 
-async def open_studio(tools: DevTools, address: str, setting: Setting) -> Studio:
+async def open_picture_page(tools: DevTools, address: str, setting: Setting) -> PicturePage:
     """A stage of this setting; BrowserError, with the page's own sentence, where it does not open."""
     target = await tools.call("Target.createTarget", url="about:blank")
     attached = await tools.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)
@@ -102,4 +102,4 @@ async def open_studio(tools: DevTools, address: str, setting: Setting) -> Studio
         await asyncio.wait_for(tools.evaluate(session, OPENED), OPENING)
     except TimeoutError:
         raise BrowserError(f"the stage did not open within {OPENING:g} s; try again, or a lower quality") from None
-    return Studio(tools, str(target["targetId"]), session)
+    return PicturePage(tools, str(target["targetId"]), session)

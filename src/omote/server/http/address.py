@@ -7,14 +7,14 @@ import socket
 ANYWHERE = ("0.0.0.0", "::")
 
 
-def here(host: str, port: int) -> str:
+def local_address(host: str, port: int) -> str:
     """The address of a show for a browser on this machine."""
     return url("127.0.0.1" if host in ANYWHERE else host, port)
 
 
-def reachable(host: str, port: int) -> list[str]:
+def reachable_addresses(host: str, port: int) -> list[str]:
     """The addresses of a show, for this machine and, where it listens there, for the network."""
-    first = here(host, port)
+    first = local_address(host, port)
     outside = own_address() if host in ANYWHERE else None
     return [first] if outside is None else [first, url(outside, port)]
 

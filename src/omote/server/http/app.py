@@ -10,21 +10,21 @@ from dataclasses import replace
 from aiohttp import WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_PATH
-from omote.edit.store.on_air_recipes import OnAir, seen
-from omote.server.http.cast_documents import Library
-from omote.server.http.cast_reload import Casting
-from omote.server.http.editor_link import NO_FILE, Editing
+from omote.edit.store.on_air_recipes import OnAir, read_on_air
+from omote.server.http.cast_documents import CastDocuments
+from omote.server.http.cast_reload import CastReload
+from omote.server.http.editor_link import NO_FILE, EditorLinks
 from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
-from omote.server.http.security import add_headers, guard, mute_strangers
+from omote.server.http.security import add_headers, guard, silence_bad_requests
 from omote.server.http.static_pages import PAGES, Page
-from omote.server.persistence.authored_work import Desk
+from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Refused, State
-from omote.show.session import Outgoing, ShowSession, Wish
+from omote.show.session import KeepRequest, Outgoing, ShowSession
 from omote.show.wire import encode
 
-FOR_EVER = "public, max-age=31536000, immutable"
-ALWAYS_ASK = "no-cache"
+CACHE_FOREVER = "public, max-age=31536000, immutable"
+NO_CACHE = "no-cache"
 MESSAGEPACK = "application/msgpack"
 
 Clock = Callable[[], float]
@@ -34,19 +34,29 @@ class ShowServer:
     """A session with its links, its documents and its pages."""
 
     def __init__(
-        self, session: ShowSession, library: Library, pages: Mapping[str, Page], *, clock: Clock = time.monotonic
+        self,
+        session: ShowSession,
+        documents: CastDocuments,
+        pages: Mapping[str, Page],
+        *,
+        clock: Clock = time.monotonic,
     ) -> None:
-        self.session, self.library, self.links, self.clock = session, library, Links(), clock
-        self.editing: Editing | None = None
+        self.session, self.documents, self.links, self.clock = session, documents, Links(), clock
+        self.editing: EditorLinks | None = None
         self._pages = pages
         self._state: State | None = None
 
-    def edit(self, desk: Desk | None, reopen: Callable[[], Desk | None], report: Callable[[str], None]) -> None:
+    def enable_editing(
+        self,
+        authored_work: AuthoredWork | None,
+        reopen: Callable[[], AuthoredWork | None],
+        report: Callable[[str], None],
+    ) -> None:
         """Lets editors in; before `application`."""
-        self.editing = Editing(
-            desk,
-            self.library,
-            Casting(self.session, self.library, report),
+        self.editing = EditorLinks(
+            authored_work,
+            self.documents,
+            CastReload(self.session, self.documents, report),
             reopen=reopen,
             on_air=self.on_air,
             tell=lambda who, message: self.links.answer(who, encode(message)),
@@ -57,12 +67,12 @@ class ShowServer:
 
     def on_air(self) -> OnAir:
         """What is seen now; coming is also what was called since the last tick."""
-        found, (faces, expressions) = seen(self._state) if self._state else OnAir(), self.session.names_held()
+        found, (faces, expressions) = read_on_air(self._state) if self._state else OnAir(), self.session.names_held()
         return replace(found, coming=found.coming | faces | expressions)
 
     def application(self, names: frozenset[str]) -> web.Application:
         """The aiohttp application; `names` are the hosts it answers to, beside addresses in figures."""
-        mute_strangers()
+        silence_bad_requests()
         application = web.Application(middlewares=[guard(names)], client_max_size=MESSAGE_LIMIT)
         application.on_response_prepare.append(add_headers)
         application.router.add_get(LINK_PATH, self.link)
@@ -84,9 +94,9 @@ class ShowServer:
         now = self.clock()
         state = self._state = self.session.tick(now)
         self.links.broadcast(encode(state), now)
-        self.library.serve(state)
+        self.documents.set_on_air(state)
 
-    def call_the_roll(self) -> None:
+    def broadcast_crew(self) -> None:
         """Tells everybody who is connected."""
         now = self.clock()
         self.announce(self.session.crew_now(now))
@@ -97,14 +107,14 @@ class ShowServer:
         for link in self.links:
             self.links.answer(link.who, data)
 
-    async def hang_up(self) -> None:
+    async def close_all(self) -> None:
         """Tells every page that the server goes."""
-        await asyncio.gather(self.links.hang_up(), *([self.editing.close()] if self.editing else []))
+        await asyncio.gather(self.links.close_all(), *([self.editing.close()] if self.editing else []))
 
     async def link(self, request: web.Request) -> web.WebSocketResponse:
         """A browser's link, from its first byte to its last."""
         ws = LinkSocket(heartbeat=HEARTBEAT)
-        transport = await ws.let_in(request)
+        transport = await ws.accept(request)
         if transport is None:
             return ws
         link = self.links.open(ws, transport)
@@ -117,18 +127,18 @@ class ShowServer:
 
     async def manifest(self, request: web.Request) -> web.Response:
         """What the cast is made of."""
-        tag = f'"{self.library.troupe.digest}"'
-        headers = {"Cache-Control": ALWAYS_ASK, "ETag": tag}
+        tag = f'"{self.documents.playing.digest}"'
+        headers = {"Cache-Control": NO_CACHE, "ETag": tag}
         if request.headers.get("If-None-Match") == tag:
             return web.Response(status=304, headers=headers)
-        return web.Response(body=await self.library.manifest(), content_type=MESSAGEPACK, headers=headers)
+        return web.Response(body=await self.documents.manifest(), content_type=MESSAGEPACK, headers=headers)
 
     async def asset(self, request: web.Request) -> web.Response:
         """A face, or the mask, by the name of its content."""
-        kept = {"Cache-Control": FOR_EVER}
-        if request.path == self.library.mask_url:
-            return web.Response(body=self.library.mask, content_type="image/png", headers=kept)
-        data = self.library.assets.get(request.path)
+        kept = {"Cache-Control": CACHE_FOREVER}
+        if request.path == self.documents.mask_url:
+            return web.Response(body=self.documents.mask, content_type="image/png", headers=kept)
+        data = self.documents.assets.get(request.path)
         if data is None:
             raise web.HTTPNotFound(text="there is no such asset in this cast: load /manifest again.")
         return web.Response(body=data, content_type=MESSAGEPACK, headers=kept)
@@ -136,25 +146,27 @@ class ShowServer:
     async def compound(self, request: web.Request) -> web.Response:
         """A face wearing an expression, by their sources."""
         names = request.match_info
-        return await self._computed(request, lambda: self.library.compound(names["face"], names["expression"]))
+        return await self._respond_computed(
+            request, lambda: self.documents.compound(names["face"], names["expression"])
+        )
 
     async def tangents(self, request: web.Request) -> web.Response:
         """How a face answers to fields, by its source."""
-        return await self._computed(request, lambda: self.library.tangents(request.match_info["face"]))
+        return await self._respond_computed(request, lambda: self.documents.tangents(request.match_info["face"]))
 
     async def handles(self, request: web.Request) -> web.Response:
         """The handles of the face editor."""
-        return await self._computed(request, self.library.handles, keep=ALWAYS_ASK)
+        return await self._respond_computed(request, self.documents.handles, keep=NO_CACHE)
 
     async def content(self, request: web.Request) -> web.Response:
         """An own face by its content."""
-        return await self._computed(request, lambda: self.library.face(request.match_info["key"]))
+        return await self._respond_computed(request, lambda: self.documents.face(request.match_info["key"]))
 
-    async def _computed(
-        self, request: web.Request, make: Callable[[], Awaitable[bytes]], keep: str = FOR_EVER
+    async def _respond_computed(
+        self, request: web.Request, make: Callable[[], Awaitable[bytes]], keep: str = CACHE_FOREVER
     ) -> web.Response:
         """What is made now if need be, and as a rule is the same for ever under its address."""
-        if request.match_info.get("base", self.library.cast.digest) != self.library.cast.digest:
+        if request.match_info.get("base", self.documents.cast.digest) != self.documents.cast.digest:
             raise web.HTTPNotFound(text="the cast has changed: load /manifest again.")
         try:
             data = await make()
@@ -170,8 +182,8 @@ class ShowServer:
         """A page's document, as `set_layout` kept it; 204 where none is: a browser calls a 404 an error."""
         found = None if self.editing is None else self.editing.layout(request.match_info["name"])
         if found is None:
-            return web.Response(status=204, headers={"Cache-Control": ALWAYS_ASK})
-        return web.Response(body=found, content_type="application/json", headers={"Cache-Control": ALWAYS_ASK})
+            return web.Response(status=204, headers={"Cache-Control": NO_CACHE})
+        return web.Response(body=found, content_type="application/json", headers={"Cache-Control": NO_CACHE})
 
     async def page(self, request: web.Request) -> web.Response:
         """A page, or one of its files."""
@@ -180,25 +192,25 @@ class ShowServer:
             raise web.HTTPNotFound(
                 text="there is no such page; the stage is at /stage, the console at /console, the editor at /editor."
             )
-        keep = FOR_EVER if page.immutable else ALWAYS_ASK
+        keep = CACHE_FOREVER if page.immutable else NO_CACHE
         return web.Response(body=page.body, content_type=page.content_type, headers={"Cache-Control": keep})
 
     async def _listen(self, link: Link) -> None:
         async for message in link.socket:
-            await link.turn(self.clock)
+            await link.wait_turn(self.clock)
             if message.type is WSMsgType.BINARY:
-                self._deliver(self.session.hear(link.who, message.data, self.clock()))
-                self._keep(self.session.take_wishes())
+                self._deliver(self.session.receive_bytes(link.who, message.data, self.clock()))
+                self._keep(self.session.take_keep_requests())
             elif message.type is WSMsgType.TEXT:
                 reason = "text came, but messages are binary MessagePack."
                 self._deliver([Outgoing(link.who, Refused(reason))])
 
-    def _keep(self, wishes: list[Wish]) -> None:
-        for wish in wishes:
+    def _keep(self, requests: list[KeepRequest]) -> None:
+        for request in requests:
             if self.editing is None:
-                self._deliver([Outgoing(wish.who, Refused(NO_FILE))])
+                self._deliver([Outgoing(request.who, Refused(NO_FILE))])
             else:
-                self.editing.wish(wish)
+                self.editing.request_keep(request)
 
     def _deliver(self, outgoing: list[Outgoing]) -> None:
         for each in outgoing:

@@ -14,27 +14,34 @@ from omote.builtin import BakedMesh, load_cast, load_mask, load_meshes
 from omote.edit.protocol.orders import EditOrder
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY
-from omote.server.workers.order_scheduler import Supply
-from omote.server.workers.order_worker import Bench, CompoundOrder, FaceOrder, HandlesOrder, ShopOrder, TangentsOrder
+from omote.server.workers.order_scheduler import OrderScheduler
+from omote.server.workers.order_worker import (
+    CompoundOrder,
+    FaceOrder,
+    HandlesOrder,
+    OrderWorker,
+    TangentsOrder,
+    WorkshopOrder,
+)
 from omote.server.workers.workshop import ClosedWorkshopError, FailedOrderError, RefusedOrderError, Workshop
 from omote.show.messages import ContentAsset, FaceDocument, State
 from omote.show.state import names_on_air
 from omote.show.wire import encode
 from omote.stage_data.assets import content_name, documents
-from omote.stage_data.playing_cast import Troupe, manifest_of, troupe_of
+from omote.stage_data.playing_cast import PlayingCast, build_playing_cast, manifest_of
 
-KEPT = 256
+CACHED_FACES = 256
 """Documents of own faces that are kept, 60 KB each."""
 
 
-class Library:
+class CastDocuments:
     """Manifest, assets and compounds of a cast and of own things beside it.
 
     contents: the bytes of own things by key, also of those that do not play; troupe: what plays.
     """
 
     def __init__(self, cast: Cast, meshes: Sequence[BakedMesh], mask: bytes) -> None:
-        self.cast, self.troupe = cast, troupe_of(cast, (), {})
+        self.cast, self.playing = cast, build_playing_cast(cast, (), {})
         self.contents: Mapping[str, bytes] = {}
         self.mask_url = f"/assets/{content_name(mask)}"
         packed = documents(cast, meshes, mask=self.mask_url)
@@ -44,20 +51,20 @@ class Library:
         self.assets |= {url: encode(asset) for url, asset in packed.hair.items()}
         self.mask = mask
         self._faces: OrderedDict[str, bytes] = OrderedDict()
-        self._supply = Supply(self._compound, cast.expressions)
-        self.bench = Bench(cast)
+        self._scheduler = OrderScheduler(self._compound, cast.expressions)
+        self.worker = OrderWorker(cast)
         self._workshop: Workshop | None = None
         self._report: Callable[[str], None] = lambda _: None
         self._thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="workshop")
 
     async def manifest(self) -> bytes:
         """The manifest of what plays."""
-        return self._manifests.get(self.troupe.digest) or await self.prepare(self.troupe)
+        return self._manifests.get(self.playing.digest) or await self.prepare(self.playing)
 
-    async def prepare(self, troupe: Troupe) -> bytes:
+    async def prepare(self, playing: PlayingCast) -> bytes:
         """The manifest of a troupe, made ahead; own faces that cannot be are left out, and the operator is told."""
         found: dict[str, FaceDocument] = {}
-        for own in troupe.own:
+        for own in playing.own:
             if own.kind != "face":
                 continue
             try:
@@ -67,27 +74,27 @@ class Library:
             else:
                 found[own.content] = msgspec.msgpack.decode(data, type=ContentAsset).face
         loop = asyncio.get_running_loop()
-        manifest = await loop.run_in_executor(self._thread, lambda: encode(manifest_of(troupe, self._built_in, found)))
-        self._manifests = {self.troupe.digest: self._manifests.get(self.troupe.digest, b""), troupe.digest: manifest}
+        manifest = await loop.run_in_executor(self._thread, lambda: encode(manifest_of(playing, self._built_in, found)))
+        self._manifests = {self.playing.digest: self._manifests.get(self.playing.digest, b""), playing.digest: manifest}
         return manifest
 
-    def play(self, troupe: Troupe) -> None:
+    def play(self, playing: PlayingCast) -> None:
         """Has what plays made ahead from now on."""
-        self.troupe = troupe
-        self._supply.stock(troupe.expression_sources.values())
+        self.playing = playing
+        self._scheduler.set_expressions(playing.expression_sources.values())
 
     async def compound(self, face: str, expression: str) -> bytes:
         """The compound of a face and an expression by their sources; KeyError for what is not there."""
         self._check(face, self.cast.faces)
         self._check(expression, self.cast.expressions)
-        return await self._supply.get((face, expression))
+        return await self._scheduler.get((face, expression))
 
     async def face(self, key: str) -> bytes:
         """The `ContentAsset` of an own face by the key of its content; KeyError where it is not there."""
         if key not in self._faces:
             made = await self._order(FaceOrder(key, {key: self.contents[key]}))
             self._faces[key] = made
-            while len(self._faces) > KEPT:
+            while len(self._faces) > CACHED_FACES:
                 self._faces.popitem(last=False)
         self._faces.move_to_end(key)
         return self._faces[key]
@@ -101,46 +108,46 @@ class Library:
         """The `HandlesAsset`."""
         return await self._order(HandlesOrder())
 
-    async def work(self, order: EditOrder) -> bytes:
+    async def run_order(self, order: EditOrder) -> bytes:
         """The `Baked` of an editor's order."""
         return await self._order(order)
 
-    def serve(self, state: State) -> None:
+    def set_on_air(self, state: State) -> None:
         """Makes what is on air first, and ahead what a face on air may wear next."""
         faces, expressions = names_on_air(state)
-        self._supply.serve(
-            frozenset(source for name, source in self.troupe.faces.items() if name in faces),
-            frozenset(source for name, source in self.troupe.expression_sources.items() if name in expressions),
+        self._scheduler.set_on_air(
+            frozenset(source for name, source in self.playing.faces.items() if name in faces),
+            frozenset(source for name, source in self.playing.expression_sources.items() if name in expressions),
         )
 
     def compute(self, order: bytes) -> bytes:
         """What an order, as bytes, is answered with, here and now."""
-        return self.bench.make(order)
+        return self.worker.make(order)
 
-    def employ(self, workshop: Workshop | None, report: Callable[[str], None]) -> None:
+    def use_workshop(self, workshop: Workshop | None, report: Callable[[str], None]) -> None:
         """Has orders made by a workshop from now on, as long as there is one; report: says things to the operator."""
         self._workshop, self._report = workshop, report
 
     def close(self) -> None:
         """Ends whoever computes."""
-        self._supply.close()
+        self._scheduler.close()
         if self._workshop is not None:
             self._workshop.close()
         self._thread.shutdown(wait=False, cancel_futures=True)
 
-    def _order(self, order: ShopOrder) -> Awaitable[bytes]:
-        return self._supply.order(lambda: self._make(order))
+    def _order(self, order: WorkshopOrder) -> Awaitable[bytes]:
+        return self._scheduler.order(lambda: self._make(order))
 
     def _compound(self, face: str, expression: str) -> Awaitable[bytes]:
         return self._make(CompoundOrder(face, expression, self._contents(face, expression)))
 
-    async def _make(self, order: ShopOrder) -> bytes:
+    async def _make(self, order: WorkshopOrder) -> bytes:
         data = encode(order)
         if self._workshop is not None:
             try:
                 return await self._workshop.make(data)
             except ClosedWorkshopError as error:
-                self._dismiss_workshop(str(error))
+                self._drop_workshop(str(error))
         try:
             return await asyncio.get_running_loop().run_in_executor(self._thread, self.compute, data)
         except ValueError as error:
@@ -154,13 +161,13 @@ class Library:
         keys = (source.removeprefix(KEY) for source in sources if source.startswith(KEY))
         return {key: self.contents[key] for key in keys}
 
-    def _dismiss_workshop(self, reason: str) -> None:
+    def _drop_workshop(self, reason: str) -> None:
         if self._workshop is not None:
             self._workshop.close()
             self._workshop = None
         self._report(f"{reason}; the server computes by itself.")
 
 
-def built_in() -> Library:
+def built_in_documents() -> CastDocuments:
     """The library of the baked cast; FileNotFoundError, with how to bake it, when it is missing."""
-    return Library(load_cast(), load_meshes(), load_mask())
+    return CastDocuments(load_cast(), load_meshes(), load_mask())

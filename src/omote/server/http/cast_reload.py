@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from omote.model.cast import Cast
-from omote.server.http.cast_documents import Library
+from omote.server.http.cast_documents import CastDocuments
 from omote.show.messages import CastChanged
 from omote.show.session import ShowSession
-from omote.stage_data.playing_cast import Own, Troupe, troupe_of
+from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
 
 Report = Callable[[str], None]
 
 
-class Casting:
+class CastReload:
     """The cast of a session, and its documents."""
 
-    def __init__(self, session: ShowSession, library: Library, report: Report) -> None:
-        self._session, self._library, self._report = session, library, report
+    def __init__(self, session: ShowSession, documents: CastDocuments, report: Report) -> None:
+        self._session, self._documents, self._report = session, documents, report
 
     async def recast(self, own: tuple[Own, ...], contents: Mapping[str, bytes]) -> CastChanged:
         """Plays these own things beside the built-in cast, and what to tell everybody.
@@ -25,19 +25,19 @@ class Casting:
         Own things on air that are not among them stay until the next time. All documents are there before the first
         page hears of them.
         """
-        library, tried = self._library, None
+        documents, tried = self._documents, None
         while True:
             wanted = (*own, *self._still_on_air(own))
-            troupe = gathered(library.cast, wanted, contents, self._report, before=library.troupe)
-            await library.prepare(troupe)
+            playing = gather_cast(documents.cast, wanted, contents, self._report, before=documents.playing)
+            await documents.prepare(playing)
             try:
-                changed = self._session.recast(troupe)
+                changed = self._session.recast(playing)
             except ValueError:
                 if wanted == tried:
                     raise
                 tried = wanted  # something was called meanwhile
                 continue
-            library.play(troupe)
+            documents.play(playing)
             return changed
 
     def _still_on_air(self, own: tuple[Own, ...]) -> list[Own]:
@@ -45,25 +45,30 @@ class Casting:
         stays = {(each.kind, each.name) for each in own}
         return [
             each
-            for each in self._library.troupe.own
+            for each in self._documents.playing.own
             if (each.kind, each.name) not in stays and each.name in (faces if each.kind == "face" else expressions)
         ]
 
 
-def gathered(
-    base: Cast, own: tuple[Own, ...], contents: Mapping[str, bytes], report: Report, *, before: Troupe | None = None
-) -> Troupe:
+def gather_cast(
+    base: Cast,
+    own: tuple[Own, ...],
+    contents: Mapping[str, bytes],
+    report: Report,
+    *,
+    before: PlayingCast | None = None,
+) -> PlayingCast:
     """The cast with all own things that can play; the operator is told of those that cannot.
 
     At the start of a show (`before` None) what played before is believed to play again: a server must be back soon.
     """
-    troupe = troupe_of(base, (), contents)
+    playing = build_playing_cast(base, (), contents)
     try:
-        return troupe_of(base, own, contents, before=before, check=before is not None)
+        return build_playing_cast(base, own, contents, before=before, check=before is not None)
     except (ValueError, KeyError):
         for each in own:  # one by one, to leave out as few as possible
             try:
-                troupe = troupe_of(base, (*troupe.own, each), contents, before=troupe)
+                playing = build_playing_cast(base, (*playing.own, each), contents, before=playing)
             except (ValueError, KeyError) as error:
                 report(f"the own {each.kind} {each.label!r} cannot play ({error}); it is left out.")
-        return troupe
+        return playing

@@ -27,7 +27,7 @@ STALL_LIMIT = 10.0
 """Seconds a link may be behind before it is cut; a browser comes back and is given the newest state."""
 SEND_BUFFER = 32768
 """Bytes of the kernel's buffer: large ones would hold seconds of old states for a browser that pauses."""
-HANG_UP_SECONDS = 1.0
+CLOSE_SECONDS = 1.0
 HEARTBEAT = 8.0
 """Seconds of silence after which a link is asked whether it lives; it has half as long to answer."""
 HEARD_RATE, HEARD_BURST = 1200.0, 240.0
@@ -47,7 +47,7 @@ class LinkSocket(web.WebSocketResponse):
         super().__init__(compress=False, max_msg_size=limit, heartbeat=heartbeat)
         self._limit, self._refusal = limit, refusal
 
-    async def let_in(self, request: web.Request) -> asyncio.Transport | None:
+    async def accept(self, request: web.Request) -> asyncio.Transport | None:
         """Opens the link that a request asks for; None when the browser has gone before."""
         try:
             await self.prepare(request)
@@ -78,7 +78,7 @@ class Link:
     behind_since: float | None = None
     skipped: int = 0
 
-    async def turn(self, clock: Callable[[], float]) -> None:
+    async def wait_turn(self, clock: Callable[[], float]) -> None:
         """Waits until this link may say one more thing; meanwhile its socket fills, not our memory."""
         while not self.bucket.take(clock()):
             await asyncio.sleep(1.0 / self.bucket.rate)
@@ -110,7 +110,7 @@ class Links:
 
     def open(self, ws: web.WebSocketResponse, transport: asyncio.Transport) -> Link:
         """A new link, under a name of its own."""
-        keep_little(transport)
+        shrink_send_buffer(transport)
         link = Link(next(self._names), ws, transport)
         self._links[link.who] = link
         return link
@@ -119,11 +119,11 @@ class Links:
         """Forgets a link."""
         self._links.pop(link.who, None)
 
-    async def hang_up(self) -> None:
+    async def close_all(self) -> None:
         """Tells every browser that the server goes; waits a second at most."""
         closing = [link.socket.close(code=WSCloseCode.GOING_AWAY, message=b"the server ends") for link in self]
         with contextlib.suppress(TimeoutError):
-            await asyncio.wait_for(asyncio.gather(*closing, return_exceptions=True), HANG_UP_SECONDS)
+            await asyncio.wait_for(asyncio.gather(*closing, return_exceptions=True), CLOSE_SECONDS)
 
     def answer(self, who: str, data: bytes) -> None:
         """Sends to one link; dropped when it does not read."""
@@ -152,7 +152,7 @@ def finish_now(sending: Coroutine[object, None, None]) -> None:
     sending.close()
 
 
-def keep_little(transport: asyncio.Transport) -> None:
+def shrink_send_buffer(transport: asyncio.Transport) -> None:
     """Keeps the kernel's send buffer small, where there is a real socket."""
     endpoint = transport.get_extra_info("socket")
     if endpoint is not None:

@@ -22,12 +22,12 @@ HEADERS = {
 }
 
 
-def mute_strangers() -> None:
+def silence_bad_requests() -> None:
     """Keeps requests that are no HTTP, which aiohttp answers with 400, from filling the operator's terminal."""
-    logging.getLogger("aiohttp.server").addFilter(_is_ours)
+    logging.getLogger("aiohttp.server").addFilter(_is_no_bad_request)
 
 
-def _is_ours(record: logging.LogRecord) -> bool:
+def _is_no_bad_request(record: logging.LogRecord) -> bool:
     return record.exc_info is None or not isinstance(record.exc_info[1], HttpProcessingError)
 
 

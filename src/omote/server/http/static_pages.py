@@ -20,7 +20,7 @@ class Page:
     immutable: bool
 
 
-def read_bundle(folder: Path = FOLDER) -> dict[str, Page]:
+def read_pages(folder: Path = FOLDER) -> dict[str, Page]:
     """Every page by its URL path; FileNotFoundError, with how to build them, when one is missing."""
     missing = [name for name in PAGES.values() if not (folder / name).is_file()]
     if missing:

@@ -21,7 +21,7 @@ QUIET_SECONDS = 5.0
 
 
 @dataclass(frozen=True)
-class Fate:
+class CommitOutcome:
     """What became of a list of changes.
 
     "committed": on the disk, for good. "waiting": the disk failed; the changes are kept and tried again, in order, and
@@ -32,16 +32,16 @@ class Fate:
     sentence: str = ""
 
 
-Told = Callable[[Fate], None]
+OnOutcome = Callable[[CommitOutcome], None]
 
 
 @dataclass(frozen=True)
 class _Job:
     changes: tuple[Change, ...]
-    told: Told
+    told: OnOutcome
 
 
-class Scribe:
+class CommitThread:
     """A thread that commits lists of changes one after the other, and keeps the good copy.
 
     show: the scribe's own (`ShowFile.again`); it closes it. Fates are told on the scribe's thread.
@@ -64,14 +64,14 @@ class Scribe:
         self._thread = threading.Thread(target=self._run, name="scribe", daemon=True)
         self._thread.start()
 
-    def commit(self, changes: Sequence[Change], told: Told) -> None:
+    def commit(self, changes: Sequence[Change], told: OnOutcome) -> None:
         """Hands over changes that belong together; returns at once."""
         with self._waiting:
             if not self._closing:
                 self._queue.append(_Job(tuple(changes), told))
                 self._waiting.notify()
                 return
-        told(Fate("refused", f"{self._show.path} is being closed; start the show again and repeat it."))
+        told(CommitOutcome("refused", f"{self._show.path} is being closed; start the show again and repeat it."))
 
     def close(self) -> None:
         """Commits what is left, keeps a good copy and closes the file; waits five seconds at most."""
@@ -92,24 +92,24 @@ class Scribe:
             elif closing:
                 break
             else:
-                self._keep_good_copy()
+                self._make_backup()
         if self._stale:
-            self._keep_good_copy()
+            self._make_backup()
         self._show.close()
 
     def _carry_out(self, job: _Job) -> None:
-        fate = self._tried(job)
+        fate = self._try_commit(job)
         if fate.state == "waiting":
             self._tell(job, fate)
         while fate.state == "waiting":
             with self._waiting:
                 last = self._waiting.wait_for(lambda: self._closing, timeout=self._retry_seconds)
-            fate = self._tried(job)
+            fate = self._try_commit(job)
             if last and fate.state == "waiting":
-                fate = Fate("refused", fate.sentence)
+                fate = CommitOutcome("refused", fate.sentence)
         self._tell(job, fate)
 
-    def _tried(self, job: _Job) -> Fate:
+    def _try_commit(self, job: _Job) -> CommitOutcome:
         try:
             self._show.apply(job.changes)
         except sqlite3.OperationalError as error:
@@ -117,13 +117,13 @@ class Scribe:
             if not self._failing:
                 self._report(sentence)
             self._failing = True
-            return Fate("waiting", sentence)
+            return CommitOutcome("waiting", sentence)
         except (sqlite3.Error, ValueError, TypeError, OverflowError) as error:
-            return Fate("refused", f"{self._show.path} cannot keep this ({error}); undo it, or do it again.")
+            return CommitOutcome("refused", f"{self._show.path} cannot keep this ({error}); undo it, or do it again.")
         self._failing, self._stale = False, True
-        return Fate("committed")
+        return CommitOutcome("committed")
 
-    def _tell(self, job: _Job, fate: Fate) -> None:
+    def _tell(self, job: _Job, fate: CommitOutcome) -> None:
         try:
             job.told(fate)
         except RuntimeError:
@@ -131,7 +131,7 @@ class Scribe:
         except Exception as error:  # whatever it is, later changes are still to be kept
             self._report(f"what became of a change ({fate.state}) could not be told: {error!r}.")
 
-    def _keep_good_copy(self) -> None:
+    def _make_backup(self) -> None:
         self._stale = False
         try:
             self._stale = not keep_good_copy(self._show)

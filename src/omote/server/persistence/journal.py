@@ -52,17 +52,17 @@ class JournalWriter:
                 entry, self._newest = self._newest, None
             if entry is None:
                 break
-            self._failing = not self._tried(partial(self._show.write_journal, entry))
+            self._failing = not self._try_write(partial(self._show.write_journal, entry))
         self._done.set()
         self._show.close()
 
     def _flush(self) -> None:
         show = self._show.again()
         while not self._done.wait(self._flush_seconds):
-            self._tried(show.flush)
+            self._try_write(show.flush)
         show.close()
 
-    def _tried(self, work: Callable[[], None]) -> bool:
+    def _try_write(self, work: Callable[[], None]) -> bool:
         try:
             work()
         except sqlite3.Error as error:

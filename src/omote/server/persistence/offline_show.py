@@ -13,7 +13,7 @@ from omote.showfile.show_file import ShowFile, open_show
 
 
 @contextmanager
-def closed_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
+def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
     """The show file, ours alone until the end; new: made where there is none.
 
     FileNotFoundError where there is none, ShowLockedError where a show plays it, ShowFileError where it cannot be used.

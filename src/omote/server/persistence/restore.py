@@ -40,13 +40,13 @@ def open_newest(path: Path, report: Report) -> ShowFile:
                 raise CorruptShowFileError(f"{path} is {'empty' if path.exists() else 'not there'}.")
             return open_show(path)
         except CorruptShowFileError as error:
-            report(f"{error} {_said(rescue_show(path))}")
+            report(f"{error} {_sentence_of(rescue_show(path))}")
             return open_show(path)
     except (sqlite3.Error, OSError) as error:
         raise ShowFileError(f"{path} cannot be used ({error}); free the disk or name another file.") from error
 
 
-def _said(rescue: Rescue) -> str:
+def _sentence_of(rescue: Rescue) -> str:
     kept = "" if rescue.kept is None else f"it is kept as {rescue.kept}; "
     newer = f"{rescue.newer} {'change' if rescue.newer == 1 else 'changes'}"
     if rescue.copied is None:
@@ -65,7 +65,7 @@ def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report)
     """The session of the journal's last state, under a new epoch; a neutral one when none can be played."""
     last = _last_entry(show, report)
     epoch = next_epoch(last.epoch, order.epoch)
-    session = None if order.neutral else _played_on(cast, last, epoch, report)
+    session = None if order.neutral else _try_restore(cast, last, epoch, report)
     if session is not None:
         _record(show, session, None, report)
         return session
@@ -104,7 +104,7 @@ def _record(show: ShowFile | None, session: ShowSession, aside: JournalEntry | N
         report(f"the journal cannot be written ({error}); the show goes on.")
 
 
-def _played_on(cast: Playable, entry: JournalEntry, epoch: int, report: Report) -> ShowSession | None:
+def _try_restore(cast: Playable, entry: JournalEntry, epoch: int, report: Report) -> ShowSession | None:
     if entry.snapshot is None:
         return None
     try:

@@ -14,7 +14,7 @@ STANDARD = 3
 """Descriptors below are standard input, output and errors."""
 
 
-def copied(work: Callable[[], None]) -> int:
+def fork_process(work: Callable[[], None]) -> int:
     """The process id of a copy of this process that works and ends, with status 1 if that fails."""
     pid = os.fork()
     if pid:
@@ -32,7 +32,7 @@ def copied(work: Callable[[], None]) -> int:
         os._exit(code)  # not further up: what follows there belongs to the parent
 
 
-def let_go(keep: Collection[int]) -> None:
+def close_descriptors(keep: Collection[int]) -> None:
     """Closes every inherited descriptor but these and the standard ones: whoever waits for their end must see it."""
     for descriptor in [int(entry.name) for entry in Path("/dev/fd").iterdir()]:
         if descriptor >= STANDARD and descriptor not in keep:

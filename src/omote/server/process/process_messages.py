@@ -44,12 +44,12 @@ _news: msgspec.json.Decoder[News] = msgspec.json.Decoder(News)
 _order: msgspec.json.Decoder[Order] = msgspec.json.Decoder(Order)
 
 
-def give_order(line: socket.socket, order: Order, control: int, pulse: int) -> None:
+def send_order(line: socket.socket, order: Order, control: int, pulse: int) -> None:
     """Sends an order with the server's ends of its two pipes."""
     socket.send_fds(line, [msgspec.json.encode(order)], [control, pulse])
 
 
-def take_order(line: socket.socket) -> tuple[Order, int, int] | None:
+def receive_order(line: socket.socket) -> tuple[Order, int, int] | None:
     """The next order with its pipes; None when the supervisor is gone."""
     try:
         data, descriptors, _, _ = socket.recv_fds(line, 4096, 2)
@@ -62,7 +62,7 @@ def take_order(line: socket.socket) -> tuple[Order, int, int] | None:
     return _order.decode(data), descriptors[0], descriptors[1]
 
 
-def tell(line: socket.socket, news: News) -> None:
+def send_news(line: socket.socket, news: News) -> None:
     """Sends news to the supervisor; one that is gone needs none."""
     with contextlib.suppress(ConnectionError):
         line.sendall(msgspec.json.encode(news) + b"\n")

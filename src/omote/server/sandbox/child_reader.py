@@ -39,7 +39,7 @@ class _Answer(msgspec.Struct, frozen=True, array_like=True):
     refused: str = ""
 
 
-def read_apart(path: Path, /) -> tuple[Piece, ...]:
+def read_in_sandbox(path: Path, /) -> tuple[Piece, ...]:
     """The pieces in a GLB or OBJ file; ValueError, in a sentence, for what is none, OSError where it cannot be read."""
     reader = READERS.get(path.suffix.lower())
     if reader is None:
@@ -47,13 +47,13 @@ def read_apart(path: Path, /) -> tuple[Piece, ...]:
     if path.stat().st_size > glbread.LARGEST:
         raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {glbread.LARGEST} at most")
     data = path.read_bytes()
-    answer = _answered(lambda: _Answer([_plain(piece) for piece in reader(data)]))
+    answer = _run_in_child(lambda: _Answer([_plain(piece) for piece in reader(data)]))
     if answer.refused:
         raise ValueError(f"{path.name}: {answer.refused}")
     return tuple(_piece(plain) for plain in answer.pieces)
 
 
-def _answered(work: Callable[[], _Answer]) -> _Answer:
+def _run_in_child(work: Callable[[], _Answer]) -> _Answer:
     """What a child answers; a refusal where it died of what it read."""
     come, go = os.pipe()
     child = os.fork()
@@ -61,9 +61,9 @@ def _answered(work: Callable[[], _Answer]) -> _Answer:
         status = 1
         with contextlib.suppress(BaseException):
             os.close(come)
-            _bound()
+            _limit_resources()
             with os.fdopen(go, "wb") as pipe:
-                pipe.write(msgspec.msgpack.encode(_tried(work)))
+                pipe.write(msgspec.msgpack.encode(_try_work(work)))
             status = 0
         os._exit(status)
     os.close(go)
@@ -75,14 +75,14 @@ def _answered(work: Callable[[], _Answer]) -> _Answer:
     return msgspec.msgpack.decode(data, type=_Answer)
 
 
-def _tried(work: Callable[[], _Answer]) -> _Answer:
+def _try_work(work: Callable[[], _Answer]) -> _Answer:
     try:
         return work()
     except ValueError as error:
         return _Answer(refused=str(error))
 
 
-def _bound() -> None:
+def _limit_resources() -> None:
     """No more memory than so much, no files, no dumps; whatever lasts too long is ended."""
     pages = int(Path("/proc/self/statm").read_text().split()[0]) if Path("/proc/self/statm").exists() else 0
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))

@@ -6,18 +6,18 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from omote.builtin import load_meshes
-from omote.edit.store.import_items import Arrival, opened
+from omote.edit.store.import_items import ImportedItem, import_document
 from omote.interchange.formats import expression_json as exchange
-from omote.interchange.import_meshes import face_in, taken
+from omote.interchange.import_meshes import import_expressions, import_face
 from omote.model.cast import Cast
-from omote.perform.limits import known
-from omote.server.sandbox.child_reader import read_apart
+from omote.perform.limits import check_known
+from omote.server.sandbox.child_reader import read_in_sandbox
 
 DOCUMENT = ".json"
 FAR = 5e-5
 """Metres; what an expression misses the shape it came from by is told from here on."""
 
-Brought = tuple[Arrival, str]
+Brought = tuple[ImportedItem, str]
 
 
 def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> Iterator[Brought]:
@@ -31,17 +31,17 @@ def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> It
         if path.stat().st_size > exchange.LARGEST:
             raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {exchange.LARGEST} at most")
         try:
-            arrival = opened(cast.space, exchange.decode(path.read_bytes()), note=path.name)
+            arrival = import_document(cast.space, exchange.decode(path.read_bytes()), note=path.name)
         except ValueError as error:
             raise ValueError(f"{path.name}: {error}") from error
         yield arrival, f"{arrival.label}, from {path.name}"
-    shapes = {path.stem: read_apart(path) for path in paths if path not in documents}
+    shapes = {path.stem: read_in_sandbox(path) for path in paths if path not in documents}
     if not shapes:
         return
-    for each in taken(cast, load_meshes(), shapes, face=face):
+    for each in import_expressions(cast, load_meshes(), shapes, face=face):
         off = f"; it misses its shape by up to {1000 * each.error:.2f} mm" if each.error > FAR else ""
         note = f"from {', '.join(path.name for path in paths)}"[:200]
-        yield Arrival(each.label, each.expression, note=note), f"{each.label}, taken from {each.face}{off}"
+        yield ImportedItem(each.label, each.expression, note=note), f"{each.label}, taken from {each.face}{off}"
 
 
 def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator[Brought]:
@@ -51,9 +51,9 @@ def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator
     """
     _refuse_missing(paths)
     for path in paths:
-        face, own = face_in(cast, load_meshes(), path.stem, read_apart(path))
-        worn = cast.looks[known(look, cast.faces, "face")] if look else own
-        yield Arrival(path.stem, (face, worn), note=f"from {path.name}"), f"{path.stem}, a face"
+        face, own = import_face(cast, load_meshes(), path.stem, read_in_sandbox(path))
+        worn = cast.looks[check_known(look, cast.faces, "face")] if look else own
+        yield ImportedItem(path.stem, (face, worn), note=f"from {path.name}"), f"{path.stem}, a face"
 
 
 def _refuse_missing(paths: Sequence[Path]) -> None:

@@ -10,22 +10,22 @@ FROM_OUTSIDE = {-signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT, -signal.SIGHUP
 """Codes of servers that somebody else ended: no fault of the state."""
 
 
-class Blame:
+class CrashLoop:
     """Counts the deaths that a state may have caused; time is an argument."""
 
     def __init__(self) -> None:
         self._deaths: deque[float] = deque(maxlen=DEATHS)
 
-    def ended(self, now: float, code: int) -> None:
+    def record_end(self, now: float, code: int) -> None:
         """A server ended with this exit status, or minus the signal that killed it."""
         if code != 0 and code not in FROM_OUTSIDE:
             self._deaths.append(now)
 
-    def hung(self, now: float) -> None:
+    def record_hang(self, now: float) -> None:
         """A server hung before its first tick and had to be killed."""
         self._deaths.append(now)
 
-    def blames_state(self, now: float) -> bool:
+    def suspects_state(self, now: float) -> bool:
         """Whether the next server should start from neutral; asking starts the count anew when it should."""
         blamed = len(self._deaths) == DEATHS and now - self._deaths[0] <= WITHIN_SECONDS
         if blamed:

@@ -14,16 +14,16 @@ from pathlib import Path
 from aiohttp import web
 
 from omote.server.http.app import ShowServer
-from omote.server.http.cast_documents import Library, built_in
-from omote.server.http.cast_reload import gathered
+from omote.server.http.cast_documents import CastDocuments, built_in_documents
+from omote.server.http.cast_reload import gather_cast
 from omote.server.http.security import own_names
-from omote.server.http.static_pages import Page, read_bundle
-from omote.server.persistence.authored_work import Desk, open_desk
-from omote.server.persistence.commit_thread import Scribe
+from omote.server.http.static_pages import Page, read_pages
+from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
+from omote.server.persistence.commit_thread import CommitThread
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry, open_journal, restore
 from omote.server.process.process_messages import Order
-from omote.server.supervision.tick_loop import Playing, beat
+from omote.server.supervision.tick_loop import ShowTick, run_ticks
 from omote.server.workers.workshop import open_workshop
 from omote.showfile.show_file import ShowFile
 
@@ -38,16 +38,16 @@ class Pipes:
 
 
 @dataclass(frozen=True)
-class Material:
+class ShowMaterial:
     """What a server serves: the cast's documents and the pages."""
 
-    library: Library
+    documents: CastDocuments
     pages: Mapping[str, Page]
 
 
-def built_in_material() -> Material:
+def load_material() -> ShowMaterial:
     """The baked cast and the built pages; FileNotFoundError, with what to do, when they are missing."""
-    return Material(built_in(), read_bundle())
+    return ShowMaterial(built_in_documents(), read_pages())
 
 
 def report(sentence: str) -> None:
@@ -55,9 +55,9 @@ def report(sentence: str) -> None:
     sys.stderr.write(f"omote: {sentence}\n")
 
 
-def run(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
+def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
     """Plays to the end, on the fastest event loop there is."""
-    employ_workshop(material.library)  # while there is neither thread nor loop, which no copy may have
+    start_workshop(material.documents)  # while there is neither thread nor loop, which no copy may have
     playing = play(material, order, show=show, pipes=pipes)
     try:
         import uvloop
@@ -67,59 +67,59 @@ def run(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
         uvloop.run(playing)
 
 
-def employ_workshop(library: Library) -> None:
+def start_workshop(documents: CastDocuments) -> None:
     """Has everything computed beside the server; where no process can be made, in a thread of it."""
     try:
-        library.employ(open_workshop(library.compute), report)
+        documents.use_workshop(open_workshop(documents.compute), report)
     except OSError as error:
         report(f"no process can be made that computes ({error}); the server computes by itself.")
 
 
-async def play(material: Material, order: Order, *, show: Path, pipes: Pipes) -> None:
+async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
     """Plays until the supervisor's pipe ends or SIGTERM comes; raises what a tick raises."""
-    file, library = open_journal(show, report), material.library
-    desk, reopen = open_desks(file, library, report)
-    server = ShowServer(restore(library.troupe, file, order, report), library, material.pages)
-    server.edit(desk, reopen, report)
+    file, documents = open_journal(show, report), material.documents
+    authored_work, reopen = open_reopenable_work(file, documents, report)
+    server = ShowServer(restore(documents.playing, file, order, report), documents, material.pages)
+    server.enable_editing(authored_work, reopen, report)
     journal = JournalWriter(file, report) if file else None
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()
     await web.SockSite(runner, socket.socket(fileno=pipes.listen)).start()
     try:
-        await until_ended(beat(Playing(server, journal, pipes.pulse).tick), pipes.control)
+        await run_until_ended(run_ticks(ShowTick(server, journal, pipes.pulse).tick), pipes.control)
     finally:
-        await server.hang_up()
+        await server.close_all()
         await runner.cleanup()
-        library.close()
-        if desk:
-            desk.keeper.close()
+        documents.close()
+        if authored_work:
+            authored_work.committer.close()
         if journal:
             journal.offer(journal_entry(server.session))
             journal.close()
 
 
-def open_desks(
-    file: ShowFile | None, library: Library, report: Callable[[str], None]
-) -> tuple[Desk | None, Callable[[], Desk | None]]:
+def open_reopenable_work(
+    file: ShowFile | None, documents: CastDocuments, report: Callable[[str], None]
+) -> tuple[AuthoredWork | None, Callable[[], AuthoredWork | None]]:
     """The desk of a show file, its own things in the cast already, and what gives the desk anew."""
     if file is None:
         return None, lambda: None
-    keeper = Scribe(file.again(), report)
+    committer = CommitThread(file.again(), report)
 
-    def reopened() -> Desk | None:
+    def reopened() -> AuthoredWork | None:
         with closing(file.again()) as own:  # the journal's thread writes with the other connection
-            return open_desk(own, keeper, library.bench, report)
+            return open_authored_work(own, committer, documents.worker, report)
 
-    desk = reopened()
-    if desk is None:
-        keeper.close()
+    authored_work = reopened()
+    if authored_work is None:
+        committer.close()
         return None, lambda: None
-    library.contents = desk.session.contents
-    library.play(gathered(library.cast, desk.session.own(), library.contents, report))
-    return desk, reopened
+    documents.contents = authored_work.session.contents
+    documents.play(gather_cast(documents.cast, authored_work.session.own(), documents.contents, report))
+    return authored_work, reopened
 
 
-async def until_ended(beating: Coroutine[object, object, None], control: int) -> None:
+async def run_until_ended(beating: Coroutine[object, object, None], control: int) -> None:
     """Runs `beating` until the control pipe or SIGTERM ends it; raises what it raises."""
     ended = asyncio.Event()
     loop = asyncio.get_running_loop()

@@ -1,7 +1,7 @@
 """The process that waits warmed up and makes servers of itself.
 
 Starting Python, loading the cast and its kernels takes longer than an audience forgives, so it is done once, here. An
-order makes a copy of this process (`fork`) in milliseconds, and the copy plays. The standby has no thread and no event
+order makes a copy of this process (`fork_server`) in milliseconds, and the copy plays. The standby has no thread and no event
 loop, so that copies are whole. It lives as long as its supervisor, and each server as long as its own pipe.
 """
 
@@ -20,11 +20,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 from omote.perform.performer import Performer
-from omote.server.http.cast_documents import Library
-from omote.server.process.fork import copied
-from omote.server.process.priority import first_in_line
-from omote.server.process.process_messages import Ended, Order, Ready, Started, take_order, tell
-from omote.server.supervision.show_process import Material, Pipes, built_in_material, report, run
+from omote.server.http.cast_documents import CastDocuments
+from omote.server.process.fork import fork_process
+from omote.server.process.priority import raise_priority
+from omote.server.process.process_messages import Ended, Order, Ready, Started, receive_order, send_news
+from omote.server.supervision.show_process import Pipes, ShowMaterial, load_material, report, run
 from omote.show.messages import STATE_RATE
 from omote.stage_data.assets import compound_asset
 
@@ -34,13 +34,13 @@ END_SECONDS = 3.0
 Start = Callable[[Order, int, int], int]
 
 
-def main(arguments: list[str] | None = None, load: Callable[[], Material] = built_in_material) -> int:
+def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = load_material) -> int:
     """Warms up, says so, and makes servers as ordered; the exit status."""
     options = _options(arguments)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to all; the supervisor decides
     try:
         material = load()
-        warm(material.library)
+        warm(material.documents)
     except (OSError, ValueError) as error:
         report(str(error))
         return 1
@@ -48,27 +48,27 @@ def main(arguments: list[str] | None = None, load: Callable[[], Material] = buil
 
         def start(order: Order, control: int, pulse: int) -> int:
             pipes = Pipes(options.listen, control, pulse)
-            return fork(line, lambda: run(material, order, show=options.show, pipes=pipes))
+            return fork_server(line, lambda: run(material, order, show=options.show, pipes=pipes))
 
-        first_in_line()
-        tell(line, Ready())
-        obey(line, start)
+        raise_priority()
+        send_news(line, Ready())
+        serve_orders(line, start)
     return 0
 
 
-def warm(library: Library) -> None:
+def warm(documents: CastDocuments) -> None:
     """Does once all that is slow the first time: kernels are compiled or loaded, caches filled."""
-    cast = library.cast
+    cast = documents.cast
     face = next(iter(cast.faces.values()))
     for expression in list(cast.expressions)[:2]:
         compound_asset(cast, face, expression)
     Performer(cast).advance(1.0 / STATE_RATE)
-    _ = library.bench.craft, library.bench.net, library.bench.welcome
+    _ = documents.worker.runner, documents.worker.net, documents.worker.welcome
     gc.collect()
     gc.freeze()  # copies share this memory with us as long as nobody touches it
 
 
-def obey(line: socket.socket, start: Start) -> None:
+def serve_orders(line: socket.socket, start: Start) -> None:
     """Starts a server for each order and reports each that ended, until the supervisor is gone."""
     wake, woken = os.pipe()
     os.set_blocking(wake, False)
@@ -80,25 +80,25 @@ def obey(line: socket.socket, start: Start) -> None:
         readable = select.select([line.fileno(), wake], [], [])[0]
         if wake in readable:
             os.read(wake, 4096)
-            for ended in gone():
+            for ended in reap_servers():
                 servers.discard(ended.pid)
-                tell(line, ended)
+                send_news(line, ended)
         if line.fileno() in readable:
-            taken = take_order(line)
+            taken = receive_order(line)
             if taken is None:
-                return see_out(servers, wake)
+                return wait_for_servers(servers, wake)
             order, control, pulse = taken
             pid = start(order, control, pulse)
             servers.add(pid)
-            tell(line, Started(pid))
+            send_news(line, Started(pid))
             os.close(control)
             os.close(pulse)
 
 
-def see_out(servers: set[int], wake: int) -> None:
+def wait_for_servers(servers: set[int], wake: int) -> None:
     """Waits until servers whose supervisor is gone have ended, and kills those that do not."""
     deadline = time.monotonic() + END_SECONDS
-    while (servers := servers - {ended.pid for ended in gone()}) and (left := deadline - time.monotonic()) > 0:
+    while (servers := servers - {ended.pid for ended in reap_servers()}) and (left := deadline - time.monotonic()) > 0:
         select.select([wake], [], [], left)
         with contextlib.suppress(BlockingIOError):
             os.read(wake, 4096)
@@ -107,17 +107,17 @@ def see_out(servers: set[int], wake: int) -> None:
         os.waitpid(pid, 0)
 
 
-def fork(line: socket.socket, play: Callable[[], None]) -> int:
+def fork_server(line: socket.socket, play: Callable[[], None]) -> int:
     """The process id of a copy of this process that plays and ends; it leaves the line to its parent."""
 
     def played() -> None:
         line.close()
         play()
 
-    return copied(played)
+    return fork_process(played)
 
 
-def gone() -> list[Ended]:
+def reap_servers() -> list[Ended]:
     """The servers that have ended since the last call."""
     ended: list[Ended] = []
     while True:

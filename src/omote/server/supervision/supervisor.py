@@ -20,9 +20,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from omote.server.process.priority import first_in_line
-from omote.server.process.process_messages import Ended, News, Order, Ready, Started, give_order, read_news
-from omote.server.supervision.crash_loop import Blame
+from omote.server.process.priority import raise_priority
+from omote.server.process.process_messages import Ended, News, Order, Ready, Started, read_news, send_order
+from omote.server.supervision.crash_loop import CrashLoop
 
 PROGRAM = (sys.executable, "-m", "omote.server.supervision.standby")
 HANG_SECONDS = 1.0
@@ -81,7 +81,7 @@ class Supervisor:
         self._report, self._opened = report, opened
         self._standby: Standby | None = None
         self._server: Server | None = None
-        self._blame = Blame()
+        self._crash_loop = CrashLoop()
         self._epoch = self._failures = 0
         self._not_before = self._checked = 0.0
         self._played = self._ending = False
@@ -118,8 +118,8 @@ class Supervisor:
         if self._server is not None and self._server.hangs(now):
             self._report("the server hangs; another one takes over.")
             if not self._server.playing:
-                self._blame.hung(now)
-            self._lose_server(self._server)
+                self._crash_loop.record_hang(now)
+            self._drop_server(self._server)
         if now >= self._not_before:
             if self._standby is None:
                 self._standby = self._start_standby()
@@ -145,14 +145,14 @@ class Supervisor:
         return standby
 
     def _start_server(self, standby: Standby, now: float) -> Server | None:
-        neutral = self._blame.blames_state(now)
+        neutral = self._crash_loop.suspects_state(now)
         if neutral:
             self._report("the servers that started from the last state died; the show starts again from neutral.")
         self._epoch += 1
         control, ours = os.pipe()
         theirs, pulse = os.pipe()
         try:
-            give_order(standby.line, Order(epoch=self._epoch, neutral=neutral), control, pulse)
+            send_order(standby.line, Order(epoch=self._epoch, neutral=neutral), control, pulse)
         except OSError:
             os.close(ours)
             os.close(theirs)
@@ -167,44 +167,44 @@ class Supervisor:
     def _listen_to_all(self) -> None:
         for key, _ in self._selector.select(WAIT_SECONDS):
             if isinstance(key.data, Standby):
-                self._hear_standby(key.data)
+                self._read_standby(key.data)
             elif isinstance(key.data, Server):
-                self._hear_server(key.data)
+                self._read_pulse(key.data)
 
-    def _hear_standby(self, standby: Standby) -> None:
+    def _read_standby(self, standby: Standby) -> None:
         try:
             lines = standby.line.recv(65536)
         except ConnectionError:
             lines = b""
         if not lines:
-            self._lose_standby(standby)
+            self._drop_standby(standby)
         for news in read_news(lines):
-            self._hear_news(standby, news)
+            self._handle_news(standby, news)
 
-    def _hear_news(self, standby: Standby, news: News) -> None:
+    def _handle_news(self, standby: Standby, news: News) -> None:
         match news:
             case Ready():
                 standby.ready = True
             case Started(pid) if self._server is not None and self._server.pid is None:
                 self._server.pid = pid
             case Ended(_, code):
-                self._blame.ended(time.monotonic(), code)
+                self._crash_loop.record_end(time.monotonic(), code)
 
-    def _hear_server(self, server: Server) -> None:
+    def _read_pulse(self, server: Server) -> None:
         if not os.read(server.pulse, 4096):
             self._report("the server is gone; another one takes over.")
-            self._lose_server(server)
+            self._drop_server(server)
             return
         server.heard = time.monotonic()
         if not server.playing:
             server.playing = True
             self._failures = 0
-            first_in_line()
+            raise_priority()
             if not self._played:
                 self._played = True
                 self._opened()
 
-    def _lose_server(self, server: Server) -> None:
+    def _drop_server(self, server: Server) -> None:
         if server.pid is not None:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(server.pid, signal.SIGKILL)
@@ -216,7 +216,7 @@ class Supervisor:
             self._failures += 1
             self._not_before = time.monotonic() + (PAUSE_SECONDS if self._failures >= FAILURES else 0.0)
 
-    def _lose_standby(self, standby: Standby) -> None:
+    def _drop_standby(self, standby: Standby) -> None:
         self._selector.unregister(standby.line)
         standby.line.close()
         standby.process.kill()

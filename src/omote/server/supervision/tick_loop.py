@@ -26,7 +26,7 @@ RESTING_TICKS = 60
 Tick = Callable[[int], None]
 
 
-async def beat(tick: Tick, *, rate: float = STATE_RATE, clock: Callable[[], float] = time.monotonic) -> None:
+async def run_ticks(tick: Tick, *, rate: float = STATE_RATE, clock: Callable[[], float] = time.monotonic) -> None:
     """Calls `tick(number)` `rate` times a second, for ever."""
     start, count, number = clock(), 0, 0
     while True:
@@ -39,7 +39,7 @@ async def beat(tick: Tick, *, rate: float = STATE_RATE, clock: Callable[[], floa
         await asyncio.sleep(max(0.0, wait))
 
 
-class Playing:
+class ShowTick:
     """A server that plays, its journal and its pulse, tick by tick."""
 
     def __init__(self, server: ShowServer, journal: JournalWriter | None, pulse: int) -> None:
@@ -54,7 +54,7 @@ class Playing:
         if self._journal and number % JOURNAL_TICKS == 0:
             self._keep(self._journal, even_resting=number % RESTING_TICKS == 0)
         if number % RESTING_TICKS == 0:
-            self._server.call_the_roll()
+            self._server.broadcast_crew()
 
     def _keep(self, journal: JournalWriter, *, even_resting: bool) -> None:
         session = self._server.session

@@ -15,7 +15,7 @@ Key = tuple[str, str]
 Order = tuple[Callable[[], Awaitable[bytes]], "asyncio.Future[bytes]"]
 
 
-class Supply:
+class OrderScheduler:
     """Makes one thing at a time, keeps the compounds last used; `all_expressions` of a face on air are made ahead."""
 
     def __init__(
@@ -47,7 +47,7 @@ class Supply:
         self._work()
         return await waiting
 
-    def serve(self, faces: frozenset[str], expressions: frozenset[str]) -> None:
+    def set_on_air(self, faces: frozenset[str], expressions: frozenset[str]) -> None:
         """Tells what is on air or coming: it goes first, and a face that was not there before is made ahead in full."""
         if (faces, expressions) == self._on_air:
             return
@@ -59,7 +59,7 @@ class Supply:
         if self._ahead:
             self._work()
 
-    def stock(self, all_expressions: Collection[str]) -> None:
+    def set_expressions(self, all_expressions: Collection[str]) -> None:
         """Tells which expressions there are now: the faces on air are made ahead in those that are new."""
         new = [name for name in all_expressions if name not in self._expressions]
         self._expressions = tuple(all_expressions)
@@ -83,10 +83,10 @@ class Supply:
 
     async def _make_all(self) -> None:
         while True:
-            key = self._needed()
+            key = self._next_on_air()
             if key is None and self._orders:
                 await _carry_out(*self._orders.popleft())
-            elif (key := key or self._wished()) is not None:
+            elif (key := key or self._next_wanted()) is not None:
                 await self._make_one(key)
             else:
                 return
@@ -103,7 +103,7 @@ class Supply:
             self._keep(key, made)
             _answer(self._asked.pop(key, None), made)
 
-    def _needed(self) -> Key | None:
+    def _next_on_air(self) -> Key | None:
         """What is on air and not made: asked for before not, then in the order in which it came."""
         for waiting in (self._asked, self._ahead):
             for key in waiting:
@@ -111,7 +111,7 @@ class Supply:
                     return key
         return None
 
-    def _wished(self) -> Key | None:
+    def _next_wanted(self) -> Key | None:
         return next(iter(self._asked), None) or next(iter(self._ahead), None)
 
     def _keep(self, key: Key, data: bytes) -> None:

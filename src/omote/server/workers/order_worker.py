@@ -13,8 +13,8 @@ from functools import cached_property
 import msgspec
 
 from omote.edit.compute.handles_asset import handles_asset
-from omote.edit.compute.order_runner import Craft
-from omote.edit.compute.welcome import greeting
+from omote.edit.compute.order_runner import OrderRunner
+from omote.edit.compute.welcome import build_welcome
 from omote.edit.protocol.messages import Greeted
 from omote.edit.protocol.orders import Contents, EditOrder
 from omote.model.cast import Cast, Look
@@ -26,7 +26,7 @@ from omote.show.wire import encode
 from omote.showfile.contents import content_kind, unpack_expression, unpack_face
 from omote.stage_data.assets import compound_asset, content_asset
 
-KEPT = 64
+CACHED_CONTENTS = 64
 """Contents that a hand keeps unpacked: a megabyte each at most."""
 
 
@@ -56,12 +56,12 @@ class HandlesOrder(msgspec.Struct, frozen=True, tag=True):
     """The handles of the face editor; answered with a `HandlesAsset`."""
 
 
-ShopOrder = CompoundOrder | TangentsOrder | FaceOrder | HandlesOrder | EditOrder
+WorkshopOrder = CompoundOrder | TangentsOrder | FaceOrder | HandlesOrder | EditOrder
 
-_order: msgspec.msgpack.Decoder[ShopOrder] = msgspec.msgpack.Decoder(ShopOrder)
+_order: msgspec.msgpack.Decoder[WorkshopOrder] = msgspec.msgpack.Decoder(WorkshopOrder)
 
 
-class Bench:
+class OrderWorker:
     """Makes orders on one built-in cast; ValueError, with a sentence, for those that cannot be."""
 
     def __init__(self, cast: Cast) -> None:
@@ -77,15 +77,15 @@ class Bench:
         if isinstance(order, FaceOrder):
             return encode(content_asset(self.cast, order.key, *self._face(KEY + order.key, order.contents)))
         if isinstance(order, TangentsOrder):
-            return encode(self.craft.tangents_asset(order.face, order.contents))
+            return encode(self.runner.tangents_asset(order.face, order.contents))
         if isinstance(order, HandlesOrder):
             return encode(handles_asset(self.cast.space))
-        return encode(self.craft.perform(order))
+        return encode(self.runner.run(order))
 
     @cached_property
     def welcome(self) -> Greeted:
         """What does not change of the answer to an editor who greets."""
-        return greeting(self.cast)
+        return build_welcome(self.cast)
 
     @cached_property
     def net(self) -> tuple[int, ...]:
@@ -93,9 +93,9 @@ class Bench:
         return default_net(self.cast.space)
 
     @cached_property
-    def craft(self) -> Craft:
+    def runner(self) -> OrderRunner:
         """Whoever makes editors' orders."""
-        return Craft(self.cast)
+        return OrderRunner(self.cast)
 
     def _face(self, source: str, contents: Mapping[str, bytes]) -> tuple[Face, Look]:
         if not source.startswith(KEY):
@@ -121,12 +121,12 @@ class Bench:
         if key not in self._unpacked:
             if key not in contents:
                 raise ValueError(f"the content {key[:80]!r} did not come with its order")
-            self._unpacked[key] = _unpacked(key, contents[key])
+            self._unpacked[key] = _unpack(key, contents[key])
         self._unpacked.move_to_end(key)
-        while len(self._unpacked) > KEPT:
+        while len(self._unpacked) > CACHED_CONTENTS:
             self._unpacked.popitem(last=False)
         return self._unpacked[key]
 
 
-def _unpacked(key: str, data: bytes) -> Expression | tuple[Face, Look]:
+def _unpack(key: str, data: bytes) -> Expression | tuple[Face, Look]:
     return unpack_face(data, key) if content_kind(data) == "face" else unpack_expression(data)

@@ -18,8 +18,8 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 
-from omote.server.process.fork import copied, let_go
-from omote.server.process.priority import behind_the_show
+from omote.server.process.fork import close_descriptors, fork_process
+from omote.server.process.priority import lower_priority
 
 TRIES = 2
 """Hands that an order may cost."""
@@ -51,7 +51,7 @@ class Workshop:
     """The server's end of a workshop: one order at a time."""
 
     line: socket.socket
-    keeper: int
+    supervisor_pid: int
     _streams: tuple[asyncio.StreamReader, asyncio.StreamWriter] | None = None
 
     async def make(self, order: bytes) -> bytes:
@@ -64,19 +64,19 @@ class Workshop:
             if self._streams is None:
                 self._streams = await asyncio.open_unix_connection(sock=self.line)
             reader, writer = self._streams
-            writer.write(framed(order))
+            writer.write(frame(order))
             (size,) = _length.unpack(await reader.readexactly(_length.size))
             made = await reader.readexactly(size)
         except (OSError, EOFError) as error:
             raise ClosedWorkshopError("the process that computes beside the show is gone") from error
-        return answered(made)
+        return read_answer(made)
 
     def close(self) -> None:
         """Ends it at once."""
         with suppress(ProcessLookupError):
-            os.kill(self.keeper, signal.SIGKILL)
+            os.kill(self.supervisor_pid, signal.SIGKILL)
         with suppress(ChildProcessError):
-            os.waitpid(self.keeper, 0)
+            os.waitpid(self.supervisor_pid, 0)
         if self._streams is None:
             self.line.close()
         else:
@@ -89,22 +89,22 @@ def open_workshop(make: Make) -> Workshop:
     ours.setblocking(False)
 
     def work() -> None:
-        let_go([theirs.fileno()])
-        behind_the_show()
-        keep(theirs, make)
+        close_descriptors([theirs.fileno()])
+        lower_priority()
+        supervise_worker(theirs, make)
 
     try:
-        keeper = copied(work)
+        supervisor_pid = fork_process(work)
     except OSError:
         ours.close()
         raise
     finally:
         theirs.close()
-    return Workshop(ours, keeper)
+    return Workshop(ours, supervisor_pid)
 
 
 @dataclass(eq=False)
-class Hand:
+class WorkerProcess:
     """A copy of the keeper that works."""
 
     pid: int
@@ -113,12 +113,12 @@ class Hand:
     def ask(self, order: bytes) -> bytes | None:
         """What it made, nothing if it could not; None when it died or hangs."""
         try:
-            self.line.sendall(framed(order))
-            return received(self.line)
+            self.line.sendall(frame(order))
+            return receive(self.line)
         except OSError:
             return None
 
-    def dismiss(self) -> None:
+    def kill(self) -> None:
         """Ends it, whatever it does."""
         self.line.close()
         with suppress(ProcessLookupError):
@@ -126,39 +126,39 @@ class Hand:
         os.waitpid(self.pid, 0)
 
 
-def hired(make: Make) -> Hand:
+def spawn_worker(make: Make) -> WorkerProcess:
     """A new hand."""
     ours, theirs = socket.socketpair()
 
     def work() -> None:
-        let_go([theirs.fileno()])
-        work_on(theirs, make)
+        close_descriptors([theirs.fileno()])
+        serve_orders(theirs, make)
 
-    pid = copied(work)
+    pid = fork_process(work)
     theirs.close()
     ours.settimeout(HANG_SECONDS)
-    return Hand(pid, ours)
+    return WorkerProcess(pid, ours)
 
 
-def keep(line: socket.socket, make: Make) -> None:
+def supervise_worker(line: socket.socket, make: Make) -> None:
     """Has every order made, by another hand if need be, until the line ends."""
-    hand = hired(make)
+    worker = spawn_worker(make)
     try:
-        while (order := received(line)) is not None:
+        while (order := receive(line)) is not None:
             made, tries = None, 0
-            while tries < TRIES and (made := hand.ask(order)) is None:
-                hand.dismiss()
-                hand, tries = hired(make), tries + 1
-            line.sendall(framed(made or b""))
+            while tries < TRIES and (made := worker.ask(order)) is None:
+                worker.kill()
+                worker, tries = spawn_worker(make), tries + 1
+            line.sendall(frame(made or b""))
     except ConnectionError:
         pass  # the server went without waiting for its order
     finally:
-        hand.dismiss()
+        worker.kill()
 
 
-def work_on(line: socket.socket, make: Make) -> None:
+def serve_orders(line: socket.socket, make: Make) -> None:
     """Makes what is ordered until the line ends; what cannot be made is answered with nothing, a refusal with why."""
-    while (order := received(line)) is not None:
+    while (order := receive(line)) is not None:
         try:
             made = MADE + make(order)
         except ValueError as error:
@@ -167,10 +167,10 @@ def work_on(line: socket.socket, make: Make) -> None:
             traceback.print_exc()
             made = b""
         with suppress(ConnectionError):  # the keeper went without waiting for it
-            line.sendall(framed(made))
+            line.sendall(frame(made))
 
 
-def answered(data: bytes) -> bytes:
+def read_answer(data: bytes) -> bytes:
     """What an answer holds; FailedOrderError and RefusedOrderError where it holds nothing."""
     if data.startswith(REFUSED):
         raise RefusedOrderError(data[len(REFUSED) :].decode())
@@ -179,18 +179,18 @@ def answered(data: bytes) -> bytes:
     return data[len(MADE) :]
 
 
-def framed(data: bytes) -> bytes:
+def frame(data: bytes) -> bytes:
     """Data with its length before it."""
     return _length.pack(len(data)) + data
 
 
-def received(line: socket.socket) -> bytes | None:
+def receive(line: socket.socket) -> bytes | None:
     """The next data of a line; None when it has ended."""
-    head = _exactly(line, _length.size)
-    return None if head is None else _exactly(line, _length.unpack(head)[0])
+    head = _receive_exactly(line, _length.size)
+    return None if head is None else _receive_exactly(line, _length.unpack(head)[0])
 
 
-def _exactly(line: socket.socket, size: int) -> bytes | None:
+def _receive_exactly(line: socket.socket, size: int) -> bytes | None:
     data = bytearray()
     while len(data) < size:
         try:

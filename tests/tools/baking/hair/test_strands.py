@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 
 from omote.builtin import load_cast
 from tools.baking.hair.groom import STATIONS, above, roots_of
-from tools.baking.hair.strands import grown_style
+from tools.baking.hair.strands import grow_style
 from tools.baking.hair.styles import GROOMS
 
 SPACE = load_cast().space
@@ -16,7 +16,7 @@ SPACE = load_cast().space
 
 def test_the_same_hair_grows_on_every_bake() -> None:
     name, groom = next(iter(GROOMS.items()))
-    one, two = grown_style(name, groom, SPACE), grown_style(name, groom, SPACE)
+    one, two = grow_style(name, groom, SPACE), grow_style(name, groom, SPACE)
     for what in ("points", "rows", "weights", "anchors", "facing", "light"):
         assert np.array_equal(getattr(one, what), getattr(two, what)), what
         assert np.array_equal(getattr(one, what), getattr(load_cast().hair[name], what)), what
@@ -46,7 +46,7 @@ def test_neighbours_of_a_lock_are_combed_alike() -> None:
     _, near = cKDTree(roots).query(roots, k=2)
 
     def turned_away(locks: float) -> float:
-        strands = grown_style("mop", replace(groom, locks=locks), SPACE).points
+        strands = grow_style("mop", replace(groom, locks=locks), SPACE).points
         ways = strands[:, -1] - strands[:, 0]
         ways /= np.linalg.norm(ways, axis=1, keepdims=True)
         return float(np.median(1.0 - (ways * ways[near[:, 1]]).sum(axis=1)))

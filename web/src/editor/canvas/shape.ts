@@ -1,4 +1,4 @@
-/** A face under its handles, as the server makes it (omote.model.recipes.face_handles.dragged): warped, eyeballs round, lids on them. */
+/** A face under its handles, as the server makes it (omote.model.recipes.face_handles.drag_handles): warped, eyeballs round, lids on them. */
 
 import { Warp } from "./warp";
 
