@@ -61,7 +61,7 @@ class ShowHarness:
 
 async def answer(socket: aiohttp.ClientWebSocketResponse) -> wire.FromServer:
     """The next message of the server."""
-    return decode_answer(await socket.receive_bytes(timeout=10.0))
+    return decode_answer(await socket.receive_bytes(timeout=60.0))
 
 
 async def state(socket: aiohttp.ClientWebSocketResponse) -> wire.State:
@@ -103,7 +103,7 @@ class Editor:
     async def next(self, kind: type, request: int | None = None) -> editing.ToEditor:
         """The next message of a kind, and to a request; those before it are kept in `heard`."""
         while True:
-            message = edit_wire.decode_answer(await self.socket.receive_bytes(timeout=30.0))
+            message = edit_wire.decode_answer(await self.socket.receive_bytes(timeout=60.0))
             if isinstance(message, kind) and request in (None, getattr(message, "request", None)):
                 return message
             self.heard.append(message)

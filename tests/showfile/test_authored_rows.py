@@ -45,7 +45,7 @@ def test_what_belongs_together_may_come_in_any_order(show: ShowFile) -> None:
 
 
 @given(st.lists(st.lists(puts, max_size=6), max_size=8))
-@settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 def test_a_list_of_changes_is_made_whole_or_not_at_all(tmp_path: Path, lists: list[list[Change]]) -> None:
     (tmp_path / "a.omote").unlink(missing_ok=True)
     show, kept = open_show(tmp_path / "a.omote"), AuthoredTables()

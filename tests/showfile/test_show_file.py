@@ -27,7 +27,9 @@ def test_a_new_file_has_no_state(tmp_path: Path) -> None:
 
 
 @given(epoch=st.integers(1, 2**53), written=st.floats(0, 1e9), snapshot=st.binary(max_size=500))
-@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow]
+)
 def test_the_journal_comes_back_as_it_was(tmp_path: Path, epoch: int, written: float, snapshot: bytes) -> None:
     entry = JournalEntry(epoch, written, snapshot)
     show = open_show(tmp_path / "a.omote")

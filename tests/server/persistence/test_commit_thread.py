@@ -59,7 +59,7 @@ class Author:
         return lambda fate: self.fates.put((name, fate))
 
     def next(self) -> tuple[object, CommitOutcome]:
-        return self.fates.get(timeout=30.0)
+        return self.fates.get(timeout=60.0)
 
 
 def test_what_is_told_to_be_committed_is_there_for_others(tmp_path: Path) -> None:
@@ -98,7 +98,7 @@ def test_a_failing_disk_is_told_once_and_tried_again_in_order() -> None:
     assert "show.omote cannot be written (database or disk is full); your work is kept in memory" in fate.sentence
     for _ in range(3):
         disk.reached.clear()
-        assert disk.reached.wait(30.0)
+        assert disk.reached.wait(60.0)
     disk.broken = None
     assert [author.next(), author.next()] == [("a", COMMITTED), ("b", COMMITTED)]
     author.scribe.close()

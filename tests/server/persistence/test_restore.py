@@ -82,7 +82,7 @@ def test_a_suspected_state_is_kept_aside(tmp_path: Path, cast: Cast, report: Ter
 
 
 @given(snapshot=st.binary(max_size=60))
-@settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 def test_a_state_that_is_none_is_kept_aside_and_said(tmp_path: Path, cast: Cast, snapshot: bytes) -> None:
     (tmp_path / "a.omote").unlink(missing_ok=True)
     report, show = Terminal(), open_show(tmp_path / "a.omote")

@@ -1,4 +1,4 @@
-"""Every message between an editor page and the server; `tools/messages.py` mirrors them in `web/src/link/editing_messages.ts`.
+"""Every message between an editor page and the server; `tools/messages.py` mirrors them in TypeScript.
 
 One WebSocket at `/editing`, binary MessagePack maps with a `type` tag, as on the show's link (`show/messages.py`).
 Every request carries a number of the page's own; it is answered with the same number: `done`, `draft`, `saved` or
