@@ -4,6 +4,8 @@
 PYTHON ?= python3
 RUN := .venv/bin/python
 NODE := $(RUN) tools/node.py web
+# A worker for each core: those of one file stay together, since they share what a module sets up.
+PYTEST := $(RUN) -m pytest --numprocesses=auto --maxprocesses=4 --dist=loadfile --no-loadscope-reorder
 export OPENBLAS_NUM_THREADS := 1
 MAKEFLAGS += --no-print-directory
 
@@ -62,7 +64,9 @@ $(CAST): $(CAST_FROM) | $(PACKAGES)
 
 # ---- checks and tests
 
-test: setup check tests browser-tests wheel-test
+test: setup
+	@$(MAKE) --jobs=2 check
+	@$(MAKE) tests browser-tests wheel-test
 	@echo "== All checks and tests passed"
 
 check: check-python check-web
@@ -81,12 +85,12 @@ check-web: $(MODULES)
 
 tests: setup
 	@echo "== Tests"
-	@$(RUN) -m pytest
+	@$(PYTEST)
 
 browser-tests: setup
 	@echo "== Tests in a browser"
 	@$(RUN) tools/browser.py
-	@$(RUN) -m pytest tests/browser
+	@$(PYTEST) tests/browser
 
 wheel-test: setup
 	@echo "== Test of the wheel"

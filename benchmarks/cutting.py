@@ -1,9 +1,11 @@
-"""Nothing that a good copy had is lost, wherever a show file is cut off: every length of it, every length of its log.
+"""Wherever a show file is cut off or written over, it opens whole or exactly as its newest whole backup.
 
-A show file, closed and as a killed server leaves it, is cut off and opened as `omote show` does, twice: what its good
-copy had must be there, the corrupt file be kept as it is, the second start be silent. Where only the log is cut off,
-what is there must be exactly what the first so many lists of changes make. Pages of 512 bytes, so that every length can
-be tried; with SQLite's usual 4096 every 97th and those about every page's end. `--stride N`: fewer.
+A show file, closed and as a killed server leaves it, is cut off at every length, or loses a page, and is opened as
+`omote show` does, twice: what it holds must be exactly what so many lists of changes make, all that the file had or
+all that its newest whole backup had; the corrupt file must be kept as it is, the second start be silent. The same with
+the newest backup cut off as well: then the one before it opens. Where only the log is cut off nothing that was merged
+may be lost. Pages of 512 bytes, so that every length can be tried; with SQLite's usual 4096 every 97th and those about
+every page's end. `--stride N`: fewer.
 """
 
 from __future__ import annotations
@@ -14,22 +16,24 @@ import sqlite3
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from benchmarks.saving import STEPS, Reference, changes, count_lists
 from omote.server.persistence.restore import open_newest
-from omote.showfile.backup import keep_good_copy
+from omote.showfile.backup import back_up, backup_paths
 from omote.showfile.changes import Stored
 from omote.showfile.inspection import verdicts
 from omote.showfile.show_file import JournalEntry, open_show
 
 NAME = "show.omote"
-COPIED, FLUSHED, MADE = 2 * STEPS, 4 * STEPS - 3, 4 * STEPS
-"""Lists of changes when the good copy was made, when the log was merged for the last time, in all."""
+OLDER, COPIED, FLUSHED, MADE = STEPS, 2 * STEPS, 4 * STEPS - 3, 4 * STEPS
+"""Lists of changes when the backups were made, when the log was merged for the last time, in all."""
 VERTICES = 50
 State = tuple[Stored, dict[str, bytes]]
+Damaged = tuple[str, dict[str, bytes]]
+"""What was done to files, and the files by name."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +57,8 @@ def populate(folder: Path, page: int) -> CutFiles:
         show.apply(changes(number, VERTICES))
         reference.make(number, VERTICES)
         states.append((reference.show.stored(), reference.show.contents()))
-        if number == COPIED:
-            keep_good_copy(show)
+        if number in (OLDER, COPIED):
+            back_up(show)
         if number == FLUSHED:
             show.flush()
     show.write_journal(JournalEntry(1234, 5.0, b"state"))
@@ -63,8 +67,9 @@ def populate(folder: Path, page: int) -> CutFiles:
     return CutFiles(killed, {file.name: file.read_bytes() for file in folder.iterdir()}, states)
 
 
-def reopen(folder: Path, files: dict[str, bytes], states: list[State], *, log: bool) -> str:
-    """How these files open: "whole", "rescued" or what is wrong; log: only the log was cut off."""
+def reopen(folder: Path, files: dict[str, bytes], states: list[State], whole: int, backup: int) -> str:
+    """How these files open: "whole" with at least so many lists, "restored" with as many as a backup has, or what is
+    wrong."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     for name, data in files.items():
@@ -78,15 +83,14 @@ def reopen(folder: Path, files: dict[str, bytes], states: list[State], *, log: b
         show.close()
     if found[0] != found[1] or len(said) > 1:
         return "the second start differs from the first"
-    if log or not said:
-        return "whole" if not said and there >= FLUSHED * log and found[0] == states[there] else f"not list {there}"
-    kept = folder / f"{NAME}.corrupt-1"
-    if kept.read_bytes() != files[NAME]:
+    if found[0] != states[there] or there not in ([backup] if said else range(whole, MADE + 1)):
+        return f"it holds {there} lists or something else: {said}"
+    if not said:
+        return "whole"
+    if (folder / f"{NAME}.corrupt-1").read_bytes() != files[NAME]:
         return "the corrupt file was changed"
-    if there < COPIED or not states[COPIED][1].items() <= found[0][1].items():
-        return f"{there} lists are there; the good copy had {COPIED}"
     wrong = [sentence for right, sentence in verdicts(folder / NAME) if not right]
-    return wrong[0] if wrong else "rescued"
+    return wrong[0] if wrong else "restored"
 
 
 def lengths_of(data: bytes, page: int, stride: int) -> list[int]:
@@ -95,29 +99,55 @@ def lengths_of(data: bytes, page: int, stride: int) -> list[int]:
     return sorted(length for length in {*range(0, len(data), stride), *ends, len(data)} if 0 <= length <= len(data))
 
 
-def cut(folder: Path, made: CutFiles, kind: str, lengths: Iterable[int]) -> bool:
-    """Cuts one file at these lengths, prints how they opened; whether the claim holds."""
-    files = made.closed if kind == "closed file" else made.killed
-    name = f"{NAME}-wal" if kind == "log" else NAME
-    found = Counter[str]()
+def cut(files: dict[str, bytes], names: tuple[str, ...], lengths: Iterable[int]) -> Iterator[Damaged]:
+    """These of the files cut off at each length."""
     for length in lengths:
+        yield f"cut to {length} bytes", files | {name: files[name][:length] for name in names}
+
+
+def written_over(files: dict[str, bytes], page: int) -> Iterator[Damaged]:
+    """The show file with each page in turn lost: as zeros, and as anything."""
+    data = files[NAME]
+    for start in range(0, len(data), page):
+        for block in (bytes(page), b"\xa5" * page):
+            yield f"page at byte {start} lost", files | {NAME: data[:start] + block + data[start + page :]}
+
+
+def tried(folder: Path, kind: str, damaged: Iterable[Damaged], states: list[State], whole: int, backup: int) -> bool:
+    """Opens damaged files, prints how they opened; whether the claim holds."""
+    found = Counter[str]()
+    for what, files in damaged:
         try:
-            how = reopen(folder, files | {name: files[name][:length]}, made.states, log=kind == "log")
+            how = reopen(folder, files, states, whole, backup)
         except Exception as error:  # whatever it is, it is what this looks for
             how = f"{type(error).__name__}: {error}"
-        if how not in ("whole", "rescued"):
-            print(f"  {kind} cut to {length} bytes: {how}")
-        found[how if how in ("whole", "rescued") else "wrong"] += 1
-    print(
-        f"  {kind:12} cut at {found.total():6} of {len(files[name]) + 1} lengths: {found['whole']} opened whole, ",
-        end="",
-    )
-    print(f"{found['rescued']} in their newest good state, {found['wrong']} wrong")
+        if how not in ("whole", "restored"):
+            print(f"  {kind}, {what}: {how}")
+        found[how if how in ("whole", "restored") else "wrong"] += 1
+    print(f"  {kind:28} {found.total():6} times: {found['whole']} opened whole, ", end="")
+    print(f"{found['restored']} as the backup of {backup} lists, {found['wrong']} wrong")
     return not found["wrong"]
 
 
+def holds(folder: Path, made: CutFiles, page: int, stride: int) -> bool:
+    """Damages one populated file in every way; whether the claim holds."""
+    newest, log = backup_paths(Path(NAME))[0].name, f"{NAME}-wal"
+    lengths = lengths_of(made.closed[NAME], page, stride)
+    both = cut(made.closed, (NAME, newest), [length for length in lengths if length < len(made.closed[newest])])
+    logs = cut(made.killed, (log,), lengths_of(made.killed[log], page, stride))
+    ways = [
+        ("closed file cut", cut(made.closed, (NAME,), lengths), MADE, COPIED),
+        ("closed file, a page lost", written_over(made.closed, page), MADE, COPIED),
+        ("killed file cut", cut(made.killed, (NAME,), lengths), MADE, COPIED),
+        ("closed file and backup cut", both, MADE, OLDER),
+        ("log cut", logs, FLUSHED, COPIED),
+    ]
+    good = [tried(folder, kind, damaged, made.states, *lists) for kind, damaged, *lists in ways]
+    return all(good)
+
+
 def main() -> int:
-    """Cuts, prints; exit status 1 when anything was lost."""
+    """Cuts, prints; exit status 1 when anything was lost that must not be."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--stride", type=int, default=1)
     stride, good = parser.parse_args().stride, True
@@ -126,10 +156,8 @@ def main() -> int:
         with tempfile.TemporaryDirectory(dir=memory if memory.is_dir() else None) as folder:
             (Path(folder) / "made").mkdir()
             made = populate(Path(folder) / "made", page)
-            print(f"a show file of {MADE} lists of changes in pages of {page} bytes, {COPIED} in its good copy")
-            for kind in ("closed file", "killed file", "log"):
-                data = made.killed[f"{NAME}-wal"] if kind == "log" else made.closed[NAME]
-                good = cut(Path(folder) / "cut", made, kind, lengths_of(data, page, every)) and good
+            print(f"a show file of {MADE} lists of changes in pages of {page} bytes, backups of {COPIED} and {OLDER}")
+            good = holds(Path(folder) / "cut", made, page, every) and good
     print("holds" if good else "DOES NOT HOLD")
     return 0 if good else 1
 

@@ -49,7 +49,7 @@ CHROMIUM = (
 ).split()
 COMMAND = (sys.executable, "-c", "from omote.cli import main; main()", "show")
 
-BENCH = "document.querySelector('omote-editor').rig.bench"
+BENCH = "document.querySelector('omote-editor').context.store"
 READY = f"() => Boolean(window.omoteEditor && {BENCH}.online && {BENCH}.library)"
 BEGIN = f"""faces => {{
     {BENCH}.setWork("generic"); // beside it all of them

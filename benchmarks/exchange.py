@@ -1,4 +1,4 @@
-"""Faces as GLB files: every face of the cast with its 52 ARKit shapes, judged by Khronos, read again, taken back.
+"""Faces as GLB files: every face of the cast with its 52 ARKit blendshapes, validated, read again, imported again.
 
 validator: errors and warnings. three: how many targets three.js finds by name on every mesh. read: how far what is read
 lies from our compounds. taken: how far the same face, wearing what was taken in from the file, lies from them. strange:
@@ -104,9 +104,8 @@ def main() -> int:
     cast, console = load_cast(), Console(width=120)
     context = ExportContext(cast, load_meshes(), load_mask())
     assert context.canvas.hair.any()  # painted once, for all faces
-    table = Table(
-        title=f"{len(cast.faces)} faces, {len(choose_expressions(cast, 'arkit'))} ARKit shapes (errors in mm)"
-    )
+    shapes = len(choose_expressions(cast, "arkit"))
+    table = Table(title=f"GLB of {len(cast.faces)} faces with {shapes} ARKit shapes (errors in mm)")
     for column in ("face", "MB", "errors", "warnings", "three", "read", "taken", "strange", "time / numpy", "held"):
         table.add_column(column, justify="left" if column == "face" else "right")
     held = True
@@ -116,7 +115,7 @@ def main() -> int:
     for (face, each), others in zip(found.items(), seen, strict=True):
         judged = others["validator"]
         named = min(len(mesh["targets"]) for mesh in others["three"]["meshes"].values())
-        clean = not judged["errors"] and not judged["warnings"] and named == len(choose_expressions(cast, "arkit"))
+        clean = not judged["errors"] and not judged["warnings"] and named == shapes
         good = clean and max(each.read, each.back) <= BAR
         held &= good
         figures = f"{each.read:.4f}", f"{each.back:.4f}", f"{each.strange:.4f}", f"{each.seconds / each.peer:.1f}"

@@ -1,4 +1,4 @@
-"""How far a page's picture of a drag is from what the server makes of it once the hand lets go.
+"""The error of a page's linearised preview of a drag against the server's solve.
 
 While a control point is dragged, pages add tangents times field to each face (`model.tangents`); on release the true
 compound takes its place. Every point of the default net is dragged by 5 and 10 mm in a random direction, the points

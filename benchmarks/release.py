@@ -1,4 +1,4 @@
-"""Where a dragged control point lies once it is let go: the solve on release (`model.solve`).
+"""The accuracy of the inverse solve after a drag (`model.controls.inverse_solve`).
 
 Every point of the default net is dragged by 1 to 12 mm, on the surface and off it, on faces that do not resemble each
 other; the compound is then compared with where the hand let go. The bar: every point within 0.05 mm. A solve's cost is

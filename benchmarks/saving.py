@@ -1,15 +1,19 @@
-"""What is acknowledged is kept: `kill -9` while authored work is saved.
+"""What is acknowledged is kept: `kill -9` while authored work is saved, and then a bad disk.
 
 A process edits and saves through the scribe as a server does, beside a journal that is written and flushed all the
-while and good copies that are made again and again, and says on a pipe what was told to be committed. It is killed at a
+while and backups that are made again and again, and says on a pipe what was told to be committed. It is killed at a
 random moment. Then the file must be right in every part (`omote file check`), hold all that was acknowledged, and
-exactly what so many lists of changes make, no half of one. The next process goes on with the same file. `--kills N`.
+exactly what so many lists of changes make, no half of one; so must each backup. Then a copy of the file is damaged at
+a random place: it must open, as `omote show` does, whole or as its newest backup, and what that lacks must not be older
+than the time between two backups and the quarter of a minute that `omote show` allows for making one. The next process
+goes on with the same file. `--kills N`.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import shutil
 import signal
 import sqlite3
 import struct
@@ -26,10 +30,10 @@ import numpy as np
 
 from omote.model.recipes.recipe import Recipe
 from omote.model.space.expression import Expression
+from omote.server.persistence.backup_thread import BACKUP_SECONDS, BackupThread
 from omote.server.persistence.commit_thread import CommitOutcome, CommitThread
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import open_newest
-from omote.showfile.backup import good_path
 from omote.showfile.changes import (
     Change,
     Draft,
@@ -46,16 +50,20 @@ from omote.showfile.changes import (
 )
 from omote.showfile.contents import content_key, pack_expression
 from omote.showfile.inspection import verdicts
-from omote.showfile.integrity import prove
 from omote.showfile.schema import migrate
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
 ITEMS, STEPS = 7, 4
 """Items that are edited in turn, and lists of changes that make one save of one."""
 IN_FLIGHT = 3
-"""Lists that wait for the scribe at once; every so often none, and a good copy is made."""
+"""Lists that wait for the scribe at once."""
+BACKUP_EVERY = 0.02
+MOST_SECONDS = BACKUP_EVERY + 60.0 - BACKUP_SECONDS
+"""Between two backups here, and how old what a bad disk costs may be: as `omote show` promises a minute."""
 VERTICES = 300
 COUNT = "count"
+TOLD = struct.Struct("<id")
+"""A list's number and the monotonic time (s) at which it was acknowledged."""
 
 
 def changes(number: int, vertices: int = VERTICES) -> list[Change]:
@@ -96,23 +104,21 @@ def say(sentence: str) -> None:
     sys.stderr.write(f"{sentence}\n")
 
 
-# --- the process that is killed ---------------------------------------------------------------------------------------
-
-
 def write_for_ever(path: Path, pipe: int) -> None:
-    """Edits and saves until somebody kills it; the number of every list told to be committed goes into the pipe."""
+    """Edits and saves until somebody kills it; the number and time of every commit told of go into the pipe."""
     show = open_newest(path, say)
-    scribe = CommitThread(show.again(), say, quiet_seconds=0.0)
+    backup = BackupThread(show.again(), say, first_seconds=BACKUP_EVERY, backup_seconds=BACKUP_EVERY)
+    scribe = CommitThread(show.again(), say, backup)
     journal = JournalWriter(show.again(), say, flush_seconds=0.002)
     free = threading.Semaphore(IN_FLIGHT)
     number = count_lists(show)
 
-    def told(number: int, fate: CommitOutcome) -> None:
-        if fate.state != "committed":
-            say(f"list {number}: {fate}")
+    def told(number: int, outcome: CommitOutcome) -> None:
+        if outcome.state != "committed":
+            say(f"list {number}: {outcome}")
             return
         try:
-            os.write(pipe, struct.pack("<i", number))
+            os.write(pipe, TOLD.pack(number, time.monotonic()))
         except OSError:
             os._exit(1)  # who should have killed us is gone
         free.release()
@@ -122,18 +128,15 @@ def write_for_ever(path: Path, pipe: int) -> None:
         free.acquire()
         journal.offer(JournalEntry(number, float(number), bytes(2000)))
         scribe.commit(changes(number), lambda fate, number=number: told(number, fate))  # type: ignore[misc]
-        if number % 16 == 0:
-            for _ in range(IN_FLIGHT):
-                free.acquire()
-            free.release(IN_FLIGHT)
 
 
 @dataclass(frozen=True)
 class Kill:
-    """acknowledged: the last list told to be committed; half: whether the log ends within a transaction; copying:
-    whether a good copy was being made."""
+    """acknowledged: the last list told to be committed; times: when each was (s); half: whether the log ends within a
+    transaction; copying: whether a backup was being made."""
 
     acknowledged: int
+    times: dict[int, float]
     half: bool
     copying: bool
 
@@ -150,16 +153,17 @@ def kill_writer(path: Path, acknowledgements: int, wait: float, before: int) -> 
             os._exit(1)
     os.close(writing)
     with os.fdopen(reading, "rb") as pipe:
-        told = pipe.read(4 * acknowledgements)
+        told = pipe.read(TOLD.size * acknowledgements)
         if wait:
             time.sleep(wait)
         os.kill(child, signal.SIGKILL)
         told += pipe.read()
     os.waitpid(child, 0)
-    numbers = [number for (number,) in struct.iter_unpack("<i", told[: len(told) // 4 * 4])]
-    if numbers != [*range(before + 1, before + 1 + len(numbers))] or len(numbers) < acknowledgements:
-        raise AssertionError(f"after {before} lists {numbers} were acknowledged")
-    return Kill(before + len(numbers), ends_half(path), path.with_name(path.name + ".good-new").exists())
+    times = dict(TOLD.iter_unpack(told[: len(told) // TOLD.size * TOLD.size]))
+    if [*times] != [*range(before + 1, before + 1 + len(times))] or len(times) < acknowledgements:
+        raise AssertionError(f"after {before} lists {[*times]} were acknowledged")
+    copying = path.with_name(path.name + ".good-new").exists()
+    return Kill(before + len(times), times, ends_half(path), copying)
 
 
 def ends_half(path: Path) -> bool:
@@ -192,44 +196,90 @@ class Reference:
             self.show.apply(changes(number, vertices))
         self.made = count
 
+    def equals(self, show: ShowFile, count: int) -> bool:
+        """Whether a file holds exactly what so many lists make."""
+        self.make(count)
+        return show.stored() == self.show.stored() and show.contents() == self.show.contents()
+
 
 def check(path: Path, kill: Kill, reference: Reference) -> str:
     """What of the claim does not hold after a kill; "" when all does."""
     wrong = [sentence for right, sentence in verdicts(path) if not right]
     if wrong:
         return "; ".join(wrong)
-    if good_path(path).exists():
-        prove(good_path(path))
     show = open_show(path)
     try:
         there = count_lists(show)
         if not kill.acknowledged <= there <= kill.acknowledged + IN_FLIGHT:
             return f"{kill.acknowledged} were acknowledged, {there} are there"
-        reference.make(there)
-        if show.stored() != reference.show.stored() or show.contents() != reference.show.contents():
-            return f"it holds something else than {there} lists make"
-        return ""
+        return "" if reference.equals(show, there) else f"it holds something else than {there} lists make"
     finally:
         show.close()
+
+
+def damaged_copy(path: Path, folder: Path, random: np.random.Generator) -> str:
+    """Copies a show file and all beside it into a new folder, cut off or written over there; says where."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    for file in path.parent.glob(f"{path.name}*"):
+        if not file.name.endswith("-shm"):
+            shutil.copyfile(file, folder / file.name)
+    data = path.read_bytes()
+    at = int(random.integers(len(data)))
+    rest = b"" if random.random() < 0.5 else random.bytes(4096) + data[at + 4096 :]
+    (folder / path.name).write_bytes(data[:at] + rest)
+    return f"{'written over' if rest else 'cut off'} from byte {at}"
+
+
+class BadDisk:
+    """Damages copies of the file; costs: seconds of writing from the first acknowledged list that is lost to the last,
+    for each copy that was not whole."""
+
+    def __init__(self, folder: Path, random: np.random.Generator) -> None:
+        self.folder, self.random, self.reference = folder, random, Reference()
+        self.acknowledged: dict[int, float] = {}
+        self.costs: list[float] = []
+        self.written = 0.0
+
+    def strike(self, path: Path, kill: Kill, whole: int) -> str:
+        """What of the claim does not hold for a damaged copy of a file that holds so many lists; "" when all does."""
+        begun = min(kill.times.values()) - self.written
+        self.acknowledged |= {number: time - begun for number, time in kill.times.items()}
+        self.written = max(self.acknowledged.values())
+        how, said = damaged_copy(path, self.folder, self.random), list[str]()
+        show = open_newest(self.folder / path.name, said.append)
+        try:
+            there = count_lists(show)
+            if not said:
+                return "" if there == whole else f"{how}: opened as if nothing were wrong, with {there} lists"
+            if not self.reference.equals(show, there):
+                return f"{how}: opened with something else than {there} lists make"
+            lost = [time for number, time in self.acknowledged.items() if number > there]
+            self.costs.append(self.written - min(lost, default=self.written))
+            return f"{how}: {self.costs[-1]:.1f} s are lost" if self.costs[-1] > MOST_SECONDS else ""
+        finally:
+            show.close()
 
 
 def kills(path: Path, count: int, *, seed: int = 5) -> bool:
     """Kills so many writers of one file, prints what was found; whether the claim holds."""
     random, reference, found = np.random.default_rng(seed), Reference(), Counter[str]()
+    disk = BadDisk(path.parent / "bad disk", np.random.default_rng(seed + 1))
     for number in range(count):
         wait = float(random.choice([0.0, random.uniform(0.0, 0.02)]))
         kill = kill_writer(path, int(random.integers(1, 25)), wait, reference.made)
-        wrong = check(path, kill, reference)
+        wrong = check(path, kill, reference) or disk.strike(path, kill, reference.made)
         if wrong:
             print(f"  kill {number + 1}: {wrong}")
         found["wrong"] += bool(wrong)
         found["half"] += kill.half
         found["copying"] += kill.copying
         found["unheard"] += reference.made > kill.acknowledged
-    size = path.stat().st_size / 1e6
+    size, most = path.stat().st_size / 1e6, max(disk.costs, default=0.0)
     print(f"{count} x kill -9 while {reference.made} lists of changes were committed, file {size:.1f} MB")
     print(f"  within the writing of a commit {found['half']}, between commit and word {found['unheard']}", end="")
-    print(f", while a good copy was made {found['copying']}")
+    print(f", while a backup was made {found['copying']}")
+    print(f"  a bad disk after each: {len(disk.costs)} opened as a backup, at most {most:.2f} s old, the rest whole")
     print(f"  lost or torn {found['wrong']}")
     return not found["wrong"]
 

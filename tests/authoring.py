@@ -1,4 +1,4 @@
-"""Editors at work without server or mathematics: a craft that answers at once, a file of plain tables, pages."""
+"""A test harness of the edit session without server or computation: instant answers, plain tables for the file."""
 
 from __future__ import annotations
 
@@ -148,7 +148,7 @@ class Tables:
 
 
 class EditHarness:
-    """A session with its craft and its file: everything that is asked is done at once, unless `slow`."""
+    """An edit session with a fake worker and file: every order is carried out at once, unless `slow`."""
 
     def __init__(self, cast: Cast, tables: Any = None, *, slow: bool = False) -> None:
         self.cast, self.slow = cast, slow

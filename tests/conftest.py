@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
@@ -16,7 +16,10 @@ from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
 from tests import synthetic
 
-settings.register_profile("omote", deadline=None, derandomize=True, max_examples=60)
+# No test depends on how fast a machine is.
+settings.register_profile(
+    "omote", deadline=None, derandomize=True, max_examples=60, suppress_health_check=[HealthCheck.too_slow]
+)
 settings.load_profile("omote")
 
 
@@ -84,6 +87,11 @@ def random_moves(seed: int, count: int) -> list[Command]:
         else:
             found.append(Command(f"release_{axis}", wait=wait))
     return found
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Long tests first; all others stay in their order."""
+    items.sort(key=lambda item: item.get_closest_marker("long") is None)
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,6 @@
 """docs/conventions.md in a form that fails; every test here is named on that page."""
 
+import ast
 import dataclasses
 import inspect
 import re
@@ -52,6 +53,45 @@ def moved(cast: omote.Cast, name: str) -> NDArray[np.float64]:
     """Where a unit moves the generic face, (V, 3) metres."""
     face = cast.faces["generic"]
     return omote.compound(cast.space, face, cast.expressions[name]).astype(np.float64) - face.positions
+
+
+PARTICIPLES = {
+    "omote.perform.axis": {"called", "faded", "released", "advanced"},
+}
+"""Participles allowed: each returns a changed copy of its first argument."""
+PUBLIC_PARTICIPLES = {"sculpted", "restored"}
+"""Public names of `omote` that stay: a function, and the classmethod that makes an object from its snapshot."""
+NOUNS = {"stored"}
+"""Nouns with the form of a participle: `stored` gives a `Stored`."""
+IRREGULAR = set(
+    "bent born bound bought broken brought built caught cut dealt drawn driven drunk eaten fallen fed felt found given "
+    "gone grown held heard hidden hung kept known laid led left lent lit lost made meant met paid put risen said seen "
+    "sent set sewn shaken shown shut slid sold spent spoken spread spun stood stuck sung sunk swept swollen taken "
+    "taught told thought thrown torn understood woken won worn wound woven written".split()
+)
+COMMANDS = {"set", "put", "cut", "shut", "spread"}
+"""Verbs whose participle is the same word."""
+PARTICIPLE_ENDINGS = re.compile(r"[a-z]{2,}[^e]ed")
+"""Regular participles; `feed`, `need` and `speed` are none."""
+OF_OTHERS = ("omote.model.transfer", "omote.perform.blending.correctives", "omote.perform.blending.orientation")
+"""Packages that are renamed apart."""
+
+
+def is_participle(name: str) -> bool:
+    """Whether a name is a bare past participle, such as `mailed` or `woven`."""
+    return bool(PARTICIPLE_ENDINGS.fullmatch(name)) or name in IRREGULAR - COMMANDS
+
+
+def defined_functions() -> Iterator[tuple[str, str]]:
+    """The module and the name of every public function and method in src/omote; properties are left out."""
+    source = Path(omote.__file__).parent
+    for path in sorted(source.rglob("*.py")):
+        module = ".".join(("omote", *path.relative_to(source).with_suffix("").parts)).removesuffix(".__init__")
+        for node in ast.walk(ast.parse(path.read_text())):
+            if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) or node.name.startswith("_"):
+                continue
+            if not any("property" in ast.unparse(decorator) for decorator in node.decorator_list):
+                yield module, node.name
 
 
 def public_callables() -> Iterator[tuple[str, Callable[..., object]]]:
@@ -187,6 +227,15 @@ def test_one_option_at_most_may_be_given_by_place(name: str, function: Callable[
     parameters = inspect.signature(function).parameters.values()
     options = [p for p in parameters if p.default is not p.empty]
     assert len([p for p in options if p.kind is not p.KEYWORD_ONLY]) <= 1, f"{name}{inspect.signature(function)}"
+
+
+def test_functions_are_verbs_or_nouns() -> None:
+    assert all(map(is_participle, ("mailed", "hired", "woven", "kept", "seen", "copied", "painted")))
+    assert not any(map(is_participle, ("feed", "need", "speed", "fit", "compile", "blend", "weights", "set")))
+    allowed = {(module, name) for module, names in PARTICIPLES.items() for name in names}
+    found = {(module, name) for module, name in defined_functions() if is_participle(name)}
+    free = {each for each in found if each[1] in PUBLIC_PARTICIPLES | NOUNS or each[0].startswith(OF_OTHERS)}
+    assert found - free == allowed
 
 
 @pytest.mark.parametrize("name", sorted({*omote.__all__, *(name for name, _ in public_callables())}))

@@ -131,7 +131,7 @@ def test_what_cannot_come_in_leaves_no_file(tmp_path: Path) -> None:
     assert not other.exists()
 
 
-def test_a_label_in_a_strangers_file_commands_no_terminal(show: ShowFile) -> None:
+def test_a_label_in_an_untrusted_file_controls_no_terminal(show: ShowFile) -> None:
     show.apply([PutItem(item(1, name="smirk", label="\x1b[31mred\x07\u202eder\n", head=2))])
     for text in (said("list", show.path), said("check", show.path), said("history", show.path, "smirk")):
         assert not {"\x1b", "\x07", "\u202e"} & set(text)

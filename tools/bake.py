@@ -31,7 +31,7 @@ STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OWN) + len(GR
 
 
 def bake(package: Package, step: Step) -> dict[str, bytes]:
-    """The three files of the cast by name; `step` is told what has been done."""
+    """Bakes the three files of the cast, by name; `step` is called with what has been done."""
     base = read_base_mesh(package.text("mpfb2/3dobjs/base.obj"))
     head = cut_head(base)
     step("base mesh")

@@ -1,21 +1,34 @@
-"""Writes `web/src/link/messages.ts` and `editing.ts` from the Python messages: `python tools/messages.py [--check]`."""
+"""Writes what Python and the web share into `web/src/link`: `python tools/messages.py [--check]`.
+
+`messages.ts` and `editing_messages.ts` have the messages of both links, `constants.ts` the names, ranges and lengths.
+"""
 
 from __future__ import annotations
 
 import inspect
+import json
 import sys
 import types
 import typing
+from collections.abc import Mapping
 from pathlib import Path
 from types import ModuleType
 
 import msgspec
 
 from omote.edit.protocol import messages as editing
+from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
+from omote.interchange.skin_texture import HAIRLINE, LAYERS
+from omote.model.sculpting.sculpt import WARP_UNIT
+from omote.model.space.eye_socket import FAR, NEAR
+from omote.model.space.lid_lip_lines import RUNGS
+from omote.perform.easing import DEFAULT_EASING, EASINGS
+from omote.perform.lights import FIRST_LIGHT, LIGHTS
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 from omote.show import messages
 
 FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
-HEAD = "// Written by tools/messages.py from src/omote/{}/messages.py. Do not edit: run `python tools/messages.py`.\n"
+HEAD = "// Written by tools/messages.py from {}. Do not edit: run `python tools/messages.py`.\n"
 PLAIN = {float: "number", int: "number", str: "string", bool: "boolean", bytes: "Uint8Array", type(None): "null"}
 
 
@@ -47,7 +60,7 @@ def show_module() -> str:
         f"/** States per second. */\nexport const STATE_RATE = {messages.STATE_RATE:g};",
     ]
     unions = [_union("FromClient", messages.CLIENT_MESSAGES), _union("FromServer", messages.SERVER_MESSAGES)]
-    return _module("show", constants, structs_of(messages), unions)
+    return _module(messages, constants, structs_of(messages), unions)
 
 
 def editing_module() -> str:
@@ -58,10 +71,38 @@ def editing_module() -> str:
         f"/** Bytes; no message of an editor is longer. */\nexport const EDITING_LIMIT = {editing.EDITING_LIMIT};",
     ]
     unions = [_union("FromEditor", editing.EDITOR_MESSAGES), _union("ToEditor", editing.ANSWERS)]
-    return _module("edit/protocol", constants, structs_of(editing), unions)
+    return _module(editing, constants, structs_of(editing), unions)
 
 
-MODULES = {"messages.ts": show_module, "editing.ts": editing_module}
+CONSTANTS: Mapping[str, tuple[str, object]] = {
+    "LIGHT_NAMES": ("The lights that a show can call, in the order of the console.", tuple(LIGHTS)),
+    "FIRST_LIGHT": ("The light that a show begins with.", FIRST_LIGHT),
+    "EASING_NAMES": ("The easings of a call.", tuple(EASINGS)),
+    "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
+    "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(messages.Level)),
+    "CHANNEL_RANGE": ("The lowest and the highest weight of a channel.", (CHANNEL_LOWEST, CHANNEL_HIGHEST)),
+    "RUNGS": ("Pairs of points between the edges of lids and lips that corrective shapes keep apart.", RUNGS),
+    "SOCKET_NEAR": ("In radii of an eyeball: skin below keeps its height over it exactly.", NEAR),
+    "SOCKET_FAR": ("In radii of an eyeball: skin above moves freely.", FAR),
+    "WARP_UNIT": ("Metres in which the warp of the handles counts lengths.", WARP_UNIT),
+    "SKIN_LAYERS": ("The layers of the skin's picture, from the top.", LAYERS),
+    "HAIRLINE": ("Radians from straight ahead, and the metres over the eyes where hair begins.", HAIRLINE.tolist()),
+    "ARCH": ("Metres from the front teeth back to the middle of the dental arch.", ARCH),
+    "TOOTH_REACH": ("Radians along the arch within which vertices belong to one tooth's height.", TOOTH_REACH),
+    "ARCH_DEPTH": ("Metres behind the front teeth that the teeth's texture spans.", ARCH_DEPTH),
+}
+"""What exists in both languages and on no message: name, its comment, its value in Python."""
+
+
+def constants_module() -> str:
+    """The shared constants in TypeScript, each as the literal that it is."""
+    lines = [
+        f"/** {comment} */\nexport const {name} = {_literal(value)};" for name, (comment, value) in CONSTANTS.items()
+    ]
+    return HEAD.format("the Python tables that it imports") + "\n" + "\n".join(lines) + "\n"
+
+
+MODULES = {"messages.ts": show_module, "editing_messages.ts": editing_module, "constants.ts": constants_module}
 
 
 def structs_of(module: ModuleType) -> list[type[msgspec.Struct]]:
@@ -80,8 +121,13 @@ def main(arguments: list[str]) -> int:
     return 0
 
 
-def _module(package: str, constants: list[str], structs: list[type[msgspec.Struct]], unions: list[str]) -> str:
-    return "\n".join([HEAD.format(package), "\n".join(constants) + "\n", *map(interface, structs), *unions])
+def _literal(value: object) -> str:
+    return json.dumps(value) + (" as const" if isinstance(value, tuple | list) else "")
+
+
+def _module(source: ModuleType, constants: list[str], structs: list[type[msgspec.Struct]], unions: list[str]) -> str:
+    head = HEAD.format(f"src/{source.__name__.replace('.', '/')}.py")
+    return "\n".join([head, "\n".join(constants) + "\n", *map(interface, structs), *unions])
 
 
 def _generic(origin: object, arguments: tuple[object, ...], annotation: object) -> str:

@@ -1,4 +1,4 @@
-"""What issue and design ask of the map, each as a figure of the whole run against its bar."""
+"""The requirements on the retargeting map, each as a figure of the whole run against its bar."""
 
 from __future__ import annotations
 

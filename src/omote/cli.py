@@ -1,4 +1,4 @@
-"""The commands; each wires, and decides nothing. What is heavy is imported where it is used, so that help is quick."""
+"""The command line (`omote`): each command only wires other modules, and imports heavy ones where they are used."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def show(
     """Opens a show: serves stage and console, and keeps them alive."""
     if sys.platform == "win32":
         fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
-    from omote.server.http import static_pages as bundle
+    from omote.server.http.static_pages import read_pages
     from omote.server.persistence.lock import ShowLockedError, lock_show
     from omote.server.persistence.restore import open_newest
     from omote.server.supervision.supervisor import Supervisor, listen_on
@@ -58,7 +58,7 @@ def show(
 
     path = (file or default_path()).absolute()
     try:
-        bundle.read_pages()
+        read_pages()
         lock = lock_show(path)
         listening = listen_on(host, port)  # before the file is made: a refused port leaves none
         open_newest(path, say).close()
@@ -123,9 +123,9 @@ def grid(
     """Draws pictures in rows and columns: faces by expressions, and by turns."""
 
     def sheet(cast: Cast) -> PictureGrid:
-        from omote.stage_data import picture_grid as sheet
+        from omote.stage_data.picture_grid import build_grid
 
-        return sheet.build_grid(cast, faces=faces, expressions=expressions, turns=turns, light=light, labels=labels)
+        return build_grid(cast, faces=faces, expressions=expressions, turns=turns, light=light, labels=labels)
 
     draw(output, sheet, size, background=background, transparent=transparent, quality=quality)
 
@@ -176,7 +176,7 @@ def check() -> None:
 
 
 def draw(output: Path, sheet_of: Callable[[Cast], PictureGrid], size: str, **setting: Any) -> None:
-    """Draws a sheet into a file, or ends the command with a sentence and leaves no file behind."""
+    """Renders a picture grid into a file, or ends the command with an error message and leaves no file behind."""
     from omote.interchange.formats.atomic_file import check_writable, write_whole
     from omote.interchange.formats.picture_names import picture_kind
     from omote.server.headless.devtools import BrowserError
@@ -194,7 +194,7 @@ def draw(output: Path, sheet_of: Callable[[Cast], PictureGrid], size: str, **set
 
 
 def announce(host: str, port: int, *, browser: bool) -> None:
-    """Says where the pages are, and opens stage and console where there is a screen."""
+    """Prints the addresses of the pages, and opens stage and console where there is a screen."""
     from omote.server.http.address import local_address, reachable_addresses
 
     for url in reachable_addresses(host, port):
@@ -208,12 +208,12 @@ def announce(host: str, port: int, *, browser: bool) -> None:
 
 
 def has_screen() -> bool:
-    """Whether a browser would have somewhere to open."""
+    """Whether there is a screen on which a browser can open."""
     return sys.platform == "darwin" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def load_cast() -> Cast:
-    """The built-in cast; ends the command with a sentence when it is not there."""
+    """Loads the built-in cast; ends the command with an error message when it is missing."""
     from omote import builtin
 
     try:
@@ -223,7 +223,7 @@ def load_cast() -> Cast:
 
 
 def load_full_cast(path: Path) -> Cast:
-    """The built-in cast with the own faces and expressions of a show file."""
+    """Loads the built-in cast with the own faces and expressions of a show file."""
     from omote.showfile.inspection import inspect_show
     from omote.stage_data.full_cast import build_full_cast
 
@@ -232,7 +232,7 @@ def load_full_cast(path: Path) -> Cast:
 
 
 def print_json(cast: Cast) -> None:
-    """The cast as JSON."""
+    """Prints the cast as JSON."""
     import msgspec
 
     faces = [{"name": name, "vertices": len(face.positions)} for name, face in cast.faces.items()]
@@ -243,7 +243,7 @@ def print_json(cast: Cast) -> None:
 
 
 def print_table(cast: Cast) -> None:
-    """The cast as a table, expressions grouped by kind."""
+    """Prints the cast as a table, expressions grouped by kind."""
     from rich.console import Console
     from rich.table import Table
 
@@ -256,11 +256,11 @@ def print_table(cast: Cast) -> None:
 
 
 def say(sentence: str) -> None:
-    """Says a sentence to the operator's terminal."""
+    """Prints a sentence on the operator's terminal."""
     typer.echo(f"omote: {sentence}", err=True)
 
 
 def fail(sentence: str) -> NoReturn:
-    """Ends the command with a sentence and exit status 1."""
+    """Ends the command with an error message and exit status 1."""
     say(sentence)
     raise typer.Exit(1)

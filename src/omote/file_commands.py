@@ -1,5 +1,5 @@
-"""`omote file ...`: what is in a show file, what comes in and goes out; all but `import` read only, also while a show
-plays it."""
+"""The commands `omote file ...`: list, check, history, import and export of a show file; all but `import` only read,
+also while a show plays it."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def take_in(
     with exit_on_refusal():
         cast = load_cast()
         if file.exists():
-            with open_offline_show(file) as show:  # so that nobody waits for what a show's lock then refuses
+            with open_offline_show(file) as show:  # checks the lock before the slow part
                 cast = build_full_cast(cast, show.stored(), show.contents())
         found = faces_from(cast, things, look=face) if kind == "face" else expressions_from(cast, things, face=face)
         for arrival, sentence in found:
@@ -141,12 +141,12 @@ def give_out(
 
 
 def escape_controls(text: str) -> str:
-    """The text with what no terminal prints as escapes: names in files of strangers would command it."""
+    """Escapes control characters: names in untrusted files must not control the terminal."""
     return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
 
 
 def format_time(seconds: float) -> str:
-    """A time of the calendar (seconds since 1970) as people write it here; "?" for one that no clock shows."""
+    """Formats a time (seconds since 1970) as local date and time; "?" for one out of range."""
     try:
         return time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(seconds))
     except (OverflowError, ValueError, OSError):
@@ -155,7 +155,7 @@ def format_time(seconds: float) -> str:
 
 @contextlib.contextmanager
 def exit_on_refusal() -> Iterator[None]:
-    """Ends the command with a sentence and exit status 1 where a show file refuses."""
+    """Turns errors of show files into an error message and exit status 1."""
     import sqlite3
 
     from omote.server.persistence.lock import ShowLockedError
@@ -169,7 +169,7 @@ def exit_on_refusal() -> Iterator[None]:
 
 
 def print_rows(rows: list[dict[str, Any]], *, json: bool, none: str) -> None:
-    """Rows as a table, or as JSON; a sentence where there are none."""
+    """Prints rows as a table, or as JSON; a sentence where there are none."""
     if json:
         import msgspec
 

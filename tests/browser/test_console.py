@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page, Route, WebSocketRoute, expect
 
-expect.set_options(timeout=15_000)  # nothing here measures time; busy machines may take theirs
+from tests.browser.waiting import wait_until
 
 OpenPage = Callable[..., Page]
 Console = Callable[..., Page]
 
-DESK = "document.querySelector('omote-console').rig.desk"
+DESK = "document.querySelector('omote-console').context.store"
 AT_REST = """
     state.faces.generic === 1 && state.expressions.neutral === 1 && Object.keys(state.channels).length === 0
     && [...state.head, ...state.gaze, state.face_fader, state.expression_fader].every((value) => value === 0)
@@ -56,26 +56,10 @@ def state(page: Page) -> dict[str, Any]:
     return dict(page.evaluate(f"{DESK}.state"))
 
 
-def wait_for(page: Page, condition: str, seconds: float = 30) -> None:
-    """Waits until a condition on `state`, `authored_work` or the `page` element holds, looking in every frame.
-
-    Written out because Playwright's own wait evaluates strings in the page, which its content security policy forbids.
-    """
-    page.evaluate(f"""() => new Promise((done, fail) => {{
-        const tooLate = performance.now() + {1000 * seconds};
-        const holds = () => {{
-            const page = document.querySelector("omote-console");
-            const desk = page?.rig.desk;
-            const state = desk?.state;
-            return Boolean(desk) && ({condition});
-        }};
-        const look = () => {{
-            if (holds()) done();
-            else if (performance.now() < tooLate) requestAnimationFrame(look);
-            else fail(new Error("never came: " + {condition!r} + " in " + JSON.stringify({DESK}.state)));
-        }};
-        look();
-    }})""")
+def wait_for(page: Page, condition: str) -> None:
+    """Waits until a condition on `state` and `authored_work` holds."""
+    given = "const desk = document.querySelector('omote-console')?.context.store; const state = desk?.state"
+    wait_until(page, f"desk && ({condition})", given, told="state")
 
 
 def tile(page: Page, name: str) -> Locator:
@@ -115,12 +99,16 @@ def drag(page: Page, control: Locator, start: tuple[float, float], end: tuple[fl
 def test_a_click_brings_a_face_on_air_in_the_chosen_time(console: Console) -> None:
     page = console()
     choose(page, "face", "4")
+    assert page.evaluate(f"{DESK}.timing.face.seconds") == 4
     tile(page, "old").click()
-    wait_for(page, "state.face_call?.target === 'old' && state.face_call.remaining <= 4")
-    expect(tile(page, "old")).to_have_class("tile coming")
     wait_for(page, "state.faces.old === 1 && state.face_call === null")
     expect(tile(page, "old")).to_have_class("tile air")
     expect(tile(page, "generic")).to_have_class("tile")
+    page.evaluate(f"{DESK}.setTiming('face', {{ seconds: 600 }})")
+    tile(page, "child").click()
+    wait_for(page, "state.face_call?.target === 'child' && 4 < state.face_call.remaining")
+    assert state(page)["face_call"]["remaining"] <= 600
+    expect(tile(page, "child")).to_have_class("tile coming")
 
 
 def test_a_cut_needs_no_time(console: Console) -> None:
@@ -133,16 +121,16 @@ def test_a_cut_needs_no_time(console: Console) -> None:
 def test_typed_seconds_and_the_easing_go_with_the_call(console: Console) -> None:
     page = console()
     entry = page.get_by_label("Other seconds (expression)")
-    entry.fill("30")
+    entry.fill("300")
     entry.press("Enter")
     page.locator(".expressions [data-easing='late']").click()
     tile(page, "sad").click()
-    wait_for(page, "state.expression_call?.target === 'sad' && state.expression_call.remaining > 20")
+    wait_for(page, "state.expression_call?.target === 'sad' && state.expression_call.remaining > 30")
     assert page.evaluate(f"{DESK}.timing.expression.easing") == "late"
     entry.fill("soon")
     entry.press("Enter")
     expect(page.locator(".notice")).to_contain_text('"soon" is not a duration')
-    assert page.evaluate(f"{DESK}.timing.expression.seconds") == 30
+    assert page.evaluate(f"{DESK}.timing.expression.seconds") == 300
 
 
 def test_what_is_on_air_and_what_is_coming_is_told_by_name(console: Console) -> None:
@@ -409,7 +397,7 @@ def test_panic_is_neutral_now(console: Console, way: str) -> None:
     page.keyboard.press("PageUp")
     page.keyboard.press("h")
     page.keyboard.press("ArrowUp")
-    choose(page, "expression", "8")
+    page.evaluate(f"{DESK}.setTiming('expression', {{ seconds: 600 }})")
     tile(page, "laugh").click()
     wait_for(page, "state.channels.jawOpen > 0 && state.head[1] > 0 && state.expression_call !== null")
     if way == "key":
@@ -448,9 +436,9 @@ def test_a_drag_under_way_does_not_undo_panic(console: Console) -> None:
 def test_thumbnails_show_faces_and_they_differ(console: Console) -> None:
     page = console()
     drawn = "all.length > 0 && all.every((one) => one.dataset.drawn)"
-    palettes = "[...page.shadowRoot.querySelectorAll('omote-palette')]"
+    palettes = "[...document.querySelector('omote-console').shadowRoot.querySelectorAll('omote-palette')]"
     canvases = f"{palettes}.flatMap((one) => [...one.shadowRoot.querySelectorAll('canvas')])"
-    wait_for(page, f"((all) => {drawn})({canvases})", seconds=60)
+    wait_for(page, f"((all) => {drawn})({canvases})")
     pictures = {name: pixels(page, name) for name in ("generic", "old", "child", "smile", "surprise")}
     for name, picture in pictures.items():
         assert picture.std() > 20, f"{name} is blank"

@@ -14,6 +14,7 @@ from playwright.sync_api import Page, expect
 
 from tests.browser.pictures import picture
 from tests.browser.test_console import DESK, choose, console, fader, region, tile, wait_for
+from tests.browser.waiting import draw_on_demand, floats, wait_until
 
 __all__ = ["console"]
 
@@ -28,21 +29,9 @@ SAME = 2e-5
 def stage(open_page: OpenPage) -> Page:
     """A stage at its lowest quality that draws."""
     page = open_page("/stage?quality=lowest", width=480, height=480)
-    page.wait_for_selector("canvas")
-    until(page, "window.omoteStage?.settled() === true")
+    wait_until(page, "window.omoteStage?.settled() === true")
+    draw_on_demand(page)
     return page
-
-
-def until(page: Page, condition: str, seconds: float = 60) -> None:
-    page.evaluate(f"""() => new Promise((done, fail) => {{
-        const tooLate = performance.now() + {1000 * seconds};
-        const look = () => {{
-            if ({condition}) done();
-            else if (performance.now() < tooLate) requestAnimationFrame(look);
-            else fail(new Error("never came: " + {condition!r}));
-        }};
-        look();
-    }})""")
 
 
 def keep(page: Page, axis: str) -> dict[str, str]:
@@ -60,8 +49,8 @@ def keep(page: Page, axis: str) -> dict[str, str]:
 def held(stage: Page, **pose: Any) -> tuple[NDArray[np.float64], NDArray[np.int16]]:
     """What a stage shows of a pose: positions (rows, 3) metres, and a picture."""
     stage.evaluate(f"window.omoteStage.hold({msgspec.json.encode(pose).decode()})")
-    until(stage, "window.omoteStage.settled()")
-    return np.array(stage.evaluate("window.omoteStage.readPositions()")).reshape(-1, 3), picture(stage)
+    wait_until(stage, "window.omoteStage.settled()")
+    return floats(stage, "window.omoteStage.readPositions()").reshape(-1, 3), picture(stage)
 
 
 def test_a_face_kept_half_way_between_two_is_their_mix_and_plays_at_once(console: Console, stage: Page) -> None:
@@ -123,7 +112,7 @@ def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> N
         expect(page.locator(".notice a")).to_have_attribute("href", f"/editor?kind={kind}&name={name}")
     with page.context.expect_page() as opened:
         page.locator(".notice a").click()
-    until(opened.value, f"document.querySelector('omote-editor')?.rig?.bench.item?.name === {name!r}")
+    wait_until(opened.value, f"document.querySelector('omote-editor')?.context?.store.item?.name === {name!r}")
     expect(page.locator(".notice")).to_contain_text("under Own")
 
 
@@ -134,12 +123,13 @@ def test_the_pencil_of_an_own_thing_opens_it_and_calls_nothing(console: Console)
     box = pencil.bounding_box()
     assert box is not None
     assert min(box["width"], box["height"]) >= 24  # WCAG 2.2, 2.5.8
+    before = len(page.context.pages)
     with page.context.expect_page() as opened:
         pencil.focus()
         pencil.press("Enter")
-    until(opened.value, f"document.querySelector('omote-editor')?.rig?.bench.item?.name === {kept['name']!r}")
+    wait_until(opened.value, f"document.querySelector('omote-editor')?.context?.store.item?.name === {kept['name']!r}")
     pencil.click()  # in the same tab
-    assert len(page.context.pages) == 2
+    assert len(page.context.pages) == before + 1
     assert page.evaluate(f"{DESK}.state.face_call") is None
     assert page.evaluate(f"{DESK}.state.faces") == {"generic": 1}
 
@@ -192,17 +182,17 @@ def test_another_tablet_opens_with_the_same_layout(console: Console) -> None:
     region(page, "mouth")
     page.locator("[data-kind='arkit']").click()
     page.get_by_role("button", name="Link R L").click()
-    arranged = page.evaluate(f"{DESK}.arrangement")
+    arranged = page.evaluate(f"{DESK}.layout")
     page.evaluate(f"""async () => {{
         for (;;) {{
             const answer = await fetch("/layouts/console");
             const {{ version, ...found }} = answer.status === 200 ? await answer.json() : {{}};
-            if (JSON.stringify(found) === JSON.stringify({DESK}.arrangement)) return;
+            if (JSON.stringify(found) === JSON.stringify({DESK}.layout)) return;
             await new Promise(requestAnimationFrame);
         }}
     }}""")
     other = console()
-    assert other.evaluate(f"{DESK}.arrangement") == arranged
+    assert other.evaluate(f"{DESK}.layout") == arranged
     expect(other.locator("[data-kind='arkit']")).to_have_attribute("aria-selected", "true")
     expect(fader(other, "mouthFunnel")).to_be_visible()
 
@@ -210,9 +200,9 @@ def test_another_tablet_opens_with_the_same_layout(console: Console) -> None:
 def test_a_layout_that_cannot_be_read_is_told_and_ignored(open_page: OpenPage) -> None:
     page = open_page("/console?layout=broken")
     wait_for(page, "desk.online && desk.faces.length > 0")
-    first = page.evaluate(f"{DESK}.arrangement")
+    first = page.evaluate(f"{DESK}.layout")
     page.route("**/layouts/broken", lambda route: route.fulfill(status=200, body="{not json"))
     page.reload()
     wait_for(page, "desk.online && desk.faces.length > 0")
     expect(page.locator(".notice")).to_contain_text("cannot be read")
-    assert page.evaluate(f"{DESK}.arrangement") == first
+    assert page.evaluate(f"{DESK}.layout") == first

@@ -11,12 +11,12 @@ import pytest
 from numpy.typing import NDArray
 from playwright.sync_api import Locator, Page, WebSocketRoute, expect
 
-expect.set_options(timeout=20_000)  # nothing here measures time; busy machines may take theirs
+from tests.browser.waiting import floats, wait_until
 
 OpenPage = Callable[..., Page]
 Editor = Callable[..., Page]
 
-BENCH = "document.querySelector('omote-editor').rig.bench"
+BENCH = "document.querySelector('omote-editor').context.store"
 SETTLED = "bench.draft !== null && canvas !== undefined && canvas.settled()"
 REACH = 5e-5
 """Metres within which a dragged point lies where it was put."""
@@ -34,22 +34,10 @@ def editor(open_page: OpenPage) -> Editor:
     return open_one
 
 
-def wait_for(page: Page, condition: str, seconds: float = 60) -> None:
-    """Waits until a condition on the `bench` or the `canvas` (its probe) holds, looking in every frame."""
-    page.evaluate(f"""() => new Promise((done, fail) => {{
-        const tooLate = performance.now() + {1000 * seconds};
-        const holds = () => {{
-            const bench = document.querySelector("omote-editor")?.rig.bench;
-            const canvas = window.omoteEditor;
-            return Boolean(bench) && ({condition});
-        }};
-        const look = () => {{
-            if (holds()) done();
-            else if (performance.now() < tooLate) requestAnimationFrame(look);
-            else fail(new Error("never came: " + {condition!r}));
-        }};
-        look();
-    }})""")
+def wait_for(page: Page, condition: str) -> None:
+    """Waits until a condition on the `bench` or the `canvas` (its probe) holds."""
+    given = "const bench = document.querySelector('omote-editor')?.context.store; const canvas = window.omoteEditor"
+    wait_until(page, f"bench && ({condition})", given)
 
 
 def bench(page: Page, expression: str) -> Any:
@@ -70,7 +58,7 @@ def make(page: Page, label: str, start: str | None = None) -> None:
 
 def mouth_corner(page: Page) -> dict[str, Any]:
     """The needle nearest to the left end of the lips that a click finds; it is then selected."""
-    lips = np.array(page.evaluate(f"[...{BENCH}.library.lines.get('lips')]"))
+    lips = floats(page, f"{BENCH}.library.lines.get('lips')").astype(int)
     rows = positions(page, str(bench(page, "work")))
     corner = rows[lips[rows[lips, 0].argmax()]]
     needles = page.evaluate("window.omoteEditor.needles()")
@@ -91,12 +79,12 @@ def head_of(page: Page, one: dict[str, Any]) -> tuple[float, float]:
 
 def positions(page: Page, face: str) -> NDArray[np.float64]:
     """What a face shows, (rows, 3) metres."""
-    return np.array(page.evaluate(f"window.omoteEditor.positions({face!r})")).reshape(-1, 3)
+    return floats(page, f"window.omoteEditor.positions({face!r})").reshape(-1, 3)
 
 
 def vectors(page: Page) -> NDArray[np.float64]:
     """The control vectors as the hand has them, (n, 3)."""
-    return np.array(page.evaluate("window.omoteEditor.vectors()")).reshape(-1, 3)
+    return floats(page, "window.omoteEditor.vectors()").reshape(-1, 3)
 
 
 def grip(page: Page, one: dict[str, Any]) -> tuple[float, float]:
@@ -146,7 +134,7 @@ def test_a_newcomer_makes_a_crooked_smile_with_what_the_page_says(editor: Editor
     tile = console.locator(".expressions .tile", has_text="Crooked smile")
     tile.click()
     name = tile.get_attribute("data-name")
-    desk = "document.querySelector('omote-console').rig.desk"
+    desk = "document.querySelector('omote-console').context.store"
     expect(tile).to_have_class(re.compile(r"\bair\b"))
     assert console.evaluate(f"{desk}.state.expressions[{name!r}]") > 0
     console.evaluate(f"{desk}.panic()")

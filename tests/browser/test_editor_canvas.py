@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page
 
 import omote
+from tests.browser.waiting import floats, wait_until
 
 OpenPage = Callable[..., Page]
 Floats = NDArray[np.float64]
 
-BENCH = "document.querySelector('omote-editor').rig.bench"
+BENCH = "document.querySelector('omote-editor').context.store"
 CANVAS = "document.querySelector('omote-editor').shadowRoot.querySelector('canvas')"
 FACES = ["generic", "dog", "child", "old"]
 TOLERANCE = 1e-6
@@ -31,18 +32,10 @@ CLOSED = 5e-4
 """Metres by which closed lips may go apart."""
 
 
-def wait_for(page: Page, condition: str, seconds: float = 60) -> None:
-    """Waits until a condition on the `bench` and the canvas' `probe` holds, looking in every frame."""
-    page.evaluate(f"""() => new Promise((done, fail) => {{
-        const tooLate = performance.now() + {1000 * seconds};
-        const look = () => {{
-            const [bench, probe] = [document.querySelector("omote-editor")?.rig.bench, window.omoteEditor];
-            if (bench && probe && ({condition})) done();
-            else if (performance.now() < tooLate) requestAnimationFrame(look);
-            else fail(new Error("never came: " + {condition!r}));
-        }};
-        look();
-    }})""")
+def wait_for(page: Page, condition: str) -> None:
+    """Waits until a condition on the `bench` and the canvas' `probe` holds."""
+    given = "const bench = document.querySelector('omote-editor')?.context.store; const probe = window.omoteEditor"
+    wait_until(page, f"bench && probe && ({condition})", given)
 
 
 @pytest.fixture
@@ -59,12 +52,12 @@ def editor(open_page: OpenPage) -> Page:
 
 def on_gpu(page: Page, face: str) -> Floats:
     """The positions of a face that the GPU draws (rows, 3)."""
-    return np.reshape(page.evaluate(f"window.omoteEditor.readPositions({face!r})"), (-1, 3))
+    return floats(page, f"window.omoteEditor.readPositions({face!r})").reshape(-1, 3)
 
 
 def computed(page: Page, face: str) -> Floats:
     """The positions of a face as the page computes them (rows, 3)."""
-    return np.reshape(page.evaluate(f"window.omoteEditor.positions({face!r})"), (-1, 3))
+    return floats(page, f"window.omoteEditor.positions({face!r})").reshape(-1, 3)
 
 
 def needles(page: Page) -> list[dict[str, Any]]:
@@ -130,6 +123,7 @@ def test_all_faces_follow_while_a_needle_stays_under_the_pointer(editor: Page) -
             assert np.linalg.norm(on_gpu(editor, face) - rest[face], axis=1).max() > 2e-3
         goal = computed(editor, "generic")[needle["row"]]
     wait_for(editor, "!bench.dragging && probe.settled()")
+    drawn(editor, "generic")
     assert np.linalg.norm(on_gpu(editor, "generic")[needle["row"]] - goal) < REACH
     assert set(editor.evaluate("Object.keys(window.omoteEditor.counters().differences)")) == set(FACES)
 

@@ -44,13 +44,20 @@ def drag_handle(page: Page, label: str, dx: float, dy: float, *, along: bool = F
         page.keyboard.down("Alt")
     page.mouse.down()
     page.mouse.move(x + dx, y + dy, steps=5)
-    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    show_all(page)
     live = positions(page, "At rest")
     page.mouse.up()
     if along:
         page.keyboard.up("Alt")
     wait_for(page, f"bench.draft.undo === {undo + 1} && {SETTLED}")
     return live
+
+
+def show_all(page: Page) -> None:
+    """Waits for a picture of all that the hand has done; one may be under way that it was too late for."""
+    before = page.evaluate("window.omoteEditor.counters().drawn")
+    page.evaluate(f"() => {BENCH}.setOptions({{}})")  # asks for one more
+    wait_for(page, f"canvas.counters().drawn > {before}")
 
 
 def row_of(page: Page, label: str) -> int:

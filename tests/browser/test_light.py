@@ -6,8 +6,9 @@ import numpy as np
 
 from tests.browser.conftest import OpenPage
 from tests.browser.pictures import picture
+from tests.browser.waiting import draw_on_demand, wait_until
 
-READY = "() => Boolean(window.omoteStage?.counters().drawn)"
+READY = "window.omoteStage?.counters().drawn"
 HOLD = "pose => window.omoteStage.hold(pose)"
 GREEN = (0, 0xB1, 0x40, 255)
 
@@ -15,7 +16,7 @@ GREEN = (0, 0xB1, 0x40, 255)
 def test_a_keyer_finds_exactly_the_colour_it_was_told(open_page: OpenPage) -> None:
     for query, colour in (("light=flat", GREEN), ("background=%231a2b3c", (0x1A, 0x2B, 0x3C, 255))):
         page = open_page(f"/stage?quality=lowest&{query}", width=200, height=120)
-        page.wait_for_function(READY)
+        wait_until(page, READY)
         pixels = picture(page)
         assert (pixels[:60, :40] == colour).all()
         assert (pixels[:60, -40:] == colour).all()
@@ -24,7 +25,8 @@ def test_a_keyer_finds_exactly_the_colour_it_was_told(open_page: OpenPage) -> No
 
 def test_a_light_changes_as_smoothly_as_its_weights(open_page: OpenPage) -> None:
     page = open_page("/stage?quality=lowest", width=160, height=160)
-    page.wait_for_function(READY)
+    wait_until(page, READY)
+    draw_on_demand(page)
     shown = []
     for weight in np.linspace(0.0, 1.0, 17):
         page.evaluate(HOLD, {"light": {"theatre": 1.0 - float(weight), "portrait": float(weight)}})

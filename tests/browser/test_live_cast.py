@@ -25,6 +25,7 @@ from omote.show.messages import LINK_PATH, CompoundAsset
 from omote.show.wire import decode_answer, encode
 from omote.stage_data.assets import rest_positions, unpack_compound
 from tests.browser.conftest import playing
+from tests.browser.waiting import floats, wait_until
 from tests.server.conftest import Editor
 
 OpenPage = Callable[..., Page]
@@ -125,29 +126,16 @@ def author(show: str) -> Author:
     return Author(show)
 
 
-def wait_for(page: Page, condition: str) -> None:
-    """Waits until a condition holds in the page, looking in every frame."""
-    page.evaluate(f"""() => new Promise((done, fail) => {{
-        const tooLate = performance.now() + 30000;
-        const look = () => {{
-            if ({condition}) done();
-            else if (performance.now() < tooLate) requestAnimationFrame(look);
-            else fail(new Error("never came: " + {condition!r}));
-        }};
-        look();
-    }})""")
-
-
 def shown(page: Page) -> Floats:
     """The positions that a stage draws, (vertices, 3) metres."""
-    return np.reshape(page.evaluate("window.omoteStage.readPositions()"), (-1, 3))
+    return floats(page, "window.omoteStage.readPositions()").reshape(-1, 3)
 
 
 def test_a_saved_expression_is_on_the_console_and_on_air_without_a_reload(
     open_page: OpenPage, author: Author, cast: Cast
 ) -> None:
     stage, console = open_page("/stage", width=320, height=240), open_page("/console")
-    wait_for(stage, "window.omoteStage && window.omoteStage.settled()")
+    wait_until(stage, "window.omoteStage && window.omoteStage.settled()")
     tiles = console.locator("omote-palette .tile")
     expect(tiles.first).to_be_visible()
     for page in (stage, console):
@@ -156,7 +144,7 @@ def test_a_saved_expression_is_on_the_console_and_on_air_without_a_reload(
     own = console.locator("omote-palette .tile[data-name='broad_grin']")
     expect(own).to_contain_text("Broad grin")
     own.click()
-    wait_for(stage, "window.omoteStage.pose().expressions.broad_grin === 1 && window.omoteStage.settled()")
+    wait_until(stage, "window.omoteStage.pose().expressions.broad_grin === 1 && window.omoteStage.settled()")
     assert np.abs(shown(stage) - author.wear(cast, draft.content)).max() < TOLERANCE
     assert [page.evaluate("window.sameAsBefore") for page in (stage, console)] == [True, True]
 
@@ -167,7 +155,7 @@ def test_a_changed_expression_on_air_passes_to_the_new_one_without_a_jump(
     draft = author.expression("Lopsided")
     author.play(wire.CallExpression("call", "lopsided", 0.0, "smooth"))
     stage = open_page("/stage", width=160, height=120)
-    wait_for(stage, "window.omoteStage?.pose()?.expressions.lopsided === 1 && window.omoteStage.settled()")
+    wait_until(stage, "window.omoteStage?.pose()?.expressions.lopsided === 1 && window.omoteStage.settled()")
     before = author.wear(cast, draft.content)
     stage.evaluate("""() => {
         window.frames_seen = [];
@@ -180,7 +168,7 @@ def test_a_changed_expression_on_air_passes_to_the_new_one_without_a_jump(
     moved = author.raise_it(draft, 0.002)
     after = author.wear(cast, moved.content)
     row = int(np.linalg.norm(after - before, axis=1).argmax())
-    wait_for(stage, f"Math.hypot(...[0, 1, 2].map((axis) => window.frames_seen.at(-1)[{3 * row} + axis] "
+    wait_until(stage, f"Math.hypot(...[0, 1, 2].map((axis) => window.frames_seen.at(-1)[{3 * row} + axis] "
                     f"- {after[row].tolist()}[axis])) < 1e-5")  # fmt: skip
     places = np.array(stage.evaluate(f"window.frames_seen.map((all) => all.slice({3 * row}, {3 * row + 3}))"))
     way = after[row] - before[row]

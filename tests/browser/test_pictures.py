@@ -15,25 +15,30 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page, expect
 
 from tests.browser.pictures import DECODE, picture
+from tests.browser.waiting import draw_on_demand, wait_until
 from tools.browser import SENTENCE, find_browser
+
+pytestmark = pytest.mark.long
 
 OpenPage = Callable[..., Page]
 SIZE = "320x240"
 SMILING = {"faces": {"kaori": 0.5, "old": 0.5}, "expressions": {"smile": 1.0}}
-# Each picture's distance from the first while the level changes, on black: what is clear has no colour.
+# Each picture's distance from the first until the new level stands still, on black: what is clear has no colour.
 SEEN = """async () => {
     const [canvas, seen] = [document.querySelector("canvas"), []];
-    let first;
+    let [first, still] = [undefined, 0];
     const look = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
     void window.omoteStage.change("high");
-    for (let frame = 0; frame < 90; frame++) {
+    while (still < 8) {
         await new Promise(requestAnimationFrame);
         look.fillRect(0, 0, canvas.width, canvas.height);
         look.drawImage(canvas, 0, 0);
         const { data } = look.getImageData(0, 0, canvas.width, canvas.height);
         first ??= data;
         const distance = data.reduce((sum, value, at) => sum + Math.abs(value - first[at]), 0);
-        seen.push([distance, window.omoteStage.counters().level]);
+        const { level } = window.omoteStage.counters();
+        still = level === "high" && distance === seen.at(-1)?.[0] ? still + 1 : 0;
+        seen.push([distance, level]);
     }
     return seen;
 }"""
@@ -55,10 +60,12 @@ def decoded(page: Page, path: Path) -> NDArray[np.int16]:
     return np.frombuffer(base64.b64decode(text), np.uint8).reshape(height, width, 4).astype(np.int16)
 
 
-def opened(open_page: OpenPage, query: str = "") -> Page:
-    """A stage that draws."""
+def opened(open_page: OpenPage, query: str = "", *, live: bool = False) -> Page:
+    """A stage that draws; one that is not `live` draws what it is to hold from then on."""
     page = open_page(f"/stage{query}", width=320, height=240)
-    page.wait_for_function("() => Boolean(window.omoteStage?.counters().drawn)")
+    wait_until(page, "window.omoteStage?.counters().drawn")
+    if not live:
+        draw_on_demand(page)
     return page
 
 
@@ -77,7 +84,7 @@ def test_a_picture_is_the_stage_and_the_same_every_time(open_page: OpenPage, tmp
 
 def test_a_transparent_picture_is_open_around_the_head(open_page: OpenPage, tmp_path: Path) -> None:
     assert omote("render", "--size", SIZE, "--transparent", "-o", str(tmp_path / "a.png")).returncode == 0
-    alpha = decoded(opened(open_page), tmp_path / "a.png")[..., 3]
+    alpha = decoded(open_page("/"), tmp_path / "a.png")[..., 3]
     assert (alpha[:8, [0, 1, -2, -1]] == 0).all()
     assert (alpha[80:160, 130:190] == 255).all()
 
@@ -86,7 +93,7 @@ def test_a_grid_holds_the_pictures(open_page: OpenPage, tmp_path: Path) -> None:
     words = ("--faces", "kaori,old", "--expressions", "neutral,smile", "--size", SIZE)
     assert omote("grid", *words, "--no-labels", "-o", str(tmp_path / "grid.png")).returncode == 0
     assert omote("render", "--face", "old", "--size", SIZE, "-o", str(tmp_path / "one.png")).returncode == 0
-    page = opened(open_page)
+    page = open_page("/")
     sheet, one = (decoded(page, tmp_path / name) for name in ("grid.png", "one.png"))
     assert sheet.shape == (481, 641, 4)
     assert np.array_equal(sheet[241:, :320], one)
@@ -101,7 +108,7 @@ def test_what_the_stage_refuses_is_one_sentence_and_no_file(tmp_path: Path) -> N
 
 
 def test_another_level_fades_in(open_page: OpenPage) -> None:
-    page = opened(open_page, "?quality=lowest&transparent")
+    page = opened(open_page, "?quality=lowest&transparent", live=True)
     page.evaluate("pose => window.omoteStage.hold(pose)", SMILING)
     seen = page.evaluate(SEEN)
     distances, levels = np.array([each[0] for each in seen], float), [each[1] for each in seen]
@@ -114,6 +121,7 @@ def test_another_level_fades_in(open_page: OpenPage) -> None:
 
 def test_the_operator_sees_the_level(open_page: OpenPage) -> None:
     # A level that a software renderer draws in time to say so, and not the one it would choose itself.
-    opened(open_page, "?quality=low")
-    expect(open_page("/console").locator("omote-status .level")).to_contain_text("low")
-    expect(open_page("/console").locator("omote-status .level")).not_to_contain_text("lowest")
+    opened(open_page, "?quality=low", live=True)
+    level = open_page("/console").locator("omote-status .level")
+    expect(level).to_contain_text("low")
+    expect(level).not_to_contain_text("lowest")

@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page
 
 from tests.browser.pictures import picture
+from tests.browser.waiting import draw_on_demand, wait_until
+
+pytestmark = pytest.mark.long
 
 WHOLE = 5.0  # of 255: what neighbouring pixels of the forehead differ by at most where nothing is painted on it
 
@@ -24,7 +27,8 @@ def look(page: Page, faces: dict[str, float]) -> NDArray[np.int16]:
 @pytest.fixture
 def stage(open_page: Callable[..., Page]) -> Page:
     page = open_page("/stage?quality=medium", width=320, height=320)
-    page.wait_for_function("() => Boolean(window.omoteStage?.counters().drawn)")
+    wait_until(page, "window.omoteStage?.counters().drawn")
+    draw_on_demand(page)
     return page
 
 

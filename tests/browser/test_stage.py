@@ -18,6 +18,9 @@ from omote.perform.frame import Frame, Gaze, Head
 from omote.show.messages import FromServer, State
 from omote.show.state import state_of
 from tests.browser.pictures import picture
+from tests.browser.waiting import draw_on_demand, floats, wait_until
+
+pytestmark = pytest.mark.long
 
 OpenPage = Callable[..., Page]
 Floats = NDArray[np.float64]
@@ -27,27 +30,20 @@ POSE = ("faces", "expressions", "channels", "lids", "head", "eyes")
 LAUGHING = {"faces": {"kaori": 0.6, "old": 0.4}, "expressions": {"laugh": 1.0}, "head": [0.3, 0.1, -0.1]}
 
 
-def wait_for(page: Page, condition: str, seconds: float = 15) -> None:
-    """Waits until a condition on the `stage`'s probe holds, looking in every frame."""
-    page.evaluate(f"""() => new Promise((done, fail) => {{
-        const tooLate = performance.now() + {1000 * seconds};
-        const look = () => {{
-            const stage = window.omoteStage;
-            if (stage && ({condition})) done();
-            else if (performance.now() < tooLate) requestAnimationFrame(look);
-            else fail(new Error("never came: " + {condition!r}));
-        }};
-        look();
-    }})""")
+def wait_for(page: Page, condition: str) -> None:
+    """Waits until a condition on the `stage`'s probe holds."""
+    wait_until(page, f"stage && ({condition})", "const stage = window.omoteStage", told="stage?.counters()")
 
 
 @pytest.fixture
 def stage(open_page: OpenPage) -> Callable[..., Page]:
-    """Opens a stage and waits until it draws; options as for `open_page`, `query` and `width` and `height`."""
+    """Opens a stage and waits until it draws; one that is not `live` draws what it is to hold from then on."""
 
-    def open_one(query: str = "", *, width: int = 320, height: int = 240, **options: Any) -> Page:
-        page = open_page(f"/stage{query}", width=width, height=height, **options)
+    def open_one(query: str = "", *, width: int = 320, height: int = 240, live: bool = False) -> Page:
+        page = open_page(f"/stage{query}", width=width, height=height)
         wait_for(page, "stage.counters().drawn > 0")
+        if not live:
+            draw_on_demand(page)
         return page
 
     return open_one
@@ -64,7 +60,7 @@ def hold(page: Page, pose: Mapping[str, Any]) -> None:
 
 def positions(page: Page) -> Floats:
     """The GPU's positions (vertices, 3)."""
-    return np.array(page.evaluate("window.omoteStage.readPositions()")).reshape(-1, 3)
+    return floats(page, "window.omoteStage.readPositions()").reshape(-1, 3)
 
 
 def expected(cast: Cast, frame: Frame) -> Floats:
@@ -136,25 +132,25 @@ def test_all_expressions_at_once_are_blended(stage: Callable[..., Page], cast: C
 
 def test_a_late_compound_is_held_back_and_grows_in(stage: Callable[..., Page], cast: Cast) -> None:
     waiting: list[Route] = []
-    page = stage()
+    page = stage(live=True, width=160, height=120)
     page.route("**/compounds/*/generic/mouth-open", lambda route: waiting.append(route))
     hold(page, {"faces": {"generic": 1.0}})
     rest = positions(page)
     page.evaluate("""() => window.omoteStage.set({ faces: { generic: 1 }, expressions: { "mouth-open": 1 } })""")
     wait_for(page, "stage.counters().drawn > 3 && !stage.settled()")
     assert np.array_equal(positions(page), rest)
-    page.evaluate("""() => {
-        const seen = window.seen = [window.omoteStage.readPositions()];
-        const look = () => { seen.push(window.omoteStage.readPositions()); requestAnimationFrame(look); };
+    full = np.linalg.norm(expected(cast, Frame({"generic": 1.0}, {"mouth-open": 1.0})) - rest, axis=1).argmax()
+    page.evaluate(f"""() => {{
+        const place = () => window.omoteStage.readPositions().slice({3 * full}, {3 * full + 3});
+        const seen = window.seen = [place()];
+        const look = () => {{ seen.push(place()); requestAnimationFrame(look); }};
         requestAnimationFrame(look);
-    }""")
+    }}""")
     for route in waiting:
         route.continue_()
     wait_for(page, "stage.settled()")
     wait_for(page, "window.seen.length > 5")
-    moved = np.array(page.evaluate("() => window.seen")).reshape(-1, *rest.shape)
-    full = np.linalg.norm(expected(cast, Frame({"generic": 1.0}, {"mouth-open": 1.0})) - rest, axis=1).argmax()
-    way = np.linalg.norm(moved[:, full] - rest[full], axis=1)
+    way = np.linalg.norm(floats(page, "window.seen.flat()").reshape(-1, 3) - rest[full], axis=1)
     way = way / way[-1]
     assert way[0] == 0
     assert (np.diff(way) >= -1e-6).all()
@@ -194,19 +190,17 @@ def test_a_transparent_stage_leaves_the_background_open(stage: Callable[..., Pag
 
 
 def test_nine_tiles_make_one_picture(stage: Callable[..., Page]) -> None:
-    whole = stage("", width=480, height=360)
-    hold(whole, LAUGHING)
-    rows = []
-    for row in range(3):
-        tiles = []
-        for column in range(3):
-            page = stage(f"?tile={column},{row}&of=3x3", width=160, height=120)
-            hold(page, LAUGHING)
-            tiles.append(picture(page))
-            page.context.close()
-        rows.append(np.concatenate(tiles, axis=1))
-    wall = np.concatenate(rows, axis=0)
-    difference = np.abs(wall - picture(whole)).max(axis=2)
+    def shown(query: str, width: int, height: int) -> NDArray[np.int16]:
+        page = stage(query, width=width, height=height)
+        hold(page, LAUGHING)
+        seen = picture(page)
+        page.close()
+        return seen
+
+    whole = shown("", 480, 360)
+    tiles = [[shown(f"?tile={column},{row}&of=3x3", 160, 120) for column in range(3)] for row in range(3)]
+    wall = np.concatenate([np.concatenate(row, axis=1) for row in tiles], axis=0)
+    difference = np.abs(wall - whole).max(axis=2)
     assert wall.std() > 20
     assert (difference <= 2).mean() > 0.99
     assert difference.mean() < 0.5
@@ -217,6 +211,7 @@ def test_a_bezel_hides_what_lies_behind_it(stage: Callable[..., Page]) -> None:
     whole = stage("", width=352, height=160)
     hold(whole, LAUGHING)
     everything = picture(whole)
+    whole.close()
     for column, left in ((0, 0), (1, 192)):
         page = stage(f"?tile={column},0&of=2x1&bezel=20", width=160, height=160)
         hold(page, LAUGHING)
@@ -236,7 +231,7 @@ def test_a_bad_address_is_refused_with_a_sentence(open_page: OpenPage, query: st
 
 
 def test_a_lost_context_comes_back_with_the_same_face(stage: Callable[..., Page]) -> None:
-    page = stage()
+    page = stage(live=True, width=160, height=120)
     hold(page, LAUGHING)
     before, looked = positions(page), picture(page)
     for _ in range(3):

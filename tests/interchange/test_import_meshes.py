@@ -1,4 +1,4 @@
-"""Expressions out of shapes: what a face did there it does here, and so do all others."""
+"""Expressions imported from meshes: they reproduce the source shape, and are retargeted to all faces."""
 
 import numpy as np
 import pytest
@@ -39,7 +39,7 @@ def test_what_went_out_comes_back_as_it_was(face: str) -> None:
 
 
 @pytest.mark.parametrize("face", synthetic.FACES)
-def test_a_stranger_is_measured_and_does_the_same(face: str) -> None:
+def test_an_unknown_head_is_measured_and_does_the_same(face: str) -> None:
     (piece, *others) = exported_pieces(face, ["smile", "eyeLookUpLeft"])
     moves = {f"odd {name}": moved for name, moved in piece.moves.items()}
     renamed = [
@@ -80,7 +80,7 @@ def test_what_cannot_be_an_expression_is_refused() -> None:
         list(import_expressions(CAST, meshes(), {"long": shape("long", "neutral")}))
     with pytest.raises(ValueError, match="there is no face 'nobody' in this cast"):
         list(import_expressions(CAST, meshes(), {"long": shape("long", "smile")}, face="nobody"))
-    with pytest.raises(ValueError, match="ball: there is no head of ours"):
+    with pytest.raises(ValueError, match="ball: no head of this topology"):
         list(import_expressions(CAST, meshes(), {"ball": [Piece("ball", np.zeros((4, 3)))]}))
 
 

@@ -1,4 +1,4 @@
-"""Whose vertices a file's are: by what it says, by order, by place; and what is no head of ours."""
+"""Mesh correspondence: vertices matched by attribute, by order, by position; and heads of another topology."""
 
 import numpy as np
 import pytest
@@ -54,12 +54,12 @@ def test_parts_are_known_by_their_names_and_others_are_passed_over() -> None:
 
 def test_what_is_no_head_of_ours_is_refused() -> None:
     for strange in ([], [Piece("head", np.zeros((99, 3)))], pieces(ORDER[:-1], told=True)):
-        with pytest.raises(ValueError, match="there is no head of ours in this file: expected a mesh with the"):
+        with pytest.raises(ValueError, match="no head of this topology is in this file: expected a mesh with the"):
             match_head(CAST, meshes(), strange)
 
 
 def test_rows_that_the_cast_does_not_have_belong_to_no_mesh() -> None:
-    with pytest.raises(ValueError, match="there is no head of ours"):
+    with pytest.raises(ValueError, match="no head of this topology"):
         match_head(CAST, meshes(), [Piece("skin", SKIN, np.arange(len(SKIN)) + 5)])
 
 

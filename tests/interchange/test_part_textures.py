@@ -3,32 +3,32 @@
 import numpy as np
 import pytest
 
-from omote.interchange import part_textures as pictures
+from omote.interchange import part_textures
 from omote.interchange.skin_texture import decode_srgb
 from omote.model.cast import Look
 
 
 def test_an_eyeball_is_painted_around_its_line_of_sight() -> None:
     ahead, aside = np.array([[0.0, 0.0, 2.0]]), np.array([[3.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-    np.testing.assert_allclose(pictures.eye_uv(ahead), [[0.5, 0.5]])
+    np.testing.assert_allclose(part_textures.eye_uv(ahead), [[0.5, 0.5]])
     np.testing.assert_allclose(
-        pictures.eye_uv(aside), [[0.5 + np.sqrt(0.125), 0.5], [0.5, 0.5 - np.sqrt(0.125)]], rtol=1e-6
+        part_textures.eye_uv(aside), [[0.5 + np.sqrt(0.125), 0.5], [0.5, 0.5 - np.sqrt(0.125)]], rtol=1e-6
     )
 
 
 def test_equal_areas_of_the_ball_are_equal_on_its_picture() -> None:
     angle = np.linspace(0.0, np.pi, 50)[:-1]
     rings = np.stack([np.sin(angle), np.zeros_like(angle), np.cos(angle)], axis=1)
-    reach = pictures.eye_uv(rings)[:, 0] - 0.5
+    reach = part_textures.eye_uv(rings)[:, 0] - 0.5
     np.testing.assert_allclose(reach**2 * 4, (1.0 - np.cos(angle)) / 2.0, atol=1e-6)
 
 
 def test_the_pupil_is_dark_the_iris_has_its_colour_and_the_white_is_light() -> None:
     size = 256
     look = Look(iris="#2060ff")
-    eye = pictures.paint_eye(look, size).astype(int)
+    eye = part_textures.paint_eye(look, size).astype(int)
     middle = size // 2
-    edge = round(size / 2 * np.sin(np.arcsin(pictures.LIMBUS) / 2))
+    edge = round(size / 2 * np.sin(np.arcsin(part_textures.LIMBUS) / 2))
     assert eye[middle, middle].max() < 20
     iris = eye[middle, middle + round(0.7 * edge)]
     assert iris[2] > 1.5 * iris[0]
@@ -36,7 +36,7 @@ def test_the_pupil_is_dark_the_iris_has_its_colour_and_the_white_is_light() -> N
 
 
 def test_a_slit_is_higher_than_it_is_wide() -> None:
-    eye = pictures.paint_eye(Look(iris="#a0a040", slit=1.0), 256).max(axis=2)
+    eye = part_textures.paint_eye(Look(iris="#a0a040", slit=1.0), 256).max(axis=2)
     dark = eye < 20
     assert dark.any(axis=1).sum() > 2 * dark[100:156, 100:156].any(axis=0).sum() > 0
 
@@ -47,36 +47,36 @@ def test_teeth_reach_from_the_gum_to_the_edge(upper: bool) -> None:
     arch = np.stack([0.03 * np.sin(angle), np.zeros_like(angle), 0.03 * np.cos(angle)], axis=1)
     up = np.array([0.0, 0.01, 0.0])
     low, high = arch - up, arch + up
-    uv = pictures.arch_uv(np.concatenate([low, high]), upper=upper)
+    uv = part_textures.arch_uv(np.concatenate([low, high]), upper=upper)
     np.testing.assert_allclose(uv[:21, 1], 1.0 if upper else 0.0)
     np.testing.assert_allclose(uv[21:, 1], 0.0 if upper else 1.0)
     assert (np.diff(uv[:21, 0]) > 0.0).all()
 
 
 def test_gums_are_red_and_teeth_are_not() -> None:
-    teeth = pictures.paint_teeth(Look(), upper=True, size=128).astype(int)
+    teeth = part_textures.paint_teeth(Look(), upper=True, size=128).astype(int)
     gum, enamel = teeth[2, 64], teeth[40, 70]
     assert gum[0] - gum[1] > 50 > enamel[0] - enamel[1]
     assert (teeth[0, :, 3] == 255).all()
 
 
 def test_a_tongue_has_a_furrow() -> None:
-    tongue = pictures.paint_tongue(64).astype(int)
+    tongue = part_textures.paint_tongue(64).astype(int)
     assert tongue[10, 31].sum() < tongue[10, 10].sum()
     points = np.array([[-0.01, 0, 0.05], [0.0, 0, 0.05], [0.01, 0, 0.0]])
-    np.testing.assert_allclose(pictures.tongue_uv(points), [[0.0, 0.0], [0.5, 0.0], [1.0, 1.0]], atol=1e-6)
+    np.testing.assert_allclose(part_textures.tongue_uv(points), [[0.0, 0.0], [0.5, 0.0], [1.0, 1.0]], atol=1e-6)
 
 
 def test_lashes_grow_away_from_the_eyeball() -> None:
     points = np.array([[0.0, 0.015, 0.001], [0.0, 0.018, 0.001], [0.0, -0.015, 0.001], [0.0, -0.018, 0.001]])
-    across, along = pictures.lash_uv(points, np.zeros(3)).T
+    across, along = part_textures.lash_uv(points, np.zeros(3)).T
     np.testing.assert_allclose(across, 0.5)
     assert along[0] == along[2] == 0.0
     assert along[3] > along[1] > 0.9
 
 
 def test_hairs_are_denser_at_their_roots_and_wear_their_colour() -> None:
-    picture = pictures.paint_strands(decode_srgb("#ff0000"), 20, columns=400, rows=50, cover=0.5)
+    picture = part_textures.paint_strands(decode_srgb("#ff0000"), 20, columns=400, rows=50, cover=0.5)
     cover = picture[..., 3].mean(axis=1) / 255.0
     np.testing.assert_allclose(cover[0], 0.5, atol=0.1)
     assert cover[-1] < 0.1 < cover[20] < cover[0]

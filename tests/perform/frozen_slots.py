@@ -3,7 +3,7 @@
 Each axis has the paper's two slots, and a third for the velocity that a call takes over (its weights sum to nothing).
 Three buffers are kept: every pair of slots; every face slot wearing each expression that may still be called; every
 expression slot worn by each face. The compound of a frozen slot with a newly called partner is that slot's weighted
-sum of the partner's compounds (method.md, section 5).
+sum of the partner's compounds (docs/method.md, "Weights are enough").
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The paper's frozen-slot engine and the weight vectors are one and the same (method.md, section 5)."""
+"""The paper's frozen-slot engine and the weight vectors are one and the same (docs/method.md, "Weights are enough")."""
 
 import numpy as np
 import pytest

@@ -1,13 +1,8 @@
 """The lights by name."""
 
-import re
-from pathlib import Path
-
 import pytest
 
 from omote.perform.lights import FIRST_LIGHT, LIGHTS, check_light
-
-STAGE = Path(__file__).parents[2] / "web" / "src" / "stage" / "light.ts"
 
 
 @pytest.mark.parametrize("name", LIGHTS)
@@ -18,12 +13,6 @@ def test_each_is_known_by_its_name(name: str) -> None:
 
 def test_a_show_begins_with_one_of_them() -> None:
     assert FIRST_LIGHT in LIGHTS
-
-
-def test_the_stages_know_the_same_lights() -> None:
-    source = STAGE.read_text(encoding="utf-8")
-    assert re.findall(r"^  (\w+): \{$", source, re.MULTILINE) == list(LIGHTS)
-    assert f'FIRST_LIGHT = "{FIRST_LIGHT}"' in source
 
 
 def test_another_is_refused_with_what_there_is() -> None:

@@ -61,7 +61,7 @@ class ShowHarness:
 
 async def answer(socket: aiohttp.ClientWebSocketResponse) -> wire.FromServer:
     """The next message of the server."""
-    return decode_answer(await socket.receive_bytes(timeout=10.0))
+    return decode_answer(await socket.receive_bytes(timeout=60.0))
 
 
 async def state(socket: aiohttp.ClientWebSocketResponse) -> wire.State:
@@ -103,7 +103,7 @@ class Editor:
     async def next(self, kind: type, request: int | None = None) -> editing.ToEditor:
         """The next message of a kind, and to a request; those before it are kept in `heard`."""
         while True:
-            message = edit_wire.decode_answer(await self.socket.receive_bytes(timeout=30.0))
+            message = edit_wire.decode_answer(await self.socket.receive_bytes(timeout=60.0))
             if isinstance(message, kind) and request in (None, getattr(message, "request", None)):
                 return message
             self.heard.append(message)
@@ -125,7 +125,7 @@ class EditHarness(ShowHarness):
 
 @asynccontextmanager
 async def open_edit_harness(cast: Cast, path: Path | None) -> AsyncIterator[EditHarness]:
-    """A show with or without a file, put together as `child.play` does; ticks come from the test."""
+    """A show with or without a file, put together as `show_process.play` does; ticks come from the test."""
     clock, said, file = Clock(), list[str](), None if path is None else open_show(path)
     documents = CastDocuments(cast, meshes(cast), MASK)
     authored_work, reopen = open_reopenable_work(file, documents, said.append)

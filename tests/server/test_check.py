@@ -6,7 +6,8 @@ from omote.server import check as module
 from omote.server.check import check_frame, check_pages, run_check, run_checks
 
 
-def test_here_everything_is_there() -> None:
+def test_here_everything_is_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "FRAME_SECONDS", 60.0)  # however busy this machine is
     verdicts = list(run_checks())
     assert [passed for passed, _ in verdicts] == [True, True, True]
     sentences = "\n".join(sentence for _, sentence in verdicts)

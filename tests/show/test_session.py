@@ -313,7 +313,7 @@ def test_own_names_can_be_called_once_they_are_there(cast: Cast) -> None:
     assert welcome == [Outgoing("s", wire.Welcome(wire.PROTOCOL_VERSION, 5, 2, "other"))]
 
 
-def test_wishes_are_taken_once_and_only_of_consoles(cast: Cast) -> None:
+def test_keep_requests_are_taken_once_and_only_of_consoles(cast: Cast) -> None:
     session = opened(cast, "a")
     session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
     assert "only a console plays" in reasons(session.receive("s", wire.KeepFace("k"), 0.0))[0]

@@ -1,4 +1,4 @@
-"""Nothing but numbers in their range comes through the door."""
+"""Validation: only numbers in their range pass."""
 
 import math
 
@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.show import validation as door
+from omote.show import validation
 from omote.show.validation import Quantity, Refusal, validate_number
 
-QUANTITIES = [value for value in vars(door).values() if isinstance(value, Quantity)]
+QUANTITIES = [value for value in vars(validation).values() if isinstance(value, Quantity)]
 NO_NUMBERS: list[object] = [True, False, None, "0.5", b"0.5", [], {}, 1j, np.bool_(True)]
 OUT_OF_REACH = [math.nan, math.inf, -math.inf, 1e308, -1e308, 10**400, -(10**400)]
 

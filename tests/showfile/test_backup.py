@@ -1,18 +1,19 @@
-"""The good copy is whole and proved, and a bad file never takes its place."""
+"""Backups are whole and verified, the newest of three, and a damaged file never takes the place of one."""
 
+import os
 import sqlite3
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 import pytest
 
-from omote.showfile.backup import good_path, keep_good_copy, put_in_place
+from omote.showfile.backup import back_up, backup_paths, put_in_place
 from omote.showfile.changes import PutContent, PutLayout
 from omote.showfile.contents import content_key
-from omote.showfile.integrity import prove
+from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.schema import CorruptShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
@@ -27,12 +28,12 @@ def filled(path: Path) -> ShowFile:
     return show
 
 
-def test_the_copy_holds_all_that_is_committed_in_one_file(tmp_path: Path) -> None:
+def test_a_backup_holds_all_that_is_committed_in_one_file(tmp_path: Path) -> None:
     show = filled(tmp_path / "a.omote")
-    keep_good_copy(show)
+    back_up(show)
     alone = tmp_path / "elsewhere.omote"
-    alone.write_bytes(good_path(show.path).read_bytes())
-    prove(alone)
+    alone.write_bytes(backup_paths(show.path)[0].read_bytes())
+    verify_integrity(alone)
     copy = open_show(alone)
     assert (copy.stored(), copy.contents(), copy.journal()) == (show.stored(), show.contents(), show.journal())
     copy.close()
@@ -40,22 +41,22 @@ def test_the_copy_holds_all_that_is_committed_in_one_file(tmp_path: Path) -> Non
     assert {file.name for file in tmp_path.iterdir()} == {"a.omote", "a.omote.good", "a.omote.lock", "elsewhere.omote"}
 
 
-def test_the_copy_that_another_process_is_making_is_left_alone(tmp_path: Path) -> None:
+def test_the_backup_that_another_process_is_making_is_left_alone(tmp_path: Path) -> None:
     show = filled(tmp_path / "a.omote")
     unfinished = tmp_path / "a.omote.good-new"
     with hands_on(show.path, unfinished) as other:
-        assert not keep_good_copy(show)
+        assert not back_up(show)
         assert unfinished.read_bytes() == b"theirs"
         other.kill()
-    assert keep_good_copy(show)  # what a killed one left is in nobody's way
+    assert back_up(show)  # what a killed one left is in nobody's way
     assert not unfinished.exists()
-    prove(good_path(show.path))
+    verify_integrity(backup_paths(show.path)[0])
     show.close()
 
 
 @contextmanager
 def hands_on(path: Path, unfinished: Path) -> Iterator[subprocess.Popen[bytes]]:
-    """Another process that is making the good copy."""
+    """Another process that is making a backup."""
     program = f"""
 from pathlib import Path
 from omote.showfile.backup import _alone
@@ -71,15 +72,72 @@ with _alone(Path({str(path)!r})) as alone:
         yield other
 
 
-def test_a_newer_copy_takes_the_place_of_the_older(tmp_path: Path) -> None:
+@pytest.mark.parametrize("links", [True, False])
+def test_the_newest_three_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, links: bool) -> None:
+    if not links:
+        forbid_links(monkeypatch)
     show = filled(tmp_path / "a.omote")
-    for name in ("first", "second"):
-        show.apply([PutLayout(name, b"{}")])
-        keep_good_copy(show)
+    made: list[set[str]] = []
+    for number in range(5):
+        show.apply([PutLayout(f"page {number}", b"{}")])
+        back_up(show)
+        made.insert(0, set(show.stored().layouts))
+        assert [layouts_in(path) for path in backup_paths(show.path) if path.exists()] == made[:3]
     show.close()
-    copy = open_show(good_path(show.path))
-    assert set(copy.stored().layouts) == {"console", "first", "second"}
-    copy.close()
+
+
+@pytest.mark.parametrize(("links", "renames"), [(True, 1), (True, 2), (False, 1), (False, 2), (False, 3)])
+def test_a_rotation_cut_off_leaves_whole_backups_and_the_next_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, links: bool, renames: int
+) -> None:
+    if not links:
+        forbid_links(monkeypatch)
+    show = filled(tmp_path / "a.omote")
+    for number in range(4):
+        show.apply([PutLayout(f"page {number}", b"{}")])
+        if number < 3:
+            back_up(show)
+    before = layouts_in(backup_paths(show.path)[0])
+    cut_after(monkeypatch, renames)
+    with pytest.raises(KeyboardInterrupt):
+        back_up(show)
+    monkeypatch.undo()
+    assert backup_paths(show.path)[0].exists() or not links
+    left = [layouts_in(path) for path in backup_paths(show.path) if path.exists()]
+    assert left[0] >= before
+    assert left == sorted(left, key=len, reverse=True)
+    back_up(show)
+    assert layouts_in(backup_paths(show.path)[0]) == set(show.stored().layouts)
+    show.close()
+
+
+def forbid_links(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A disk on which no file has two names."""
+
+    def refuse(*_: object) -> None:
+        raise PermissionError("Operation not permitted")
+
+    monkeypatch.setattr(os, "link", refuse)
+
+
+def layouts_in(path: Path) -> set[str]:
+    """The names of the layouts in a whole backup, which stays as it is."""
+    verify_integrity(path)
+    with closing(open_read_only(path)) as connection:
+        return {name for (name,) in connection.execute("SELECT name FROM layout")}
+
+
+def cut_after(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
+    """Lets so many renames pass, then the power goes."""
+    left, real = [count], os.replace
+
+    def replace(*paths: str) -> None:
+        real(*paths)
+        left[0] -= 1
+        if left[0] == 0:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(os, "replace", replace)
 
 
 @pytest.mark.parametrize(
@@ -87,15 +145,42 @@ def test_a_newer_copy_takes_the_place_of_the_older(tmp_path: Path) -> None:
 )
 def test_a_damaged_file_leaves_the_copy_of_before(tmp_path: Path, statement: str) -> None:
     show = filled(tmp_path / "a.omote")
-    keep_good_copy(show)
-    before = good_path(show.path).read_bytes()
+    back_up(show)
+    before = backup_paths(show.path)[0].read_bytes()
     with sqlite3.connect(show.path) as other:
         other.execute(statement)
     other.close()
-    with pytest.raises(CorruptShowFileError):
-        keep_good_copy(show)
-    assert good_path(show.path).read_bytes() == before
+    with pytest.raises(CorruptShowFileError, match=r"a\.omote is damaged \((its|no such)"):
+        back_up(show)
+    assert backup_paths(show.path)[0].read_bytes() == before
     assert not show.path.with_name("a.omote.good-new").exists()
+    show.close()
+
+
+def test_a_file_without_its_first_page_is_damaged_and_leaves_the_backup_of_before(tmp_path: Path) -> None:
+    show = filled(tmp_path / "a.omote")
+    back_up(show)
+    before = backup_paths(show.path)[0].read_bytes()
+    show.close()
+    again = ShowFile(sqlite3.connect(show.path), show.path)
+    show.path.write_bytes(bytes(4096) + show.path.read_bytes()[4096:])
+    with pytest.raises(CorruptShowFileError, match=r"a\.omote is damaged \(file is not a database\)"):
+        back_up(again)
+    assert backup_paths(show.path)[0].read_bytes() == before
+    again.close()
+
+
+def test_a_disk_that_fails_while_it_copies_damages_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    full_disk = sqlite3.OperationalError("database or disk is full")
+    full_disk.sqlite_errorcode = sqlite3.SQLITE_FULL
+
+    def full(*_: object) -> None:
+        raise full_disk
+
+    show = filled(tmp_path / "a.omote")
+    monkeypatch.setattr(show, "copy_into", full)
+    with pytest.raises(sqlite3.OperationalError, match="disk is full"):
+        back_up(show)
     show.close()
 
 
@@ -103,21 +188,21 @@ def test_what_a_killed_writer_left_of_a_copy_does_not_touch_the_next(tmp_path: P
     show = filled(tmp_path / "a.omote")
     for suffix in ("", "-journal", "-wal", "-shm"):
         (tmp_path / f"a.omote.good-new{suffix}").write_bytes(b"left" * 1000)
-    keep_good_copy(show)
-    prove(good_path(show.path))
+    back_up(show)
+    verify_integrity(backup_paths(show.path)[0])
     assert {file.name for file in tmp_path.iterdir() if "good" in file.name} == {"a.omote.good"}
     show.close()
 
 
 def test_a_folder_that_takes_no_copy_says_so_and_keeps_the_one_of_before(tmp_path: Path) -> None:
     show = filled(tmp_path / "a.omote")
-    keep_good_copy(show)
-    before = good_path(show.path).read_bytes()
+    back_up(show)
+    before = backup_paths(show.path)[0].read_bytes()
     (tmp_path / "a.omote.good-new").mkdir()
     with pytest.raises(OSError, match="good-new"):
-        keep_good_copy(show)
+        back_up(show)
     (tmp_path / "a.omote.good-new").rmdir()
-    assert good_path(show.path).read_bytes() == before
+    assert backup_paths(show.path)[0].read_bytes() == before
     show.close()
 
 

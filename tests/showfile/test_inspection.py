@@ -13,7 +13,7 @@ from omote.model.cast import Look
 from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.showfile.backup import good_path, keep_good_copy
+from omote.showfile.backup import back_up, backup_paths
 from omote.showfile.changes import Change, Draft, Edit, PutContent, PutDraft, PutEdit, PutItem, PutLayout, PutRevision
 from omote.showfile.contents import content_key, pack_expression, pack_face
 from omote.showfile.inspection import inspect_show, item_named, revisions_of, verdicts
@@ -53,7 +53,7 @@ def test_an_open_show_is_read_as_it_is_committed(show: ShowFile) -> None:
     found = inspect_show(show.path)
     assert (found.epoch, found.stored, found.contents) == (1234, show.stored(), show.contents())
     assert bad(show.path) == []
-    keep_good_copy(show)
+    back_up(show)
     said = " ".join(sentence for _, sentence in verdicts(show.path))
     assert "1 own expressions, 2 revisions" in said
     assert "a.omote.good is whole" in said
@@ -141,7 +141,7 @@ def test_a_revision_of_what_is_no_content_or_another_kind_is_named(show: ShowFil
 
 
 def test_a_corrupt_file_and_what_lies_beside_it_is_named(show: ShowFile) -> None:
-    keep_good_copy(show)
+    back_up(show)
     show.apply([PutLayout("console", b"{}")])
     show.close()
     with sqlite3.connect(show.path) as connection:
@@ -152,5 +152,7 @@ def test_a_corrupt_file_and_what_lies_beside_it_is_named(show: ShowFile) -> None
     assert [right for right, _ in said] == [False, True, True]
     assert "layout console is damaged" in said[0][1]
     assert "a.omote.corrupt-1" in said[2][1]
-    good_path(show.path).write_bytes(b"bad" * 3000)
+    backup_paths(show.path)[0].write_bytes(b"bad" * 3000)
     assert "its good copy is none" in bad(show.path)[1]
+    backup_paths(show.path)[1].write_bytes(b"")
+    assert "a.omote.good-1 is empty" in bad(show.path)[2]

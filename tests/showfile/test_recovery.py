@@ -1,26 +1,24 @@
-"""A corrupt show file is kept, and everything of it that is proved goes on."""
+"""A corrupt or lost show file is kept, and its newest whole backup takes its place."""
 
 import os
-import shutil
 import sqlite3
 from pathlib import Path
 
 import pytest
 
-from omote.showfile.backup import good_path, keep_good_copy
-from omote.showfile.changes import Draft, Edit, PutContent, PutDraft, PutEdit, PutItem, PutLayout, PutRevision, Stored
+from omote.showfile.backup import back_up, backup_paths
+from omote.showfile.changes import PutContent, PutItem, PutLayout, PutRevision, Stored
 from omote.showfile.contents import content_key
-from omote.showfile.integrity import prove
-from omote.showfile.recovery import finish, is_lost, rescue_show, salvage
+from omote.showfile.recovery import Recovery, is_lost, move_aside, recover_show
 from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 from tests.showfile.ledger import item, revision
 
-STATE = JournalEntry(1234, 5.0, b"state")
+Held = tuple[Stored, dict[str, bytes], JournalEntry]
 
 
-def save(show: ShowFile, number: int) -> None:
-    """An item, its save and a draft of it."""
+def save(show: ShowFile, number: int) -> Held:
+    """Commits an item, its save and a state; gives all that the file then holds."""
     data = bytes([number]) * 9000
     key = content_key(data)
     show.apply(
@@ -28,185 +26,188 @@ def save(show: ShowFile, number: int) -> None:
             PutContent(key, data),
             PutItem(item(number, head=1)),
             PutRevision(revision(number, 1, content=key, recipe=b"{}" * 500)),
-            PutDraft(Draft(number, "ada", 1, 1)),
-            *(PutEdit(Edit(number, "ada", step, b"{}" * 300, "dragged")) for step in range(2)),
             PutLayout(f"page {number}", b"{}"),
         ]
     )
+    show.write_journal(JournalEntry(number, 5.0, b"state"))
+    return show.stored(), show.contents(), show.journal()
 
 
-def filled(path: Path, *, copied: int, saves: int) -> ShowFile:
-    """An open show file with so many saves, the first of which its good copy holds."""
-    show = open_show(path)
-    for number in range(1, saves + 1):
-        save(show, number)
-        if number == copied:
-            keep_good_copy(show)
-    show.write_journal(STATE)
-    return show
+@pytest.fixture
+def backups(tmp_path: Path) -> list[Held]:
+    """What three backups of a closed show file hold, the newest first; the file holds more than any."""
+    show = open_show(tmp_path / "a.omote")
+    found: list[Held] = []
+    for number in range(1, 4):
+        found.insert(0, save(show, number))
+        back_up(show)
+    save(show, 4)
+    show.close()
+    return found
 
 
-def killed(show: ShowFile, folder: Path) -> Path:
-    """The files of an open show as a killed server leaves them, elsewhere."""
-    folder.mkdir()
-    for file in show.path.parent.glob(f"{show.path.name}*"):
-        if not file.name.endswith("-shm"):
-            shutil.copyfile(file, folder / file.name)
-    return folder / show.path.name
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    """Where the show file lies."""
+    return tmp_path / "a.omote"
 
 
-def held(path: Path) -> tuple[Stored, dict[str, bytes], JournalEntry]:
+def held(path: Path) -> Held:
     """All that a show file holds."""
-    prove(path)
     show = open_show(path)
     everything = (show.stored(), show.contents(), show.journal())
     show.close()
     return everything
 
 
-@pytest.fixture
-def whole(tmp_path: Path) -> Path:
-    """A closed show file with five saves; its good copy has two of them."""
-    show = filled(tmp_path / "a.omote", copied=2, saves=5)
+def damage(path: Path) -> bytes:
+    """Writes over the first page; gives what the file then is."""
+    damaged = bytes(4096) + path.read_bytes()[4096:]
+    path.write_bytes(damaged)
+    return damaged
+
+
+def kept_of(path: Path) -> Path:
+    """Where a corrupt file is kept."""
+    return path.with_name(path.name + ".corrupt-1")
+
+
+@pytest.mark.parametrize("broken", [0, 1, 2])
+def test_the_newest_whole_backup_takes_the_place_of_a_corrupt_file(
+    path: Path, backups: list[Held], broken: int
+) -> None:  # fmt: skip
+    damaged = damage(path)
+    kept = {backup: damage(backup) for backup in backup_paths(path)[:broken]}
+    made = backup_paths(path)[broken].stat().st_mtime
+    recovery = recover_show(path)
+    assert recovery == Recovery(path.with_name("a.omote.corrupt-1"), made)
+    assert path.with_name("a.omote.corrupt-1").read_bytes() == damaged
+    assert {backup: kept_of(backup).read_bytes() for backup in kept} == kept
+    assert not any(backup.exists() for backup in kept)
+    assert held(path) == backups[broken]
+
+
+def test_a_backup_of_before_there_were_three_is_honoured(path: Path, backups: list[Held]) -> None:
+    for older in backup_paths(path)[1:]:
+        older.unlink()
+    damage(path)
+    recover_show(path)
+    assert held(path) == backups[0]
+    show = open_show(path)
+    back_up(show)
     show.close()
-    return show.path
+    assert [backup.exists() for backup in backup_paths(path)] == [True, True, False]
 
 
-def test_all_of_a_whole_file_is_salvaged_and_it_is_not_touched(whole: Path) -> None:
-    before = whole.read_bytes()
-    found = salvage(whole)
-    assert (found.stored, found.contents, found.journal) == held(whole)
-    assert whole.read_bytes() == before
+@pytest.mark.parametrize("left", [None, b"", bytes(5000)])
+def test_without_a_whole_backup_nothing_is_left_but_what_is_kept(
+    path: Path, backups: list[Held], left: bytes | None
+) -> None:  # fmt: skip
+    assert backups
+    for backup in backup_paths(path):
+        backup.unlink()
+    if left is not None:
+        backup_paths(path)[1].write_bytes(left)
+    damaged = damage(path)
+    recovery = recover_show(path)
+    assert recovery.copied is None
+    assert recovery.kept is not None
+    assert recovery.kept.read_bytes() == damaged
+    assert not path.exists()
+    if left is not None:
+        assert kept_of(backup_paths(path)[1]).read_bytes() == left
+    assert held(path) == (Stored(), {}, JournalEntry(0, 0.0, None))
 
 
-def test_what_lies_in_the_log_is_salvaged_too(tmp_path: Path) -> None:
-    show = filled(tmp_path / "a.omote", copied=0, saves=3)
-    path = killed(show, tmp_path / "killed")
-    before = {file.name: file.read_bytes() for file in path.parent.iterdir()}
-    assert "a.omote-wal" in before
-    found = salvage(path)
-    assert (found.stored, found.contents, found.journal) == (show.stored(), show.contents(), STATE)
-    assert {file.name: file.read_bytes() for file in path.parent.iterdir()} == before
-    show.close()
-
-
-def test_a_file_without_its_first_page_is_read_by_that_of_its_good_copy(whole: Path) -> None:
-    everything = held(whole)
-    with whole.open("r+b") as file:
-        file.write(bytes(4096))
-    found = salvage(whole)
-    assert (found.stored, found.contents, found.journal) == everything
-    rescue = rescue_show(whole)
-    assert held(whole) == everything
-    assert rescue.copied == pytest.approx(good_path(whole).stat().st_mtime)
-    assert rescue.newer > 0
-    assert rescue.kept == whole.with_name("a.omote.corrupt-1")
-
-
-def test_without_its_first_page_and_a_good_copy_nothing_is_left_but_the_file(whole: Path) -> None:
-    good_path(whole).unlink()
-    damaged = bytes(4096) + whole.read_bytes()[4096:]
-    whole.write_bytes(damaged)
-    rescue = rescue_show(whole)
-    assert (rescue.copied, rescue.newer) == (None, 0)
-    assert rescue.kept is not None
-    assert rescue.kept.read_bytes() == damaged
-    assert held(whole) == (Stored(), {}, JournalEntry(0, 0.0, None))
-
-
-@pytest.mark.parametrize("copied", [0, 2])
-def test_a_damaged_content_costs_only_its_revision(whole: Path, copied: int) -> None:
-    if not copied:
-        good_path(whole).unlink()
-    stored, contents, journal = held(whole)
-    data = bytearray(whole.read_bytes())
-    at = data.index(bytes([4]) * 1000)
-    data[at : at + 100] = b"\xa5" * 100
-    whole.write_bytes(data)
-    with pytest.raises(CorruptShowFileError, match=r"its content \w+ is damaged"):
-        open_show(whole)
-    rescue_show(whole)
-    lost = stored.revisions[3]
-    now, its_contents, its_journal = held(whole)
-    assert set(now.revisions) == set(stored.revisions) - {lost}
-    assert its_contents.keys() == contents.keys() - {lost.content}
-    assert (now.drafts, now.edits, now.layouts, its_journal) == (
-        stored.drafts,
-        stored.edits,
-        stored.layouts,
-        journal,
-    )
-    assert [found.head for found in now.items] == [1, 1, 1, 0, 1]
-
-
-def test_a_good_copy_that_is_bad_is_kept_too(whole: Path) -> None:
-    good_path(whole).write_bytes(b"bad" * 3000)
-    with whole.open("r+b") as file:
-        file.write(bytes(4096))
-    rescue = rescue_show(whole)
-    assert rescue.copied is None
-    assert good_path(whole).with_name("a.omote.good.corrupt-1").read_bytes() == b"bad" * 3000
-    assert held(whole)[0] == Stored()
-
-
-def test_a_good_copy_of_a_newer_omote_is_not_taken_and_nothing_is_touched(whole: Path) -> None:
-    with sqlite3.connect(good_path(whole)) as connection:
+def test_a_backup_of_a_newer_omote_is_not_taken_and_nothing_is_touched(path: Path, backups: list[Held]) -> None:
+    assert backups
+    damage(backup_paths(path)[0])
+    with sqlite3.connect(backup_paths(path)[1]) as connection:
         connection.execute(f"PRAGMA user_version = {SCHEMA_VERSION + 1}")
     connection.close()
-    whole.write_bytes(b"corrupt" * 1000)
-    before = {file.name: file.read_bytes() for file in whole.parent.iterdir()}
+    path.write_bytes(b"corrupt" * 1000)
+    before = {file.name: file.read_bytes() for file in path.parent.iterdir()}
     with pytest.raises(ShowFileError, match="newer Omote"):
-        rescue_show(whole)
-    assert {file.name: file.read_bytes() for file in whole.parent.iterdir()} == before
+        recover_show(path)
+    assert {file.name: file.read_bytes() for file in path.parent.iterdir()} == before
 
 
 @pytest.mark.parametrize("content", [None, b""])
-def test_a_lost_file_comes_back_from_its_good_copy(whole: Path, content: bytes | None) -> None:
-    assert not is_lost(whole)
-    whole.unlink()
+def test_a_lost_file_comes_back_from_its_newest_backup(
+    path: Path, backups: list[Held], content: bytes | None
+) -> None:  # fmt: skip
+    assert not is_lost(path)
+    path.unlink()
     if content is not None:
-        whole.write_bytes(content)
-    assert is_lost(whole)
-    rescue = rescue_show(whole)
-    assert (rescue.kept is None) == (content is None)
-    assert len(held(whole)[0].revisions) == 2
-    assert not is_lost(whole)
-
-
-def test_a_new_file_is_not_lost(tmp_path: Path) -> None:
-    path = tmp_path / "a.omote"
-    assert not is_lost(path)
-    path.write_bytes(b"")
-    assert not is_lost(path)
-    path.with_name("a.omote-wal").write_bytes(b"log")
+        path.write_bytes(content)
     assert is_lost(path)
+    assert (recover_show(path).kept is None) == (content is None)
+    assert held(path) == backups[0]
+    assert not is_lost(path)
+
+
+def test_an_older_backup_alone_is_enough_to_know_that_a_file_is_lost(path: Path, backups: list[Held]) -> None:
+    path.unlink()
+    for backup in backup_paths(path)[:2]:
+        backup.unlink()
+    assert is_lost(path)
+    recover_show(path)
+    assert held(path) == backups[2]
+
+
+def test_a_new_file_is_not_lost(path: Path) -> None:
+    log = path.with_name("a.omote-wal")
+    assert not is_lost(path)
+    log.write_bytes(b"log")
+    assert is_lost(path)  # SQLite would remove a log without its file
+    path.write_bytes(b"")
+    assert is_lost(path)
+    log.unlink()
+    assert not is_lost(path)
+
+
+def test_a_disk_that_takes_no_copy_leaves_all_as_it_was(
+    path: Path, backups: list[Held], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        path.with_name("a.omote.recovered").write_bytes(b"half")
+        raise OSError("No space left on device")
+
+    assert backups
+    damage(path)
+    before = {file.name: file.read_bytes() for file in path.parent.iterdir()}
+    monkeypatch.setattr("omote.showfile.recovery.shutil.copyfile", full)
+    with pytest.raises(OSError, match="No space left"):
+        recover_show(path)
+    assert {file.name: file.read_bytes() for file in path.parent.iterdir()} == before
 
 
 @pytest.mark.parametrize("renames", range(1, 5))
-def test_a_rescue_cut_off_between_two_renames_is_finished_by_the_next(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, renames: int
+def test_a_recovery_cut_off_between_two_renames_is_finished_by_the_next(
+    path: Path, backups: list[Held], monkeypatch: pytest.MonkeyPatch, renames: int
 ) -> None:
-    show = filled(tmp_path / "a.omote", copied=2, saves=3)
-    show.flush()
-    show.write_journal(STATE)  # all else has left the log
-    everything = (show.stored(), show.contents(), show.journal())
-    path = killed(show, tmp_path / "killed")
-    show.close()
-    with path.open("r+b") as file:
-        file.write(bytes(4096))
-    damaged = path.read_bytes()
+    broken = damage(backup_paths(path)[0])
+    damaged, log = damage(path), b"log" * 100
+    path.with_name("a.omote-wal").write_bytes(log)
     cut_after(monkeypatch, renames)
     with pytest.raises(KeyboardInterrupt):
-        rescue_show(path)
+        recover_show(path)
     monkeypatch.undo()
-    finish(path)
+    if is_lost(path) or is_corrupt(path):
+        recover_show(path)
+    assert held(path) == backups[1]
+    kept = [file.read_bytes() for file in path.parent.glob("*.corrupt-*") if not file.name.endswith("-shm")]
+    assert sorted(kept) == sorted([broken, damaged, log])
+    assert not path.with_name("a.omote.recovered").exists()
+
+
+def is_corrupt(path: Path) -> bool:
+    """Whether the file cannot be opened, which leaves it as it is."""
     try:
         open_show(path).close()
     except CorruptShowFileError:
-        rescue_show(path)
-    assert held(path) == everything
-    assert [kept.read_bytes() for kept in path.parent.glob("*.corrupt-?")] == [damaged]
-    assert not list(path.parent.glob("*.rescued*"))
+        return True
+    return False
 
 
 def cut_after(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
@@ -226,3 +227,17 @@ def cut_after(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
 
     counted("rename")
     counted("replace")
+
+
+def test_moving_aside_never_writes_over_what_was_kept(path: Path, tmp_path: Path) -> None:
+    assert move_aside(path) is None
+    (tmp_path / "a.omote-wal").write_bytes(b"first log")
+    assert move_aside(path) is None
+    path.write_bytes(b"file")
+    (tmp_path / "a.omote-wal").write_bytes(b"second log")
+    assert move_aside(path) == tmp_path / "a.omote.corrupt-2"
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == {
+        "a.omote.corrupt-1-wal": b"first log",
+        "a.omote.corrupt-2": b"file",
+        "a.omote.corrupt-2-wal": b"second log",
+    }

@@ -1,4 +1,4 @@
-"""What stages are told to put sums right with."""
+"""The correctives' documents for stages."""
 
 import numpy as np
 

@@ -51,7 +51,7 @@ def test_words_between_commas() -> None:
     assert split_list(" a, b ,,c") == ["a", "b", "c"]
 
 
-def test_an_empty_sheet_and_one_without_end_are_refused(cast: Cast) -> None:
+def test_an_empty_grid_and_one_without_end_are_rejected(cast: Cast) -> None:
     with pytest.raises(ValueError, match="the sheet has 0 pictures"):
         build_grid(cast, faces="", expressions="smile", turns="0", light="flat", labels=True)
     with pytest.raises(ValueError, match="the sheet has 2001 pictures"):

@@ -105,7 +105,7 @@ def test_nothing_is_unpacked_before_somebody_wants_it_and_what_is_none_plays_as_
 
 
 def manifest(cast: Cast, playing: PlayingCast, contents: Contents) -> Manifest:
-    """The manifest of a troupe with all its faces."""
+    """The manifest of a playing cast with all its faces."""
     built_in = documents(cast, meshes(cast), mask="/mask").manifest
     faces = {}
     for own in playing.own:

@@ -9,6 +9,8 @@ from omote import builtin
 from tools import bake
 from tools.baking.package import VARIABLE, WHEEL, BakeError, Package
 
+pytestmark = pytest.mark.long
+
 
 def test_the_cast_in_place_is_what_the_tools_bake_to_the_byte() -> None:
     wheel = Path(os.environ.get(VARIABLE, bake.CACHE / WHEEL))

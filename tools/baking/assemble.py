@@ -1,4 +1,4 @@
-"""The arrays of cast.npz from the published files (their list: omote.builtin.castfile)."""
+"""Assembles the arrays of cast.npz from the published files (their list: omote.builtin.castfile)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the cast can do: ARKit's units, MakeHuman's units, and the performed expressions composed from ARKit's."""
+"""The cast's expressions: ARKit's blendshapes, MakeHuman's units, and performed expressions composed from ARKit's."""
 
 from __future__ import annotations
 

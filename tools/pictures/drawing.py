@@ -59,8 +59,8 @@ async def _draw(pictures: Sequence[Picture], browser: Path) -> None:
     """Draws the pictures into their files, one after the other."""
     async with serve_pages(built_in_documents(), read_pages()) as address, open_chromium(browser) as tools:
         for picture in pictures:
-            studio = await open_picture_page(tools, address, picture.setting)
+            page = await open_picture_page(tools, address, picture.setting)
             target = PICTURES / f"{picture.name}.jpg"
-            write_whole(target, await studio.draw(picture.sheet))
-            await studio.close()
+            write_whole(target, await page.draw(picture.sheet))
+            await page.close()
             print(f"docs/pictures/{target.name}: {target.stat().st_size // 1000} kB", file=sys.stderr, flush=True)

@@ -41,7 +41,7 @@ def record_documents(recording: Recording) -> None:
         recording.data("documents", url, encode(asset))
     recording.data("documents", "handles", bench.make(encode(HandlesOrder())))
     recording.data("documents", "greeting", encode_editing(bench.welcome))
-    recording.data("documents", "net", encode(bench.runner.with_net(bench.net)))
+    recording.data("documents", "net", encode(bench.runner.net_document(bench.net)))
     for row, face in enumerate(cast.faces):
         recording.data("documents: tangents", face, bench.make(encode(TangentsOrder(face, {}))))
         for name in [*cast.expressions][row % EVERY_COMPOUND :: EVERY_COMPOUND]:

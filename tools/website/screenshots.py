@@ -25,7 +25,7 @@ RENDERER = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "-
 PATIENCE = 120_000
 """Milliseconds that a busy machine may take for one state."""
 CORNER = """() => {
-    const bench = document.querySelector("omote-editor").rig.bench;
+    const bench = document.querySelector("omote-editor").context.store;
     const rows = window.omoteEditor.positions(bench.work);
     const lips = [...bench.library.lines.get("lips")];
     const corner = lips.reduce((best, row) => (rows[3 * row] > rows[3 * best] ? row : best));
@@ -54,7 +54,7 @@ def console(browser: Browser, address: str) -> Page:
     """The console half-way from one face to another, with a smile, all portraits drawn."""
     page = browser.new_page(viewport={"width": 1280, "height": 800})
     page.goto(f"{address}/console")
-    desk = "document.querySelector('omote-console')?.rig?.desk"
+    desk = "document.querySelector('omote-console')?.context?.store"
     wait_for(page, f"{desk}?.online && {desk}.faces.length > 0")
     page.locator(".tile[data-name='smile']").click()
     page.locator(".tile[data-name='old']").click()
@@ -71,7 +71,7 @@ def editor(browser: Browser, address: str) -> Page:
     """The editor with a crooked smile dragged at one corner of the mouth, worn by all others."""
     page = browser.new_page(viewport={"width": 1280, "height": 800})
     page.goto(f"{address}/editor")
-    bench = "document.querySelector('omote-editor')?.rig?.bench"
+    bench = "document.querySelector('omote-editor')?.context?.store"
     settled = f"{bench}.draft !== null && window.omoteEditor.settled()"
     wait_for(page, f"{bench}?.online && {bench}.library !== null && window.omoteEditor !== undefined")
     page.locator("[data-new]").click()

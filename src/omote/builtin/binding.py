@@ -1,4 +1,5 @@
-"""How the parts of the baked head hang on its skin; the bake and the loader bind by the same rule."""
+"""Binds the parts of the baked head (eyes, teeth, lashes, tongue) to its skin; the bake and the loader share the
+rule."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import Part, bind_to_head, bind_to_jaw, bind_to_skin
 
-AXIS = (0.0, 0.02)  # x and z of the cylinder axis, metres (method.md, section 2)
+AXIS = (0.0, 0.02)  # x and z of the cylinder axis, metres (docs/method.md, "The cylinder")
 EYES = {"eye_left": "left", "eye_right": "right"}
 STILL = (*EYES, "teeth_upper")
 JAW = ("teeth_lower", "tongue")

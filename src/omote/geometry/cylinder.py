@@ -1,4 +1,4 @@
-"""The cylinder about a vertical axis: theta, h, r and back."""
+"""Cylindrical coordinates (theta, h, r) about a vertical axis, and back."""
 
 from __future__ import annotations
 
@@ -11,14 +11,15 @@ Values = NDArray[np.float64]
 
 
 def wrap(angle: Values, /) -> Values:
-    """Angles brought into [-pi, pi)."""
+    """Wraps angles into [-pi, pi)."""
     result: Values = (angle + np.pi) % (2 * np.pi) - np.pi
     return result
 
 
 @dataclass(frozen=True, slots=True)
 class Cylinder:
-    """A vertical axis through (x, z), metres; theta = atan2(dx, dz), 0 straight ahead (method.md, section 2)."""
+    """A vertical axis through (x, z), metres; theta = atan2(dx, dz), 0 straight ahead
+    (docs/method.md, "The cylinder")."""
 
     x: float
     z: float

@@ -1,4 +1,4 @@
-"""Harmonic extension and smoothing over a mesh."""
+"""Mesh Laplacians: cotangent weights, one-ring smoothing, harmonic extension of values from anchors."""
 
 from __future__ import annotations
 
@@ -49,10 +49,9 @@ def harmonic_weights(
     """Extends values at anchors over the free vertices, each as an average of at most ANCHORS anchors.
 
     free (V,) marks vertices to extend to; anchors (A,) are fixed vertices. Harmonic (cotangent) weights, cut softly:
-    the
-    next-largest weight is subtracted from those kept, so that the cut moves nothing suddenly. Returns anchors' vertex
-    indices (n, ANCHORS) and weights (n, ANCHORS) for the n free vertices, rows summing to one (to zero where no anchor
-    can be reached along the mesh).
+    the next-largest weight is subtracted from those kept, so that the cut moves nothing suddenly. Returns anchors'
+    vertex indices (n, ANCHORS) and weights (n, ANCHORS) for the n free vertices, rows summing to one (to zero where no
+    anchor can be reached along the mesh).
     """
     columns = np.flatnonzero(free)
     keep = min(ANCHORS, len(anchors))

@@ -1,8 +1,7 @@
-"""Finds points in a triangulation by walking from triangle to triangle.
+"""Point location in a triangulation by a visibility walk from triangle to triangle.
 
-Two pictures of the same triangulation are walked: the flat one (S itself) and the one a horizontal ray sees from the
-axis
-(a face in space). In both a walk leaves a triangle across the edge that the point lies farthest behind.
+Two views of the same triangulation are walked: the flat one (S itself) and the one that a horizontal ray from the axis
+sees (a face in space). In both a walk leaves a triangle across the edge that the point lies farthest behind.
 """
 
 from __future__ import annotations
@@ -248,7 +247,7 @@ def walk_face(
     points: Values, corners: Indices, neighbours: Indices, axis_x: float, axis_z: float, targets: Values,
     start: Indices, triangles: Indices, weights: Values, inside: NDArray[np.bool_],
 ) -> None:  # fmt: skip
-    """Slides targets (N, 3) along their cylinder radius onto a face with points (V, 3) (method.md, section 3, step 1).
+    """Slides targets (N, 3) along their cylinder radius onto a face with points (V, 3) (docs/method.md, "Extract").
 
     start (N,): a triangle around the vertex that each target belongs to. Where folds stop the walk, triangles around it
     are searched in order of their steps from the start, so that a neighbouring layer of skin never answers before the

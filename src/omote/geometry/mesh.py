@@ -1,4 +1,4 @@
-"""Triangle meshes: checks, neighbours across edges, boundary loops, components, subdivision."""
+"""Triangle meshes: validation, adjacency, boundary loops, connected components, normals, subdivision, welding."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ FARTHEST = 1e6
 
 
 def validate_numbers(values: ArrayLike, /, *, name: str) -> NDArray[np.float64]:
-    """A new float64 array of real numbers, in any shape.
+    """Validates and copies numbers into a float64 array of any shape.
 
     Raises ValueError on rows of different lengths, on masked values and on what is no number: text, bool, complex,
     objects. Whether the numbers are finite is left to whoever knows what their rows are.
@@ -43,7 +43,7 @@ def _to_array(values: ArrayLike, name: str) -> NDArray[Any]:
 
 
 def validate_points(points: ArrayLike, /, *, name: str = "points") -> Points:
-    """Points as float64.
+    """Validates points and converts them to float64.
 
     points (V, 3), metres. Raises ValueError on another shape, on what is no real number and on values that are not
     finite or out of all reach.
@@ -61,7 +61,7 @@ def validate_points(points: ArrayLike, /, *, name: str = "points") -> Points:
 
 
 def validate_triangles(triangles: ArrayLike, vertex_count: int, /) -> Triangles:
-    """Triangles as int32.
+    """Validates triangles and converts them to int32.
 
     triangles (F, 3), vertex indices counter-clockwise from outside. Raises ValueError on another shape, on indices
     outside 0..vertex_count-1, on a triangle that names a vertex twice and on one that is there twice.
@@ -172,8 +172,7 @@ def boundary_loops(
     """The closed boundary lines, mesh on the left; a vertex where two holes touch splits them.
 
     triangles (F, 3), plane (V, 2): a picture of the mesh in which angles at such a vertex are measured, its first
-    column
-    periodic. Returns one index array per loop.
+    column periodic. Returns one index array per loop.
     """
     edges = boundary_edges(triangles)
     leaving: dict[int, list[int]] = {}
@@ -237,7 +236,7 @@ def components(triangles: Triangles, vertex_count: int, /) -> NDArray[np.int32]:
 
 
 def subdivide(triangles: Triangles, vertex_count: int, /) -> tuple[Triangles, NDArray[np.int32]]:
-    """Each triangle cut into four at its edge midpoints.
+    """Subdivides each triangle into four at its edge midpoints.
 
     Returns the new triangles (4F, 3) and the edges (E, 2) whose midpoints are the new vertices, from vertex_count on.
     """

@@ -1,4 +1,4 @@
-"""Which triangles of a strip an eye sees that looks in along the radius: the outer layer."""
+"""Finds the outer layer of a periodic strip: the triangles that are visible from outside along the radius."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Values = NDArray[np.float64]
 def keep_outer_layer(
     theta: Values, h: Values, radius: Values, width: float, cell: float, keep: NDArray[np.bool_]
 ) -> None:  # fmt: skip
-    """Clears keep where a triangle of a periodic strip lies under one nearer to an eye that looks in along the radius.
+    """Clears keep where a triangle of a periodic strip is covered by one of larger radius.
 
     theta, h (F, 3) unwrapped corners scaled to metres, period width; radius (F,) of each triangle; cell: the size of a
     cell of the grid in which neighbours are looked up.

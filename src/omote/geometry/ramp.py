@@ -1,4 +1,4 @@
-"""Ramps from 0 to 1, as shaders have them."""
+"""Clamping and smoothstep, as in GLSL."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Values = NDArray[Any]
 
 
 def clamp_unit(values: Values, /) -> Values:
-    """The values, those below 0 as 0 and those above 1 as 1."""
+    """Clamps values to [0, 1]."""
     result: Values = np.clip(values, 0.0, 1.0)
     return result
 

@@ -1,4 +1,4 @@
-"""Values of vertices painted onto the texture that a mesh is unfolded on."""
+"""Rasterises vertex values into a mesh's texture (UV) space."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _TOUCH = 1e-6
 
 
 def paint(values: NDArray[np.floating], uv: NDArray[np.floating], triangles: NDArray[np.integer], size: int) -> Values:
-    """Values (k,) of vertices at uv (k, 2) as a picture (size, size), linear within triangles (t, 3).
+    """Rasterises values (k,) of vertices at uv (k, 2) into a picture (size, size), linear within triangles (t, 3).
 
     uv as in glTF: (0, 0) is the upper left corner. Around the islands a margin, beyond it 0.
     """

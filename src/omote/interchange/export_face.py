@@ -1,4 +1,4 @@
-"""A face with chosen expressions as a scene for other programs: skin, parts and hair with named morph targets."""
+"""Exports a face with chosen expressions as a glTF scene: skin, parts and hair with named morph targets."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
 from omote.geometry import mesh
-from omote.interchange import part_textures as part_pictures
+from omote.interchange import part_textures
 from omote.interchange.formats.glb_writer import Material, Scene, Shape, Target
 from omote.interchange.formats.png import Picture, png_bytes, read_png
 from omote.interchange.hair_mesh import hair_shape
@@ -31,7 +31,7 @@ Meshes = dict[str, Points]
 SKIN, LASHES, TONGUE = "skin", "lashes", "tongue"
 ALL = "all"
 REST, STRAIGHT = 5e-7, 1e-4
-"""What a vertex moves (metres) or its normal changes at most where a target leaves it out."""
+"""A target leaves out vertices that move less (metres) and whose normal changes less."""
 NOTICE = (
     "Made with Omote. The built-in heads, units and pictures come from MakeHuman's CC0 assets and from Omote itself "
     "and are free for any use (CC0); what an artist added is the artist's."
@@ -40,7 +40,7 @@ NOTICE = (
 
 @dataclass(frozen=True, eq=False)
 class ExportContext:
-    """What all exports of a cast share: its meshes and the skin's layers (a PNG), painted once."""
+    """What all exports of a cast share: its meshes, and the skin's layers (a PNG), decoded once."""
 
     cast: Cast
     meshes: Sequence[BakedMesh]
@@ -54,7 +54,7 @@ class ExportContext:
 
 
 def choose_expressions(cast: Cast, text: str, /) -> list[str]:
-    """The expressions that a text names: kinds (`arkit`, `performed`), `all`, or names, by commas; neutral is the rest.
+    """Parses a list of expressions: kinds (`arkit`, `performed`), `all`, or names, by commas; without neutral.
 
     ValueError for a name that is neither.
     """
@@ -77,7 +77,7 @@ def named_compound_meshes(cast: Cast, face: str, expression: str, /) -> Meshes:
 
 
 def compound_meshes(space: ParameterSpace, face: Face, expression: Expression, /) -> Meshes:
-    """What `named_compound_meshes` gives, of a face and an expression of any cast."""
+    """The vertices of skin and parts of any face wearing any expression: {mesh: (n, 3)} metres, eyeballs turned."""
     compiled, fitted = compile_expression(space, expression), fit(space, face)
     skin = apply_expression(space, face, compiled)
     parts = turn_eyes(space, move_parts(space, fitted, skin, compiled.parts), fitted.centres, expression.eyes)
@@ -87,9 +87,9 @@ def compound_meshes(space: ParameterSpace, face: Face, expression: Expression, /
 def build_scene(
     context: ExportContext, face: str, poses: Iterable[tuple[str, Meshes]], /, *, hair: bool = True
 ) -> Scene:
-    """The scene of a face of the cast: poses give each expression's name and what `named_compound_meshes` makes of it.
+    """Builds the scene of a face of the cast; poses: `named_compound_meshes` of each expression, by its name.
 
-    ValueError for a face that is not in the cast, and for names that programs keep for themselves.
+    ValueError for a face that is not in the cast, and for reserved names.
     """
     cast = context.cast
     check_known(face, cast.faces, "face")
@@ -113,7 +113,7 @@ def build_scene(
 
 
 def _corners(cast: Cast, name: str) -> NDArray[np.int32]:
-    """The triangles of a mesh over its own vertices, doubled ones joined, so that no seam shows in the light."""
+    """The triangles of a mesh with doubled vertices welded, so that normals are smooth across texture seams."""
     if name != SKIN:
         return cast.space.parts[name].triangles
     return cast.space.welded[cast.space.triangles]
@@ -161,20 +161,20 @@ def _uv(context: ExportContext, part: BakedMesh) -> NDArray[np.float32]:
     space = context.cast.space
     points = space.parts[part.name].points
     if space.parts[part.name].eye:
-        return part_pictures.eye_uv(points - points.mean(axis=0))[part.source]
+        return part_textures.eye_uv(points - points.mean(axis=0))[part.source]
     if part.name == LASHES:
         balls = {ball.eye: ball.points.mean(axis=0) for ball in space.parts.values() if ball.eye}
-        sides = [part_pictures.lash_uv(points, balls[side]) for side in ("left", "right")]
+        sides = [part_textures.lash_uv(points, balls[side]) for side in ("left", "right")]
         return np.where(points[:, :1] > 0.0, *sides)[part.source]
     if part.name == TONGUE:
-        return part_pictures.tongue_uv(points)[part.source]
-    return part_pictures.arch_uv(points, upper=part.name == "teeth_upper")[part.source]
+        return part_textures.tongue_uv(points)[part.source]
+    return part_textures.arch_uv(points, upper=part.name == "teeth_upper")[part.source]
 
 
 def _materials(context: ExportContext, look: Look) -> dict[str, Material]:
-    """What each mesh wears."""
+    """The material of each mesh."""
     lashes = _lashes(look)
-    eye = _textured_material("eye", part_pictures.paint_eye(look), roughness=0.15)
+    eye = _textured_material("eye", part_textures.paint_eye(look), roughness=0.15)
     return {
         SKIN: _textured_material(
             "skin", paint_skin(context.canvas, look), roughness=0.62 - 0.3 * look.lacquer + 0.3 * look.fur
@@ -183,7 +183,7 @@ def _materials(context: ExportContext, look: Look) -> dict[str, Material]:
         "eye_right": eye,
         "teeth_upper": _teeth("teeth_upper", look),
         "teeth_lower": _teeth("teeth_lower", look),
-        TONGUE: replace(_textured_material(TONGUE, part_pictures.paint_tongue(), roughness=0.35), both=True),
+        TONGUE: replace(_textured_material(TONGUE, part_textures.paint_tongue(), roughness=0.35), both=True),
         LASHES: replace(_textured_material(LASHES, lashes, roughness=0.8), both=True, cut=0.0),
     }
 
@@ -192,11 +192,11 @@ def _lashes(look: Look) -> Picture:
     """Lashes all around the eyeball, as many and as dense as a look has."""
     strands = 30 + round(70 * look.lashes)
     cover = 0.1 + 0.08 * look.lashes
-    return part_pictures.paint_strands(decode_srgb(look.brow) * 0.3, strands, columns=2048, rows=64, cover=cover)
+    return part_textures.paint_strands(decode_srgb(look.brow) * 0.3, strands, columns=2048, rows=64, cover=cover)
 
 
 def _teeth(name: str, look: Look) -> Material:
-    picture = part_pictures.paint_teeth(look, upper=name == "teeth_upper")
+    picture = part_textures.paint_teeth(look, upper=name == "teeth_upper")
     return replace(_textured_material(name, picture, roughness=0.25), both=True, cut=0.5)
 
 

@@ -1,4 +1,4 @@
-"""Hair as a mesh: each strand of a style a ribbon that faces away from the head and follows its anchor."""
+"""Builds the hair mesh for export: each strand of a style is a ribbon that faces outwards and follows its anchor."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ STRANDS = 7
 def hair_shape(
     style: HairStyle, generic: Points, positions: NDArray[np.floating], targets: Mapping[str, Target], look: Look
 ) -> Shape:
-    """The hair of a face with positions (V, 3): two vertices for each place of a strand; targets: the skin's."""
+    """Builds the hair of a face with positions (V, 3): two vertices for each strand point; targets: the skin's."""
     strands = place_strands(style, generic, positions.astype(np.float64))
     count, places = strands.shape[:2]
     along = np.gradient(strands, axis=1)

@@ -1,7 +1,7 @@
-"""Expressions out of what other programs made: heads with morph targets, or one shape for each expression.
+"""Imports expressions from meshes of other programs: heads with morph targets (blendshapes), or one shape each.
 
-What a head of our topology does is measured as the paper does it (section 2.2): its displacement is taken to S. So a
-keyed model, or a set of morph targets, becomes expressions that every face of the cast can wear.
+The displacement of a head with our topology is converted to a field on S (paper, section 2.2). A keyed model, or a set
+of blendshapes, thus becomes expressions that are retargeted to every face of the cast.
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ Points = NDArray[np.float64]
 RESTS = frozenset({NEUTRAL, "rest", "basis", "base"})
 """Names of a shape at rest."""
 SAME = 5e-6
-"""Metres: a shape that the cast's expression of its name makes so nearly is that expression, on every face."""
+"""Metres; a shape this close to the cast's expression of the same name is taken to be that expression."""
 
 WIDELY = 10.0
-"""How many times as large or as small as the generic head a head may be: other units are farther off."""
+"""A head may be so many times larger or smaller than the generic one; beyond that its unit is not metres."""
 
 
 @dataclass(frozen=True, eq=False)
 class ImportedExpression:
-    """An expression taken from a face; error: metres by which the face, wearing it, misses the shape it came from."""
+    """An imported expression; error: metres by which the face wearing it differs from the source shape."""
 
     label: str
     expression: Expression
@@ -47,10 +47,10 @@ class ImportedExpression:
 def import_expressions(
     cast: Cast, meshes: Sequence[BakedMesh], shapes: Mapping[str, Sequence[Piece]], /, *, face: str = ""
 ) -> Iterator[ImportedExpression]:  # fmt: skip
-    """The expressions in shapes by name: those of their morph targets; of a shape without any, the shape itself.
+    """Imports the expressions in shapes, by name: one per morph target; of a shape without any, the shape itself.
 
     A shape named as a shape at rest (RESTS), or that is a face of the cast, is what the others are measured from; face:
-    the face of the cast that they are measured from instead. ValueError, in a sentence, where there is nothing to take.
+    the face of the cast that they are measured from instead. ValueError where there is no expression.
     """
     heads = {label: _match_named_head(cast, meshes, label, pieces) for label, pieces in shapes.items()}
     if face:
@@ -103,7 +103,7 @@ def _base_face(cast: Cast, heads: Mapping[str, MatchedHead], face: str) -> Face:
 
 
 def _import_expression(cast: Cast, face: Face, label: str, moves: Meshes) -> ImportedExpression:
-    """What moves a face so; the cast's own expression of this name where that is what it does there."""
+    """Converts displacements of a face to an expression, or finds the cast's expression of this name if it is equal."""
     moves = {SKIN: np.zeros((cast.space.vertex_count, 3)), **moves}
     own = cast.expressions.get(label)
     if own is not None and (off := _position_error(cast, face, own, moves)) <= SAME:
@@ -112,12 +112,12 @@ def _import_expression(cast: Cast, face: Face, label: str, moves: Meshes) -> Imp
         parts = {name: moved for name, moved in moves.items() if name != SKIN}
         expression = extract(cast.space, face, moves[SKIN], parts=parts)
     except ValueError as error:
-        raise ValueError(f"{label!r} cannot be worn by our faces: {error}") from error
+        raise ValueError(f"{label!r} does not fit the faces of the cast: {error}") from error
     return ImportedExpression(label, expression, face.name, _position_error(cast, face, expression, moves))
 
 
 def _position_error(cast: Cast, face: Face, expression: Expression, moves: Meshes) -> float:
-    """Metres by which a face that wears an expression is not where the moves have it."""
+    """The largest distance, metres, between a face wearing an expression and the given displacements."""
     worn, before = compound_meshes(cast.space, face, expression), _meshes(cast, face)
     return max(float(np.abs(worn[name] - before[name] - moved).max()) for name, moved in moves.items())
 
@@ -132,9 +132,9 @@ def _meshes(cast: Cast, face: Face) -> Meshes:
 def import_face(
     cast: Cast, meshes: Sequence[BakedMesh], label: str, pieces: Sequence[Piece], /
 ) -> tuple[Face, Look]:  # fmt: skip
-    """The face whose rest is in a file's pieces, with the look of the cast's face that it is, or a plain one.
+    """Imports the face at rest in a file's pieces, with the look of the matching face of the cast, or a plain one.
 
-    ValueError, in a sentence, where there is none, or it cannot wear our expressions.
+    ValueError where there is none, or expressions do not fit it.
     """
     head = _match_named_head(cast, meshes, label, pieces)
     face = Face(label, head.rest[SKIN], {name: points for name, points in head.rest.items() if name != SKIN})

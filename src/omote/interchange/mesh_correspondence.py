@@ -1,4 +1,4 @@
-"""Which vertices of the cast the vertices of a file are, and which of its faces is meant."""
+"""Finds the correspondence between the vertices of a file's meshes and those of the cast, and the face meant."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ Meshes = dict[str, Points]
 
 SKIN = "skin"
 NEAR = 2e-4
-"""Metres by which a file may miss a face of the cast that it is: programs round."""
+"""Tolerance, metres, in matching a face of the cast: programs round."""
 _NUMBERED = re.compile(r"\.\d{3}$")  # what Blender adds to a name that is there already
 
 
 @dataclass(frozen=True, eq=False)
 class MatchedHead:
-    """A head of our topology: rest by mesh (n, 3) metres, what targets add by name and mesh; face: whose rest it is."""
+    """A head with our topology: rest by mesh (n, 3) metres, morph targets by name and mesh; face: the match at rest."""
 
     face: str
     rest: Meshes
@@ -47,10 +47,10 @@ def rest_of(cast: Cast, face: str) -> Meshes:
 
 
 def match_head(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece], /) -> MatchedHead:
-    """The head in a file's pieces; face: "" where its rest is no face of the cast.
+    """Matches a file's pieces to the cast's meshes; face: "" where their rest is no face of the cast.
 
-    Vertices are told by what the file says of them, else by their order, else by where they lie on a face of the cast.
-    ValueError, in a sentence, where no piece is a head of our topology.
+    Vertices are matched by the attribute _VID, else by their order, else by position on a face of the cast.
+    ValueError where no piece is a head with our topology.
     """
     found: dict[str, tuple[Points, dict[str, Points]]] = {}
     for piece in pieces:
@@ -59,7 +59,7 @@ def match_head(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece],
             _gather(cast, found, name, rows, piece)
     if SKIN not in found or np.isnan(found[SKIN][0]).any():
         raise ValueError(
-            f"there is no head of ours in this file: expected a mesh with the {cast.space.vertex_count} vertices of "
+            f"no head of this topology is in this file: expected a mesh with the {cast.space.vertex_count} vertices of "
             "the cast's skin, in their order or with the attribute _VID; export one from Omote and shape that"
         )
     whole = {name: (rest, moves) for name, (rest, moves) in found.items() if not np.isnan(rest).any()}
@@ -77,7 +77,7 @@ def nearest_face(cast: Cast, skin: Points) -> str:
 
 
 def _match_piece(cast: Cast, meshes: Sequence[BakedMesh], piece: Piece) -> tuple[str, NDArray[np.int64]]:
-    """Which mesh a piece belongs to and which rows of it its vertices are; "" where it belongs to none."""
+    """The mesh that a piece belongs to, and the row of each of its vertices; "" where it belongs to none."""
     named = _NUMBERED.sub("", piece.name)
     counts, none = sizes(cast), np.zeros(0, np.int64)
     if piece.rows is not None:
@@ -107,7 +107,7 @@ def _match_by_place(cast: Cast, points: Points) -> NDArray[np.int64] | None:
 def _gather(
     cast: Cast, found: dict[str, tuple[Points, dict[str, Points]]], name: str, rows: NDArray[np.int64], piece: Piece
 ) -> None:  # fmt: skip
-    """Adds a piece to what is known of its mesh; a doubled vertex of the skin goes with its twin."""
+    """Adds a piece's vertices to its mesh; doubled vertices of the skin share one position."""
     count = sizes(cast)[name]
     rest, moves = found.setdefault(name, (np.full((count, 3), np.nan), {}))
     twins = cast.space.welded if name == SKIN else np.arange(count)
@@ -126,7 +126,7 @@ def _fill(values: Points, rows: NDArray[np.int64], given: Points, twins: NDArray
 
 
 def build_face(cast: Cast, like: MatchedHead, name: str = "") -> Face:
-    """The face whose rest a likeness has: one of the cast (by name, or found), else the file's own."""
+    """Builds the face of a matched head: one of the cast (by name, or matched), else the file's own."""
     if chosen := name or like.face:
         return cast.faces[chosen]
     parts = {part: points for part, points in like.rest.items() if part != SKIN}

@@ -1,7 +1,7 @@
-"""Pictures of what hangs on a head for programs that know no shaders of ours: eyeballs, teeth, tongue, lashes, hair.
+"""Paints textures of eyeballs, teeth, tongue, lashes and hair for programs that lack our shaders.
 
 Each comes with the texture coordinates that it is painted for, from the generic face alone. Colours and measures are
-those of web/src/stage (eye_shaders, mouth_shaders, lashes), without their light.
+those of web/src/face (eye_shaders, mouth_shaders, lashes), without their light.
 """
 
 from __future__ import annotations
@@ -25,7 +25,10 @@ PUPIL = 0.36
 ARCH = 0.034
 """From the front teeth back to the middle of the dental arch, metres."""
 _LOWER = 1.7
-_NEAR, _WIDEST, _DEEP = 0.16, 1.7, 0.05  # radians of one tooth's height; radians and metres that a texture spans
+TOOTH_REACH, _WIDEST = 0.16, 1.7
+"""Radians along the arch: of one tooth's height, and that a texture spans."""
+ARCH_DEPTH = 0.05
+"""Metres behind the front teeth that a texture spans."""
 
 
 def eye_uv(points: Values) -> NDArray[np.float32]:
@@ -99,7 +102,7 @@ def _fibres(angle: Values, most: int) -> Values:
 def arch_uv(points: Values, *, upper: bool) -> NDArray[np.float32]:
     """Places (k, 2) of teeth at points (k, 3): the angle on the arch, and how far from the gum to the edge."""
     angle = np.arctan2(points[:, 0], points[:, 2] - points[:, 2].max() + ARCH)
-    beside = np.abs(angle[:, None] - angle[None]) < _NEAR
+    beside = np.abs(angle[:, None] - angle[None]) < TOOTH_REACH
     low = np.where(beside, points[None, :, 1], np.inf).min(axis=1)
     high = np.where(beside, points[None, :, 1], -np.inf).max(axis=1)
     level = (points[:, 1] - low) / np.maximum(high - low, 1e-9)
@@ -137,7 +140,7 @@ def tongue_uv(points: Values) -> NDArray[np.float32]:
     """Places (k, 2) of a tongue's points (k, 3): across, and how far back."""
     x, z = points[:, 0], points[:, 2]
     reach = max(float(np.abs(x).max()), 1e-9)
-    return np.stack([0.5 + 0.5 * x / reach, clamp_unit((z.max() - z) / _DEEP)], axis=1).astype(np.float32)
+    return np.stack([0.5 + 0.5 * x / reach, clamp_unit((z.max() - z) / ARCH_DEPTH)], axis=1).astype(np.float32)
 
 
 def paint_tongue(size: int = 128) -> Picture:

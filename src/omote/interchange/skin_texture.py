@@ -1,4 +1,4 @@
-"""The skin's own colour as a picture: what web/src/stage/skin_colours.ts computes for each pixel, without light."""
+"""Paints the skin's albedo texture: what the stage's skin shader (skin_colour_shaders.ts) computes, without light."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ Points = NDArray[np.float64]
 LAYERS = ("mask", "marks", "patches", "relief", "finish")
 LINING = (0.62, 0.16, 0.14)
 
-# Angle from straight ahead, radians, and the height where hair begins, metres over the eyes (stage/anatomy.ts).
-_HAIRLINE = np.array(
+# Angle from straight ahead, radians, and the height where hair begins, metres over the eyes.
+HAIRLINE = np.array(
     [(0, 0.079), (0.35, 0.077), (0.6, 0.071), (0.76, 0.06), (0.9, 0.04), (1.02, 0.02), (1.12, 0.0), (1.24, -0.006),
      (1.34, 0.008), (1.6, 0.022), (1.9, 0.0), (2.2, -0.045), (3.2, -0.07)]
 )  # fmt: skip
@@ -29,14 +29,15 @@ _HAIRLINE = np.array(
 
 @dataclass(frozen=True, eq=False)
 class Canvas:
-    """What the pictures of all faces share: the skin's layers by name (k, k, 4), 0..1, and its hair (k, k)."""
+    """What the textures of all faces share: the skin's layers by name (k, k, 4), 0..1, and its hair (k, k)."""
 
     layers: dict[str, Values]
     hair: Values
 
 
 def build_canvas(layers: Picture, skin: BakedMesh, generic: Points) -> Canvas:
-    """The canvas of a cast: layers (5k, k, 4) as the bake paints them, the skin's mesh, the generic face (V, 3)."""
+    """Builds the canvas of a cast from layers (5k, k, 4), as the bake paints them, the skin's mesh and the generic face
+    (V, 3)."""
     size = layers.shape[1]
     parts = layers.reshape(len(LAYERS), size, size, 4).astype(np.float32) / np.float32(255.0)
     hair = paint(hairline(generic)[skin.source], skin.uv, skin.triangles, size)
@@ -46,24 +47,24 @@ def build_canvas(layers: Picture, skin: BakedMesh, generic: Points) -> Canvas:
 def hairline(points: Points) -> Points:
     """How much hair grows at points (n, 3) of the generic face, 0..1."""
     x, y, z = points.T
-    height = np.interp(np.abs(np.arctan2(x, z - 0.03)), _HAIRLINE[:, 0], _HAIRLINE[:, 1])
+    height = np.interp(np.abs(np.arctan2(x, z - 0.03)), HAIRLINE[:, 0], HAIRLINE[:, 1])
     ear = np.where(y < 0.026, smooth_ramp(0.0, 1.0, (np.abs(x) - 0.0745) / 0.006), 0.0)
     return smooth_ramp(0.0, 1.0, (y - height) / 0.024 + 0.5) * (1.0 - ear)
 
 
 def paint_skin(canvas: Canvas, look: Look) -> Picture:
-    """The skin (k, k, 3) of a look, sRGB."""
+    """Paints the skin (k, k, 3) of a look, sRGB."""
     return encode_srgb(_albedo(canvas, look))
 
 
 def decode_srgb(colour: str) -> NDArray[np.float32]:
-    """A colour "#rrggbb" in linear light, (3,)."""
+    """Converts a colour "#rrggbb" to linear light, (3,)."""
     code = np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)]) / 255.0
     return np.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4).astype(np.float32)
 
 
 def encode_srgb(light: Values) -> Picture:
-    """Linear light (..., 3) as sRGB, 8 bits."""
+    """Converts linear light (..., 3) to sRGB, 8 bits."""
     seen = clamp_unit(light)
     code = np.where(seen <= 0.0031308, 12.92 * seen, 1.055 * seen ** (1.0 / 2.4) - 0.055)
     return np.rint(255.0 * code).astype(np.uint8)

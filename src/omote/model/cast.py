@@ -90,7 +90,7 @@ def _validate_trait(name: str, value: object) -> float:
 
 @dataclass(frozen=True)
 class Title:
-    """What people read of an expression: label, kind ("neutral", "performed", "arkit", "makehuman", "own") and
+    """How an expression is presented: label, kind ("neutral", "performed", "arkit", "makehuman", "own") and
     region."""
 
     label: str
@@ -99,7 +99,7 @@ class Title:
 
 
 def _refuse_others_at_rest(cast: Cast) -> None:
-    """Panic and every start of a show go to these two, so no others may bear their names."""
+    """Rejects another face or expression under a reserved name: panic and every start of a show return to these two."""
     generic, neutral = cast.faces.get(GENERIC), cast.expressions[NEUTRAL]
     if generic is not None and not np.array_equal(generic.positions, cast.space.points.astype(np.float32)):
         raise ValueError(f"face {GENERIC!r} is not the face the space was built from; give it another name")

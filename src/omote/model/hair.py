@@ -1,4 +1,4 @@
-"""A hair style: strands over the generic head, carried to every other face by the skin beneath them."""
+"""A hair style: strands on the generic head, bound to the skin beneath them and so retargeted to every face."""
 
 from __future__ import annotations
 
@@ -56,13 +56,14 @@ class HairStyle:
 
     @property
     def arrays(self) -> tuple[NDArray[Any], ...]:
-        """All that a style consists of."""
+        """All arrays of a style."""
         width = np.array(self.width)
         return self.points, self.rows, self.weights, self.anchors, self.facing, self.light, width
 
 
 def find_anchors(points: Values, skin: Values, allowed: NDArray[np.bool_], /) -> tuple[Indices, Values]:
-    """The skin's vertices (..., LINKS) that carry points (..., 3), and their weights, which sum to one.
+    """Finds the skin's vertices (..., LINKS) that carry points (..., 3), and their weights, which sum to one
+    (skinning).
 
     skin (V, 3) metres; allowed (V,): the vertices that may. Weights fall to zero at the first vertex that is left out
     (Franke and Little 1980), so that neighbours on a strand are carried alike.
@@ -75,7 +76,7 @@ def find_anchors(points: Values, skin: Values, allowed: NDArray[np.bool_], /) ->
 
 
 def place_strands(style: HairStyle, generic: Values, positions: Values, /) -> Values:
-    """The strands (n, k, 3) of a style on a face with positions (V, 3); generic (V, 3): where they were made.
+    """Places the strands (n, k, 3) of a style on a face with positions (V, 3); generic (V, 3): where they were made.
 
     Linear in the positions, so that a mix of faces wears the mix of their hair.
     """

@@ -1,7 +1,7 @@
-"""One axis of the mix: the faces, or the expressions. Who is on air, the call that runs, and the T-bar.
+"""One axis of the mix (faces, expressions or lights): what is on air, the running call, and the T-bar.
 
-An axis is a value; every function here gives another one. A call moves the weights along
-(1 - y) start + y target + velocity term; its progress y follows the easing, or the hand on the T-bar.
+An axis is a value; every function here returns a changed copy. A call moves the weights along
+(1 - y) start + y target + velocity term; its progress y follows the easing, or the T-bar.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ from omote.perform.mix import combine, mix_of_one, share_in_range
 
 @dataclass(frozen=True)
 class Call:
-    """A call on its way: from the mix `start`, moving at `velocity` per second, to `target` alone.
+    """A running call (an inertialised transition): from the mix `start`, moving at `velocity` per second, to `target`
+    alone.
 
     `seconds` None: only the T-bar moves it. `way` is the way of the T-bar, or the rest of the way after its release;
     without it the easing decides. `held`: the T-bar has picked it up.
@@ -47,7 +48,7 @@ class Call:
 
 @dataclass(frozen=True)
 class Axis:
-    """What one axis shows: `on_air` alone, or a call on its way from there; `hand` is where its T-bar stands, 0..1."""
+    """The state of one axis: `on_air` alone, or a call running from there; `hand` is its T-bar's position, 0..1."""
 
     on_air: str
     call: Call | None = None
@@ -155,7 +156,7 @@ def advanced(axis: Axis, dt: float) -> Axis:
 
 
 def status(axis: Axis) -> CallStatus | None:
-    """What runs, for the operator; None at rest."""
+    """The status of the running call, for the operator; None at rest."""
     call = axis.call
     if call is None:
         return None
@@ -171,7 +172,8 @@ def _mix_at(call: Call, share: Slots) -> dict[str, float]:
 
 
 def _share(call: Call) -> float:
-    """The last wall: a T-bar pushed at once after an interruption may outrun the decay that was planned."""
+    """Limits the velocity's share: a T-bar pushed at once after an interruption may outrun the decay that was
+    planned."""
     y, _ = progress(call)
     base = combine(((1.0 - y, call.start), (y, mix_of_one(call.target))))
     return share_in_range(base, combine(((call.decay * bump(call.elapsed / call.decay), call.velocity),)))

@@ -1,4 +1,5 @@
-"""Channels: expressions driven continuously beside the mix, and the eyes and lids that follow the gaze."""
+"""Channels: ARKit blendshape weights (or any expression's) driven continuously beside the mix; and eyes and lids that
+follow the gaze."""
 
 from __future__ import annotations
 
@@ -30,7 +31,8 @@ GAZE_UNITS: Mapping[str, tuple[int, int]] = {
 def with_channel(
     channels: Mapping[str, float], expressions: Mapping[str, Expression], name: str, value: float
 ) -> dict[str, float]:
-    """The channels with one of them set; 0 takes it out. Refuses unknown names, `neutral` and values out of range."""
+    """Sets one channel (a blendshape weight); 0 removes it. Rejects unknown names, `neutral` and values out of
+    range."""
     check_known(name, (unit for unit in expressions if unit != NEUTRAL), "channel")
     value = check_within(value, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {name}")
     kept = {**channels, name: value}
@@ -51,7 +53,8 @@ def gaze_channels(expressions: Mapping[str, Expression], gaze: Gaze) -> dict[str
 def effective_channels(
     expressions: Mapping[str, Expression], channels: Mapping[str, float], gaze: Gaze
 ) -> dict[str, float]:
-    """What is added to the mix: the channels, and the gaze's; where both drive a unit the larger one, never the sum."""
+    """The blendshape weights added to the mix: channels and gaze; where both drive a unit the larger one, not the
+    sum."""
     merged = dict(channels)
     for name, weight in gaze_channels(expressions, gaze).items():
         if abs(weight) > abs(merged.get(name, 0.0)):

@@ -1,4 +1,5 @@
-"""How a weight moves in time: easings, the decay of a velocity, the glide of a hand (method.md, section 5).
+"""How a weight moves in time: easings, the decay of a velocity, the glide of a hand
+(docs/method.md, "Interrupted calls").
 
 Everything is a polynomial of time since its start, so one large step lands exactly where many small ones do.
 """
@@ -29,7 +30,7 @@ class Easing:
     coefficients: tuple[float, ...]
 
     def __post_init__(self) -> None:
-        """Refuse a curve that would kick."""
+        """Rejects a curve whose ends would jump."""
         ends = (self.value(0.0), self.value(1.0), self.rate(0.0), self.rate(1.0))
         if not np.allclose(ends, (0.0, 1.0, 0.0, 0.0), atol=1e-12):
             raise ValueError(f"an easing goes from 0 to 1 with no slope at its ends; this one gives {ends}")
@@ -70,7 +71,7 @@ class Glide:
 
 
 def find_easing(name: str) -> Easing:
-    """The easing of that name, or a refusal that lists all of them."""
+    """Finds an easing by name; ValueError that lists all of them for an unknown one."""
     if name not in EASINGS:
         raise ValueError(f"there is no easing {name!r}; choose one of {', '.join(EASINGS)}")
     return EASINGS[name]
@@ -106,7 +107,7 @@ def decay_seconds(start: Weights, velocity: Weights, target: str, seconds: float
 
 
 def plan_glide(origin: float, rate: float, goal: float, seconds: float) -> Glide:
-    """The way from `origin` at `rate` to rest at `goal`, shortened where it would pass the goal or leave 0..1.
+    """Plans the way from `origin` at `rate` to rest at `goal`, shortened where it would pass the goal or leave 0..1.
 
     A cubic from a slope to none is monotone up to slope * time = 3 * distance (Fritsch & Carlson 1980); a slope that
     points away from the goal carries at most 4/27 of slope * time past the origin.
@@ -121,7 +122,7 @@ def plan_glide(origin: float, rate: float, goal: float, seconds: float) -> Glide
 
 
 def glide_state(way: Glide) -> tuple[float, float]:
-    """Where a glide is now, and its rate per second."""
+    """The position of a glide now, and its rate per second."""
     if way.elapsed >= way.seconds:
         return way.goal, 0.0
     u = way.elapsed / way.seconds

@@ -1,4 +1,4 @@
-"""What the performer gives: everything that is on air at one instant."""
+"""A frame: everything that is on air at one instant, as the performer gives it."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Head:
     roll: float = 0.0
 
     def __post_init__(self) -> None:
-        """Refuse what is no direction of a head."""
+        """Rejects angles beyond a head's range."""
         for name in ("yaw", "pitch", "roll"):
             value = check_within(getattr(self, name), -HEAD_LIMIT, HEAD_LIMIT, f"the head's {name} (radians)")
             object.__setattr__(self, name, value)
@@ -32,7 +32,7 @@ class Gaze:
     pitch: float = 0.0
 
     def __post_init__(self) -> None:
-        """Refuse what no eye can do."""
+        """Rejects angles beyond an eye's range."""
         for name in ("yaw", "pitch"):
             value = check_within(getattr(self, name), -GAZE_LIMIT, GAZE_LIMIT, f"the gaze's {name} (radians)")
             object.__setattr__(self, name, value)

@@ -1,4 +1,4 @@
-"""The lights that a show can call, by name; what they look like is the stages' own (`web/src/stage/light.ts`)."""
+"""The lights that a show can call, by name; what they look like is the stages' own (`web/src/face/light/lights.ts`)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ LIGHTS: Mapping[str, str] = {"theatre": "Theatre", "portrait": "Portrait", "flat
 
 
 def check_light(name: str) -> str:
-    """The name itself where there is such a light, else a refusal that lists all of them."""
+    """Returns the name of a light; ValueError that lists all of them for an unknown one."""
     if name not in LIGHTS:
         raise ValueError(f"there is no light {name!r}; choose one of {', '.join(LIGHTS)}")
     return name

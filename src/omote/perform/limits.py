@@ -1,4 +1,4 @@
-"""The ranges of everything that can be played, and the one check that numbers pass on their way in."""
+"""The ranges of everything that can be played, and the validation of numbers and names against them."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ FOREVER = 1e9
 
 
 def check_within(value: object, low: float, high: float, what: str) -> float:
-    """`value` as a float where it is a real number from `low` to `high`; else a refusal that names `what`."""
+    """Returns `value` as a float where it is a real number from `low` to `high`; else raises with a message."""
     if isinstance(value, bool) or not isinstance(value, Real):
         raise TypeError(f"{what} must be a number, not {value!r}; give {low:g} to {high:g}")
     number: Any = value  # typeshed gives Real no comparison with float
@@ -32,7 +32,7 @@ def check_within(value: object, low: float, high: float, what: str) -> float:
 
 
 def check_known(name: object, names: Iterable[str], what: str) -> str:
-    """`name` where it is one of `names`; else a refusal that names the nearest ones."""
+    """Returns `name` where it is one of `names`; else raises ValueError with the nearest ones."""
     choices = list(names)
     if isinstance(name, str) and name in choices:
         return name

@@ -1,4 +1,4 @@
-"""A mix: weights over names, as a vector whose absent names weigh nothing (method.md, section 5)."""
+"""A mix: weights over names, as a vector whose absent names weigh nothing (docs/method.md, "Weights are enough")."""
 
 from __future__ import annotations
 

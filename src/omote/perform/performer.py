@@ -1,4 +1,4 @@
-"""The performer: it takes commands at any moment and says at any later time what is on air. It owns no clock."""
+"""The performer: takes commands at any moment and returns frames at any later time. It owns no clock."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Everything a performer knows beside its cast, and the check of one that comes from a file."""
+"""Snapshots: the whole state of a performer beside its cast, and their validation when they come from a file."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Playable(Protocol):
 
     @property
     def digest(self) -> str:
-        """Names exactly these."""
+        """The digest of exactly these."""
 
 
 ROUNDING = 1e-6
@@ -47,11 +47,11 @@ class Snapshot:
     head: Head = field(default_factory=Head)
     gaze: Gaze = field(default_factory=Gaze)
     time: float = 0.0
-    light: Axis = field(default_factory=lambda: Axis(FIRST_LIGHT))  # shows of before had no light to call
+    light: Axis = field(default_factory=lambda: Axis(FIRST_LIGHT))  # older snapshots have no light
 
 
 def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
-    """The same snapshot; refuses one that the cast cannot play, or that no performer can have written."""
+    """Validates a snapshot and returns it; rejects one that the cast cannot play, or that no performer wrote."""
     _check_axis(snapshot.face, cast.faces, "face")
     _check_axis(snapshot.expression, cast.expressions, "expression")
     _check_axis(snapshot.light, LIGHTS, "light")

@@ -1,4 +1,4 @@
-"""Whether this machine can play, in a few sentences."""
+"""Checks whether this machine can play: versions, pages, cast, the time of one frame (`omote check`)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Verdict = tuple[bool, str]
 
 
 def run_checks() -> Iterator[Verdict]:
-    """Verdict by verdict: versions, pages, cast, the time of a frame."""
+    """Yields the verdict of each check: versions, pages, cast, the time of a frame."""
     libraries = ", ".join(f"{name} {version(name)}" for name in LIBRARIES)
     yield True, f"omote {version('omote')} on Python {platform.python_version()}, {platform.system()}; {libraries}"
     for check in (check_pages, check_frame):
@@ -24,7 +24,7 @@ def run_checks() -> Iterator[Verdict]:
 
 
 def run_check(check: Callable[[], Verdict]) -> Verdict:
-    """The verdict of a check; what it raises is a bad one."""
+    """Runs one check; an exception counts as a failed verdict with its message."""
     try:
         return check()
     except (OSError, ValueError, ImportError) as error:
@@ -32,7 +32,7 @@ def run_check(check: Callable[[], Verdict]) -> Verdict:
 
 
 def check_pages() -> Verdict:
-    """The pages are built."""
+    """Checks that the pages are built."""
     from omote.server.http.static_pages import read_pages
 
     pages = read_pages()
@@ -40,7 +40,7 @@ def check_pages() -> Verdict:
 
 
 def check_frame() -> Verdict:
-    """The cast is there, and a frame of it takes less time than it is shown."""
+    """Checks that the cast is baked and that one frame is computed in less than a frame's time."""
     from omote.perform.blending.evaluate import evaluate
     from omote.perform.performer import Performer
     from omote.server.http.cast_documents import built_in_documents

@@ -40,7 +40,7 @@ class Message(msgspec.Struct, frozen=True, tag_field="type", tag=snake_case):
 
 
 class Hello(Message, frozen=True):
-    """Opens a link; nothing else is heard before it."""
+    """Opens a link; other messages are rejected before it."""
 
     role: Role
     version: int
@@ -80,7 +80,7 @@ class FadeFace(Message, frozen=True):
 
 
 class ReleaseFace(Message, frozen=True):
-    """The hand leaves the face T-bar."""
+    """The operator lets go of the face T-bar."""
 
 
 class FadeExpression(Message, frozen=True):
@@ -90,11 +90,11 @@ class FadeExpression(Message, frozen=True):
 
 
 class ReleaseExpression(Message, frozen=True):
-    """The hand leaves the expression T-bar."""
+    """The operator lets go of the expression T-bar."""
 
 
 class SetChannel(Message, frozen=True):
-    """The weight of one channel (any expression's name), -0.5..1.5."""
+    """The weight of one channel (a blendshape weight; any expression's name), -0.5..1.5."""
 
     name: Name
     value: float
@@ -133,20 +133,20 @@ class KeepExpression(Message, frozen=True):
 
 
 class SetLayout(Message, frozen=True):
-    """Keeps a page's document (JSON) in the show file under a name, where `/layouts/NAME` has it again."""
+    """Stores a page's layout (JSON) in the show file under a name; `/layouts/NAME` returns it."""
 
     name: Name
     document: LayoutText
 
 
 class Ping(Message, frozen=True):
-    """Asks for a pong; `sent` is the client's own clock and comes back untouched."""
+    """Asks for a pong; `sent` is the client's own clock and comes back unchanged."""
 
     sent: float
 
 
 class Drawing(Message, frozen=True):
-    """A stage's heartbeat, once a second, from frames it really drew, and the level of quality it draws them at."""
+    """A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality."""
 
     fps: float
     level: Level
@@ -165,14 +165,14 @@ class Welcome(Message, frozen=True):
 
 
 class CastChanged(Message, frozen=True, tag="cast"):
-    """The cast has other names or contents now: pages fetch the manifest again and go on."""
+    """The cast has changed: pages fetch the manifest again and go on."""
 
     revision: int
     digest: str
 
 
 class Kept(Message, frozen=True):
-    """Answers keep_face and keep_expression: the name under which it is in the cast, and what people read."""
+    """Answers keep_face and keep_expression: the new name in the cast, and its label."""
 
     id: str
     name: str
@@ -180,7 +180,7 @@ class Kept(Message, frozen=True):
 
 
 class CallState(msgspec.Struct, frozen=True):
-    """A running call: `progress` 0..1, `remaining` seconds (`None`: as long as the hand wants).
+    """A running call: `progress` 0..1, `remaining` seconds (`None`: the T-bar decides).
 
     `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1.
     """
@@ -228,20 +228,20 @@ class Pong(Message, frozen=True):
 
 
 class Refused(Message, frozen=True):
-    """A message was not obeyed, and why, in one sentence for the operator."""
+    """A message was rejected, and why, in one sentence for the operator."""
 
     reason: str
 
 
 class StageReport(msgspec.Struct, frozen=True):
-    """What a stage last said of itself: frames per second, and the level of quality."""
+    """The last report of a stage: frames per second, and the level of quality."""
 
     fps: float
     level: Level
 
 
 class Crew(Message, frozen=True):
-    """Who is connected, once a second: for each stage what it says of itself (`None`: it is silent)."""
+    """Who is connected, once a second, with each stage's last report (`None`: it is silent)."""
 
     stages: list[StageReport | None]
     consoles: int
@@ -360,7 +360,7 @@ class HairDocument(msgspec.Struct, frozen=True):
 
 
 class CrossingDocument(msgspec.Struct, frozen=True):
-    """Where two lids or the lips may cross (`model.settling.Crossing`), little-endian.
+    """Where two lids or the lips may cross (`model.transfer.corrective_regions.Crossing`), little-endian.
 
     `upward`: rungs open along +y, else as at rest. `vertices` (32, 4) u32 and `near` (p,) u32: places in the settling's
     rows; `weights` (32, 4), `side`, `share` (p,) f32.
@@ -375,7 +375,7 @@ class CrossingDocument(msgspec.Struct, frozen=True):
 
 
 class SettlingDocument(msgspec.Struct, frozen=True):
-    """How stages put sums right (`model.settling`, `perform.settle`), little-endian.
+    """Correctives: how stages repair sums that fold or pierce (`perform.blending.correctives`), little-endian.
 
     `rows` (m,) u32: rows of the positions, all else counts in them: `triangles` (t, 3) u32, `lids` and `eye` (r,) u32
     (0 left), `anchors` (f, k) u32; but `followers` (f,) u32 are rows of the positions too; `weights` (f, k) f32.
@@ -406,7 +406,7 @@ class LightDocument(msgspec.Struct, frozen=True):
 
 
 class Manifest(msgspec.Struct, frozen=True):
-    """All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes.
+    """All that a page needs to know of the cast; `vertices` counts skin then parts in the order of the meshes.
 
     `base`: the digest of the built-in cast, which stays as long as the server does; `digest`: with own things."""
 
@@ -459,15 +459,16 @@ class HairAsset(msgspec.Struct, frozen=True):
 
 
 class AllowanceDocument(msgspec.Struct, frozen=True):
-    """What a compound alone uses up of what sums may not (`perform.settle`), little-endian: `places` (n,) u32, `values`
-    (n,) f32."""
+    """What one compound alone uses up of the correctives' limits (`perform.blending.correctives`), little-endian:
+    `places` (n,) u32, `values` (n,) f32."""
 
     places: bytes
     values: bytes
 
 
 class CompoundAsset(msgspec.Struct, frozen=True):
-    """A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16."""
+    """A retargeted expression: a compound minus its face at rest, little-endian: `scale` metres per count, `indices`
+    (n,) u32, `deltas` (n, 3) i16."""
 
     scale: float
     indices: bytes

@@ -1,10 +1,10 @@
-"""How much one client may say."""
+"""Limits the rate of a client's messages (token bucket)."""
 
 from __future__ import annotations
 
 
 class TokenBucket:
-    """Lets `burst` messages pass at once and `rate` per second after that; time is an argument."""
+    """Lets `burst` messages pass at once and `rate` per second after that; time is passed in."""
 
     def __init__(self, rate: float, burst: float) -> None:
         self.rate, self._burst = rate, burst

@@ -1,4 +1,4 @@
-"""A show without input or output: messages and a time in, messages and states out; a list of them replays a show."""
+"""The show session without input or output: messages and times in, messages and states out; a log of them replays."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import msgspec
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, names_held
 from omote.show import messages as wire
-from omote.show import validation as door
+from omote.show import validation
 from omote.show.state import state_of
 from omote.show.validation import Refusal, validate_number
 from omote.show.wire import decode
@@ -35,7 +35,7 @@ class Outgoing:
 
 @dataclass(frozen=True)
 class Member:
-    """A client that said hello: its role, and what it said of itself when it was last heard."""
+    """A connected client: its role, and its last report with the time of it."""
 
     role: wire.Role
     report: wire.StageReport | None = None
@@ -44,7 +44,7 @@ class Member:
 
 @dataclass(frozen=True)
 class KeepRequest:
-    """Something to be kept in the show file, which a console asked for: for whoever holds the file."""
+    """A console's request to store something in the show file; the server carries it out."""
 
     who: str
     message: wire.KeepFace | wire.KeepExpression | wire.SetLayout
@@ -83,7 +83,7 @@ class ShowSession:
         return SessionSnapshot(performer=self.performer.snapshot(), calls=list(self._calls))
 
     def receive_bytes(self, who: str, data: bytes, now: float) -> list[Outgoing]:
-        """What to answer to the bytes of a client; bytes that are no message are refused and counted."""
+        """Handles the bytes of a client and returns the answers; invalid bytes are rejected and counted."""
         try:
             message = decode(data)
         except Refusal as refusal:
@@ -91,14 +91,14 @@ class ShowSession:
         return self.receive(who, message, now)
 
     def receive(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
-        """What to answer to a message; one that cannot be obeyed is refused with a sentence and changes nothing."""
+        """Handles a message and returns the answers; an invalid one is rejected with a message and changes nothing."""
         try:
             return self._answer(who, message, now)
         except Refusal as refusal:
             return self._refuse(who, refusal)
 
     def tick(self, now: float) -> wire.State:
-        """What is on air at `now` (seconds, monotonic); however long the pause was, it is one step to now."""
+        """Advances the show to `now` (seconds, monotonic) in one step and returns what is on air."""
         elapsed = 0.0 if self._now is None else max(0.0, now - self._now)
         self._now = now
         self.number += 1
@@ -107,7 +107,8 @@ class ShowSession:
         return state_of(self.cast, frame, epoch=self.epoch, number=self.number, revision=self.revision)
 
     def recast(self, cast: Playable) -> wire.CastChanged:
-        """Plays another cast from now on, and what to tell everybody; ValueError where what is on air is not in it."""
+        """Plays another cast from now on; returns the message for all pages. ValueError where it lacks what is on
+        air."""
         self.performer.recast(cast)
         self.cast = cast
         self.revision += 1
@@ -118,7 +119,7 @@ class ShowSession:
         return names_held(self.performer.snapshot())
 
     def take_keep_requests(self) -> list[KeepRequest]:
-        """What consoles have asked to keep since the last time."""
+        """Returns and clears the consoles' requests to keep something."""
         requests, self.wishes = self.wishes, []
         return requests
 
@@ -127,7 +128,7 @@ class ShowSession:
         return self._time if self._now is None else self._time + max(0.0, now - self._now)
 
     def leave(self, who: str) -> None:
-        """A client is gone; what its hands held stays as it is."""
+        """Removes a client; T-bars and channels that it held stay as they are."""
         self.crew.pop(who, None)
 
     def crew_now(self, now: float) -> wire.Crew:
@@ -141,21 +142,23 @@ class ShowSession:
             case wire.Hello():
                 return [Outgoing(who, self._welcome(who, message))]
             case wire.Ping():
-                return [Outgoing(who, wire.Pong(sent=validate_number(message.sent, door.SENT), time=self.clock(now)))]
+                return [
+                    Outgoing(who, wire.Pong(sent=validate_number(message.sent, validation.SENT), time=self.clock(now)))
+                ]
             case wire.Drawing():
-                report = wire.StageReport(validate_number(message.fps, door.FPS), message.level)
+                report = wire.StageReport(validate_number(message.fps, validation.FPS), message.level)
                 self.crew[who] = Member(self._member(who).role, report, heard=now)
             case (
                 wire.CallFace() | wire.CallExpression() | wire.CallLight() | wire.KeepFace() | wire.KeepExpression()
             ) if message.id in self._calls:
                 pass  # a retry or a bouncing key: each call executes once
             case wire.KeepFace() | wire.KeepExpression() | wire.SetLayout():
-                self._wish(KeepRequest(who, message))
+                self._add_keep_request(KeepRequest(who, message))
             case _:
                 self._obey(who, message)
         return []
 
-    def _wish(self, request: KeepRequest) -> None:
+    def _add_keep_request(self, request: KeepRequest) -> None:
         self._refuse_a_stage(request.who, request.message)
         self.wishes.append(request)
         if not isinstance(request.message, wire.SetLayout):
@@ -208,38 +211,38 @@ def _call_expression(performer: Performer, call: wire.CallExpression) -> None:
 
 
 def _call_light(performer: Performer, call: wire.CallLight) -> None:
-    performer.call_light(call.name, seconds=validate_number(call.seconds, door.SECONDS), easing=call.easing)
+    performer.call_light(call.name, seconds=validate_number(call.seconds, validation.SECONDS), easing=call.easing)
 
 
 def _set_head(performer: Performer, head: wire.SetHead) -> None:
     performer.set_head(
-        validate_number(head.yaw, door.HEAD),
-        validate_number(head.pitch, door.HEAD),
-        validate_number(head.roll, door.HEAD),
+        validate_number(head.yaw, validation.HEAD),
+        validate_number(head.pitch, validation.HEAD),
+        validate_number(head.roll, validation.HEAD),
     )
 
 
 def _set_gaze(performer: Performer, gaze: wire.SetGaze) -> None:
-    performer.set_gaze(validate_number(gaze.yaw, door.GAZE), validate_number(gaze.pitch, door.GAZE))
+    performer.set_gaze(validate_number(gaze.yaw, validation.GAZE), validate_number(gaze.pitch, validation.GAZE))
 
 
 def _seconds(seconds: float | None) -> float:
-    return math.inf if seconds is None else validate_number(seconds, door.SECONDS)
+    return math.inf if seconds is None else validate_number(seconds, validation.SECONDS)
 
 
 OBEY: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
     wire.CallFace: _call_face,
     wire.CallExpression: _call_expression,
     wire.CallLight: _call_light,
-    wire.FadeFace: lambda performer, bar: performer.fade_face(validate_number(bar.value, door.FADER)),
+    wire.FadeFace: lambda performer, bar: performer.fade_face(validate_number(bar.value, validation.FADER)),
     wire.ReleaseFace: lambda performer, _: performer.release_face(),
-    wire.FadeExpression: lambda performer, bar: performer.fade_expression(validate_number(bar.value, door.FADER)),
+    wire.FadeExpression: lambda performer, bar: performer.fade_expression(validate_number(bar.value, validation.FADER)),
     wire.ReleaseExpression: lambda performer, _: performer.release_expression(),
     wire.SetChannel: lambda performer, fader: performer.set_channel(
-        fader.name, validate_number(fader.value, door.CHANNEL)
+        fader.name, validate_number(fader.value, validation.CHANNEL)
     ),
     wire.SetHead: _set_head,
     wire.SetGaze: _set_gaze,
     wire.Panic: lambda performer, _: performer.panic(),
 }
-"""What each command does to the performer, which itself refuses names that the cast has not."""
+"""The action of each command on the performer, which itself rejects names that the cast lacks."""

@@ -1,4 +1,4 @@
-"""A frame of the engine as a state on the wire."""
+"""Converts a frame of the engine to a state on the wire."""
 
 from __future__ import annotations
 

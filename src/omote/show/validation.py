@@ -1,4 +1,4 @@
-"""The one door for numbers from outside: one comes through unchanged or is refused with a sentence, never clamped."""
+"""Validates numbers from outside: each passes unchanged or is rejected with an error message, never clamped."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMIT, HE
 
 
 class Refusal(ValueError):  # noqa: N818  (what an operator reads, not a fault)
-    """Why a message was not obeyed, in one sentence: what came, what was expected."""
+    """A message was rejected, and why, in one sentence: what came, what was expected."""
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number that comes from outside: what it is called in a refusal, and its range, both ends included."""
+    """A number from outside: its name in error messages, and its range, both ends included."""
 
     what: str
     low: float
@@ -30,7 +30,7 @@ FPS = Quantity("the rate of drawn frames", 0.0, 1000.0)
 
 
 def validate_number(value: object, quantity: Quantity) -> float:
-    """`value` as a float when it is a real number in the range of `quantity`; Refusal for anything else, NaN too."""
+    """Validates that `value` is a real number in the range of `quantity`; Refusal for anything else, NaN too."""
     try:
         return check_within(value, quantity.low, quantity.high, quantity.what)
     except (ValueError, TypeError) as error:

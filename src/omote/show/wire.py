@@ -1,4 +1,4 @@
-"""Messages to bytes and back."""
+"""Encodes and decodes messages (MessagePack)."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ _from_server: msgspec.msgpack.Decoder[FromServer] = msgspec.msgpack.Decoder(From
 
 
 def encode(message: msgspec.Struct) -> bytes:
-    """The bytes of a message or a document."""
+    """Encodes a message or a document."""
     return _encoder.encode(message)
 
 
 def decode(data: bytes) -> FromClient:
-    """The client's message in `data`; Refusal for bytes that are none."""
+    """Decodes a client's message; Refusal for invalid bytes."""
     return message_in(data, _from_client, MESSAGE_LIMIT)
 
 
 def message_in(data: bytes, decoder: msgspec.msgpack.Decoder[Said], limit: int) -> Said:
-    """What `decoder` reads in `data`; Refusal for more bytes than `limit`, and for bytes that are no message."""
+    """Decodes `data`; Refusal for more bytes than `limit`, and for invalid bytes."""
     if len(data) > limit:
         raise Refusal(f"the message has {len(data)} bytes, but at most {limit} are read.")
     try:
@@ -39,10 +39,10 @@ def message_in(data: bytes, decoder: msgspec.msgpack.Decoder[Said], limit: int) 
 
 
 def decode_answer(data: bytes) -> FromServer:
-    """The server's message in `data`, for clients written in Python; msgspec.DecodeError for bytes that are none."""
+    """Decodes a server's message, for clients written in Python; msgspec.DecodeError for invalid bytes."""
     return _from_server.decode(data)
 
 
 def le_bytes(array: NDArray[np.generic], dtype: str) -> bytes:
-    """The bytes of an array for a document, as the little-endian dtype that it names."""
+    """The bytes of an array as the given little-endian dtype."""
     return np.ascontiguousarray(array, dtype=dtype).tobytes()

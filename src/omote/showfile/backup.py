@@ -1,44 +1,73 @@
-"""A good copy beside each show file, `NAME.omote.good`: whole, proved, and replaced only by one that is both."""
+"""Backups of a show file, `NAME.omote.good` and two older ones, made by SQLite while others write.
+
+Each is verified before it takes the newest one's place, and whenever the power goes one of them is there whole.
+"""
 
 from __future__ import annotations
 
 import contextlib
 import fcntl
 import os
+import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
 
-from omote.showfile.integrity import prove
+from omote.showfile.integrity import is_damage, verify_integrity
+from omote.showfile.schema import CorruptShowFileError
 from omote.showfile.show_file import ShowFile
 
 
-def good_path(path: Path, /) -> Path:
-    """Where the good copy of a show file lies."""
-    return path.with_name(path.name + ".good")
+def backup_paths(path: Path, /) -> tuple[Path, ...]:
+    """Where the backups of a show file lie, the newest first."""
+    return tuple(path.with_name(path.name + suffix) for suffix in (".good", ".good-1", ".good-2"))
 
 
-def keep_good_copy(show: ShowFile, /) -> bool:
-    """Makes the good copy of a show file as it is now; others may write it meanwhile.
+def back_up(show: ShowFile, /) -> bool:
+    """Makes a backup of a show file as it is now; others may write it meanwhile.
 
-    False: another process is making it, as where a server ends late; try again. CorruptShowFileError where the file is
-    damaged, sqlite3.Error and OSError where the disk fails: the copy of before stays.
+    False: another process is making one, as where a server ends late; try again. CorruptShowFileError where the file is
+    damaged, sqlite3.Error and OSError where the disk fails: the backups of before stay.
     """
     draft = show.path.with_name(show.path.name + ".good-new")
     with _alone(show.path) as alone:
         if alone:
             try:
                 remove(draft)
-                show.copy_into(draft)
-                prove(draft)
-                put_in_place(draft, good_path(show.path))
+                _copy_verified(show, draft)
+                _rotate(draft, show.path)
             finally:
                 remove(draft)
         return alone
 
 
+def _copy_verified(show: ShowFile, draft: Path) -> None:
+    try:
+        show.copy_into(draft)
+        verify_integrity(draft)
+    except CorruptShowFileError as error:
+        raise CorruptShowFileError(f"{show.path} is damaged ({error.__cause__}).") from error
+    except sqlite3.DatabaseError as error:
+        if is_damage(error):
+            raise CorruptShowFileError(f"{show.path} is damaged ({error}).") from error
+        raise
+
+
+def _rotate(draft: Path, path: Path) -> None:
+    """Puts a backup in the newest one's place, that in the next one's, and so on; the oldest goes."""
+    newest, older, oldest = backup_paths(path)
+    if older.exists():
+        older.replace(oldest)
+    if newest.exists():
+        try:
+            older.hardlink_to(newest)  # there is a newest backup at every moment
+        except OSError:  # the disk knows no links
+            newest.replace(older)
+    put_in_place(draft, newest)
+
+
 @contextlib.contextmanager
 def _alone(path: Path) -> Iterator[bool]:
-    """Whether no other process makes the good copy; a record lock, which goes with its process, on the file whose flock
+    """Whether no other process makes a backup; a record lock, which goes with its process, on the file whose flock
     says which show plays: the two know nothing of each other."""
     descriptor = os.open(path.with_name(path.name + ".lock"), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
     try:

@@ -1,4 +1,4 @@
-"""What the show file keeps of authored work: rows as plain data, and the changes that are committed together."""
+"""The rows of authored work (items, revisions, drafts, edits) as plain data, and the changes to them."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ class Edit(msgspec.Struct, frozen=True):
 
 
 class PutContent(msgspec.Struct, frozen=True, tag=True):
-    """Keeps bytes (`files.contents`) under the key of their content; there already: nothing to do."""
+    """Stores bytes (`showfile.contents`) under the key of their content; ignored where it is there already."""
 
     key: str
     data: bytes
@@ -100,7 +100,7 @@ class DropDraft(msgspec.Struct, frozen=True, tag=True):
 
 
 class PutLayout(msgspec.Struct, frozen=True, tag=True):
-    """Keeps a document (JSON) of a page by name, such as the console's layout."""
+    """Stores a document (JSON) of a page by name, such as the console's layout."""
 
     name: str
     document: bytes

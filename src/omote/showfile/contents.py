@@ -1,4 +1,4 @@
-"""Contents: own expressions and faces as bytes, which are kept, sent to the workshop and named by their hash.
+"""Packs own expressions and faces as bytes (contents) for storage and the workshop, named by their hash.
 
 `OMOC`, a version, then zlib over MessagePack: arrays little-endian, an expression's as float64 so that it comes back
 exactly, and only the rows that move; a face's as float32, as faces are kept. The same object gives the same bytes.
@@ -22,7 +22,8 @@ from omote.showfile.changes import Kind
 
 MAGIC, VERSION = b"OMOC", 1
 MOST_BYTES = 2**25
-"""Of what is unpacked: a dozen times the built-in cast's largest face; a bomb is refused before it is unpacked."""
+"""Of what is unpacked: a dozen times the built-in cast's largest face; a decompression bomb is rejected before it is
+unpacked."""
 MOST_NUMBERS = 2**22
 """In all arrays together: rows at rest take no bytes, so they are counted apart."""
 
@@ -31,7 +32,7 @@ DOUBLE, SINGLE = np.dtype("<f8"), np.dtype("<f4")
 
 
 class ContentError(ValueError):
-    """The bytes are no content, and why, in one sentence."""
+    """The bytes are not a valid content; the message says why."""
 
 
 class _Array(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields=True):
@@ -64,17 +65,17 @@ _Content = _Expression | _Face
 
 
 def content_key(data: bytes, /) -> str:
-    """The name of these bytes for ever: 24 hexadecimal digits."""
+    """The permanent key of these bytes (their hash): 24 hexadecimal digits."""
     return hashlib.blake2b(data, digest_size=12).hexdigest()
 
 
 def content_kind(data: bytes, /) -> Kind:
-    """What the bytes hold; ContentError where they are no content."""
+    """The kind of a content (expression or face); ContentError for invalid bytes."""
     return "face" if isinstance(_decompress(data), _Face) else "expression"
 
 
 def pack_expression(expression: Expression, /) -> bytes:
-    """An expression as bytes."""
+    """Packs an expression."""
     whole = {name: _sparse(getattr(expression, name)) for name in ("dtheta", "dh", "residual")}
     parts = {name: _sparse(expression.parts[name]) for name in sorted(expression.parts)}
     return _compress(
@@ -91,7 +92,7 @@ def pack_expression(expression: Expression, /) -> bytes:
 
 
 def unpack_expression(data: bytes, /) -> Expression:
-    """The expression in bytes, exactly; ContentError where there is none.
+    """Unpacks an expression exactly; ContentError for invalid bytes.
 
     That it fits a space is checked where it is used.
     """
@@ -113,13 +114,13 @@ def unpack_expression(data: bytes, /) -> Expression:
 
 
 def pack_face(face: Face, look: Look, /) -> bytes:
-    """A face and its look as bytes, without its name."""
+    """Packs a face and its look, without its name."""
     parts = {name: _dense(face.parts[name], SINGLE) for name in sorted(face.parts)}
     return _compress(_Face(_dense(face.positions, SINGLE), parts, dict(vars(look))))
 
 
 def unpack_face(data: bytes, /, name: str) -> tuple[Face, Look]:
-    """The face in bytes, under a name, and its look; ContentError where there is none.
+    """Unpacks a face, under a name, and its look; ContentError for invalid bytes.
 
     That it fits a space, and that the cast has its hair, is checked where it is used.
     """
@@ -194,7 +195,7 @@ def _sparse(values: Numbers, rest: float = 0.0) -> _Array:
 
 
 def _split_bytes(values: Numbers) -> bytes:
-    """First bytes of all numbers, then second ones, ...: exponents are alike, so this packs smaller."""
+    """Groups the first bytes of all numbers, then the second ones, ... (byte shuffle): this compresses better."""
     return np.ascontiguousarray(values).view(np.uint8).reshape(-1, values.itemsize).T.tobytes()
 
 
@@ -209,7 +210,7 @@ def _refuse_too_many(*arrays: _Array) -> None:
 
 
 def _fill(array: _Array, *, rest: float = 0.0, dtype: np.dtype[Any] = DOUBLE) -> NDArray[Any]:
-    """The array whole; ContentError where places or values are not what the shape says."""
+    """Rebuilds the whole array; ContentError where rows or values do not match its shape."""
     result = np.full(array.shape, rest, dtype)
     rows = np.arange(len(result)) if array.places is None else _places(array.places, len(result))
     width = result[:1].size or 1

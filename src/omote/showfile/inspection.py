@@ -1,4 +1,4 @@
-"""What is in a show file, and whether all of it is right; read only, also while a show plays it."""
+"""Inspects a show file: its contents and their integrity; only reads, also while a show plays it."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ import msgspec
 
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.showfile.authored_rows import read_all, read_contents
-from omote.showfile.backup import good_path
+from omote.showfile.backup import backup_paths
 from omote.showfile.changes import Draft, Item, Kind, Revision, Stored
 from omote.showfile.contents import ContentError, content_kind
-from omote.showfile.integrity import check_integrity, open_read_only, prove
+from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.schema import SCHEMA_VERSION, ShowFileError
 
 AUTHORED_SINCE = 2
@@ -33,7 +33,7 @@ class Inspection:
 
 def inspect_show(path: Path, /) -> Inspection:
     """All of a show file; ShowFileError with a sentence where there is none, or it is damaged."""
-    version = check_integrity(path)
+    version = verify_integrity(path)
     if version == 0:
         raise ShowFileError(f"there is no show file {path}; omote show makes one.")
     with contextlib.closing(open_read_only(path)) as connection:
@@ -62,7 +62,7 @@ def revisions_of(stored: Stored, item: Item, /) -> list[Revision]:
 
 
 def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
-    """Whether each thing about a show file is right, each in a sentence; the first that is not may be the last."""
+    """Yields the result of each integrity check with a sentence; the first failure may be the last."""
     try:
         found = inspect_show(path)
     except ShowFileError as error:
@@ -134,13 +134,13 @@ def _wrong_recipe(data: bytes, what: str, contents: Mapping[str, bytes]) -> Iter
 
 
 def _copies(path: Path) -> Iterator[tuple[bool, str]]:
-    good = good_path(path)
-    if not good.exists():
+    backups = [backup for backup in backup_paths(path) if backup.exists()]
+    if not backups:
         yield True, "there is no good copy beside it yet; omote show makes one"
-    else:
+    for backup in backups:
         try:
-            prove(good)
-            yield True, f"its good copy {good.name} is whole"
+            whole = verify_integrity(backup) > 0
+            yield whole, f"its good copy {backup.name} is {'whole' if whole else 'empty'}"
         except ShowFileError as error:
             yield False, f"its good copy is none: {error}"
     for kept in sorted(path.parent.glob(f"{path.name}.corrupt-*[0-9]")):

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import sqlite3
 from pathlib import Path
 
-from omote.showfile.authored_rows import refuse_damaged
-from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError, refuse_without_tables, version_of
+from omote.showfile.authored_rows import read_all, read_contents, row_checksum
+from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError, version_of
 
 SHORTEST = 512
 """Bytes of the smallest database; SQLite takes what is shorter for a new one and writes over it."""
@@ -20,7 +21,7 @@ def open_read_only(path: Path, /) -> sqlite3.Connection:
     return sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro{alone}", uri=True, timeout=1.0)
 
 
-def check_integrity(path: Path, /) -> int:
+def verify_integrity(path: Path, /) -> int:
     """The version of a show file's schema, 0 where it is new or empty, once all in it is proved.
 
     CorruptShowFileError where it is damaged, ShowFileError where it cannot be used. The file stays as it is: a
@@ -29,33 +30,50 @@ def check_integrity(path: Path, /) -> int:
     if not path.exists() or path.stat().st_size == 0:
         return 0
     try:
-        connection = open_read_only(path)
-        try:
-            return _version(connection, path)
-        finally:
-            connection.close()
-    except sqlite3.OperationalError as error:
-        raise ShowFileError(f"{path} cannot be read ({error}); name another file or make it readable.") from error
+        with contextlib.closing(open_read_only(path)) as connection:
+            return _verified_version(connection, path)
     except sqlite3.DatabaseError as error:
+        if not is_damage(error):
+            raise ShowFileError(f"{path} cannot be read ({error}); name another file or make it readable.") from error
         raise CorruptShowFileError(f"{path} is no readable show file ({error}).") from error
+    except UnicodeDecodeError as error:  # SQLite's sentence quotes what should be a table's name
+        raise CorruptShowFileError(f"{path} is no readable show file (its tables are damaged).") from error
 
 
-def prove(path: Path, /) -> None:
-    """ShowFileError with a sentence where a file is no whole show file of this version; it is not touched."""
-    version = check_integrity(path)
-    if version != SCHEMA_VERSION:
-        raise ShowFileError(f"{path} has schema {version}; expected {SCHEMA_VERSION}.")
+def is_damage(error: sqlite3.DatabaseError, /) -> bool:
+    """Whether the file is at fault: missing tables and text that is no text are SQLITE_ERROR, a disk or a lock is not.
+
+    Python's own errors about what was read have no code.
+    """
+    code = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_ERROR)
+    return not isinstance(error, sqlite3.OperationalError) or code == sqlite3.SQLITE_ERROR
 
 
-def _version(connection: sqlite3.Connection, path: Path) -> int:
+def _verified_version(connection: sqlite3.Connection, path: Path) -> int:
     if path.stat().st_size < SHORTEST:
         raise sqlite3.DatabaseError("it is cut off")
     version = version_of(connection, path)
-    if version == SCHEMA_VERSION:
-        refuse_without_tables(connection)
-        refuse_damaged(connection)
-    elif version:
-        (verdict,) = connection.execute("PRAGMA quick_check(1)").fetchone()
+    if version:
+        (verdict,) = connection.execute("PRAGMA integrity_check(1)").fetchone()
         if verdict != "ok":
-            raise sqlite3.DatabaseError(verdict.splitlines()[-1])
+            raise sqlite3.DatabaseError(verdict.splitlines()[-1])  # SQLite's heading stands on a line above it
+    if version == SCHEMA_VERSION:
+        _verify_rows(connection)
     return version
+
+
+def _verify_rows(connection: sqlite3.Connection) -> None:
+    """sqlite3.DatabaseError where the last state or anything authored is not what was written, or belongs to nothing.
+
+    SQLite proves how its pages hang together, not the bytes in them: those are proved by each row's checksum.
+    """
+    stray = connection.execute("PRAGMA foreign_key_check").fetchone()
+    if stray is not None:
+        raise sqlite3.DatabaseError(f"row {stray[1]} of {stray[0]} belongs to no {stray[2]}")
+    connection.execute("SELECT epoch, reason, snapshot FROM journal_aside LIMIT 0")
+    for epoch, snapshot, sealed, *_ in connection.execute("SELECT epoch, snapshot, sum, slot, written FROM journal"):
+        if sealed is not None and row_checksum([epoch, snapshot]) != sealed:  # None: as the first schema left it
+            raise sqlite3.DatabaseError("its last state is damaged")
+    read_all(connection)
+    for _ in read_contents(connection):
+        pass

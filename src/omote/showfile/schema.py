@@ -1,9 +1,8 @@
-"""The tables of a show file, and how a file of an older version gets them; one of a newer version is refused."""
+"""The SQLite schema of a show file and its migrations; files of newer versions are rejected."""
 
 from __future__ import annotations
 
 import sqlite3
-from functools import cache
 from pathlib import Path
 
 APPLICATION_ID = 0x4F4D4F54  # "OMOT"
@@ -20,8 +19,8 @@ CREATE TABLE journal_aside (
     snapshot BLOB NOT NULL
 ) STRICT;
 """
-# Foreign keys wait for the end of the transaction, so changes may come in any order. `sum` is the row's checksum
-# (files.authored): SQLite has none for what lies in the file itself.
+# Foreign keys are checked at the end of the transaction, so changes may come in any order. `sum` is the row's checksum
+# (showfile.authored_rows): SQLite has none for the database file itself.
 _AUTHORED = """
 ALTER TABLE journal ADD COLUMN sum TEXT;
 CREATE TABLE content (
@@ -86,16 +85,16 @@ CREATE TRIGGER items_keep_their_name BEFORE UPDATE ON item WHEN new.name != old.
     BEGIN SELECT RAISE(ABORT, 'an item keeps its kind and its name for ever'); END;
 """
 MIGRATIONS = (_JOURNAL, _AUTHORED)
-"""What makes version n + 1 of version n; never changed once a release wrote it."""
+"""Statements that migrate version n to n + 1; never changed once released."""
 SCHEMA_VERSION = len(MIGRATIONS)
 
 
 class ShowFileError(RuntimeError):
-    """The show file cannot be used, and why, in one sentence; the file is untouched."""
+    """The show file cannot be used; the message says why. The file is untouched."""
 
 
 class CorruptShowFileError(ShowFileError):
-    """The file is no readable show file."""
+    """The file is not a readable show file."""
 
 
 def version_of(connection: sqlite3.Connection, path: Path) -> int:
@@ -118,7 +117,7 @@ def version_of(connection: sqlite3.Connection, path: Path) -> int:
 
 
 def migrate(connection: sqlite3.Connection, version: int) -> None:
-    """Brings the tables from a version to the newest, all or nothing."""
+    """Migrates the tables from a version to the newest in one transaction."""
     if version == SCHEMA_VERSION:
         return
     steps = "".join(MIGRATIONS[version:])
@@ -132,32 +131,3 @@ def migrate(connection: sqlite3.Connection, version: int) -> None:
         if "no such" in str(error) or "already exists" in str(error):  # its tables are not those of its version
             raise sqlite3.DatabaseError(str(error)) from error
         raise
-
-
-def refuse_without_tables(connection: sqlite3.Connection) -> None:
-    """sqlite3.DatabaseError where a table or a column is missing."""
-    there = _columns(connection)
-    for table, columns in _expected_columns().items():
-        missing = columns - there.get(table, set())
-        if missing:
-            what = f"column: {table}.{min(missing)}" if table in there else f"table: {table}"
-            raise sqlite3.DatabaseError(f"no such {what}")
-
-
-@cache
-def _expected_columns() -> dict[str, set[str]]:
-    made = sqlite3.connect(":memory:")
-    made.executescript("".join(MIGRATIONS))
-    wanted = _columns(made)
-    made.close()
-    return wanted
-
-
-def _columns(connection: sqlite3.Connection) -> dict[str, set[str]]:
-    rows = connection.execute(
-        "SELECT t.name, c.name FROM sqlite_schema AS t JOIN pragma_table_xinfo(t.name) AS c WHERE t.type = 'table'"
-    )
-    found: dict[str, set[str]] = {}
-    for table, column in rows:
-        found.setdefault(table, set()).add(column)
-    return found

@@ -1,7 +1,7 @@
 """The show file: one SQLite file (`.omote`) with the journal of the live state and all authored work.
 
-The journal is one row that is written over and over, so the file stays small. In WAL mode a commit survives the death
-of the process at once; the loss of power, authored work at once too, the journal from the next `flush` on.
+The journal is one row that is overwritten, so the file stays small. In WAL mode every commit survives the death of the
+process; authored work survives a loss of power at once, the journal from the next `flush` on.
 """
 
 from __future__ import annotations
@@ -15,29 +15,13 @@ from pathlib import Path
 
 from omote.showfile.authored_rows import apply_changes, read_all, read_contents, row_checksum
 from omote.showfile.changes import Change, Stored
-from omote.showfile.integrity import check_integrity
-from omote.showfile.schema import (
-    APPLICATION_ID,
-    SCHEMA_VERSION,
-    CorruptShowFileError,
-    ShowFileError,
-    migrate,
-)
+from omote.showfile.integrity import verify_integrity
+from omote.showfile.schema import CorruptShowFileError, ShowFileError, migrate
 
-__all__ = [
-    "APPLICATION_ID",
-    "SCHEMA_VERSION",
-    "CorruptShowFileError",
-    "JournalEntry",
-    "ShowFile",
-    "ShowFileError",
-    "default_path",
-    "move_aside",
-    "open_show",
-]
+__all__ = ["CorruptShowFileError", "JournalEntry", "ShowFile", "ShowFileError", "default_path", "open_show"]
 
 ASIDE_LIMIT = 20
-"""Snapshots kept that no server could start from; older ones go."""
+"""Snapshots kept that no server could start from; older ones are deleted."""
 
 HIGHEST_EPOCH = 2**53
 """Epochs are numbers in the browser too; beyond this they would not be told apart."""
@@ -65,7 +49,7 @@ class ShowFile:
         return read_all(self._connection)
 
     def contents(self) -> dict[str, bytes]:
-        """Every content's bytes (`files.contents`) by key; sqlite3.Error where they cannot be read."""
+        """Every content's bytes (`showfile.contents`) by key; sqlite3.Error where they cannot be read."""
         return dict(read_contents(self._connection))
 
     def apply(self, changes: Iterable[Change]) -> None:
@@ -110,7 +94,7 @@ class ShowFile:
             self._connection.execute("UPDATE journal SET snapshot = NULL")
 
     def again(self) -> ShowFile:
-        """The same file opened a second time, for another thread."""
+        """Opens the same file a second time, for another thread."""
         connection = _connect(self.path)
         try:
             _configure(connection)
@@ -120,15 +104,20 @@ class ShowFile:
         return ShowFile(connection, self.path)
 
     def flush(self) -> None:
-        """Makes all that is committed survive a loss of power.
+        """Flushes to the disk, so that all commits survive a loss of power.
 
         Only where another connection has committed since the last time: a checkpoint that has nothing to do, while a
         commit begins the log anew, can lose that commit (SQLite before 3.51.3, "the WAL-reset bug").
         """
-        if self._version() == self._flushed:
+        if self.data_version() == self._flushed:
             return
         self._connection.execute("PRAGMA wal_checkpoint(PASSIVE)").fetchone()
-        self._flushed = self._version()
+        self._flushed = self.data_version()
+
+    def data_version(self) -> int:
+        """A number that is another one after another connection has committed (SQLite's `data_version`)."""
+        (version,) = self._connection.execute("PRAGMA data_version").fetchone()
+        return int(version)
 
     def copy_into(self, path: Path) -> None:
         """Copies the file as it is now, log and all, into a new file without a log; others may write meanwhile."""
@@ -144,16 +133,12 @@ class ShowFile:
         """Closes the file; its write-ahead log is merged."""
         self._connection.close()
 
-    def _version(self) -> int:
-        (version,) = self._connection.execute("PRAGMA data_version").fetchone()
-        return int(version)
-
 
 def open_show(path: Path) -> ShowFile:
-    """The show file at `path`, made when there is none; ShowFileError when it cannot be used."""
+    """Opens the show file at `path`, or makes it; ShowFileError when it cannot be used."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        version = check_integrity(path)
+        version = verify_integrity(path)
         connection = _connect(path)
     except (OSError, sqlite3.Error) as error:
         raise ShowFileError(f"{path} cannot be opened ({error}); name another file.") from error
@@ -170,23 +155,8 @@ def open_show(path: Path) -> ShowFile:
     return ShowFile(connection, path)
 
 
-def move_aside(path: Path) -> Path | None:
-    """Renames a corrupt show file, and its log, to the first free `<name>.corrupt-<n>`; gives the new path.
-
-    None where there is no file; a log without one is moved all the same.
-    """
-    names = [name for name in ("", "-wal", "-shm") if path.with_name(path.name + name).exists()]
-    number = 1
-    while any(path.with_name(f"{path.name}.corrupt-{number}{name}").exists() for name in names):
-        number += 1
-    kept = path.with_name(f"{path.name}.corrupt-{number}")
-    for name in names:
-        path.with_name(path.name + name).rename(kept.with_name(kept.name + name))
-    return kept if "" in names else None
-
-
 def default_path(environment: Mapping[str, str] = os.environ) -> Path:
-    """Where a show without a file keeps its journal: the user's state directory."""
+    """The path of the show file where none is named: in the user's state directory."""
     state = environment.get("XDG_STATE_HOME") or environment.get("LOCALAPPDATA")
     folder = Path(state) if state else Path.home() / ".local" / "state"
     return folder / "omote" / "show.omote"

@@ -1,4 +1,4 @@
-"""The cast as documents for the pages: manifest, face assets, compounds."""
+"""Serializes the cast for the pages: manifest, face assets, hair, compounds (quantised retargeted expressions)."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ from omote.show.wire import le_bytes
 from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
 
 FINEST_STEP = 1e-6
-"""Metres per count at least: what moves less than half of it rests, so that compounds stay sparse."""
+"""Smallest quantisation step, metres per count: smaller displacements round to zero, so that compounds are sparse."""
 MOST_COUNTS = 32767
 HAIR_STEP = 1e-5
 """Metres per count of hair: it reaches a third of a metre from the middle of the eyes."""
@@ -52,7 +52,7 @@ Vector = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Documents:
-    """What the pages load: the manifest, and every asset of a face or a hair style by its address."""
+    """The manifest, and every asset of a face or a hair style by its address."""
 
     manifest: Manifest
     faces: dict[str, FaceAsset]
@@ -60,7 +60,7 @@ class Documents:
 
 
 def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Documents:
-    """The manifest of a cast and its face assets; mask: where the mask picture is. ValueError for a mesh of no part."""
+    """Builds the manifest and assets of a cast; mask: the mask picture's address. ValueError for an unknown mesh."""
     rests = {name: rest_positions(cast, face) for name, face in cast.faces.items()}
     urls = {name: f"/assets/{content_name(rest.tobytes())}" for name, rest in rests.items()}
     hair = {name: hair_asset(style) for name, style in cast.hair.items()}
@@ -89,7 +89,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
 
 
 def content_name(data: bytes) -> str:
-    """The name of exactly these bytes, hexadecimal."""
+    """The digest of these bytes, hexadecimal."""
     return blake2b(data, digest_size=12).hexdigest()
 
 
@@ -117,7 +117,7 @@ def compound_positions(cast: Cast, face: Face, expression: Expression) -> Points
 
 
 def compound_asset(cast: Cast, face: Face, expression: str | Expression) -> CompoundAsset:
-    """The compound less its face, quantised: no vertex is further off than half of `scale` along each axis.
+    """The compound minus its face, quantised: the error of a vertex is at most half of `scale` along each axis.
 
     Face and expression need not be of the cast; an expression of the cast goes by its name.
     """
@@ -129,7 +129,7 @@ def compound_asset(cast: Cast, face: Face, expression: str | Expression) -> Comp
 
 
 def content_asset(cast: Cast, key: str, face: Face, look: Look) -> ContentAsset:
-    """An own face by its content; ValueError where it does not belong to the cast's space, or wants other hair."""
+    """The asset of an authored face; ValueError where it does not fit the cast's space, or its hair is unknown."""
     if look.hair_style not in ("", *cast.hair):
         raise ValueError(
             f"the face has hair {look.hair_style!r}, which this cast has not: give it {', '.join(cast.hair)}"
@@ -155,7 +155,7 @@ def hair_asset(style: HairStyle) -> HairAsset:
 
 
 def quantise(moves: NDArray[np.float64]) -> CompoundAsset:
-    """Moves (n, 3) in metres as whole counts of one scale, only those vertices that move at all."""
+    """Quantises displacements (n, 3), metres, to integers of one scale, without the vertices that do not move."""
     scale = float(max(np.abs(moves).max(initial=0.0) / MOST_COUNTS, FINEST_STEP))
     counts = np.rint(moves / scale).astype(np.int16)
     moved = np.flatnonzero(counts.any(axis=1))
@@ -163,7 +163,7 @@ def quantise(moves: NDArray[np.float64]) -> CompoundAsset:
 
 
 def unpack_compound(asset: CompoundAsset, count: int) -> NDArray[np.float64]:
-    """The moves (count, 3) in metres that a page reads from a compound."""
+    """The displacements (count, 3), metres, that a page reads from a compound."""
     moves = np.zeros((count, 3))
     moves[np.frombuffer(asset.indices, "<u4")] = np.frombuffer(asset.deltas, "<i2").reshape(-1, 3) * asset.scale
     return moves
@@ -177,7 +177,7 @@ def _mesh_document(mesh: BakedMesh, starts: dict[str, int]) -> MeshDocument:
 
 
 def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, source: str) -> FaceDocument:
-    """What pages must know of a face; url: where its positions are."""
+    """The manifest's entry of a face; url: where its positions are."""
     fitted = fit(cast.space, face)
     eyes = {part.eye: name for name, part in cast.space.parts.items() if part.eye}
     centres = {eye: fitted.centres[name] for eye, name in eyes.items()}
@@ -201,7 +201,7 @@ def _built_in_face(cast: Cast, name: str, url: str) -> FaceDocument:
 
 
 def outline(cast: Cast, face: Face, hair_style: str) -> Points:
-    """What a camera must hold of a face, (n, 3) metres: its skin, and the hair that it wears."""
+    """The points (n, 3), metres, that a camera must frame: a face's skin and its hair."""
     style = cast.hair.get(hair_style)
     if style is None:
         return face.positions
@@ -216,7 +216,7 @@ def extremes(positions: Points) -> Points:
 
 
 def expression_document(name: str, expression: Expression, title: Title, source: str) -> ExpressionDocument:
-    """What pages must know of an expression."""
+    """The manifest's entry of an expression."""
     eyes = expression.eyes.ravel().tolist()
     return ExpressionDocument(
         name=name,

@@ -1,4 +1,4 @@
-"""The built-in cast and all that a show file keeps, as one cast: for commands, which need no sources."""
+"""Builds one cast of the built-in one and all items of a show file, for commands."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from omote.showfile.contents import unpack_expression, unpack_face
 
 
 def build_full_cast(base: Cast, stored: Stored, contents: Mapping[str, bytes], /) -> Cast:
-    """The base with every item that plays, under the items' names; KeyError where a content is missing."""
+    """Adds every item that plays to the base, by name; KeyError where a content is missing."""
     faces, looks, expressions, titles = dict(base.faces), dict(base.looks), dict(base.expressions), dict(base.titles)
     for item, content in playing_items(stored):
         data = contents[content]

@@ -1,4 +1,4 @@
-"""Sheets of pictures: what is on them, how large they are, in what light, all refused before anything is drawn."""
+"""Grids of pictures: cells, size, light and background, all validated before anything is drawn."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ PAPER = "#000"
 
 @dataclass(frozen=True)
 class Setting:
-    """What all pictures of a sheet share: size in pixels, what lies behind the head, the quality."""
+    """What all pictures of a grid share: size in pixels, background, quality."""
 
     width: int = 640
     height: int = 720
@@ -30,7 +30,7 @@ class Setting:
     quality: str = "high"
 
     def __post_init__(self) -> None:
-        """Refuse what no canvas is as large as, and levels that there are not."""
+        """Rejects sizes that no canvas has, and unknown levels of quality."""
         sides = (self.width, self.height)
         if not (min(sides) >= SMALLEST and max(sides) <= LARGEST and self.width * self.height <= MOST_PIXELS):
             raise ValueError(
@@ -60,7 +60,7 @@ class PictureGrid:
     kind: Kind = "image/png"
 
     def __post_init__(self) -> None:
-        """Refuse an empty sheet, one of too many pictures, and names that do not fit."""
+        """Rejects an empty grid, one of too many pictures, and names that do not fit."""
         cells = sum(len(row) for row in self.poses)
         if not 0 < cells <= MOST_CELLS:
             raise ValueError(f"the sheet has {cells} pictures; give 1 to {MOST_CELLS}")
@@ -70,7 +70,7 @@ class PictureGrid:
             raise ValueError("every picture has a caption, or none has")
 
     def on_paper(self, setting: Setting, kind: Kind) -> PictureGrid:
-        """The sheet as a file of this kind, dark between its pictures where they are not transparent.
+        """Sets the background of a grid for a file of this kind: dark, or none where the pictures are transparent.
 
         ValueError for a transparent JPEG, which there is not.
         """
@@ -80,7 +80,7 @@ class PictureGrid:
 
 
 def build_grid(cast: Cast, *, faces: str, expressions: str, turns: str, light: str, labels: bool) -> PictureGrid:
-    """Faces, row by row, wearing expressions, each at every turn, all by commas; ValueError for what there is not."""
+    """Builds a grid of faces (rows) by expressions at every turn, all by commas; ValueError for unknown names."""
     columns = [(expression, turn) for expression in split_list(expressions) for turn in split_list(turns)]
     poses = [
         [
@@ -95,12 +95,12 @@ def build_grid(cast: Cast, *, faces: str, expressions: str, turns: str, light: s
 
 
 def split_list(text: str) -> list[str]:
-    """The words of a text between its commas."""
+    """Splits a text at its commas."""
     return [word.strip() for word in text.split(",") if word.strip()]
 
 
 def read_size(text: str) -> tuple[int, int]:
-    """Width and height of `640x720`; ValueError for what is not understood."""
+    """Parses the width and height of `640x720`; ValueError for anything else."""
     sides = text.lower().split("x")
     if len(sides) != 2 or not all(side.strip().isdecimal() and len(side) < 9 for side in sides):
         raise ValueError(f"the size {text!r} is not understood; give width x height in pixels, as in 640x720")

@@ -1,4 +1,4 @@
-"""The cast that plays: the built-in one, and what crews have made themselves."""
+"""The cast that plays: the built-in faces and expressions, and the crew's own ones from the show file."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ class Own(msgspec.Struct, frozen=True):
 
 
 class PlayingExpressions(Mapping[str, Expression]):
-    """Expressions by name: the built-in ones, and own ones, which are unpacked when somebody first wants them.
+    """Expressions by name: the built-in ones, and own ones, which are unpacked lazily.
 
-    own: keys of contents by name. A content that turns out to be none plays as nothing, for the show goes on.
+    own: keys of contents by name. An invalid content plays as neutral, for the show goes on.
     """
 
     def __init__(
@@ -71,19 +71,19 @@ class PlayingExpressions(Mapping[str, Expression]):
         return name in self._own or name in self._built_in
 
     def learn(self, other: PlayingExpressions) -> None:
-        """Takes over what another has unpacked."""
+        """Takes over the expressions that another has unpacked."""
         keys = set(self._own.values())
         self._unpacked |= {key: each for key, each in other._unpacked.items() if key in keys}
 
     def unpack(self, key: str) -> None:
-        """Unpacks a content now; ValueError where it is no expression of this head, KeyError where it is missing."""
+        """Unpacks a content now; ValueError where it does not fit this head, KeyError where it is missing."""
         if key not in self._unpacked:
             self._unpacked[key] = _check_fit(self._built_in[NEUTRAL], unpack_expression(self._contents[key]))
 
 
 @dataclass(frozen=True, eq=False)
 class PlayingCast:
-    """The built-in cast and own things beside it; made by `build_playing_cast`, plays as a cast does.
+    """The built-in cast and own items beside it; made by `build_playing_cast`, plays as a cast does.
 
     expressions: built-in and own; `faces` and `expression_sources`: for each name its source.
     """
@@ -96,16 +96,16 @@ class PlayingCast:
 
     @cached_property
     def digest(self) -> str:
-        """A name for exactly this cast: the built-in cast's where there is nothing else."""
+        """The digest of this cast: the built-in cast's where there are no own items."""
         return digest_of(self.base.digest, self.own)
 
     def find(self, kind: Kind, name: str) -> Own | None:
-        """The own thing of this name."""
+        """The own item of this name."""
         return next((each for each in self.own if (each.kind, each.name) == (kind, name)), None)
 
 
 def digest_of(base: str, own: tuple[Own, ...]) -> str:
-    """A name for a cast with own things, hexadecimal; that of the built-in cast where there are none."""
+    """The digest of a cast with own items, hexadecimal; the built-in cast's where there are none."""
     if not own:
         return base
     return hashlib.blake2b(base.encode() + msgspec.msgpack.encode(own), digest_size=12).hexdigest()
@@ -119,9 +119,9 @@ def build_playing_cast(
     before: PlayingCast | None = None,
     check: bool = True,
 ) -> PlayingCast:
-    """The cast with own things; before: what played until now, of which nothing is unpacked or checked again.
+    """Builds the cast with own items; before: what played until now, of which nothing is unpacked or checked again.
 
-    check: what is new is unpacked now; else when somebody first wants it. Raises ValueError where a name is taken
+    check: new items are unpacked now; else when they are first used. Raises ValueError where a name is taken
     or a content does not fit the cast, KeyError where one is missing.
     """
     faces, expressions = {name: name for name in base.faces}, {name: name for name in base.expressions}
@@ -144,7 +144,7 @@ def build_playing_cast(
 
 
 def manifest_of(playing: PlayingCast, built_in: Manifest, faces: Mapping[str, FaceDocument]) -> Manifest:
-    """The manifest with own things; faces: by the keys of their contents (`assets.content_asset`), others are left
+    """The manifest with own items; faces: by the keys of their contents (`assets.content_asset`), others are left
     out."""
     own = [each for each in playing.own if each.kind == "face" and each.content in faces]
     return msgspec.structs.replace(

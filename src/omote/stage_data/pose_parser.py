@@ -1,4 +1,4 @@
-"""What a picture shows, as somebody types it: mixes, channels and angles in words, and the pose a stage makes of it."""
+"""Parses poses as typed on the command line: mixes, channels and angles."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 Pose = dict[str, Any]
 EVEN = 1e-6
-"""By how much a mix may miss the sum of one: people type three digits, and their sums are exact enough."""
+"""Tolerance of a mix's sum of one: people type three digits."""
 
 
 def parse_pose(
@@ -32,10 +32,10 @@ def parse_pose(
     gaze: str = "",
     light: str = FIRST_LIGHT,
 ) -> Frame:
-    """The frame of a pose in words: `kaori=0.5+dog=0.5`, `smile=0.7`, `jawOpen=0.5+eyeBlinkLeft=1`, angles in degrees.
+    """Parses a pose: `kaori=0.5+dog=0.5`, `smile=0.7`, `jawOpen=0.5+eyeBlinkLeft=1`, angles in degrees.
 
     Names without a weight share what is left of one; what is left of the expressions is neutral. `turn`: yaw, pitch,
-    roll; `gaze`: yaw, pitch; what is left out is 0. ValueError with a sentence for what is not understood or not there.
+    roll; `gaze`: yaw, pitch; what is left out is 0. ValueError with a message for invalid text and unknown names.
     """
     return Frame(
         faces=parse_mix(face, cast.faces, "face"),
@@ -48,13 +48,13 @@ def parse_pose(
 
 
 def pose_of(cast: Cast, frame: Frame) -> Pose:
-    """What a stage is told of a frame, as plain values."""
+    """The pose of a frame for a stage, as plain values."""
     pose: Pose = msgspec.to_builtins(state_of(cast, frame, epoch=0, number=0, revision=0))
     return pose
 
 
 def parse_mix(text: str, names: Iterable[str], what: str) -> dict[str, float]:
-    """Names by weight, `kaori=0.5+dog`; ValueError where they do not sum to one."""
+    """Parses a mix, `kaori=0.5+dog`; ValueError where the weights do not sum to one."""
     weights = share_rest(parse_weights(text, names, what, LOWEST, HIGHEST))
     total = sum(weights.values())
     if abs(total - 1.0) > EVEN:
@@ -63,7 +63,7 @@ def parse_mix(text: str, names: Iterable[str], what: str) -> dict[str, float]:
 
 
 def parse_expression_mix(text: str, names: Iterable[str]) -> dict[str, float]:
-    """Expressions by weight, `smile=0.7`, the rest neutral; ValueError where they weigh more than one."""
+    """Parses a mix of expressions, `smile=0.7`, the rest neutral; ValueError where the weights exceed one."""
     weights = share_rest(parse_weights(text, names, "expression", LOWEST, HIGHEST))
     rest = 1.0 - sum(weights.values())
     if not LOWEST - EVEN <= rest <= HIGHEST + EVEN:
@@ -74,13 +74,13 @@ def parse_expression_mix(text: str, names: Iterable[str]) -> dict[str, float]:
 
 
 def parse_channels(text: str, names: Iterable[str]) -> dict[str, float]:
-    """Channels by weight, `jawOpen=0.5+mouthSmileLeft`; one without a weight is full."""
+    """Parses channels (blendshape weights), `jawOpen=0.5+mouthSmileLeft`; one without a weight is full."""
     read = parse_weights(text, names, "channel", CHANNEL_LOWEST, CHANNEL_HIGHEST)
     return {name: 1.0 if weight is None else weight for name, weight in read.items()}
 
 
 def parse_weights(text: str, names: Iterable[str], what: str, low: float, high: float) -> dict[str, float | None]:
-    """Names and their weights, None where none is given, of `one=0.5+two`; ValueError for what is not understood."""
+    """Parses names and weights, `one=0.5+two`, None where no weight is given; ValueError for anything else."""
     choices, read = list(names), dict[str, float | None]()
     for part in filter(None, (part.strip() for part in text.split("+"))):
         name, given, weight = part.partition("=")
@@ -92,14 +92,14 @@ def parse_weights(text: str, names: Iterable[str], what: str, low: float, high: 
 
 
 def share_rest(read: dict[str, float | None]) -> dict[str, float]:
-    """A mix in which the names without a weight share what is left of one."""
+    """Shares what is left of one among the names without a weight."""
     open_names = [name for name, weight in read.items() if weight is None]
     left = 1.0 - sum(weight for weight in read.values() if weight is not None)
     return {name: left / len(open_names) if weight is None else weight for name, weight in read.items()}
 
 
 def parse_angles(text: str, count: int, what: str) -> list[float]:
-    """Up to `count` angles of `30,0,-5`, degrees, as radians; ValueError for what is not understood."""
+    """Parses up to `count` angles, `30,0,-5`, degrees, to radians; ValueError for anything else."""
     parts = [part.strip() for part in text.split(",")] if text.strip() else []
     if len(parts) > count:
         raise ValueError(f"{what} {text!r} has {len(parts)} angles; give {count} at most, in degrees, as in 30,-5")
@@ -107,7 +107,7 @@ def parse_angles(text: str, count: int, what: str) -> list[float]:
 
 
 def parse_number(text: str, whole: str) -> float:
-    """The number in a text; ValueError, with the whole that it came in, for what is none."""
+    """Parses a number; ValueError, quoting the whole text that it came in, for anything else."""
     try:
         return float(text)
     except ValueError:

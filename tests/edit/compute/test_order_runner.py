@@ -1,4 +1,4 @@
-"""Orders performed: bakes, solves, other nets, flattening; and every refusal."""
+"""Orders: baking, solving, other control nets, flattening; and every rejection."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from omote.model.transfer.compound import compound
 from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
 
 CAST = omote.load_cast()
-CRAFT = OrderRunner(CAST)
+RUNNER = OrderRunner(CAST)
 NET = default_net(CAST.space)
 REST: tuple[Vector, ...] = ((0.0, 0.0, 1.0),) * len(NET)
 SMILE = Recipe(NET, REST, layers=(Layer("smile", "Smile"),), pulls=(Pull("mentalis", 0.5),))
@@ -30,17 +30,17 @@ def apart(one: Expression, other: Expression) -> float:
 
 
 def test_a_bake_is_the_recipes_expression_under_the_key_of_its_bytes() -> None:
-    made = CRAFT.run(Bake(SMILE, {}))
+    made = RUNNER.run(Bake(SMILE, {}))
     data = made.contents[made.key]
     assert content_key(data) == made.key
     assert apart(unpack_expression(data), compose_expression(CAST.space, SMILE, CAST.expressions)) == 0.0
     assert made.net is None
-    assert CRAFT.run(Bake(SMILE, {})) == made
+    assert RUNNER.run(Bake(SMILE, {})) == made
 
 
 def test_a_net_that_is_asked_for_says_the_field_of_its_vectors() -> None:
-    document = CRAFT.run(Bake(SMILE, {}, True)).net
-    assert document == CRAFT.with_net(NET)
+    document = RUNNER.run(Bake(SMILE, {}, True)).net
+    assert document == RUNNER.net_document(NET)
     assert document is not None
     corners = np.frombuffer(document.corners, "<u2").reshape(-1, 3)
     weights = np.frombuffer(document.weights, "<f4").reshape(-1, 3)
@@ -57,7 +57,7 @@ def test_a_solve_puts_the_point_where_it_was_let_go() -> None:
     face, row = CAST.faces["dog"], NET[20]
     start = compound(CAST.space, face, compose_expression(CAST.space, SMILE, CAST.expressions))[row]
     target = (float(start[0]), float(start[1]) + 0.004, float(start[2]))
-    made = CRAFT.run(Solve(SMILE, {}, "dog", (20,), (target,), REST))
+    made = RUNNER.run(Solve(SMILE, {}, "dog", (20,), (target,), REST))
     assert isinstance(made.recipe, Recipe)
     assert made.recipe.layers == SMILE.layers
     there = compound(CAST.space, face, unpack_expression(made.contents[made.key]))[row]
@@ -67,13 +67,13 @@ def test_a_solve_puts_the_point_where_it_was_let_go() -> None:
 
 def test_another_net_and_a_flat_one_mean_the_same() -> None:
     moved = msgspec.structs.replace(SMILE, vectors=tuple((0.01, 0.001 * (i % 5), 1.0) for i in range(len(NET))))
-    before = unpack_expression((whole := CRAFT.run(Bake(moved, {}))).contents[whole.key])
+    before = unpack_expression((whole := RUNNER.run(Bake(moved, {}))).contents[whole.key])
     for order in (Renet(moved, {}, NET[:-3]), Flat(moved, {})):
-        made = CRAFT.run(order)
+        made = RUNNER.run(order)
         assert apart(unpack_expression(made.contents[made.key]), before) < 1e-9
-        again = CRAFT.run(Bake(made.recipe, made.contents))
+        again = RUNNER.run(Bake(made.recipe, made.contents))
         assert apart(unpack_expression(again.contents[again.key]), before) < 1e-9
-    flat = CRAFT.run(Flat(moved, {})).recipe
+    flat = RUNNER.run(Flat(moved, {})).recipe
     assert isinstance(flat, Recipe)
     assert (flat.vectors, flat.layers, flat.pulls) == (REST, (), ())
 
@@ -81,14 +81,14 @@ def test_another_net_and_a_flat_one_mean_the_same() -> None:
 def test_own_contents_are_layers_and_faces() -> None:
     data = pack_expression(CAST.expressions["angry"])
     key = content_key(data)
-    made = CRAFT.run(Bake(Recipe(NET, REST, layers=(Layer(f"#{key}", "Mine", 0.5),)), {key: data}))
+    made = RUNNER.run(Bake(Recipe(NET, REST, layers=(Layer(f"#{key}", "Mine", 0.5),)), {key: data}))
     assert np.allclose(unpack_expression(made.contents[made.key]).dh, 0.5 * CAST.expressions["angry"].dh, atol=1e-15)
     face = pack_face(CAST.faces["baby"], CAST.looks["baby"])
     own = {content_key(face): face}
-    mixed = CRAFT.run(Bake(FaceRecipe({f"#{content_key(face)}": 1.0}), own))
+    mixed = RUNNER.run(Bake(FaceRecipe({f"#{content_key(face)}": 1.0}), own))
     positions = unpack_face(mixed.contents[mixed.key], "x")[0].positions
     assert np.allclose(positions, CAST.faces["baby"].positions, atol=1e-6)
-    slopes = CRAFT.tangents_asset(f"#{content_key(face)}", own)
+    slopes = RUNNER.tangents_asset(f"#{content_key(face)}", own)
     there = np.frombuffer(slopes.tangents, "<f4").reshape(3, -1, 3)
     assert np.allclose(there, tangents(CAST.space, CAST.faces["baby"]), atol=1e-6)
 
@@ -115,7 +115,7 @@ def test_orders_that_name_nothing_or_nonsense_are_refused(
     order: Bake | Renet | Solve, sentence: str
 ) -> None:  # fmt: skip
     with pytest.raises(ValueError, match=sentence):
-        CRAFT.run(order)
+        RUNNER.run(order)
 
 
 def test_only_so_many_contents_stay_unpacked() -> None:

@@ -1,4 +1,4 @@
-"""What editors are told once: it decodes to what the model says."""
+"""The welcome to editors decodes to what the model says."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Recipes pass the door whole and unchanged, or are refused with a sentence that names what and where."""
+"""Validation: recipes pass unchanged, or are rejected with an error message that names what and where."""
 
 import math
 from typing import Any

@@ -1,4 +1,4 @@
-"""Bytes of editors: every message comes back as it was, everything else is refused with a sentence."""
+"""Encoding of editors' messages: every message round-trips, everything else is rejected with an error message."""
 
 import contextlib
 from typing import Any

@@ -1,4 +1,4 @@
-"""Editors at one show file: whatever was acknowledged is kept, both versions of two, and every way back stays open."""
+"""Editors of one show file: whatever was acknowledged is stored, both versions of two, and undo always works."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def test_bytes_that_are_no_message_are_refused_and_counted(cast: Cast, data: byt
     assert (session.crew, session.stored()) == ({}, Stored())
 
 
-def test_nothing_is_heard_before_greet(cast: Cast) -> None:
+def test_messages_before_greet_are_rejected(cast: Cast) -> None:
     session = session_of(cast)
     outcome = session.receive_bytes(
         "ann", encode(wire.CreateFace(4, "Aunt", {"broad": 1.0}, False)), wall=WALL, on_air=NOBODY

@@ -1,4 +1,4 @@
-"""The ledger is what the show file will be: changes mean the same to both, and a damaged file opens."""
+"""The authored state mirrors the show file: changes mean the same to both, and a damaged file opens."""
 
 import pytest
 from hypothesis import given
@@ -62,7 +62,7 @@ def histories(draw: st.DrawFn) -> list[Change]:
 
 
 @given(histories())
-def test_changes_mean_the_same_to_the_ledger_and_to_a_file(changes: list[Change]) -> None:
+def test_changes_mean_the_same_to_the_state_and_to_a_file(changes: list[Change]) -> None:
     state, tables = AuthoredState(Stored()), Tables()
     state.apply(changes)
     tables.apply(changes)

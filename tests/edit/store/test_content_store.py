@@ -1,4 +1,4 @@
-"""The shelf: bytes by key, given to the file once, and what is known already is not made again."""
+"""The content store: bytes by key, written to the file once; known results are not computed again."""
 
 import pytest
 
@@ -59,7 +59,7 @@ def test_a_recipe_that_was_baked_is_recalled() -> None:
     assert (recalled.recipe, recalled.key) == (order.recipe, answer.key)
 
 
-def test_a_net_is_woven_once() -> None:
+def test_a_net_is_built_once() -> None:
     store = ContentStore({})
     plain, weaving = Bake(RECIPE, {}), Bake(RECIPE, {}, with_net=True)
     store.remember_result(plain, make_baked(plain))

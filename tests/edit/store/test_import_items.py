@@ -1,4 +1,4 @@
-"""Expressions from outside: in every crew's show file the same, under names of their own."""
+"""Imported and exported expressions: the same in every show file, under names of their own."""
 
 import numpy as np
 import pytest

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.interchange.formats import expression_json as exchange
+from omote.interchange.formats import expression_json
 from omote.interchange.formats.expression_json import (
     Control,
     ExpressionFile,
@@ -119,7 +119,7 @@ def test_rows_that_do_not_belong_together_are_refused(cast: Cast) -> None:
 
 
 def test_a_document_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(exchange, "LARGEST", 10)
+    monkeypatch.setattr(expression_json, "LARGEST", 10)
     with pytest.raises(ValueError, match="expected 10 at most"):
         decode(b" " * 11)
 

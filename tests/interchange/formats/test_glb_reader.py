@@ -1,4 +1,4 @@
-"""GLB files of strangers: what is right is read, everything else is refused with a sentence and costs nothing."""
+"""Untrusted GLB files: valid ones are parsed, all others are rejected with an error message and allocate nothing."""
 
 from __future__ import annotations
 

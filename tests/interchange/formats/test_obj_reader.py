@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from omote.interchange.formats import obj_reader as objfile
+from omote.interchange.formats import obj_reader
 from omote.interchange.formats.obj_reader import read_obj
 
 points = arrays(np.float64, st.tuples(st.integers(1, 6), st.just(3)), elements=st.floats(-1e6, 1e6))
@@ -41,9 +41,9 @@ def test_what_is_no_shape_is_refused(text: bytes, sentence: str) -> None:
 
 
 def test_a_file_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(objfile, "MOST_VERTICES", 1)
+    monkeypatch.setattr(obj_reader, "MOST_VERTICES", 1)
     with pytest.raises(ValueError, match="has 2 vertices; expected an OBJ file of 1 to 1"):
         read_obj(b"v 0 0 0\nv 0 0 0")
-    monkeypatch.setattr(objfile, "LARGEST", 3)
+    monkeypatch.setattr(obj_reader, "LARGEST", 3)
     with pytest.raises(ValueError, match="expected 3 at most"):
         read_obj(b"v 0 0 0")

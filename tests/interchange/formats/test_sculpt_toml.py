@@ -1,4 +1,4 @@
-"""Sculpt files: what a line means, and a sentence for everything that is none."""
+"""Sculpt files: what a line means, and an error message for every invalid one."""
 
 from __future__ import annotations
 

@@ -15,6 +15,8 @@ from omote.model.transfer.fold_repair import find_folds
 from omote.model.transfer.smooth_map import prepare_smooth_map
 from tests.synthetic import cast, head, space
 
+pytestmark = pytest.mark.long
+
 UNITS = ("jawOpen", "eyeBlinkLeft", "mouthSmileRight", "mouthFunnel")
 
 

@@ -1,4 +1,4 @@
-"""A sheet drawn by a browser: the house it is served from, the page, and what is said when a page does not open."""
+"""A picture grid rendered by a browser: the pages served on loopback, the page, and errors when it does not open."""
 
 from pathlib import Path
 
@@ -28,7 +28,7 @@ def documents(cast: Cast) -> CastDocuments:
 
 
 @pytest.mark.asyncio
-async def test_the_house_serves_the_pages_on_loopback_and_closes(cast: Cast) -> None:
+async def test_pages_are_served_on_loopback_until_the_end(cast: Cast) -> None:
     async with aiohttp.ClientSession() as http:
         async with serve_pages(documents(cast), PAGES) as address:
             assert address.startswith("http://127.0.0.1:")
@@ -41,11 +41,11 @@ async def test_the_house_serves_the_pages_on_loopback_and_closes(cast: Cast) -> 
 
 
 @pytest.mark.asyncio
-async def test_a_studio_draws_what_the_page_gives(tmp_path: Path) -> None:
+async def test_a_picture_page_returns_what_the_page_draws(tmp_path: Path) -> None:
     async with open_chromium(false_browser(tmp_path)) as tools:
-        studio = await open_picture_page(tools, "http://127.0.0.1:1", Setting(100, 200))
-        assert await studio.draw(SHEET) == b"picture"
-        await studio.close()
+        page = await open_picture_page(tools, "http://127.0.0.1:1", Setting(100, 200))
+        assert await page.draw(SHEET) == b"picture"
+        await page.close()
 
 
 @pytest.mark.asyncio
@@ -68,7 +68,7 @@ async def test_a_page_that_never_opens_is_not_waited_for(tmp_path: Path, monkeyp
             await open_picture_page(tools, "http://127.0.0.1:1", Setting())
 
 
-def test_one_call_draws_a_sheet(cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_one_call_draws_a_grid(cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("OMOTE_BROWSER", str(false_browser(tmp_path)))
     monkeypatch.setattr("omote.server.headless.picture_studio.built_in_documents", lambda: documents(cast))
     monkeypatch.setattr("omote.server.headless.picture_studio.read_pages", lambda: PAGES)

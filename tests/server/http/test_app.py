@@ -71,7 +71,7 @@ async def test_a_message_too_long_closes_its_link_and_no_other(show_harness: Sho
     assert (await state(other)).number == 1
 
 
-async def test_the_roll_is_called(show_harness: ShowHarness) -> None:
+async def test_the_crew_is_broadcast(show_harness: ShowHarness) -> None:
     stage, console = await show_harness.link("stage"), await show_harness.link("console")
     await send_and_wait(stage, wire.Drawing(59.5, "low"))
     show_harness.show.broadcast_crew()
@@ -189,9 +189,7 @@ async def test_a_compound_that_is_being_computed_holds_up_no_state(
     assert waiting == ["broad"]
 
 
-async def test_a_stranger_who_speaks_no_http_fills_no_terminal(
-    show_harness: ShowHarness, caplog: pytest.LogCaptureFixture
-) -> None:
+async def test_bad_requests_fill_no_terminal(show_harness: ShowHarness, caplog: pytest.LogCaptureFixture) -> None:
     for noise in (b"\x00" * 100, b"GET / HTTP/9.9\r\n\r\n", b"GET /" + b"a" * 20000 + b" HTTP/1.1\r\n\r\n"):
         reader, writer = await asyncio.open_connection(show_harness.client.host, show_harness.client.port)
         writer.write(noise)

@@ -94,7 +94,7 @@ def test_every_address_of_the_manifest_is_there(documents: CastDocuments) -> Non
     assert manifest.mask == documents.mask_url
 
 
-def test_the_built_in_cast_has_a_library() -> None:
+def test_the_built_in_cast_has_documents() -> None:
     manifest = msgspec.msgpack.decode(asyncio.run(built_in_documents().manifest()), type=Manifest)
     assert [mesh.name for mesh in manifest.meshes] == [
         "skin", "eye_left", "eye_right", "teeth_upper", "teeth_lower", "tongue", "lashes",

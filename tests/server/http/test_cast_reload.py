@@ -20,7 +20,7 @@ from tests.server.synthetic_server import MASK, meshes
 
 
 class Show:
-    """A session with its library and its casting."""
+    """A session with its documents and its cast reload."""
 
     def __init__(self, cast: Cast) -> None:
         self.contents: dict[str, bytes] = {}
@@ -127,7 +127,7 @@ def test_a_face_that_cannot_be_shown_is_kept_from_pages_and_said(show: Show, gri
     show.documents.close()
 
 
-def test_the_troupe_of_a_start_says_what_it_left_out(cast: Cast) -> None:
+def test_the_cast_of_a_start_reports_what_it_left_out(cast: Cast) -> None:
     said: list[str] = []
     taken = Own("expression", "smile", "My smile", (), 1.0, "0" * 24)
     assert gather_cast(cast, (taken,), {}, said.append).own == ()

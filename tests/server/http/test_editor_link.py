@@ -1,4 +1,4 @@
-"""Editors at a real socket, a real show file and the real craft: what is acknowledged is kept and plays."""
+"""Editors on a real socket, show file and order runner: what is acknowledged is stored and plays."""
 
 import sqlite3
 from pathlib import Path
@@ -168,7 +168,7 @@ async def test_two_editors_hear_of_each_other_and_the_second_is_told(edit_harnes
     assert "Ada saved" in second.sentence
 
 
-async def test_what_the_craft_refuses_comes_back_as_a_sentence(
+async def test_what_the_worker_rejects_comes_back_as_a_message(
     edit_harness: EditHarness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     page = await edit_harness.editor()
@@ -194,7 +194,7 @@ async def test_what_an_editor_says_wrong_is_refused_and_the_link_stays(edit_harn
     assert refused.request == -1
     assert isinstance(await page.ask(editing.OpenItem, 99), editing.EditRefused)
     await page.socket.send_bytes(bytes(EDITING_LIMIT + 1))
-    last = decode_answer(await page.socket.receive_bytes(timeout=10.0))
+    last = decode_answer(await page.socket.receive_bytes(timeout=60.0))
     assert isinstance(last, editing.EditRefused)
     assert f"longer than {EDITING_LIMIT} bytes" in last.reason
 
@@ -263,7 +263,7 @@ async def test_an_edit_that_the_file_refuses_is_undone_for_everybody(
     vectors = [(0.0, 0.001, 1.0)] * len(draft.recipe.net)
     await page.ask(editing.SetVectors, draft.item, vectors, "up")
     await page.socket.send_bytes(encode(editing.Save(99, draft.item, "")))
-    while (await page.socket.receive(timeout=10.0)).type is WSMsgType.BINARY:
+    while (await page.socket.receive(timeout=60.0)).type is WSMsgType.BINARY:
         pass  # until the link is cut
     assert "no room" in edit_harness.said[0]
     monkeypatch.undo()

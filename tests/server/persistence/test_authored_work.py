@@ -1,4 +1,4 @@
-"""The desk of a show file: the session that knows its authored work, or a sentence."""
+"""The authored work of a show file: opened as an edit session, or reported as unreadable."""
 
 import sqlite3
 from pathlib import Path
@@ -13,7 +13,7 @@ from omote.showfile.contents import content_key, pack_expression
 from omote.showfile.show_file import ShowFile, open_show
 
 
-class Keeper:
+class FakeCommitter:
     """Keeps nothing."""
 
     def commit(self, changes: object, told: object) -> None:
@@ -23,13 +23,13 @@ class Keeper:
         """Has nothing to close."""
 
 
-def test_a_desk_knows_what_the_file_has(cast: Cast, tmp_path: Path) -> None:
+def test_the_authored_work_is_what_the_file_has(cast: Cast, tmp_path: Path) -> None:
     show, data = open_show(tmp_path / "a.omote"), pack_expression(cast.expressions["smile"])
     revision = Revision(1, 1, 0, b'{"kind":"expression","net":[],"vectors":[]}', content_key(data), 1.0, "Ada")
     item = Item(1, "expression", "grin", "Grin", place=1.0, head=1)
     show.apply((PutContent(content_key(data), data), PutItem(item), PutRevision(revision), PutLayout("desk", b"1")))
     said: list[str] = []
-    authored_work = open_authored_work(show, Keeper(), OrderWorker(cast), said.append)
+    authored_work = open_authored_work(show, FakeCommitter(), OrderWorker(cast), said.append)
     assert authored_work is not None
     assert [(own.name, own.label, own.content) for own in authored_work.session.own()] == [
         ("grin", "Grin", content_key(data))
@@ -48,6 +48,6 @@ def test_work_that_cannot_be_read_does_not_stop_the_show(
     show = open_show(tmp_path / "a.omote")
     monkeypatch.setattr(ShowFile, "stored", damaged)
     said: list[str] = []
-    assert open_authored_work(show, Keeper(), OrderWorker(cast), said.append) is None
+    assert open_authored_work(show, FakeCommitter(), OrderWorker(cast), said.append) is None
     assert "its item 1 is damaged); the show goes on without it" in said[0]
     show.close()

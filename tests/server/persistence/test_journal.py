@@ -78,7 +78,7 @@ def test_a_stuck_disk_keeps_nobody_and_costs_only_what_is_old() -> None:
     disk.free.clear()
     journal = writer(disk, [])
     journal.offer(entry(1))
-    assert disk.reached.wait(10.0)
+    assert disk.reached.wait(60.0)
     for number in range(2, 1000):
         journal.offer(entry(number))  # returns although the disk does not
     disk.free.set()
@@ -94,7 +94,7 @@ def test_a_broken_disk_is_reported_once_and_tried_again() -> None:
     for number in range(3):
         disk.reached.clear()
         journal.offer(entry(number))
-        assert disk.reached.wait(10.0)
+        assert disk.reached.wait(60.0)
     disk.reached.clear()
     disk.broken = False
     journal.offer(entry(3))
@@ -108,11 +108,11 @@ def test_a_disk_that_syncs_for_ever_holds_up_no_state() -> None:
     disk = Disk()
     disk.synced.clear()
     journal = JournalWriter(disk, [].append, flush_seconds=1e-4)  # type: ignore[arg-type]
-    assert disk.flushing.wait(10.0)
+    assert disk.flushing.wait(60.0)
     for number in range(3):
         disk.reached.clear()
         journal.offer(entry(number))
-        assert disk.reached.wait(10.0)
+        assert disk.reached.wait(60.0)
     disk.synced.set()
     journal.close()
     assert disk.written == [0, 1, 2]

@@ -7,7 +7,9 @@ import pytest
 
 from omote.server.persistence.lock import ShowLockedError, lock_show
 from omote.server.persistence.offline_show import open_offline_show, wall_clock
+from omote.showfile.backup import backup_paths
 from omote.showfile.changes import PutLayout
+from omote.showfile.show_file import ShowFile, open_show
 
 
 def test_what_is_written_stays_and_the_file_is_free_again(tmp_path: Path) -> None:
@@ -17,6 +19,32 @@ def test_what_is_written_stays_and_the_file_is_free_again(tmp_path: Path) -> Non
     with open_offline_show(path) as file:
         assert file.stored().layouts == {"console": b"{}"}
     os.close(lock_show(path))
+
+
+def test_what_is_written_is_backed_up_and_what_is_only_read_is_not(tmp_path: Path) -> None:
+    path = tmp_path / "a.omote"
+    with open_offline_show(path, new=True) as file:
+        file.apply([PutLayout("console", b"{}")])
+        written = file.stored()
+    with open_offline_show(path):
+        pass
+    newest, *older = backup_paths(path)
+    backup = open_show(newest)
+    assert backup.stored() == written
+    backup.close()
+    assert not any(each.exists() for each in older)
+
+
+def test_a_disk_that_takes_no_backup_keeps_what_was_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(_: ShowFile) -> bool:
+        raise OSError("No space left on device")
+
+    monkeypatch.setattr("omote.server.persistence.offline_show.back_up", full)
+    path = tmp_path / "a.omote"
+    with open_offline_show(path, new=True) as file:
+        file.apply([PutLayout("console", b"{}")])
+    with open_offline_show(path) as file:
+        assert file.stored().layouts == {"console": b"{}"}
 
 
 def test_a_file_that_is_not_there_is_not_made(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""A copy works, ends, and holds nothing of its parent's open."""
+"""A forked process works, ends, and holds no descriptor of its parent open."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""Files read in a process of their own: what is right comes back, what is wrong or too much is a sentence."""
+"""Files parsed in a sandboxed process: valid ones come back, invalid or too large ones are rejected with a message."""
 
 import os
 from pathlib import Path
@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from omote.interchange.formats.glb_reader import Piece
-from omote.server.sandbox import child_reader as apart
+from omote.server.sandbox import child_reader
 from omote.server.sandbox.child_reader import read_in_sandbox
 from tests.interchange.formats.scenes import NAMES, plain_glb
 
@@ -54,7 +54,7 @@ def test_a_reader_that_takes_too_much_or_dies_harms_nobody(
 
     path = tmp_path / "a.glb"
     path.write_bytes(b"x")
-    monkeypatch.setattr(apart, "READERS", {".glb": hungry})
+    monkeypatch.setattr(child_reader, "READERS", {".glb": hungry})
     with pytest.raises(ValueError, match="needs more time or memory than any face"):
         read_in_sandbox(path)
     stray = tmp_path / "stray"

@@ -1,4 +1,4 @@
-"""A state is blamed for deaths it may have caused, and for no others."""
+"""A state is suspected for crashes that it may have caused, and for no others."""
 
 import signal
 
@@ -39,7 +39,7 @@ def test_hanging_counts_like_crashing() -> None:
     assert crash_loop.suspects_state(float(DEATHS))
 
 
-def test_a_blamed_state_is_blamed_once() -> None:
+def test_a_suspected_state_is_suspected_once() -> None:
     crash_loop = CrashLoop()
     for _ in range(DEATHS):
         crash_loop.record_hang(0.0)

@@ -14,6 +14,7 @@ from omote.server.process.process_messages import TICK, Order
 from omote.server.supervision.show_process import Pipes, load_material, play, report, run_until_ended
 from omote.show import messages as wire
 from omote.show.wire import encode
+from omote.showfile.backup import backup_paths
 from omote.showfile.show_file import open_show
 from tests.server.conftest import answer
 from tests.server.synthetic_server import material
@@ -54,6 +55,9 @@ def test_a_server_plays_and_leaves_its_last_state(tmp_path: Path) -> None:
     left = open_show(tmp_path / "a.omote")
     assert left.journal().epoch == seen.epoch
     assert b"jawOpen" in (left.journal().snapshot or b"")
+    backup = open_show(backup_paths(tmp_path / "a.omote")[0])
+    assert backup.journal() == left.journal()
+    backup.close()
     left.close()
     for descriptor in (control, far, pulse):
         os.close(descriptor)

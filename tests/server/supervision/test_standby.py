@@ -29,7 +29,7 @@ def in_a_process(run: Callable[[socket.socket], object]) -> tuple[int, socket.so
 
 def news_of(line: socket.socket, count: int) -> list[News]:
     """So many news."""
-    line.settimeout(10.0)
+    line.settimeout(60.0)
     lines = b""
     while lines.count(b"\n") < count:
         lines += line.recv(4096)

@@ -34,13 +34,14 @@ LIMIT = 60.0
 class Show:
     """A supervisor in a process of its own, playing the synthetic cast."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, **environment: str) -> None:
         self.process = subprocess.Popen(
             [sys.executable, "-m", "tests.server.supervised", str(path)],
             cwd=ROOT,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
+            env={**os.environ, **environment},
         )
         self.said: Queue[str] = Queue()
         threading.Thread(target=self._listen, daemon=True).start()
@@ -74,7 +75,11 @@ def children(pid: int) -> list[int]:
 @pytest.fixture
 def show(tmp_path: Path) -> Iterator[Show]:
     """A show that plays; it ends with the test."""
-    started = Show(tmp_path / "a.omote")
+    yield from played(Show(tmp_path / "a.omote"))
+
+
+def played(started: Show) -> Iterator[Show]:
+    """A show until whoever has it is done."""
     yield started
     with contextlib.suppress(ProcessLookupError):
         started.process.terminate()
@@ -148,7 +153,14 @@ def journalled(show: Show, word: bytes) -> bool:
     return word in (snapshot or b"")
 
 
-def test_a_server_that_hangs_is_replaced(show: Show) -> None:
+@pytest.fixture
+def impatient(tmp_path: Path) -> Iterator[Show]:
+    """A show whose servers hang when they are silent for a second."""
+    yield from played(Show(tmp_path / "a.omote", SYNTHETIC_HANG="1"))
+
+
+def test_a_server_that_hangs_is_replaced(impatient: Show) -> None:
+    show = impatient
     before = ask(show)
     hanging = show.server()
     os.kill(hanging, signal.SIGSTOP)
@@ -193,11 +205,7 @@ def test_a_state_that_kills_servers_is_left_behind(tmp_path: Path) -> None:
     file = open_show(path)
     file.write_journal(JournalEntry(1, 0.0, msgspec.msgpack.encode({"poison": True})))
     file.close()
-    os.environ["SYNTHETIC_POISON"] = "1"
-    try:
-        poisoned = Show(path)
-    finally:
-        del os.environ["SYNTHETIC_POISON"]
+    poisoned = Show(path, SYNTHETIC_POISON="1")
     assert ask(poisoned).faces == {"generic": 1.0}
     poisoned.process.terminate()
     assert poisoned.process.wait(LIMIT) == 0

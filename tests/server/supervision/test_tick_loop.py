@@ -1,4 +1,4 @@
-"""Sixty ticks a second without drift, and the journal, the pulse and the roll call on them."""
+"""Sixty ticks a second without drift, and the journal, the heartbeat and the crew's broadcast on them."""
 
 import asyncio
 import itertools
@@ -18,7 +18,7 @@ from tests.server.synthetic_server import PAGES, material
 
 
 class Clock:
-    """A clock that sleeping moves; the beat waits on it instead of on the world's."""
+    """A clock that sleeping moves; the tick loop waits on it instead of on the world's."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.now, self.slept = 0.0, 0.0

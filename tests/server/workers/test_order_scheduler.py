@@ -27,7 +27,7 @@ class Maker:
 
 
 def played(show: Callable[[OrderScheduler], Awaitable[object]], *, memory: int = 1000) -> list[Key]:
-    """What was made, in its order, in a show with a supply."""
+    """What was computed, in its order, in a show with a scheduler."""
     maker = Maker()
 
     async def to_the_end() -> None:

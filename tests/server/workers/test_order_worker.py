@@ -55,7 +55,7 @@ def test_a_compound_of_own_things_comes_of_their_bytes(worker: OrderWorker, cast
     assert asset == compound_asset(cast, face, "smile")
 
 
-def test_a_hand_remembers_what_it_unpacked_and_only_so_much(
+def test_a_worker_caches_what_it_unpacked_and_only_so_much(
     worker: OrderWorker, cast: Cast, face: Face, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(module, "CACHED_CONTENTS", 2)
@@ -95,7 +95,7 @@ def test_the_editors_documents_are_made_of_the_cast(worker: OrderWorker, cast: C
     assert len(handles.points) == len(handles.labels) == len(handles.mirror)
 
 
-def test_an_editors_order_is_made_by_the_craft(worker: OrderWorker) -> None:
+def test_an_editors_order_is_run_by_the_order_runner(worker: OrderWorker) -> None:
     recipe = Recipe(worker.net, ((0.0, 0.001, 1.0),) * len(worker.net))
     baked = msgspec.msgpack.decode(made(worker, Bake(recipe, {})), type=Baked)
     assert baked.recipe == recipe

@@ -1,4 +1,4 @@
-"""Strands that grow from the scalp of the generic head, are combed over it, and are cut: the engine of every style."""
+"""Grows, combs and cuts hair strands on the scalp of the generic head: the groom of every style."""
 
 from __future__ import annotations
 

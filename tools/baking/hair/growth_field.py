@@ -1,4 +1,4 @@
-"""The generic head as a field of signed distances on a grid: what hair lies on, and which way is out."""
+"""The signed distance field (SDF) of the generic head on a grid, with its gradient, on which hair grows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The hair styles' arrays: strands grown on the generic head, tied to the skin that carries them."""
+"""Bakes the hair styles: strands grown on the generic head and bound to its skin."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The MakeHuman base mesh: its vertices, its corners' texture coordinates and its groups of quads, as published."""
+"""Reads the MakeHuman base mesh: vertices, texture coordinates per corner and groups of quads; and its targets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The head cut out of the base mesh: the skin above the neck and the parts, each a mesh with its own vertices."""
+"""Cuts the head out of the base mesh: the skin above the neck and the parts, each a mesh of its own."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from tools.baking.heads.basemesh import BaseMesh, Floats, Ints, Quads
 
-NECK_HEIGHT = 5.90  # decimetres; the skin is every body face whose corners all lie above (method.md, section 2)
+NECK_HEIGHT = 5.90  # decimetres; the skin is what lies above (docs/method.md, "The parameter space")
 METRES = 0.1  # per decimetre
 PART_GROUPS: Mapping[str, tuple[str, ...]] = {
     "eye_left": ("helper-l-eye",),

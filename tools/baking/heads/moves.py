@@ -1,4 +1,4 @@
-"""What every unit and every performed expression does to the generic head: displacements of skin and parts."""
+"""The displacements of skin and parts of the generic head for every unit and performed expression (blendshapes)."""
 
 from __future__ import annotations
 

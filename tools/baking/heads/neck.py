@@ -1,9 +1,9 @@
 """The throat put where the chin expects it.
 
-Where the jaw opens, the chin passes in front of the throat, so its new place is measured on the throat (method.md,
-section 3, step 1). People's throats lie up to 25 mm higher or lower under the chin than the generic one's, and an
-opened jaw would jump by as much. So the skin of the throat slides up or down with the jaw line above it; the neck keeps
-its girth and its depth.
+Where the jaw opens, the chin passes in front of the throat, so its new place is measured on the throat
+(docs/method.md, "Extract"). People's throats lie up to 25 mm higher or lower under the chin than the generic one's, and
+an opened jaw would jump by as much. So the skin of the throat slides up or down with the jaw line above it; the neck
+keeps its girth and its depth.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What colours the skin at large: the patches of a coat, its dark marks, make-up, and the paint of a mask."""
+"""Paints large marks of the skin: the patches of a coat, its dark marks, make-up, and the paint of a mask."""
 
 from __future__ import annotations
 

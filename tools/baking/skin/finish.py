@@ -1,4 +1,4 @@
-"""How the skin takes light: how oily it is, how much light goes through it, how deep its small hollows are."""
+"""Paints the skin's response to light: oiliness (specular), translucency, and fine hollows (cavity)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What colours the skin in small: creases and spots of age, freckles, stubble, and the strands of fur."""
+"""Paints small marks of the skin: creases and spots of age, freckles, stubble, and the strands of fur."""
 
 from __future__ import annotations
 

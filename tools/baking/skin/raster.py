@@ -1,4 +1,4 @@
-"""Triangles to pixels: the one small rasteriser that the mask needs, for texels and for visibility."""
+"""A small rasteriser, for texels and for ambient occlusion."""
 
 from __future__ import annotations
 

@@ -1,30 +1,32 @@
+/** The console's page: faces on the left, expressions on the right, what is on air between them, pads and faders below. */
+
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";
+import { base, palette } from "../ui/theme";
 import { style } from "./console_page_style";
-import type { Topic } from "./desk";
-import { RigElement } from "./element";
-import { type Command, commandOf } from "./keys";
-import type { LightRow } from "./light_row";
-import type { Monitor } from "./monitor";
-import type { Pad } from "./pad";
-import type { Palette } from "./palette";
-import type { TBar } from "./t_bar";
-import { base, palette } from "./theme";
-import { neighbour } from "./timing";
-import "./bank";
+import { ConsoleElement } from "./controls/console_element";
+import type { LightRow } from "./controls/light_row";
+import type { Pad } from "./controls/pad";
+import type { TBar } from "./controls/t_bar";
+import type { Monitor } from "./panels/monitor";
+import type { Palette } from "./panels/palette";
+import type { Topic } from "./store/console_store";
+import { type Command, commandOf } from "./store/keys";
+import { neighbour } from "./store/timing";
+import "./panels/bank";
 import "./help";
-import "./light_row";
-import "./mix";
-import "./monitor";
-import "./pad";
-import "./palette";
-import "./status_bar";
-import "./t_bar";
+import "./controls/light_row";
+import "./panels/on_air_mix";
+import "./panels/monitor";
+import "./controls/pad";
+import "./panels/palette";
+import "./panels/status_bar";
+import "./controls/t_bar";
 
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")
-export class ConsolePage extends RigElement {
+export class ConsolePage extends ConsoleElement {
   @state() private helping = false;
   @query("omote-monitor") private monitor!: Monitor;
 
@@ -51,33 +53,33 @@ export class ConsolePage extends RigElement {
   }
 
   override render() {
-    this.classList.toggle("lost", !this.desk.online);
-    const rig = this.rig;
+    this.classList.toggle("lost", !this.store.online);
+    const context = this.context;
     return html`
       <omote-status
-        .rig=${rig}
+        .context=${context}
         @help=${() => {
           this.helping = true;
         }}
       ></omote-status>
-      <omote-palette class="panel faces live" .rig=${rig} .axis=${"face"}></omote-palette>
-      <omote-tbar class="panel facebar live" .rig=${rig} .axis=${"face"}></omote-tbar>
+      <omote-palette class="panel faces live" .context=${context} .axis=${"face"}></omote-palette>
+      <omote-tbar class="panel facebar live" .context=${context} .axis=${"face"}></omote-tbar>
       <section class="panel air live" aria-label="On air and coming">
-        <omote-monitor .rig=${rig}></omote-monitor>
+        <omote-monitor .context=${context}></omote-monitor>
         <div class="mixes">
-          <omote-mix .rig=${rig} .axis=${"face"}></omote-mix>
-          <omote-mix .rig=${rig} .axis=${"expression"}></omote-mix>
+          <omote-mix .context=${context} .axis=${"face"}></omote-mix>
+          <omote-mix .context=${context} .axis=${"expression"}></omote-mix>
         </div>
-        <omote-lights .rig=${rig}></omote-lights>
+        <omote-lights .context=${context}></omote-lights>
       </section>
-      <omote-tbar class="panel exprbar live" .rig=${rig} .axis=${"expression"}></omote-tbar>
-      <omote-palette class="panel expressions live" .rig=${rig} .axis=${"expression"}></omote-palette>
+      <omote-tbar class="panel exprbar live" .context=${context} .axis=${"expression"}></omote-tbar>
+      <omote-palette class="panel expressions live" .context=${context} .axis=${"expression"}></omote-palette>
       <section class="hands live" aria-label="Head and gaze">
-        <omote-pad class="panel" .rig=${rig} .what=${"head"}></omote-pad>
-        <omote-pad class="panel" .rig=${rig} .what=${"gaze"}></omote-pad>
+        <omote-pad class="panel" .context=${context} .what=${"head"}></omote-pad>
+        <omote-pad class="panel" .context=${context} .what=${"gaze"}></omote-pad>
       </section>
-      <omote-bank class="panel live" .rig=${rig}></omote-bank>
-      ${this.helping ? html`<omote-help .rig=${rig} @close=${this.#closeHelp}></omote-help>` : nothing}
+      <omote-bank class="panel live" .context=${context}></omote-bank>
+      ${this.helping ? html`<omote-help .context=${context} @close=${this.#closeHelp}></omote-help>` : nothing}
     `;
   }
 
@@ -95,22 +97,22 @@ export class ConsolePage extends RigElement {
   #obey(command: Command): void {
     if (command.do === "panic") {
       this.helping = false;
-      this.desk.panic();
+      this.store.panic();
     } else if (command.do === "help") this.helping = !this.helping;
-    else if (command.do === "centre") this.desk.centre();
-    else if (command.do === "clear") this.desk.clearChannels(Object.keys(this.desk.state?.channels ?? {}));
+    else if (command.do === "centre") this.store.centre();
+    else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.state?.channels ?? {}));
     else if (command.do === "focus") this.#at<LightRow | Palette | Pad | TBar>(PLACES[command.place])?.focus();
     else this.#obeyAxis(command);
   }
 
   #obeyAxis(command: Extract<Command, { axis: unknown }>): void {
     const { axis } = command;
-    const { seconds } = this.desk.timing[axis];
+    const { seconds } = this.store.timing[axis];
     if (command.do === "call") this.#at<Palette>(axis === "face" ? ".faces" : ".expressions")?.callIndex(command.index);
-    else if (command.do === "release") this.desk.release(axis);
-    else if (command.do === "keep") this.desk.keep(axis);
-    else if (command.do === "hand") this.desk.setTiming(axis, { seconds: seconds === null ? 1 : null });
-    else this.desk.setTiming(axis, { seconds: neighbour(seconds, command.direction) });
+    else if (command.do === "release") this.store.release(axis);
+    else if (command.do === "keep") this.store.keep(axis);
+    else if (command.do === "hand") this.store.setTiming(axis, { seconds: seconds === null ? 1 : null });
+    else this.store.setTiming(axis, { seconds: neighbour(seconds, command.direction) });
   }
 
   #at<Found extends Element>(selector: string): Found | null {

@@ -1,13 +1,15 @@
+/** The console's help: its keys and conventions. */
+
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { curtain, keysPage } from "./dialog_style";
-import { RigElement } from "./element";
-import { HELP } from "./keys";
-import { base } from "./theme";
+import { curtain, keysPage } from "../ui/dialog_style";
+import { base } from "../ui/theme";
+import { ConsoleElement } from "./controls/console_element";
+import { HELP } from "./store/keys";
 
 /** The keys and the conventions, over everything else but panic. */
 @customElement("omote-help")
-export class Help extends RigElement {
+export class Help extends ConsoleElement {
   static override styles = [
     base,
     curtain,

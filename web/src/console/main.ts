@@ -1,19 +1,16 @@
-/** The console page: links the show to a desk, and a desk to the instrument. */
+/** The console page: connects the show to the store, and the store to the page. */
 
+import { FaceView } from "../face/face_view";
+import { THUMBNAIL } from "../face/framing";
+import { restPose } from "../face/pose/pose";
 import { Library } from "../link/assets";
-import { Link } from "../link/socket";
-import { FaceView } from "../stage/face_view";
-import type { Shot } from "../stage/framing";
-import { resting } from "../stage/pose";
+import { ShowLink } from "../link/show_link";
+import { FramePainter } from "../ui/frame_painter";
+import { type DrawThumbnail, THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
 import { ConsolePage } from "./console_page";
-import { Desk } from "./desk";
-import type { Rig } from "./element";
-import { LayoutKeeper, layoutName } from "./layout_keeper";
-import { Painter } from "./painter";
-import { PICTURE, Portraits, type Studio } from "./portraits";
-
-/** Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. */
-const THUMB: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };
+import type { ConsoleContext } from "./controls/console_element";
+import { ConsoleStore } from "./store/console_store";
+import { LayoutSync, layoutName } from "./store/layout_sync";
 
 /** A name for this console, so that its calls have their own ids; `randomUUID` is not there on a LAN without https. */
 const consoleId = (): string =>
@@ -25,40 +22,40 @@ let library: Library | null = null;
 let stale = false;
 
 /** The cast is another: takes it in and goes on; a page of another built-in cast must begin anew. */
-async function recast(desk: Desk): Promise<void> {
+async function recast(store: ConsoleStore): Promise<void> {
   stale = library === null;
   if (library === null) return;
   if (!(await library.renew())) location.reload();
-  else if (library.manifest !== desk.manifest) desk.setManifest(library.manifest);
+  else if (library.manifest !== store.manifest) store.setManifest(library.manifest);
 }
 
-function connect(): { desk: Desk; link: Link } {
-  const desk: Desk = new Desk(
+function connect(): { store: ConsoleStore; link: ShowLink } {
+  const store: ConsoleStore = new ConsoleStore(
     (message) => link.send(message),
     () => performance.now(),
     consoleId(),
   );
-  const link = new Link("console", {
+  const link = new ShowLink("console", {
     welcome: ({ digest }) => {
-      if (desk.manifest !== null && desk.manifest.digest !== digest) void recast(desk);
+      if (store.manifest !== null && store.manifest.digest !== digest) void recast(store);
     },
-    cast: () => void recast(desk),
-    state: (state) => desk.receiveState(state),
-    crew: (crew) => desk.receiveCrew(crew),
-    kept: (kept) => desk.receiveKept(kept),
-    refused: (reason) => desk.say(reason),
-    connected: (up) => desk.setOnline(up),
-    trip: (seconds) => desk.receiveTrip(seconds * 1000),
+    cast: () => void recast(store),
+    state: (state) => store.receiveState(state),
+    crew: (crew) => store.receiveCrew(crew),
+    kept: (kept) => store.receiveKept(kept),
+    refused: (reason) => store.say(reason),
+    connected: (up) => store.setOnline(up),
+    trip: (seconds) => store.receiveTrip(seconds * 1000),
   });
-  return { desk, link };
+  return { store, link };
 }
 
 /** Thumbnails by one view on a canvas of its own: one graphics context for all of them. */
-async function openStudio(library: Library): Promise<Studio> {
-  const view = await FaceView.load(document.createElement("canvas"), library, { shot: THUMB, pixelRatio: 1 });
-  view.resize(PICTURE.width, PICTURE.height);
+async function openThumbnails(library: Library): Promise<DrawThumbnail> {
+  const view = await FaceView.load(document.createElement("canvas"), library, { shot: THUMBNAIL, pixelRatio: 1 });
+  view.resize(THUMBNAIL_SIZE.width, THUMBNAIL_SIZE.height);
   return async ({ face, expression }) => {
-    await view.present(resting(face, expression));
+    await view.present(restPose(face, expression));
     if (!view.alive) throw new Error("the graphics context is lost for a moment");
     return createImageBitmap(view.canvas);
   };
@@ -74,21 +71,21 @@ function stayAwake(): void {
 }
 
 async function start(): Promise<void> {
-  const { desk, link } = connect();
-  const rig: Rig = { desk, painter: new Painter(), portraits: new Portraits() };
-  rig.painter.add({ paint: () => rig.desk.flush() }); // first in each frame, so that what was drawn is what was sent
+  const { store, link } = connect();
+  const context: ConsoleContext = { store, painter: new FramePainter(), thumbnails: new Thumbnails() };
+  context.painter.add({ paint: () => context.store.flush() }); // first in each frame, so that what was drawn is what was sent
   const page = new ConsolePage();
-  page.rig = rig;
+  page.context = context;
   document.body.append(page);
-  rig.painter.start();
+  context.painter.start();
   stayAwake();
   library = await Library.open();
-  await new LayoutKeeper(desk, layoutName(location.search), (message) => link.send(message)).open();
-  desk.setManifest(library.manifest);
-  if (stale) void recast(rig.desk);
+  await new LayoutSync(store, layoutName(location.search), (message) => link.send(message)).open();
+  store.setManifest(library.manifest);
+  if (stale) void recast(context.store);
   await page.open(library);
-  openStudio(library).then(
-    (studio) => rig.portraits.open(studio),
+  openThumbnails(library).then(
+    (draw) => context.thumbnails.open(draw),
     (error: unknown) => console.warn("No thumbnails:", error), // names and hot keys are enough to play
   );
 }

@@ -1,26 +1,29 @@
+/** The editor's page: library, canvas and panels. */
+
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import { base, palette } from "../console/theme";
+import { base, palette } from "../ui/theme";
+import { exposeProbe } from "./canvas/canvas_probe";
 import { EditorCanvas } from "./canvas/editor_canvas";
-import { controls } from "./controls_style";
-import { type Kind, redo, undo } from "./deeds";
+import { controls } from "./controls/controls_style";
+import { EditorElement } from "./controls/editor_element";
 import { style } from "./editor_page_style";
-import { BenchElement } from "./element";
-import type { Heading } from "./heading";
-import { hintOf } from "./hints";
-import { type Command, commandOf, type View } from "./keys";
-import type { LibraryPanel } from "./panels/library";
-import type { Topic } from "./workbench";
-import "./heading";
-import "./help";
-import "./notices_view";
-import "./panels/all";
-import "./panels/library";
-import "./tools";
+import type { Heading } from "./page/heading";
+import { hintOf } from "./page/hints";
+import { type Command, commandOf, type View } from "./page/keys";
+import type { LibraryPanel } from "./page/library";
+import type { Topic } from "./session/draft_store";
+import { type Kind, redo, undo } from "./session/item_commands";
+import "./page/heading";
+import "./page/help";
+import "./page/notices_view";
+import "./panels/item_panels";
+import "./page/library";
+import "./page/tools";
 
-/** The editor: what there is on the left, the face under work and its company between, what it is made of on the right. */
+/** The editor: what there is on the left, the face under work and those beside it between, what it is made of on the right. */
 @customElement("omote-editor")
-export class EditorPage extends BenchElement {
+export class EditorPage extends EditorElement {
   @state() private helping = false;
   @query("canvas") private canvas!: HTMLCanvasElement;
   @query("omote-library") private library!: LibraryPanel;
@@ -47,38 +50,41 @@ export class EditorPage extends BenchElement {
   }
 
   override updated(): void {
-    const open = this.bench.draft?.item ?? -1;
+    const open = this.store.draft?.item ?? -1;
     if (open >= 0 && open !== this.#open) this.scrollIntoView({ block: "start" }); // on a phone the faces may be far above
     this.#open = open;
-    this.classList.toggle("lost", !this.bench.online);
-    if (this.#view === null && this.bench.library !== null) this.#view = new EditorCanvas(this.canvas, this.bench);
+    this.classList.toggle("lost", !this.store.online);
+    if (this.#view === null && this.store.library !== null) {
+      this.#view = new EditorCanvas(this.canvas, this.store);
+      exposeProbe(this.#view);
+    }
   }
 
   override render() {
-    const { bench, rig } = this;
+    const { store, context } = this;
     return html`
-      <omote-heading class="panel" .rig=${rig} @help=${this.#toggleHelp}></omote-heading>
-      <omote-library class="panel" .rig=${rig}></omote-library>
+      <omote-heading class="panel" .context=${context} @help=${this.#toggleHelp}></omote-heading>
+      <omote-library class="panel" .context=${context}></omote-library>
       <main class="panel">
-        <omote-tools .rig=${rig} @view=${(event: CustomEvent<View>) => this.#view?.view(event.detail)}></omote-tools>
+        <omote-tools .context=${context} @view=${(event: CustomEvent<View>) => this.#view?.view(event.detail)}></omote-tools>
         <div class="work">
           <canvas tabindex="0" aria-label="The face under work and the faces beside it" aria-describedby="hint"></canvas>
-          ${bench.look === null ? nothing : this.#looking()}
+          ${store.look === null ? nothing : this.#looking()}
         </div>
-        <p id="hint" class="hint">${hintOf(bench, matchMedia("(pointer: coarse)").matches)}</p>
+        <p id="hint" class="hint">${hintOf(store, matchMedia("(pointer: coarse)").matches)}</p>
       </main>
       <div class="side">
-        <omote-panels class="panel" .rig=${rig}
+        <omote-panels class="panel" .context=${context}
           @make=${(event: CustomEvent<Kind>) => this.library.make({}, event.detail)}></omote-panels>
-        <omote-notices .rig=${rig}></omote-notices>
+        <omote-notices .context=${context}></omote-notices>
       </div>
-      ${this.helping ? html`<omote-editor-help .rig=${rig} @close=${this.#toggleHelp}></omote-editor-help>` : nothing}
+      ${this.helping ? html`<omote-editor-help .context=${context} @close=${this.#toggleHelp}></omote-editor-help>` : nothing}
     `;
   }
 
   #looking() {
     return html`<div class="looking" role="status">You look at an old revision, not at your draft.
-      <button @click=${() => this.bench.setLook(null)}>Back to my draft</button></div>`;
+      <button @click=${() => this.store.setLook(null)}>Back to my draft</button></div>`;
   }
 
   readonly #toggleHelp = (): void => {
@@ -93,31 +99,31 @@ export class EditorPage extends BenchElement {
   };
 
   #obey(command: Command): void {
-    const { bench } = this;
-    if (command.do === "undo") undo(bench);
-    else if (command.do === "redo") redo(bench);
+    const { store } = this;
+    if (command.do === "undo") undo(store);
+    else if (command.do === "redo") redo(store);
     else if (command.do === "save") this.#save();
     else if (command.do === "help") this.#toggleHelp();
     else if (command.do === "search") this.library.focus();
     else if (command.do === "leave") this.#leave();
-    else if (command.do === "tool") bench.setOptions({ tool: command.tool });
+    else if (command.do === "tool") store.setOptions({ tool: command.tool });
     else if (command.do === "view") this.#view?.view(command.view);
-    else bench.setOptions({ [command.do]: !bench.options[command.do] });
+    else store.setOptions({ [command.do]: !store.options[command.do] });
   }
 
   #save(): void {
     const active = this.heading.shadowRoot?.activeElement;
     if (active instanceof HTMLElement) active.blur(); // what is being typed belongs to it
-    if (this.bench.draft !== null) this.heading.save();
+    if (this.store.draft !== null) this.heading.save();
   }
 
   /** One step out: of the help, a drag, the old revision, the selection. */
   #leave(): void {
-    const { bench } = this;
+    const { store } = this;
     if (this.helping) this.helping = false;
-    else if (bench.dragging) bench.cancel();
-    else if (bench.look !== null) bench.setLook(null);
-    else if (bench.selection.size > 0) bench.select([]);
+    else if (store.dragging) store.cancel();
+    else if (store.look !== null) store.setLook(null);
+    else if (store.selection.size > 0) store.select([]);
   }
 }
 

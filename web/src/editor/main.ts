@@ -1,87 +1,115 @@
 /** The editor page: authored once, played on every face. */
 
-import { PICTURE, Portraits } from "../console/portraits";
 import { Library } from "../link/assets";
 import { askedItem, editorAddress } from "../link/editor_address";
-import { openItem } from "./deeds";
-import { EditingLink } from "./editing_link";
+import { THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
+import type { EditorContext } from "./controls/editor_element";
 import { EditorPage } from "./editor_page";
-import type { EditorRig } from "./element";
-import { idle } from "./idle";
-import { keepView } from "./kept_view";
-import { Studio } from "./studio";
-import { keepName, whoIsHere } from "./who";
-import { Workbench } from "./workbench";
+import { EditorLink } from "./link/editor_link";
+import { readIdentity, saveName } from "./link/identity";
+import { DraftStore } from "./session/draft_store";
+import { openItem } from "./session/item_commands";
+import { ThumbnailRenderer } from "./session/thumbnail_renderer";
+import { keepViewSettings } from "./session/view_settings";
 
 /** Pixels of a thumbnail as it is drawn, somewhat less than it is shown at: what is shown first is usable first. */
-const SMALL = { width: Math.round(0.75 * PICTURE.width), height: Math.round(0.75 * PICTURE.height) };
+const SMALL = { width: Math.round(0.75 * THUMBNAIL_SIZE.width), height: Math.round(0.75 * THUMBNAIL_SIZE.height) };
+
+/** Milliseconds between two drawings, and after which one is made even where the page never rests. */
+const PAUSE = 60;
+const PATIENCE = 1000;
+
+let pressed = false;
+for (const kind of ["pointerdown", "pointerup", "pointercancel"] as const)
+  globalThis.addEventListener?.(
+    kind,
+    () => {
+      pressed = kind === "pointerdown";
+    },
+    true,
+  );
+
+/** Waits until no hand holds anything, no answer is to come, and the page has nothing else to do. */
+async function whenIdle(store: DraftStore): Promise<void> {
+  do {
+    await new Promise((done) => setTimeout(done, PAUSE));
+    if ("requestIdleCallback" in globalThis)
+      await new Promise((done) => requestIdleCallback(done, { timeout: PATIENCE }));
+  } while (pressed || store.dragging || store.waiting);
+}
 
 /** Keeps the cast as new as the items: what has been saved is there to begin from, to wear, to lay under. */
-function followCast(bench: Workbench): void {
+function followCast(store: DraftStore): void {
   let last = "";
-  bench.listen("items", () => {
-    const { library, digest } = bench;
+  store.listen("items", () => {
+    const { library, digest } = store;
     if (library === null || digest === "" || digest === last) return;
     last = digest;
     void library.renew().then((same) => {
-      if (same) bench.setCast(library);
+      if (same) store.setCast(library);
       else location.reload(); // a server with another built-in cast
     });
   });
 }
 
 /** The address names the open item, so that a reload opens it again. */
-function followAddress(bench: Workbench): void {
+function followAddress(store: DraftStore): void {
   let asked = askedItem(location);
   const follow = (): void => {
-    const { item } = bench;
+    const { item } = store;
     if (item !== null) history.replaceState(null, "", editorAddress(item.kind, item.name));
   };
-  bench.listen("draft", follow);
-  bench.listen("items", follow); // the list tells of a new item only after its draft has come
-  bench.listen("items", () => {
+  store.listen("draft", follow);
+  store.listen("items", follow); // the list tells of a new item only after its draft has come
+  store.listen("items", () => {
     const wanted = asked;
     if (wanted === null) return;
-    const item = bench.items.find(
+    const item = store.items.find(
       ({ kind, name, deleted }) => name === wanted.name && kind === (wanted.kind ?? kind) && !deleted,
     );
     asked = null; // once, at the first greeting
-    if (item !== undefined && bench.draft === null) void openItem(bench, item.id);
+    if (item !== undefined && store.draft === null) void openItem(store, item.id);
   });
 }
 
-function connect(): { bench: Workbench; link: EditingLink; name: () => string } {
-  const who = whoIsHere();
+function connect(): { store: DraftStore; link: EditorLink; name: () => string } {
+  const who = readIdentity();
   let { name } = who;
-  const bench: Workbench = new Workbench((request) => link.ask(request));
-  const link = new EditingLink(who, {
-    greeted: (greeted) => bench.receive(greeted),
-    message: (message) => bench.receive(message),
-    connected: (up) => bench.setOnline(up),
+  const store: DraftStore = new DraftStore((request) => link.ask(request));
+  const link = new EditorLink(who, {
+    greeted: (greeted) => store.receive(greeted),
+    message: (message) => store.receive(message),
+    connected: (up) => store.setOnline(up),
   });
   const rename = link.rename.bind(link);
   link.rename = (next: string) => {
     name = next;
-    keepName(next);
+    saveName(next);
     rename(next);
   };
-  return { bench, link, name: () => name };
+  return { store, link, name: () => name };
 }
 
 async function start(): Promise<void> {
-  const { bench, link, name } = connect();
-  keepView(bench);
-  followCast(bench);
-  followAddress(bench);
-  let studio: Studio | null = null;
-  const portraits = new Portraits(() => idle(bench));
-  const rig: EditorRig = { bench, portraits, studio: () => studio, name, rename: (next) => link.rename(next) };
+  const { store, link, name } = connect();
+  keepViewSettings(store);
+  followCast(store);
+  followAddress(store);
+  let thumbnailRenderer: ThumbnailRenderer | null = null;
+  const thumbnails = new Thumbnails(() => whenIdle(store));
+  const context: EditorContext = {
+    store,
+    thumbnails,
+    thumbnailRenderer: () => thumbnailRenderer,
+    name,
+    rename: (next) => link.rename(next),
+  };
   const page = new EditorPage();
-  page.rig = rig;
+  page.context = context;
   document.body.append(page);
-  bench.setCast(await Library.open());
-  studio = await Studio.open(bench.library as Library);
-  portraits.open((sitting) => (studio as Studio).picture(sitting, SMALL.width, SMALL.height));
+  store.setCast(await Library.open());
+  thumbnailRenderer = await ThumbnailRenderer.open(store.library as Library);
+  thumbnails.open((sitting) => (thumbnailRenderer as ThumbnailRenderer).picture(sitting, SMALL.width, SMALL.height));
 }
 
 void start();

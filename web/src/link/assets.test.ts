@@ -1,6 +1,6 @@
 import { encode } from "@msgpack/msgpack";
 import { describe, expect, it } from "vitest";
-import { insist, Library, RefusedAddress, readCompound, readLine, readMesh } from "./assets";
+import { fetchWithRetry, Library, RefusedAddress, readCompound, readLine, readMesh } from "./assets";
 import type { Manifest } from "./messages";
 
 const bytes = (array: Uint32Array | Float32Array | Int16Array): Uint8Array => new Uint8Array(array.buffer);
@@ -103,8 +103,8 @@ describe("a library", () => {
       if (left >= 0) throw new Error("away");
       return Uint8Array.of(7);
     };
-    expect(await insist("/x", shaky)).toEqual(Uint8Array.of(7));
-    await expect(insist("/x", () => Promise.reject(new RefusedAddress("404")))).rejects.toThrow("404");
+    expect(await fetchWithRetry("/x", shaky)).toEqual(Uint8Array.of(7));
+    await expect(fetchWithRetry("/x", () => Promise.reject(new RefusedAddress("404")))).rejects.toThrow("404");
   });
 });
 

@@ -1,3 +1,5 @@
+/** Fetches and remembers what the manifest lists: faces, compounds, hair, the skin's picture. */
+
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "./arrays";
 import { Backoff } from "./backoff";
@@ -46,7 +48,7 @@ export async function fetchBytes(address: string): Promise<Uint8Array> {
 }
 
 /** Reads an address until it comes: the server may be away for a while. */
-export async function insist(address: string, read: Fetch = fetchBytes): Promise<Uint8Array> {
+export async function fetchWithRetry(address: string, read: Fetch = fetchBytes): Promise<Uint8Array> {
   const backoff = new Backoff();
   for (;;) {
     try {
@@ -137,7 +139,7 @@ export class Library {
   async renew(): Promise<boolean> {
     this.renewals += 1;
     const turn = this.renewals;
-    const manifest = decode(await insist("/manifest", this.read)) as Manifest;
+    const manifest = decode(await fetchWithRetry("/manifest", this.read)) as Manifest;
     if (manifest.base !== this.present.base) return false;
     if (turn === this.renewals) this.recast(manifest); // else a newer one is on its way
     return true;
@@ -161,7 +163,7 @@ export class Library {
 
   /** The library of the server that served this page; waits until the server is there. */
   static async open(read: Fetch = fetchBytes): Promise<Library> {
-    return new Library(decode(await insist("/manifest", read)) as Manifest, read);
+    return new Library(decode(await fetchWithRetry("/manifest", read)) as Manifest, read);
   }
 
   hasFace(source: string): boolean {
@@ -177,7 +179,7 @@ export class Library {
     return remembered(this.positioned, face, async () => {
       const url = this.faces.get(face)?.url;
       if (url === undefined) throw new Error(`There is no face "${face}" in this cast.`);
-      const asset = decode(await insist(url, this.read)) as FaceAsset;
+      const asset = decode(await fetchWithRetry(url, this.read)) as FaceAsset;
       const positions = new Float32Array(aligned(asset.positions));
       if (positions.length !== 3 * this.manifest.vertices)
         throw new Error(`Face "${face}" has ${positions.length / 3} vertices, expected ${this.manifest.vertices}.`);
@@ -190,7 +192,7 @@ export class Library {
     return remembered(this.styles, style, async () => {
       const url = this.manifest.hair.find(({ name }) => name === style)?.url;
       if (url === undefined) throw new Error(`There is no hair style "${style}" in this cast.`);
-      return readStrands(decode(await insist(url, this.read)) as HairAsset, this.manifest.skin);
+      return readStrands(decode(await fetchWithRetry(url, this.read)) as HairAsset, this.manifest.skin);
     });
   }
 
@@ -200,13 +202,13 @@ export class Library {
     return remembered(this.compounds, path, async () => {
       if (!this.hasFace(face) || !this.hasExpression(expression))
         throw new Error(`There is no compound of "${face}" and "${expression}" in this cast.`);
-      return readCompound(await insist(`/compounds/${path}`, this.read), this.manifest.vertices);
+      return readCompound(await fetchWithRetry(`/compounds/${path}`, this.read), this.manifest.vertices);
     });
   }
 
   /** The layers of the skin (tools/baking/skin/mask.py says what they hold): they lie one below the other in one picture. */
   layers(): Promise<ImageBitmap[]> {
-    this.picture ??= insist(this.manifest.mask, this.read).then((bytes) =>
+    this.picture ??= fetchWithRetry(this.manifest.mask, this.read).then((bytes) =>
       cutSquares(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "image/png" })),
     );
     return this.picture;

@@ -1,3 +1,5 @@
+/** The pauses between attempts to reconnect. */
+
 /** Waits between attempts: 50 ms at first, doubling up to half a second, each jittered by half, for ever. */
 export class Backoff {
   private attempt = 0;

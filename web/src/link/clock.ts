@@ -1,3 +1,5 @@
+/** The server's clock, estimated from round trips. */
+
 /** Seconds on this browser's monotonic clock. */
 export const now = (): number => performance.now() / 1000;
 

@@ -1,6 +1,6 @@
 /** The editor's address: of the page, and of one item in it, so that other pages lead to the very thing. */
 
-import type { ItemDocument } from "./editing";
+import type { ItemDocument } from "./editing_messages";
 
 type Kind = ItemDocument["kind"];
 

@@ -5,7 +5,7 @@ export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
 
-/** Opens a link; nothing else is heard before it. */
+/** Opens a link; other messages are rejected before it. */
 export interface Hello {
   type: "hello";
   role: "stage" | "console";
@@ -45,7 +45,7 @@ export interface FadeFace {
   value: number;
 }
 
-/** The hand leaves the face T-bar. */
+/** The operator lets go of the face T-bar. */
 export interface ReleaseFace {
   type: "release_face";
 }
@@ -56,12 +56,12 @@ export interface FadeExpression {
   value: number;
 }
 
-/** The hand leaves the expression T-bar. */
+/** The operator lets go of the expression T-bar. */
 export interface ReleaseExpression {
   type: "release_expression";
 }
 
-/** The weight of one channel (any expression's name), -0.5..1.5. */
+/** The weight of one channel (a blendshape weight; any expression's name), -0.5..1.5. */
 export interface SetChannel {
   type: "set_channel";
   name: string;
@@ -103,20 +103,20 @@ export interface KeepExpression {
   id: string;
 }
 
-/** Keeps a page's document (JSON) in the show file under a name, where `/layouts/NAME` has it again. */
+/** Stores a page's layout (JSON) in the show file under a name; `/layouts/NAME` returns it. */
 export interface SetLayout {
   type: "set_layout";
   name: string;
   document: string;
 }
 
-/** Asks for a pong; `sent` is the client's own clock and comes back untouched. */
+/** Asks for a pong; `sent` is the client's own clock and comes back unchanged. */
 export interface Ping {
   type: "ping";
   sent: number;
 }
 
-/** A stage's heartbeat, once a second, from frames it really drew, and the level of quality it draws them at. */
+/** A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. */
 export interface Drawing {
   type: "drawing";
   fps: number;
@@ -132,14 +132,14 @@ export interface Welcome {
   digest: string;
 }
 
-/** The cast has other names or contents now: pages fetch the manifest again and go on. */
+/** The cast has changed: pages fetch the manifest again and go on. */
 export interface CastChanged {
   type: "cast";
   revision: number;
   digest: string;
 }
 
-/** Answers keep_face and keep_expression: the name under which it is in the cast, and what people read. */
+/** Answers keep_face and keep_expression: the new name in the cast, and its label. */
 export interface Kept {
   type: "kept";
   id: string;
@@ -148,7 +148,7 @@ export interface Kept {
 }
 
 /**
- * A running call: `progress` 0..1, `remaining` seconds (`None`: as long as the hand wants).
+ * A running call: `progress` 0..1, `remaining` seconds (`None`: the T-bar decides).
  * `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1.
  */
 export interface CallState {
@@ -194,19 +194,19 @@ export interface Pong {
   time: number;
 }
 
-/** A message was not obeyed, and why, in one sentence for the operator. */
+/** A message was rejected, and why, in one sentence for the operator. */
 export interface Refused {
   type: "refused";
   reason: string;
 }
 
-/** What a stage last said of itself: frames per second, and the level of quality. */
+/** The last report of a stage: frames per second, and the level of quality. */
 export interface StageReport {
   fps: number;
   level: "lowest" | "low" | "medium" | "high";
 }
 
-/** Who is connected, once a second: for each stage what it says of itself (`None`: it is silent). */
+/** Who is connected, once a second, with each stage's last report (`None`: it is silent). */
 export interface Crew {
   type: "crew";
   stages: (StageReport | null)[];
@@ -299,7 +299,7 @@ export interface HairDocument {
 }
 
 /**
- * Where two lids or the lips may cross (`model.settling.Crossing`), little-endian.
+ * Where two lids or the lips may cross (`model.transfer.corrective_regions.Crossing`), little-endian.
  * `upward`: rungs open along +y, else as at rest. `vertices` (32, 4) u32 and `near` (p,) u32: places in the settling's
  * rows; `weights` (32, 4), `side`, `share` (p,) f32.
  */
@@ -313,7 +313,7 @@ export interface CrossingDocument {
 }
 
 /**
- * How stages put sums right (`model.settling`, `perform.settle`), little-endian.
+ * Correctives: how stages repair sums that fold or pierce (`perform.blending.correctives`), little-endian.
  * `rows` (m,) u32: rows of the positions, all else counts in them: `triangles` (t, 3) u32, `lids` and `eye` (r,) u32
  * (0 left), `anchors` (f, k) u32; but `followers` (f,) u32 are rows of the positions too; `weights` (f, k) f32.
  * An allowance counts triangles, then 32 rungs a crossing, then lids.
@@ -342,7 +342,7 @@ export interface LightDocument {
 }
 
 /**
- * All that a page must know of the cast; `vertices` counts skin then parts in the order of the meshes.
+ * All that a page needs to know of the cast; `vertices` counts skin then parts in the order of the meshes.
  * `base`: the digest of the built-in cast, which stays as long as the server does; `digest`: with own things.
  */
 export interface Manifest {
@@ -392,15 +392,18 @@ export interface HairAsset {
 }
 
 /**
- * What a compound alone uses up of what sums may not (`perform.settle`), little-endian: `places` (n,) u32, `values`
- * (n,) f32.
+ * What one compound alone uses up of the correctives' limits (`perform.blending.correctives`), little-endian:
+ * `places` (n,) u32, `values` (n,) f32.
  */
 export interface AllowanceDocument {
   places: Uint8Array;
   values: Uint8Array;
 }
 
-/** A compound less its face, little-endian: `scale` metres per count, `indices` (n,) u32, `deltas` (n, 3) i16. */
+/**
+ * A retargeted expression: a compound minus its face at rest, little-endian: `scale` metres per count, `indices`
+ * (n,) u32, `deltas` (n, 3) i16.
+ */
 export interface CompoundAsset {
   scale: number;
   indices: Uint8Array;

@@ -1,3 +1,5 @@
+/** Lets only the newest state through. */
+
 /** What orders states: the server's start, then the count since. */
 export interface Stamp {
   epoch: number;

@@ -1,3 +1,5 @@
+/** Reads a hair style's strands. */
+
 import { aligned } from "./arrays";
 import type { HairAsset } from "./messages";
 

@@ -1,8 +1,10 @@
+/** The stage page. */
+
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import { ParameterError, readParameters, type StageParameters } from "./parameters";
-import { exposeProbe } from "./probe";
 import { Stage } from "./stage";
+import { exposeProbe } from "./stage_probe";
 
 const notice = document.getElementById("notice") as HTMLElement;
 const canvas = document.getElementById("stage") as HTMLCanvasElement;

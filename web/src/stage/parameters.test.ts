@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { tileView } from "./framing";
+import { tileView } from "../face/framing";
+import { encodeSrgb } from "../face/light/tone";
 import { ParameterError, readParameters } from "./parameters";
-import { encoded } from "./tone";
 
 describe("a stage's address", () => {
   it("needs no parameter", () => {
@@ -27,8 +27,8 @@ describe("a stage's address", () => {
   it.each(["#00b140", "00b140", "%2300B140"])("puts %s behind the head", (colour) => {
     const [red, green, blue] = readParameters(`?background=${colour}`).background ?? [];
     expect(red).toBe(0);
-    expect(encoded([0, green ?? 0, 0])[1] * 255).toBeCloseTo(0xb1, 6);
-    expect(encoded([0, 0, blue ?? 0])[2] * 255).toBeCloseTo(0x40, 6);
+    expect(encodeSrgb([0, green ?? 0, 0])[1] * 255).toBeCloseTo(0xb1, 6);
+    expect(encodeSrgb([0, 0, blue ?? 0])[2] * 255).toBeCloseTo(0x40, 6);
   });
 
   it("reads on behind the colour's #", () => {

@@ -1,16 +1,10 @@
-import { LIGHTS, type Triple } from "./light";
-import { LEVELS, type Level } from "./quality";
-import { decoded } from "./tone";
+/** Reads and checks the parameters of a stage's address. */
 
-/** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */
-export interface Tile {
-  column: number;
-  row: number;
-  columns: number;
-  rows: number;
-  /** Width of the gap between two pictures, as a part of a picture's width and of its height. */
-  bezel: [number, number];
-}
+import type { Tile } from "../face/framing";
+import type { Triple } from "../face/light/tone";
+import { decodeSrgb } from "../face/light/tone";
+import type { Level } from "../face/quality/quality_levels";
+import { LEVELS, LIGHT_NAMES } from "../link/constants";
 
 /** Everything a stage is told by its address. */
 export interface StageParameters {
@@ -62,13 +56,13 @@ function readBackground(given: URLSearchParams): Triple | undefined {
     throw new ParameterError(`background=${value} is no colour; write background=#rrggbb, for example #00b140.`);
   if (readSwitch(given, "transparent"))
     throw new ParameterError(`background=${value} and transparent exclude each other; leave one of them out.`);
-  return decoded(value.startsWith("#") ? value : `#${value}`);
+  return decodeSrgb(value.startsWith("#") ? value : `#${value}`);
 }
 
 function readLight(value: string | null): string | undefined {
   if (value === null) return undefined;
-  const names = Object.keys(LIGHTS);
-  if (!names.includes(value)) throw new ParameterError(`light=${value} is unknown; write ${names.join(", ")}.`);
+  if (!LIGHT_NAMES.some((name) => name === value))
+    throw new ParameterError(`light=${value} is unknown; write ${LIGHT_NAMES.join(", ")}.`);
   return value;
 }
 

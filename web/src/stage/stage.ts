@@ -1,17 +1,18 @@
+/** A stage: states in, frames out. */
+
+import { FaceView } from "../face/face_view";
+import { Breath } from "../face/pose/breath";
+import { JitterBuffer } from "../face/pose/jitter_buffer";
+import { type Pose, poseKey } from "../face/pose/pose";
+import { Timeline } from "../face/pose/timeline";
+import { FrameHeadroom } from "../face/quality/frame_headroom";
+import { QualityController } from "../face/quality/quality_controller";
+import type { Level } from "../face/quality/quality_levels";
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import { STATE_RATE, type State } from "../link/messages";
-import { Link } from "../link/socket";
-import { Breath } from "./breath";
-import { LevelChooser } from "./chooser";
-import { FaceView } from "./face_view";
-import { HeadRoom } from "./head_room";
-import { Lateness } from "./lateness";
+import { ShowLink } from "../link/show_link";
 import type { StageParameters } from "./parameters";
-import { type Pose, poseKey } from "./pose";
-import type { Level } from "./quality";
-import { Rate } from "./rate";
-import { Timeline } from "./timeline";
 
 /** Seconds behind the server at most; a stage alone draws as soon as there is a state on either side of its frame. */
 const LONGEST_DELAY = 0.06;
@@ -39,17 +40,17 @@ export interface Counters {
 export class Stage {
   private readonly timeline = new Timeline();
   private readonly breath = new Breath();
-  private readonly lateness = new Lateness(1 / STATE_RATE, LONGEST_DELAY);
-  private readonly rate = new Rate();
-  private readonly link: Link;
+  private readonly jitterBuffer = new JitterBuffer(1 / STATE_RATE, LONGEST_DELAY);
+  private readonly rate = new FrameRate();
+  private readonly link: ShowLink;
   private state: State | undefined;
   private last = now();
   private reported = 0;
   private drawn = 0;
   private received = 0;
   private reloading = false;
-  private readonly chooser: LevelChooser | undefined;
-  private headRoom: HeadRoom;
+  private readonly qualityController: QualityController | undefined;
+  private frameHeadroom: FrameHeadroom;
   private air = "";
   private movedAt = 0;
   /** The pose last drawn. */
@@ -57,16 +58,16 @@ export class Stage {
   /** A pose that is drawn instead of the server's, in full; for tests. */
   held: Pose | undefined;
   /** No frame is drawn; somebody else draws with the view. */
-  resting = false;
+  restPose = false;
 
   private constructor(
     private readonly canvas: HTMLCanvasElement,
     public view: FaceView,
     private readonly parameters: StageParameters,
   ) {
-    if (parameters.quality === "auto") this.chooser = new LevelChooser(view.level);
-    this.headRoom = new HeadRoom(view.context);
-    this.link = new Link("stage", {
+    if (parameters.quality === "auto") this.qualityController = new QualityController(view.level);
+    this.frameHeadroom = new FrameHeadroom(view.context);
+    this.link = new ShowLink("stage", {
       state: (state) => this.receive(state),
       welcome: (welcome) => {
         if (welcome.digest !== this.view.library.manifest.digest) void this.recast();
@@ -84,7 +85,7 @@ export class Stage {
 
   /** Draws the frame of our time `time`, seconds. */
   frame(time: number): void {
-    if (this.resting) return;
+    if (this.restPose) return;
     if (this.held === undefined) this.choose(time - this.last, time);
     this.shown = this.held ?? this.live(time);
     this.last = time;
@@ -92,7 +93,7 @@ export class Stage {
     if (this.view.render(time) && this.shown !== undefined) {
       this.drawn += 1;
       this.rate.tick(time);
-      this.headRoom.drawn();
+      this.frameHeadroom.drawn();
     }
     this.report(time);
   }
@@ -114,12 +115,12 @@ export class Stage {
   private choose(interval: number, time: number): void {
     const calling = this.state !== undefined && (this.state.face_call !== null || this.state.expression_call !== null);
     const calm = !calling && time - this.movedAt > CALM;
-    const level = this.chooser?.after({ interval, early: this.headRoom.take(), calm });
+    const level = this.qualityController?.after({ interval, early: this.frameHeadroom.take(), calm });
     if (level !== undefined) void this.view.change(level);
   }
 
   private live(time: number): Pose | undefined {
-    const delay = this.parameters.tile === undefined ? this.lateness.after(time - this.last) : WALL_DELAY;
+    const delay = this.parameters.tile === undefined ? this.jitterBuffer.after(time - this.last) : WALL_DELAY;
     const pose = this.timeline.at((this.link.clock.at(time) ?? 0) - delay, time);
     const alone = this.timeline.silence(time) > ALONE;
     return pose && this.breath.on(pose, alone, time - this.last);
@@ -133,7 +134,7 @@ export class Stage {
     if (air !== this.air) this.movedAt = time;
     this.air = air;
     this.timeline.push(state, time);
-    this.lateness.arrived((this.link.clock.at(time) ?? state.time) - state.time);
+    this.jitterBuffer.arrived((this.link.clock.at(time) ?? state.time) - state.time);
   }
 
   /** Another cast than ours: takes it in; on another built-in cast with a new view. */
@@ -144,7 +145,7 @@ export class Stage {
       const view = await loadView(this.canvas, await Library.open(), this.parameters, this.view.level);
       this.view.dispose();
       this.view = view;
-      this.headRoom = new HeadRoom(view.context);
+      this.frameHeadroom = new FrameHeadroom(view.context);
       this.fit();
     } finally {
       this.reloading = false;
@@ -153,7 +154,7 @@ export class Stage {
 
   private fit(): void {
     this.view.resize(innerWidth, innerHeight);
-    this.chooser?.forget();
+    this.qualityController?.forget();
   }
 
   private report(time: number): void {
@@ -181,4 +182,19 @@ const loadView = (
 function coming(state: State | undefined): { faces: string[]; expressions: string[] } {
   const names = (call: State["face_call"] | undefined) => (call ? [call.target] : []);
   return { faces: names(state?.face_call), expressions: names(state?.expression_call) };
+}
+
+/** Counts frames: how many in the last second, and how long the last ones took. */
+class FrameRate {
+  private times: number[] = [];
+
+  tick(time: number): void {
+    this.times.push(time);
+    while ((this.times[0] as number) <= time - 1) this.times.shift();
+  }
+
+  /** Frames in the second before `time`. */
+  at(time: number): number {
+    return this.times.filter((drawn) => drawn > time - 1).length;
+  }
 }

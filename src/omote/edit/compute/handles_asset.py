@@ -1,4 +1,4 @@
-"""The handles of the face editor as pages fetch them."""
+"""Serializes the face editor's handles (sculpting points by feature) for pages."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from omote.model.space.parameter_space import ParameterSpace
 
 
 def handles_asset(space: ParameterSpace, /) -> HandlesAsset:
-    """The handles of a head by feature; what they do to a face a page works out itself (web/.../canvas/warp.ts)."""
+    """The handles of a head by feature; pages compute their effect on a face themselves (warp.ts)."""
     handles = default_handles(space)
     return HandlesAsset(
         points=[handle.row for handle in handles],

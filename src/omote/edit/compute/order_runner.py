@@ -1,4 +1,4 @@
-"""Performs the orders of editors (`edit.work`) for a cast, and makes what they are greeted with."""
+"""Runs editors' orders (`edit.protocol.orders`): bakes recipes, solves for dragged points, changes control nets."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from omote.show.wire import le_bytes
 from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
 
 _CACHED = 64
-"""Contents that stay unpacked, and nets that stay woven."""
+"""Unpacked contents and control nets that stay cached."""
 _DRAFT = "draft"
 
 Thing = TypeVar("Thing")
 
 
 class OrderRunner:
-    """Bakes, solves and weaves for one cast; keeps what it unpacked and wove last."""
+    """Runs editors' orders on one cast; caches what it unpacked and the nets that it built last."""
 
     def __init__(self, cast: Cast) -> None:
         self._cast = cast
@@ -39,8 +39,7 @@ class OrderRunner:
         self._net_field = lru_cache(maxsize=_CACHED)(lambda rows: build_net_field(cast.space, rows))
 
     def run(self, order: EditOrder, /) -> Baked:
-        """What an order asks for. ValueError, one sentence, on whatever it names that is not there and on every number
-        that cannot be."""
+        """Runs an order. ValueError with a message for names that do not exist and numbers out of range."""
         if isinstance(order, Solve):
             return self._solve(order)
         if isinstance(order, Renet):
@@ -51,12 +50,12 @@ class OrderRunner:
             return self._bake_face(order.recipe, order.contents)
         return self._bake(order.recipe, order.contents, with_net=order.with_net)
 
-    def with_net(self, net: tuple[int, ...], /) -> NetDocument:
-        """The document of a net; ValueError on rows that make none."""
+    def net_document(self, net: tuple[int, ...], /) -> NetDocument:
+        """The document of a control net; ValueError for rows that make none."""
         return net_document(self._net_field(tuple(net)))
 
     def tangents_asset(self, source: str, contents: Contents, /) -> TangentsAsset:
-        """How a face answers to a field; contents hold it where it is an own one."""
+        """The tangents of a face (its derivative with respect to a field); contents hold an authored face."""
         return TangentsAsset(le_bytes(tangents(self._cast.space, self._face(source, contents).face), "<f4"))
 
     def _bake(self, recipe: Recipe, contents: Contents, *, with_net: bool, miss: float = 0.0) -> Baked:
@@ -102,7 +101,7 @@ class OrderRunner:
         return msgspec.structs.replace(whole, recipe=Recipe(order.recipe.net, still, KEY + whole.key))
 
     def _load_expressions(self, recipe: Recipe, contents: Contents) -> dict[str, Expression]:
-        """The expressions that a recipe names, as far as they are there; who misses one says so itself."""
+        """The expressions that a recipe names; ValueError where one is missing."""
         found = {}
         for source in sources(recipe):
             if not source.startswith(KEY) and source in self._cast.expressions:
@@ -122,26 +121,26 @@ class OrderRunner:
         raise ValueError(f"there is no face {source!r}; expected one of {', '.join(self._cast.faces)}, or an own one")
 
 
-def net_document(with_net: NetField, /) -> NetDocument:
-    """A net as pages read it."""
-    net = with_net.net
+def net_document(net_field: NetField, /) -> NetDocument:
+    """Serializes a control net for pages."""
+    net = net_field.net
     return NetDocument(
-        net=list(with_net.rows),
+        net=list(net_field.rows),
         triangles=le_bytes(net.triangles, "<u2"),
         corners=le_bytes(net.corners, "<u2"),
         weights=le_bytes(net.weights, "<f4"),
-        mirror=list(with_net.mirror),
+        mirror=list(net_field.mirror),
     )
 
 
 def _unpack_once(
     known: OrderedDict[str, Thing], source: str, contents: Mapping[str, bytes], unpack: Callable[[bytes], Thing]
 ) -> Thing:
-    """What bytes hold, unpacked once as long as it is asked for now and then."""
+    """Unpacks a content through a cache (least recently used)."""
     if source not in known:
         key = source.removeprefix(KEY)
         if content_key(contents[key]) != key:
-            raise ValueError(f"the content under {source!r} is another one's; expected bytes that hash to their key")
+            raise ValueError(f"the content under {source!r} does not match it; expected bytes that hash to their key")
         known[source] = unpack(contents[key])
         if len(known) > _CACHED:
             known.popitem(last=False)

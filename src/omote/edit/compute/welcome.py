@@ -1,4 +1,4 @@
-"""What every editor is told once about a cast: muscles, regions, and what follows the sheet."""
+"""Builds the welcome message to editors: the muscles, regions and follower weights of a cast."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Rows = NDArray[np.int64]
 
 
 def build_welcome(cast: Cast, /) -> Greeted:
-    """The answer to an editor's greeting, still without its items; ValueError where the head has no two eyes."""
+    """Builds the answer to `greet`, still without the items; ValueError where the head has no two eyes."""
     rows, anchors, shares = followers(cast.space)
     weights = region_weights(cast.space)
     return Greeted(
@@ -34,7 +34,7 @@ def build_welcome(cast: Cast, /) -> Greeted:
 
 
 def muscle_documents(space: ParameterSpace, /) -> list[MuscleDocument]:
-    """The muscles as pages read them."""
+    """Serializes the muscles for pages."""
     fields = muscle_fields(space)
     return [
         MuscleDocument(name, muscle.label, muscle.kind, list(muscle.rows), le_bytes(fields[name], "<f4"))

@@ -1,4 +1,4 @@
-"""Every message between an editor page and the server; `tools/messages.py` mirrors them in `web/src/link/editing.ts`.
+"""Every message between an editor page and the server; `tools/messages.py` mirrors them in TypeScript.
 
 One WebSocket at `/editing`, binary MessagePack maps with a `type` tag, as on the show's link (`show/messages.py`).
 Every request carries a number of the page's own; it is answered with the same number: `done`, `draft`, `saved` or
@@ -32,7 +32,8 @@ Pulls = Annotated[list[Pull], msgspec.Meta(max_length=40)]
 
 
 class Greet(Message, frozen=True):
-    """Opens the link; nothing else is heard before it. `editor` is kept by the browser, so a reload finds its draft."""
+    """Opens the link; other messages before it are rejected. `editor` is stored by the browser, so a reload finds its
+    draft."""
 
     editor: EditorId
     name: Name
@@ -73,7 +74,7 @@ class CloseItem(Message, frozen=True):
 
 
 class DragPoints(Message, frozen=True):
-    """Control points (places in the net) let go at targets (metres, on this face): solved until they lie there.
+    """Control points (indices in the net) dropped at targets (metres, on this face): solved until they lie there.
 
     `vectors`: where the page's linearisation puts all points of the net, the start of the solve."""
 
@@ -95,7 +96,7 @@ class SetVectors(Message, frozen=True):
 
 
 class SetNet(Message, frozen=True):
-    """Other control points (rows of the sheet): the field stays, the net is woven anew."""
+    """Other control points (rows of the sheet): the field stays, the net is built anew."""
 
     request: int
     item: int
@@ -103,7 +104,7 @@ class SetNet(Message, frozen=True):
 
 
 class SetLayers(Message, frozen=True):
-    """The layers under the control points."""
+    """The layers (weighted expressions, as of blendshapes) under the control points."""
 
     request: int
     item: int
@@ -175,7 +176,7 @@ class BringBack(Message, frozen=True):
 
 
 class Describe(Message, frozen=True):
-    """What people read of an item, and where it stands."""
+    """The label, tags and place of an item."""
 
     request: int
     item: int
@@ -339,7 +340,7 @@ class Done(Message, frozen=True):
 
 
 class EditRefused(Message, frozen=True, tag="refused"):
-    """A request was not carried out, and why, in one sentence; request -1: what came was no request."""
+    """A request was rejected, and why, in one sentence; request -1: what came was no valid request."""
 
     request: int
     reason: str
@@ -379,8 +380,9 @@ ANSWERS: tuple[type[Message], ...] = get_args(ToEditor)
 
 
 class TangentsAsset(msgspec.Struct, frozen=True):
-    """How a face answers to a field, `/tangents/FACE-CONTENT`: (3, V, 3) f32 little-endian, metres on the face per
-    radian of dtheta, per metre of dh and per unit of R - 1, at each vertex of the sheet (zero off it)."""
+    """The tangents of a face, its derivative by the field, `/tangents/FACE-CONTENT`: (3, V, 3) f32 little-endian,
+    metres on the face per radian of dtheta, per metre of dh and per unit of R - 1, at each vertex of the sheet (zero
+    off it)."""
 
     tangents: bytes
 

@@ -1,4 +1,4 @@
-"""Names and labels: a name is a key of the cast for ever, a label is what people read and may change."""
+"""Validates names and labels: a name is a permanent key of the cast, a label is shown to people and may change."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _LONGEST_SLUG = 60
 
 
 def clean_label(label: str, what: str = "the label") -> str:
-    """`label` without blanks around it; Refusal where nobody could read it."""
+    """Strips a label; Refusal where it is empty, too long or not printable."""
     text = label.strip()
     if not 1 <= len(text) <= LONGEST_LABEL or not text.isprintable():
         shown = repr(label)[:LONGEST_LABEL]
@@ -23,25 +23,25 @@ def clean_label(label: str, what: str = "the label") -> str:
 
 
 def clean_tags(tags: Iterable[str]) -> tuple[str, ...]:
-    """The tags in the order given, each once; Refusal where nobody could read one."""
+    """Strips tags and removes repeated ones; Refusal where one is empty, too long or not printable."""
     return tuple(dict.fromkeys(clean_label(tag, "a tag") for tag in tags))
 
 
 def clean_text(text: str) -> str:
-    """`text` without blanks around it, nothing at all too; Refusal where it cannot be read."""
+    """Strips a note, which may be empty; Refusal where it is not printable."""
     if not text.isprintable():
         raise Refusal(f"the note is {text[:LONGEST_LABEL]!r}: give printable characters.")
     return text.strip()
 
 
 def slug(label: str, otherwise: str) -> str:
-    """The label in small ASCII letters, digits and `_`; `otherwise` where nothing of it is left."""
+    """Converts a label to lower-case ASCII letters, digits and `_`; `otherwise` where nothing is left."""
     plain = unicodedata.normalize("NFKD", label).encode("ascii", "ignore").decode().lower()
     return re.sub(r"[^a-z0-9]+", "_", plain).strip("_")[:_LONGEST_SLUG].rstrip("_") or otherwise
 
 
 def new_name(label: str, otherwise: str, taken: Iterable[str]) -> str:
-    """A name for a label that is none of those taken, large and small letters being the same."""
+    """Makes a name from a label, different from those taken (case-insensitive)."""
     used = {name.casefold() for name in taken}
     stem = slug(label, otherwise)
     candidates = (stem if number == 1 else f"{stem}_{number}" for number in count(1))
@@ -49,6 +49,6 @@ def new_name(label: str, otherwise: str, taken: Iterable[str]) -> str:
 
 
 def new_label(stem: str, taken: Iterable[str]) -> str:
-    """`stem` with the lowest number from 1 that no label taken has."""
+    """Appends to `stem` the lowest number from 1 that gives a label not taken."""
     used = {label.casefold() for label in taken}
     return next(label for label in (f"{stem} {number}" for number in count(1)) if label.casefold() not in used)

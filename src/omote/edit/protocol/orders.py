@@ -1,4 +1,4 @@
-"""What the workshop is asked to compute for editors: orders and what is made of them, as plain data."""
+"""Orders of editors to the workshop and their results, as plain data: bake, solve, change the net, flatten."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from omote.edit.protocol.messages import NetDocument
 from omote.model.recipes.recipe import FaceRecipe, Recipe, Vector
 
 Contents = dict[str, bytes]
-"""Bytes (`files.contents`) of own things by key, all that an order's recipe names."""
+"""Bytes (`showfile.contents`) of authored faces and expressions by key: all that an order's recipe names."""
 
 
 class Bake(msgspec.Struct, frozen=True, tag=True):
-    """An own expression or face of a recipe; answered with `Baked`; weave: with the document of the recipe's net."""
+    """Bakes a recipe into an expression or face; answered with `Baked`; with_net: with the document of its net."""
 
     recipe: Recipe | FaceRecipe
     contents: Contents
@@ -20,8 +20,8 @@ class Bake(msgspec.Struct, frozen=True, tag=True):
 
 
 class Solve(msgspec.Struct, frozen=True, tag=True):
-    """Vectors of a recipe such that its control points `points` lie at `targets` (metres) on a face; answered with
-    `Baked` (recipe: with the vectors found; miss).
+    """Solves for the vectors with which a recipe's control points `points` lie at `targets` (metres) on a face;
+    answered with `Baked` (recipe: with the vectors found; miss).
 
     `face`: a source; `vectors`: where the solve starts.
     """
@@ -35,7 +35,7 @@ class Solve(msgspec.Struct, frozen=True, tag=True):
 
 
 class Renet(msgspec.Struct, frozen=True, tag=True):
-    """The same expression under another net; answered with `Baked`."""
+    """Refits the same expression to another control net; answered with `Baked`."""
 
     recipe: Recipe
     contents: Contents
@@ -43,7 +43,7 @@ class Renet(msgspec.Struct, frozen=True, tag=True):
 
 
 class Flat(msgspec.Struct, frozen=True, tag=True):
-    """The same expression as one ground, with the points at rest on it; answered with `Baked`."""
+    """Flattens an expression into one ground field, with the points at rest on it; answered with `Baked`."""
 
     recipe: Recipe
     contents: Contents

@@ -1,4 +1,4 @@
-"""The door for numbers of editors: a recipe comes through whole and unchanged, or is refused with a sentence."""
+"""Validates the recipes and numbers of editors: they pass unchanged or are rejected with an error message."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ _UNITY = 1e-3
 
 @dataclass(frozen=True)
 class Bounds:
-    """What recipes may speak of: on_sheet (V,) bool, which vertices of the skin lie on the sheet; the muscles."""
+    """What recipes may refer to: on_sheet (V,) bool, which vertices of the skin lie on the sheet; the muscles."""
 
     on_sheet: NDArray[np.bool_]
     muscles: frozenset[str]
 
 
 def check_recipe(recipe: Recipe | FaceRecipe, bounds: Bounds) -> None:
-    """Refusal where a number of the recipe is out of its range, or it speaks of what is not there."""
+    """Validates a recipe; Refusal where a number is out of range, or something that it names does not exist."""
     if isinstance(recipe, FaceRecipe):
         _check_face(recipe, bounds)
     else:
@@ -49,7 +49,7 @@ def check_recipe(recipe: Recipe | FaceRecipe, bounds: Bounds) -> None:
 
 
 def check_targets(targets: Iterable[Vector]) -> None:
-    """Refusal where a dragged point is put out of reach."""
+    """Validates the targets of dragged points; Refusal where one is out of reach."""
     for target in targets:
         for coordinate in target:
             validate_number(coordinate, TARGET)

@@ -1,4 +1,4 @@
-"""Editors' messages and recipes to bytes and back."""
+"""Encodes and decodes editors' messages (MessagePack) and recipes (JSON)."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ _json = msgspec.json.Encoder()
 
 
 def encode(message: FromEditor | ToEditor | TangentsAsset | HandlesAsset | Baked) -> bytes:
-    """The bytes of a message, a document or an answer of the workshop."""
+    """Encodes a message, a document or an answer of the workshop."""
     return _encoder.encode(message)
 
 
 def decode(data: bytes) -> FromEditor:
-    """The editor's message in `data`; Refusal for bytes that are none."""
+    """Decodes an editor's message; Refusal for invalid bytes."""
     return message_in(data, _from_editor, EDITING_LIMIT)
 
 
 def decode_answer(data: bytes) -> ToEditor:
-    """The server's message in `data`, for editors written in Python; msgspec.DecodeError for bytes that are none."""
+    """Decodes a server's message, for editors written in Python; msgspec.DecodeError for invalid bytes."""
     return _to_editor.decode(data)
 
 
 def decode_baked(data: bytes) -> Baked:
-    """The workshop's answer in `data`; Refusal for bytes that are none."""
+    """Decodes an answer of the workshop; Refusal for invalid bytes."""
     try:
         return _baked.decode(data)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError, OverflowError) as error:
@@ -42,12 +42,12 @@ def decode_baked(data: bytes) -> Baked:
 
 
 def write_recipe(recipe: Recipe | FaceRecipe) -> bytes:
-    """A recipe as the show file keeps it (JSON); the same recipe gives the same bytes."""
+    """Encodes a recipe as the show file stores it (JSON); the same recipe gives the same bytes."""
     return _json.encode(recipe)
 
 
 def read_recipe(data: bytes) -> Recipe | FaceRecipe:
-    """The recipe in JSON that `write_recipe` wrote; Refusal for anything else."""
+    """Decodes a recipe that `write_recipe` wrote; Refusal for anything else."""
     try:
         return _recipe.decode(data)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:

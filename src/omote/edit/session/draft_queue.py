@@ -1,4 +1,4 @@
-"""Lanes: of what concerns one draft only one thing is under way, and the rest waits in order."""
+"""Queues of tasks, one per draft: of each draft one task is under way at a time, and the rest wait in order."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from omote.edit.store.authored_state import DraftKey
 from omote.show.validation import Refusal
 
 MOST_WAITING = 32
-"""Things that wait in a lane; more are refused."""
+"""Tasks that may wait in one queue; more are rejected."""
 
 
 @dataclass(frozen=True)
 class Task:
-    """Something to carry out when its turn comes; lane None: at once. Who asked, under which number or ticket."""
+    """A request to carry out in its turn; queue None: at once. Who asked, under which number or ticket."""
 
     queue: DraftKey | None
     begin: Callable[[], Plan | Result] = field(repr=False)
@@ -27,7 +27,7 @@ class Task:
 
 
 class DraftQueues:
-    """What is under way, by the number of its order, and what waits behind it."""
+    """The tasks under way, by the number of their order, and those that wait behind them."""
 
     def __init__(self) -> None:
         self._ordered = 0
@@ -35,7 +35,7 @@ class DraftQueues:
         self._waiting: dict[DraftKey, deque[Task]] = {}
 
     def try_start(self, task: Task) -> bool:
-        """Whether it is the task's turn now; else it waits. Refusal where too much waits already."""
+        """Whether the task may start now; else it waits. Refusal where too many wait already."""
         if task.queue is None or task.queue not in self._waiting:
             return True
         waiting = self._waiting[task.queue]
@@ -44,8 +44,8 @@ class DraftQueues:
         waiting.append(task)
         return False
 
-    def order(self, task: Task, plan: Plan) -> tuple[int, EditOrder]:
-        """The plan's order under its number; its lane is taken until `finish_order`."""
+    def start_order(self, task: Task, plan: Plan) -> tuple[int, EditOrder]:
+        """Numbers a plan's order; its queue is busy until `finish_order`."""
         self._ordered += 1
         self._under_way[self._ordered] = task, plan
         if task.queue is not None:
@@ -53,11 +53,11 @@ class DraftQueues:
         return self._ordered, plan.order
 
     def finish_order(self, order: int) -> tuple[Task, Plan] | None:
-        """What an order was for; None where it is not under way."""
+        """The task and plan of a finished order; None where it is not under way."""
         return self._under_way.pop(order, None)
 
     def next_task(self, task: Task) -> Task | None:
-        """The task whose turn comes after this one; None: the lane is free."""
+        """The next task of the same queue; None: the queue is free."""
         if task.queue is None or task.queue not in self._waiting:
             return None
         if self._waiting[task.queue]:

@@ -1,4 +1,4 @@
-"""What requests do to a draft: begin it, add a step, go back and forth between its steps."""
+"""Edits drafts: opens and begins them, adds steps, undoes and redoes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Shown = Recipe | FaceRecipe
 
 
 def open_item(authored: Authored, item: Item, editor: str) -> Plan:
-    """The editor's draft of an item as it is, or made from what plays."""
+    """Opens the editor's draft of an item, or makes one from the revision that plays."""
     state, key = authored.state, (item.id, editor)
     head = state.head(item)
     if key in state.drafts and (head is None or not _is_outdated(state, key)):
@@ -36,13 +36,13 @@ def open_item(authored: Authored, item: Item, editor: str) -> Plan:
 
 
 def begin(authored: Authored, item: Item, editor: str, recipe: Shown, what: str, *, base: int) -> Plan:
-    """A draft that shows a recipe; where the editor has one already, one more step of it."""
+    """Begins a draft with a recipe; where the editor has one already, adds a step to it."""
     key = item.id, editor
 
     def finish(baked: Baked) -> Result:
         number = authored.state.drafts[key].cursor + 1 if key in authored.state.drafts else 0
         changes = (
-            *authored.kept(baked.recipe),
+            *authored.changes_to_keep(baked.recipe),
             PutDraft(Draft(item.id, editor, base, number)),
             PutEdit(Edit(item.id, editor, number, write_recipe(baked.recipe), what)),
         )
@@ -52,7 +52,7 @@ def begin(authored: Authored, item: Item, editor: str, recipe: Shown, what: str,
 
 
 def edit(authored: Authored, key: DraftKey, message: Message) -> Plan:
-    """One more step of a draft, as the request says."""
+    """Adds a step to a draft, as the request says."""
     recipe = read_recipe(authored.state.shown_edit(key).recipe)
     if isinstance(recipe, FaceRecipe) != isinstance(message, wire.SetFace):
         kind, other = ("face", "an expression") if isinstance(recipe, FaceRecipe) else ("expression", "a face")
@@ -62,7 +62,7 @@ def edit(authored: Authored, key: DraftKey, message: Message) -> Plan:
 
 
 def step(authored: Authored, key: DraftKey, steps: int) -> Plan:
-    """Another of the draft's steps shown: -1 undoes one, 1 does one again."""
+    """Moves the draft's cursor: -1 undoes a step, 1 redoes one."""
     draft, edits = authored.state.drafts[key], authored.state.edits[key]
     cursor = draft.cursor + steps
     if not 0 <= cursor < len(edits):
@@ -74,7 +74,7 @@ def step(authored: Authored, key: DraftKey, steps: int) -> Plan:
 
 
 def bring_back(authored: Authored, key: DraftKey, number: int) -> Plan:
-    """One more step of a draft: an old revision as it was."""
+    """Adds a step to a draft that restores an old revision."""
     revision = authored.state.revisions.get(key[0], {}).get(number)
     if revision is None:
         raise Refusal(f"there is no revision {number}: open the history again.")
@@ -84,7 +84,7 @@ def bring_back(authored: Authored, key: DraftKey, number: int) -> Plan:
 
 
 def is_dirty(state: AuthoredState, key: DraftKey) -> bool:
-    """Whether a draft shows anything else than the revision it is based on."""
+    """Whether a draft differs from the revision that it is based on."""
     base, shown = state.revisions.get(key[0], {}).get(state.drafts[key].base), state.shown_edit(key)
     if base is None or base.recipe == shown.recipe:
         return base is None
@@ -95,14 +95,14 @@ def is_dirty(state: AuthoredState, key: DraftKey) -> bool:
 
 
 def _is_outdated(state: AuthoredState, key: DraftKey) -> bool:
-    """Whether nothing of a draft is the editor's own any more, and another revision plays."""
+    """Whether a draft holds no unsaved changes and another revision plays by now."""
     draft = state.drafts[key]
     at_its_end = draft.cursor == len(state.edits[key]) - 1
     return draft.base != state.items[key[0]].head and at_its_end and not is_dirty(state, key)
 
 
 def _open_unsaved(authored: Authored, item: Item, editor: str) -> Plan:
-    """A draft of what nobody has saved begins where another editor's is: theirs with the most steps."""
+    """Begins a draft of an unsaved item from another editor's draft: the one with the most steps."""
     state = authored.state
     others = [key for key in state.drafts if key[0] == item.id]
     if not others:
@@ -120,7 +120,7 @@ def _add_step(authored: Authored, key: DraftKey, baked: Baked, what: str) -> Res
     whole = _net(read_recipe(shown.recipe)) != _net(baked.recipe)
     number = draft.cursor + 1
     changes = (
-        *authored.kept(baked.recipe),
+        *authored.changes_to_keep(baked.recipe),
         PutEdit(Edit(*key, number, data, what)),
         PutDraft(replace(draft, cursor=number)),
     )

@@ -1,6 +1,6 @@
-"""Authoring without input or output: bytes of editors and work done in, orders, changes and answers out.
+"""The edit session without input or output: editors' bytes and finished orders in; orders, changes and answers out.
 
-The server commits an outcome's changes before it sends its replies, so whatever was acknowledged is kept.
+The server commits an outcome's changes before it sends its replies, so whatever was acknowledged is stored.
 """
 
 from __future__ import annotations
@@ -44,8 +44,8 @@ class Outgoing:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What the server does now, in this order: gives the workshop the orders, commits the changes (together), loads
-    the cast anew where `cast`, sends the replies and tells consoles what was kept."""
+    """What the server must do now, in order: send the orders to the workshop, commit the changes (together), reload the
+    cast where `cast`, send the replies, and tell consoles what was kept."""
 
     orders: tuple[tuple[int, EditOrder], ...] = ()
     changes: tuple[Change, ...] = ()
@@ -56,7 +56,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Member:
-    """A page that greeted: its editor's id and name, and the items it has open."""
+    """A connected editor page: its editor's id and name, and the items that it has open."""
 
     editor: str
     name: str
@@ -76,10 +76,10 @@ class _Answer:
 
 
 class EditSession:
-    """Who is editing what, and everything authored.
+    """All authored work, and who is editing what.
 
-    contents: what the show file has, by key; net: the control points of a new expression; welcome: what does not
-    change of the answer to greet.
+    contents: what the show file has, by key; net: the control points of a new expression; welcome: the constant part of
+    the answer to greet.
     """
 
     def __init__(
@@ -93,7 +93,7 @@ class EditSession:
     ) -> None:
         state, store = AuthoredState(stored), ContentStore(contents)
         for revision in stored.revisions:
-            with suppress(Refusal):  # what one recipe spoils, the others need not suffer
+            with suppress(Refusal):  # one unreadable recipe does not affect the others
                 store.remember_recipe(write_recipe(read_recipe(revision.recipe)), revision.content)
         bounds = Bounds(base.space.on_sheet, frozenset(muscle.name for muscle in welcome.muscles))
         self.authored = Authored(base, state, store, Sources(base, state, store), bounds, net)
@@ -106,16 +106,16 @@ class EditSession:
 
     @property
     def contents(self) -> Mapping[str, bytes]:
-        """The bytes of everything that can be shown, by key: kept or not."""
+        """The bytes of all contents that can be shown, by key, stored or not."""
         return self.authored.store
 
     @property
     def digest(self) -> str:
-        """The name of the cast as it plays now, own things and all."""
+        """The digest of the cast as it plays now, authored items included."""
         return self._digest
 
     def own(self) -> tuple[Own, ...]:
-        """The own faces and expressions that play."""
+        """The authored faces and expressions that play."""
         return items.own_things(self.authored.state)
 
     def stored(self) -> Stored:
@@ -123,7 +123,7 @@ class EditSession:
         return self.authored.state.stored()
 
     def receive_bytes(self, who: str, data: bytes, *, wall: float, on_air: OnAir) -> Outcome:
-        """What follows from the bytes of an editor; wall: seconds since 1970, for people to read only."""
+        """Handles the bytes of an editor; wall: seconds since 1970, shown in histories."""
         answer, request = _Answer(), -1
         try:
             message = decode(data)
@@ -137,7 +137,7 @@ class EditSession:
         return self._outcome(answer)
 
     def finish_order(self, order: int, result: bytes | str | None) -> Outcome:
-        """What follows from an order: the workshop's answer, or why there is none (a sentence, or None)."""
+        """Handles a finished order: the workshop's answer, or why there is none (a sentence, or None)."""
         answer, finished = _Answer(), self._queues.finish_order(order)
         if finished is not None:
             task, plan = finished
@@ -149,14 +149,14 @@ class EditSession:
         return self._outcome(answer)
 
     def leave(self, who: str) -> Outcome:
-        """An editor's page is gone; its drafts stay, and what it asked for is still carried out."""
+        """Removes an editor's page; its drafts stay, and its pending requests are still carried out."""
         self.crew.pop(who, None)
         return self._outcome(_Answer(listed=True))
 
     def keep(
         self, kind: Kind, on_air: OnAir, *, label: str | None, wall: float, editor: str, ticket: str = ""
     ) -> Outcome:
-        """What is on air as a new item; `Outcome.kept` says what became of it, now or after an order."""
+        """Stores what is on air as a new item; `Outcome.kept` reports the result, now or after an order."""
         authored, answer, author = self.authored, _Answer(), Author(editor, "", wall)
         try:
             recipe = recipe_on_air(kind, on_air, authored.net, authored.sources)
@@ -166,7 +166,7 @@ class EditSession:
             answer.kept.append(KeepOutcome(ticket, trouble=str(refusal)))
         return self._outcome(answer)
 
-    # --- hearing ------------------------------------------------------------------------------------------------------
+    # --- receiving ----------------------------------------------------------------------------------------------------
 
     def _greet(self, answer: _Answer, who: str, greet: wire.Greet) -> None:
         if greet.version != wire.EDITING_VERSION:
@@ -190,13 +190,13 @@ class EditSession:
             self._begin(answer, task)
 
     def _begin(self, answer: _Answer, task: Task) -> bool:
-        """Whether the task is over at once; else it waits for an order."""
+        """Begins a task; whether it finished at once, else it waits for an order."""
         try:
             plan = task.begin()
             if isinstance(plan, Plan):
                 known = self.authored.store.recall(plan.order)
                 if known is None:
-                    answer.orders.append(self._queues.order(task, plan))
+                    answer.orders.append(self._queues.start_order(task, plan))
                     return False
                 plan = plan.finish(known)
             self._carry_out(answer, task, plan)
@@ -210,7 +210,7 @@ class EditSession:
             following = self._queues.next_task(following)
 
     def _read_result(self, plan: Plan, result: bytes | str | None) -> Baked:
-        """The workshop's answer, its contents remembered; Refusal where there is none."""
+        """Decodes the workshop's answer and stores its contents; Refusal where there is none."""
         if not isinstance(result, bytes):
             raise Refusal(result or "the workshop gave no answer: try again.")
         baked, store = decode_baked(result), self.authored.store
@@ -238,7 +238,7 @@ class EditSession:
     # --- answering ----------------------------------------------------------------------------------------------------
 
     def _show(self, answer: _Answer, task: Task, result: Result, key: DraftKey) -> None:
-        """The draft's state to whoever asked, and to the editor's other windows where it changed."""
+        """Sends the draft's state to the asker, and to the editor's other windows where it changed."""
         state = self._state(key, whole=result.whole, miss=result.miss)
         request = task.request if result.reply is None else -1
         answer.replies.append(Outgoing(task.who, replace(state, request=request)))
@@ -281,7 +281,7 @@ class EditSession:
         answer.replies.append(Outgoing(who, wire.EditRefused(request, str(refusal))))
 
     def _outcome(self, answer: _Answer) -> Outcome:
-        """The outcome, and the list of all items to everybody where it has changed."""
+        """Completes the outcome: adds the list of all items for every editor where it has changed."""
         before = self._digest
         if answer.listed:
             self._digest = digest_of(self.authored.base.digest, self.own())

@@ -1,4 +1,4 @@
-"""Items as lists show them: what people read of them, what plays, deletion, history."""
+"""Lists, describes, deletes and restores items (authored faces and expressions), and lists their revisions."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from omote.stage_data.playing_cast import Own
 
 
 def own_things(state: AuthoredState) -> tuple[Own, ...]:
-    """Everything saved and not deleted, in the order of palettes."""
+    """All saved items that are not deleted, in palette order."""
     found = []
     for item in sorted(state.items.values(), key=lambda each: (each.place, each.id)):
         head = state.head(item)
@@ -29,7 +29,7 @@ def own_things(state: AuthoredState) -> tuple[Own, ...]:
 
 
 def document(state: AuthoredState, item: Item, editors: Iterable[str]) -> wire.ItemDocument:
-    """An item for lists; editors: names of those who have it open."""
+    """The document of an item for lists; editors: names of those who have it open."""
     head = state.head(item)
     content = "" if head is None else KEY + head.content
     tags, names = list(item.tags), list(editors)
@@ -39,7 +39,7 @@ def document(state: AuthoredState, item: Item, editors: Iterable[str]) -> wire.I
 
 
 def list_items(state: AuthoredState, digest: str, editors: Callable[[int], Iterable[str]]) -> wire.Items:
-    """All items in the order of palettes; editors: names of those who have an item open."""
+    """All items in palette order; editors: names of those who have an item open."""
     order = sorted(state.items.values(), key=lambda item: (item.place, item.id))
     return wire.Items(digest, [document(state, item, editors(item.id)) for item in order])
 
@@ -54,20 +54,20 @@ def history(state: AuthoredState, item: Item, request: int) -> Result:
 
 
 def describe(item: Item, wanted: wire.Describe) -> Result:
-    """Another label, other tags, another place."""
+    """Changes the label, tags and place of an item."""
     label, tags, place = clean_label(wanted.label), clean_tags(wanted.tags), validate_number(wanted.place, PLACE)
     return _replace_item(item, replace(item, label=label, tags=tags, place=place), wanted.request)
 
 
 def delete(item: Item, on_air: OnAir, request: int) -> Result:
-    """The item out of the cast; Refusal while it is on air or coming. What was made from it keeps its content."""
+    """Takes an item out of the cast; Refusal while it is on air or coming. What was made from it keeps its content."""
     if item.name in on_air.names:
         raise Refusal(f"{item.label!r} is on air or coming: call another first, then delete it.")
     return _replace_item(item, replace(item, deleted=True), request)
 
 
 def restore(item: Item, request: int) -> Result:
-    """The item back in the cast."""
+    """Puts a deleted item back into the cast."""
     return _replace_item(item, replace(item, deleted=False), request)
 
 

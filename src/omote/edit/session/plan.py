@@ -1,4 +1,4 @@
-"""How a request is carried out: what the workshop must make for it, and what follows from that."""
+"""Plans and results of requests: the order that the workshop computes, and the changes and replies that follow."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from omote.showfile.changes import Change, Kind, PutItem
 
 @dataclass(frozen=True)
 class Authored:
-    """All that requests are about: the built-in cast, the authored work, contents, and what recipes may say.
+    """The data that requests work on: the built-in cast, the authored state, contents, and the bounds of recipes.
 
     net: the control points of a new expression.
     """
@@ -33,7 +33,7 @@ class Authored:
     net: tuple[int, ...]
 
     def resolve_and_check(self, recipe: Recipe | FaceRecipe) -> Recipe | FaceRecipe:
-        """The recipe with its sources resolved; Refusal where it says what it must not."""
+        """Resolves a recipe's sources and validates it; Refusal where it is invalid."""
         found = self.sources.resolve_recipe(recipe)
         check_recipe(found, self.bounds)
         return found
@@ -42,20 +42,20 @@ class Authored:
         """The order that makes a recipe's expression or face."""
         return Bake(recipe, self.sources.contents(recipe), with_net and isinstance(recipe, Recipe))
 
-    def kept(self, recipe: Recipe | FaceRecipe) -> tuple[Change, ...]:
-        """What the show file must be given so that the recipe can be made again."""
+    def changes_to_keep(self, recipe: Recipe | FaceRecipe) -> tuple[Change, ...]:
+        """The changes that store every content that the recipe refers to."""
         keys = sorted(source.removeprefix(KEY) for source in sources(recipe) if source.startswith(KEY))
         return tuple(change for key in keys for change in self.store.changes_to_keep(key))
 
     def names(self) -> set[str]:
-        """Every name that a new item must not have."""
+        """All names that are taken."""
         return {*self.base.faces, *self.base.expressions, *(item.name for item in self.state.items.values())}
 
 
 class KeepOutcome(msgspec.Struct, frozen=True):
-    """What became of one press of "save what is on air": the new item, or the trouble, in one sentence.
+    """The result of one "save what is on air": the new item, or the trouble, in one sentence.
 
-    ticket: what the caller gave, to know it by.
+    ticket: the caller's identifier.
     """
 
     ticket: str
@@ -68,7 +68,7 @@ class KeepOutcome(msgspec.Struct, frozen=True):
 
 @dataclass(frozen=True)
 class Result:
-    """What a request leads to: changes to commit, then a reply, or the state of a draft.
+    """The result of a request: changes to commit, then a reply, or the state of a draft.
 
     opened, closed: the item that the page has open from now on, or no longer; whole: the draft's net goes with it.
     """
@@ -84,7 +84,7 @@ class Result:
 
     @property
     def lists(self) -> bool:
-        """Whether the list of items may be another after it."""
+        """Whether the list of items may have changed."""
         moved = self.opened is not None or self.closed is not None
         return moved or any(isinstance(change, PutItem) for change in self.changes)
 

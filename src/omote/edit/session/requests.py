@@ -1,4 +1,4 @@
-"""What every request asks for: the plan or the result of each message, and which of them wait for each other."""
+"""Dispatches requests: the plan or result of each message type, and the queue in which it waits."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from omote.showfile.changes import Item
 
 @dataclass(frozen=True)
 class RequestContext:
-    """A request with all that its answer depends on."""
+    """A request with all data that its answer depends on."""
 
     authored: Authored
     message: Any
@@ -30,7 +30,7 @@ class RequestContext:
 
     @property
     def item(self) -> Item:
-        """The item that it is about; Refusal where there is none, or it was deleted and that matters."""
+        """The item that the request is about; Refusal where there is none, or it is deleted and must not be."""
         item = self.authored.state.items.get(self.message.item)
         if item is None:
             raise Refusal(f"there is no item {self.message.item}: choose one from the list.")
@@ -48,14 +48,14 @@ class RequestContext:
 
 
 def queue_key(message: Message, editor: str) -> DraftKey | None:
-    """What a request waits in: its draft, or all new items of its editor; None: it waits for nothing."""
+    """The queue of a request: its draft, or all new items of its editor; None: it waits for nothing."""
     if isinstance(message, wire.CreateExpression | wire.CreateFace):
         return 0, editor
     return (getattr(message, "item", 0), editor) if isinstance(message, OF_DRAFTS) else None
 
 
 def answer(context: RequestContext) -> Plan | Result:
-    """The plan or the result of a request; Refusal where it cannot be obeyed."""
+    """The plan or the result of a request; Refusal where it cannot be carried out."""
     return ANSWERS[type(context.message)](context)
 
 
@@ -111,7 +111,7 @@ ANSWERS: Mapping[type[Message], Callable[[RequestContext], Plan | Result]] = {
     wire.Restore: lambda context: items.restore(context.item, context.message.request),
     wire.AskHistory: lambda context: items.history(context.authored.state, context.item, context.message.request),
 }
-"""What each request leads to; greeting is the session's own."""
+"""The handler of each request; the session itself handles `greet`."""
 
 OF_DRAFTS: tuple[type[Message], ...] = (
     wire.OpenItem, wire.CloseItem, *drafts.EDITS, wire.Undo, wire.Redo, wire.Save, wire.BringBack

@@ -1,4 +1,4 @@
-"""Saving: a draft becomes a revision, which plays, or is kept aside when another editor saved meanwhile."""
+"""Saves drafts as revisions: a revision plays at once, or is kept aside when another editor saved meanwhile."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Author:
 
 
 def save(authored: Authored, item: Item, author: Author, request: int, note: str, *, on_air: bool) -> Plan | Result:
-    """The draft as the next revision; nothing where it holds nothing new. on_air: whether the item is seen now."""
+    """Saves a draft as the next revision; nothing where it holds no changes. on_air: whether the item is seen now."""
     key = item.id, author.editor
     if not is_dirty(authored.state, key):
         return Result(reply=_nothing_new_reply(authored, item, key, request))
@@ -36,13 +36,13 @@ def save(authored: Authored, item: Item, author: Author, request: int, note: str
 
 
 def create(authored: Authored, kind: Kind, label: str, recipe: Recipe | FaceRecipe, editor: str) -> Plan:
-    """A new item that nothing is saved of yet, and the editor's draft of it."""
+    """Creates an unsaved item and the editor's draft of it."""
     label, recipe = clean_label(label), authored.resolve_and_check(recipe)
 
     def finish(baked: Baked) -> Result:
         item = _new_item(authored, kind, label)
         changes = (
-            *authored.kept(baked.recipe),
+            *authored.changes_to_keep(baked.recipe),
             PutItem(item),
             PutDraft(Draft(item.id, editor, base=0, cursor=0)),
             PutEdit(Edit(item.id, editor, 0, write_recipe(baked.recipe), "new")),
@@ -55,7 +55,7 @@ def create(authored: Authored, kind: Kind, label: str, recipe: Recipe | FaceReci
 def keep(
     authored: Authored, kind: Kind, label: str | None, recipe: Recipe | FaceRecipe, author: Author, ticket: str
 ) -> Plan:
-    """A new item that plays from now on, in one go; label: None for one of its own."""
+    """Creates and saves an item in one step, so that it plays; label: None for a generated one."""
     label = None if label is None else clean_label(label)
     recipe = authored.resolve_and_check(recipe)
 
@@ -73,7 +73,7 @@ def keep(
 
 
 def duplicate(authored: Authored, item: Item, label: str, author: Author, request: int) -> Result:
-    """A new item whose first revision is what another plays; Refusal before that one's first save."""
+    """Copies the playing revision of an item into a new item; Refusal before the first save."""
     head = authored.state.head(item)
     label = clean_label(label)
     if head is None:
@@ -126,7 +126,7 @@ def _nothing_new_reply(authored: Authored, item: Item, key: DraftKey, request: i
 
 
 def _content_changes(authored: Authored, baked: Baked) -> tuple[Change, ...]:
-    return (*authored.kept(baked.recipe), *authored.store.changes_to_keep(baked.key))
+    return (*authored.changes_to_keep(baked.recipe), *authored.store.changes_to_keep(baked.key))
 
 
 def _new_item(authored: Authored, kind: Kind, label: str) -> Item:

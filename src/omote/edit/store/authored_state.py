@@ -1,4 +1,4 @@
-"""All authored work of a show as it is now; it changes only by the changes that the show file commits."""
+"""The state of all authored work in memory; it changes only by the changes that the show file commits."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ DraftKey = tuple[int, str]
 
 
 class AuthoredState:
-    """Items, their revisions, drafts and the drafts' edits; what `apply` does is what the show file does."""
+    """Items, their revisions, drafts and the drafts' edits; `apply` mirrors what the show file does."""
 
     def __init__(self, stored: Stored) -> None:
         self.items = {item.id: item for item in stored.items}
@@ -43,12 +43,12 @@ class AuthoredState:
         self.layouts = dict(stored.layouts)
 
     def apply(self, changes: Iterable[Change]) -> None:
-        """Carries out changes, in order."""
+        """Applies changes, in order."""
         for change in changes:
             self._apply(change)
 
     def stored(self) -> Stored:
-        """Everything, in an order of its own."""
+        """All rows, sorted by their keys."""
         return Stored(
             items=tuple(self.items[number] for number in sorted(self.items)),
             revisions=tuple(r for item in sorted(self.revisions) for _, r in sorted(self.revisions[item].items())),
@@ -66,15 +66,15 @@ class AuthoredState:
         return max(self.revisions.get(item, {0: None}))
 
     def shown_edit(self, key: DraftKey) -> Edit:
-        """The step of a draft that is shown."""
+        """The step of a draft that its cursor is at."""
         return self.edits[key][self.drafts[key].cursor]
 
     def new_item(self) -> int:
-        """An id above all there have been: items are never removed."""
+        """An unused id: items are never removed."""
         return max(self.items, default=0) + 1
 
     def new_place(self) -> float:
-        """Behind all items."""
+        """A place behind all items."""
         return max((item.place for item in self.items.values()), default=0.0) + 1.0
 
     def find(self, name: str) -> Item | None:
@@ -87,7 +87,7 @@ class AuthoredState:
 
     @_apply.register
     def _(self, change: PutContent) -> None:
-        pass  # bytes lie on the shelf
+        pass  # bytes are in the content store
 
     @_apply.register
     def _(self, change: PutItem) -> None:

@@ -1,4 +1,4 @@
-"""Contents by key: those that the show file keeps, and for a while those that drafts pass through."""
+"""The content-addressed store: contents in the show file, and a cache of those that drafts pass through."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from omote.model.recipes.recipe import FaceRecipe, Recipe
 from omote.showfile.changes import PutContent
 
 PASSING = 2048
-"""Contents of drafts that are remembered, so that undo needs no mathematics."""
+"""Contents of drafts that are cached, so that undo needs no computation."""
 _NETS = 16
 _RECIPES = 4096
 
@@ -22,7 +22,7 @@ Value = TypeVar("Value")
 
 
 class ContentStore(Mapping[str, bytes]):
-    """Bytes by key, and which recipe made which; kept: what the show file has, looked up when asked for."""
+    """Bytes by key, and the key of each recipe's result; in_file: the contents of the show file."""
 
     def __init__(self, in_file: Mapping[str, bytes]) -> None:
         self._in_file = in_file
@@ -47,7 +47,7 @@ class ContentStore(Mapping[str, bytes]):
         return key in self._passing or key in self._given or key in self._in_file
 
     def changes_to_keep(self, key: str) -> tuple[PutContent, ...]:
-        """What the show file must be given so that it has this content: nothing when it has it already."""
+        """The changes that store this content in the show file; none when it is there already."""
         if key in self._given or key in self._in_file:
             return ()
         self._given = {old: data for old, data in self._given.items() if old not in self._in_file}
@@ -59,13 +59,13 @@ class ContentStore(Mapping[str, bytes]):
         _remember(self._keys, recipe, key, _RECIPES)
 
     def remember_contents(self, contents: Mapping[str, bytes]) -> None:
-        """Remembers contents for a while."""
+        """Caches contents for a while."""
         for key, data in contents.items():
             if key not in self._given and key not in self._in_file:
                 _remember(self._passing, key, data, PASSING)
 
     def remember_result(self, order: EditOrder, baked: Baked) -> None:
-        """Remembers what the workshop made of an order, and what it was made from."""
+        """Caches the workshop's answer to an order, and its sources."""
         self.remember_contents({**order.contents, **baked.contents})
         self.remember_recipe(write_recipe(baked.recipe), baked.key)
         if isinstance(order, Bake):
@@ -74,11 +74,11 @@ class ContentStore(Mapping[str, bytes]):
             _remember(self._nets, baked.recipe.net, baked.net, _NETS)
 
     def key(self, recipe: bytes) -> str:
-        """The key of what a recipe (JSON) makes, "" where that is not remembered."""
+        """The key of a recipe's (JSON) result, "" where it is not cached."""
         return self._keys.get(recipe, "")
 
     def recall(self, order: EditOrder) -> Baked | None:
-        """The answer to an order where it is known already."""
+        """The cached answer to an order, None where there is none."""
         if not isinstance(order, Bake):
             return None
         key, net = self._keys.get(write_recipe(order.recipe)), self.net(order.recipe)
@@ -87,12 +87,12 @@ class ContentStore(Mapping[str, bytes]):
         return Baked(order.recipe, key, {}, net)
 
     def net(self, recipe: Recipe | FaceRecipe) -> NetDocument | None:
-        """The document of a recipe's net, where it is remembered."""
+        """The cached document of a recipe's net."""
         return None if isinstance(recipe, FaceRecipe) else self._nets.get(recipe.net)
 
 
 def _remember(table: dict[Key, Value], key: Key, value: Value, most: int) -> None:
-    """Puts a value at the young end of a table and lets the oldest go beyond `most`."""
+    """Adds a value as the newest of a table and removes the oldest beyond `most`."""
     table.pop(key, None)
     table[key] = value
     while len(table) > most:

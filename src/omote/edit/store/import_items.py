@@ -1,4 +1,4 @@
-"""Expressions from outside as items of a show file, and items as documents for mailing (`files.exchange`)."""
+"""Imports expressions and faces as items of a show file, and exports items as JSON documents (`expression_json`)."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from omote.showfile.changes import Change, Item, Kind, PutContent, PutItem, PutR
 from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
 
 EDITOR = "import"
-"""Who a revision from outside is by."""
+"""The author of imported revisions."""
 EXACT = 1e-12
-"""How nearly control points say what the dense field says, for the expression to be made of them alone."""
+"""Tolerance within which control points reproduce the dense field, so that the recipe needs only them."""
 
 
 @dataclass(frozen=True, eq=False)
 class ImportedItem:
-    """Something from outside: an expression or a face with its look, and the recipe where more is known than that."""
+    """An imported expression or face with its look, and the recipe where it is known."""
 
     label: str
     made: Expression | tuple[Face, Look]
@@ -39,7 +39,7 @@ class ImportedItem:
 
 
 def changes_to_import(cast: Cast, stored: Stored, arrivals: Iterable[ImportedItem], /, *, wall: float) -> list[Change]:
-    """The changes that put arrivals into a show file as new items; wall: seconds since 1970."""
+    """The changes that add imported expressions and faces to a show file as new items; wall: seconds since 1970."""
     taken = {*cast.faces, *cast.expressions, *(item.name for item in stored.items)}
     number = max((item.id for item in stored.items), default=0)
     place = max((item.place for item in stored.items), default=0.0)
@@ -55,9 +55,9 @@ def changes_to_import(cast: Cast, stored: Stored, arrivals: Iterable[ImportedIte
 
 
 def import_document(space: ParameterSpace, document: ExpressionFile, /, *, note: str = "") -> ImportedItem:
-    """What a document brings: the dense field on its own head, else its control points on this one.
+    """Imports a document: by its dense field on the same head, else by its control points on this head.
 
-    ValueError, in a sentence, where it fits this head in neither way.
+    ValueError where it fits this head in neither way.
     """
     recipe = None if document.control is None else _recipe_of_control(space, document.control)
     at_home = document.space == space_digest(space)
@@ -77,7 +77,7 @@ def import_document(space: ParameterSpace, document: ExpressionFile, /, *, note:
 def make_document(
     space: ParameterSpace, label: str, tags: Iterable[str], expression: Expression, recipe: Recipe | None = None
 ) -> ExpressionFile:  # fmt: skip
-    """The document of an expression; with its control points where it is made of nothing else."""
+    """Makes the document of an expression; with its control points where it consists of nothing else."""
     alone = recipe is not None and recipe == Recipe(recipe.net, recipe.vectors) and _fits_head(space, recipe)
     made_of = [] if recipe is None else [f"{each.label} x {each.weight:g}" for each in recipe.layers]
     made_of += [] if recipe is None else [f"{pull.muscle} x {pull.contraction:g}" for pull in recipe.pulls]
@@ -94,7 +94,7 @@ def make_document(
 
 
 def export_document(cast: Cast, stored: Stored, contents: Mapping[str, bytes], name: str, /) -> ExpressionFile:
-    """The document of an own expression by its name, else of one of the cast; ValueError where there is none."""
+    """Makes the document of an authored expression by its name, else of one of the cast; ValueError for neither."""
     revisions = {(revision.item, revision.number): revision for revision in stored.revisions}
     for item in stored.items:
         if (item.kind, item.name) == ("expression", name) and (item.id, item.head) in revisions:
@@ -121,13 +121,13 @@ def _changes_to_save(space: ParameterSpace, item: Item, arrival: ImportedItem, w
 
 
 def _dense_recipe(space: ParameterSpace, key: str) -> Recipe:
-    """The recipe of a field as it is, under control points that rest."""
+    """The recipe of a dense field as ground, under control points at rest."""
     net = default_net(space)
     return Recipe(net, ((0.0, 0.0, 1.0),) * len(net), ground=KEY + key)
 
 
 def _fits_head(space: ParameterSpace, recipe: Recipe) -> bool:
-    """Whether each control point stands on this head and has a vector: files of other programs say anything."""
+    """Whether each control point lies on this head and has a vector: files are untrusted."""
     there = all(0 <= row < space.vertex_count and space.on_sheet[row] for row in recipe.net)
     return there and len(recipe.net) == len(recipe.vectors)
 

@@ -1,4 +1,4 @@
-"""What is on air, as recipes that make the same again."""
+"""Converts what is on air into recipes that reproduce it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from omote.showfile.changes import Kind
 
 @dataclass(frozen=True)
 class OnAir:
-    """Weights by name of what is seen now, and the names of what is coming: called, or held by a T-bar."""
+    """Weights by name of what is on air, and the names of what is coming: called, or held by a T-bar."""
 
     faces: Mapping[str, float] = field(default_factory=dict)
     expressions: Mapping[str, float] = field(default_factory=dict)
@@ -24,13 +24,13 @@ class OnAir:
 
     @property
     def names(self) -> frozenset[str]:
-        """All that must not be taken away now."""
+        """All names in use, which must not be removed now."""
         weights = (self.faces, self.expressions, self.channels)
         return self.coming | {name for each in weights for name, weight in each.items() if weight}
 
 
 def read_on_air(state: State) -> OnAir:
-    """What a state of the show says is on air; channels as they act, what the gaze adds included."""
+    """What a show's state has on air; channels as they act, the gaze's part included."""
     calls = (call for call in (state.face_call, state.expression_call) if call is not None)
     names = (*state.channels, *(name for name in state.lids if name not in state.channels))
     channels = {name: state.channels.get(name, 0.0) + state.lids.get(name, 0.0) for name in names}
@@ -43,7 +43,7 @@ def neutral_recipe(net: tuple[int, ...]) -> Recipe:
 
 
 def recipe_on_air(kind: Kind, on_air: OnAir, net: tuple[int, ...], sources: Sources) -> Recipe | FaceRecipe:
-    """The face or the expression that is seen now."""
+    """The recipe of the face or the expression that is on air."""
     if kind == "face":
         return face_recipe(on_air.faces, sources)
     together = (*on_air.expressions.items(), *on_air.channels.items())
@@ -51,7 +51,7 @@ def recipe_on_air(kind: Kind, on_air: OnAir, net: tuple[int, ...], sources: Sour
 
 
 def face_recipe(weights: Mapping[str, float], sources: Sources) -> FaceRecipe:
-    """A mix of faces; Refusal for none."""
+    """The recipe of a mix of faces; Refusal for none."""
     base: dict[str, float] = {}
     for name, weight in weights.items():
         source = sources.resolve("face", name)
@@ -63,7 +63,7 @@ def face_recipe(weights: Mapping[str, float], sources: Sources) -> FaceRecipe:
 
 
 def expression_recipe(weights: list[tuple[str, float]], net: tuple[int, ...], sources: Sources) -> Recipe:
-    """A recipe of layers; what is at rest needs none."""
+    """The recipe of weighted expressions as layers; neutral needs none."""
     layers = tuple(
         Layer(sources.resolve("expression", name), sources.label("expression", name), weight)
         for name, weight in weights

@@ -1,4 +1,4 @@
-"""What a recipe may be made from: names of the built-in cast, and contents by key."""
+"""Resolves the sources of recipes: names of the built-in cast, and contents by key."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from omote.showfile.changes import Kind
 
 
 class Sources:
-    """Finds what sources mean now; a name of an own item becomes the key of what it plays, for ever."""
+    """Resolves sources; the name of an authored item becomes the permanent key of what it plays."""
 
     def __init__(self, base: Cast, state: AuthoredState, store: ContentStore) -> None:
         self._built_in = {"face": base.faces, "expression": base.expressions}
@@ -49,7 +49,7 @@ class Sources:
         return replace(recipe, base=base, regions=regions)
 
     def label(self, kind: Kind, source: str) -> str:
-        """What people read of a source."""
+        """The label of a source, for people."""
         own = self._state.find(source)
         if own is not None and own.kind == kind:
             return own.label

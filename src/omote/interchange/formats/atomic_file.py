@@ -1,4 +1,4 @@
-"""Files written whole or not at all, and refused before any work where they could not be written."""
+"""Writes files atomically, and checks before any work that a file can be written."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def check_writable(path: Path) -> None:
-    """OSError with a sentence where a file cannot be written at this place."""
+    """Raises OSError with a message where a file cannot be written at this path."""
     if path.is_dir():
         raise IsADirectoryError(f"{path} is a folder; give the name of a file in it")
     folder = path.absolute().parent
@@ -19,7 +19,7 @@ def check_writable(path: Path) -> None:
 
 
 def write_whole(path: Path, data: bytes) -> None:
-    """Writes a file in one step: a reader sees the old one, or none, until all of the new one is there."""
+    """Writes a file atomically (temporary file, then rename): readers see the old file or the whole new one."""
     check_writable(path)
     folder = path.absolute().parent
     handle, draft = tempfile.mkstemp(prefix=f".{path.name}.", dir=folder)

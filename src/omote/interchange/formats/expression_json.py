@@ -1,4 +1,4 @@
-"""Expressions as JSON documents that crews mail to each other (docs/exchange.md, docs/expression.schema.json).
+"""Reads and writes expressions as JSON documents for exchange (docs/exchange.md, docs/expression.schema.json).
 
 `dense` is the whole field, number for number, on the head that `space` names. `control`, where an expression is made of
 control points alone, says the same by places on S, for any head.
@@ -20,7 +20,7 @@ LARGEST = 32 * 2**20
 """Bytes of a document at most."""
 MOST_POINTS, MOST_ROWS = 400, 200_000
 FARTHEST_TURN, FARTHEST_MOVE, WIDEST, NARROWEST = 7.0, 10.0, 100.0, 1e-3
-"""Radians, metres, ratios of radii: no face does more."""
+"""Limits of displacements: radians, metres, ratios of radii."""
 
 Row = Annotated[int, msgspec.Meta(ge=0, lt=MOST_ROWS)]
 Rows = Annotated[list[Row], msgspec.Meta(max_length=MOST_ROWS)]
@@ -36,14 +36,14 @@ Text = Annotated[str, msgspec.Meta(max_length=200)]
 
 
 class Control(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Control points at theta (radians) and h (metres), and of each dtheta (radians), dh (metres) and R."""
+    """Control points at theta (radians) and h (metres), and each one's dtheta (radians), dh (metres) and R."""
 
     points: Annotated[list[tuple[Turn, Move]], msgspec.Meta(max_length=MOST_POINTS)]
     vectors: Annotated[list[tuple[Turn, Move, Ratio]], msgspec.Meta(max_length=MOST_POINTS)]
 
 
 class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What moves on the sheet: rows of vertices, and dtheta (radians), dh (metres) and R of each."""
+    """The field where the sheet moves: rows of vertices, and dtheta (radians), dh (metres) and R of each."""
 
     rows: Rows
     dtheta: Turns
@@ -52,7 +52,7 @@ class Sheet(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Rest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What moves beyond what follows from the skin: rows, and metres on the generic face."""
+    """Residual displacements beyond what follows from the skin: rows, and metres on the generic face."""
 
     rows: Rows
     moves: Vectors
@@ -71,7 +71,7 @@ class Dense(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class ExpressionFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """An expression for mailing; space: the digest of the generic head that rows belong to; made_of: for people."""
+    """An expression for exchange; space: the digest of the generic head that rows belong to; made_of: for people."""
 
     omote: Literal["expression"]
     version: Literal[1]
@@ -93,7 +93,7 @@ def space_digest(space: ParameterSpace, /) -> str:
 
 
 def to_dense(expression: Expression, /) -> Dense:
-    """An expression as numbers, those that rest left out."""
+    """Converts an expression to its dense document, without the vertices at rest."""
     moved = np.flatnonzero((expression.dtheta != 0.0) | (expression.dh != 0.0) | (expression.ratio != 1.0))
     fields = (getattr(expression, name)[moved].tolist() for name in ("dtheta", "dh", "ratio"))
     yaw_left, pitch_left, yaw_right, pitch_right = expression.eyes.ravel().tolist()
@@ -109,7 +109,7 @@ def to_dense(expression: Expression, /) -> Dense:
 
 
 def from_dense(space: ParameterSpace, dense: Dense, /) -> Expression:
-    """The expression in a document, on its own head; ValueError where rows or lengths do not belong together."""
+    """Converts a dense document to an expression on its own head; ValueError where rows or lengths do not match."""
     sheet, count = dense.sheet, space.vertex_count
     rows = _validate_rows(sheet.rows, count, "the sheet", (sheet.dtheta, sheet.dh, sheet.ratio))
     if not space.on_sheet[rows].all():
@@ -132,14 +132,14 @@ def from_dense(space: ParameterSpace, dense: Dense, /) -> Expression:
 
 
 def encode(document: ExpressionFile, /) -> bytes:
-    """The document as JSON; ValueError, in a sentence, where it holds what no reader would take."""
+    """Encodes a document as JSON; ValueError where it holds what readers would reject."""
     data = msgspec.json.format(msgspec.json.encode(document), indent=0) + b"\n"
     decode(data)
     return data
 
 
 def decode(data: bytes, /) -> ExpressionFile:
-    """The document in JSON; ValueError, in a sentence, for what is none: NaN and numbers without end included."""
+    """Decodes and validates a JSON document; ValueError for invalid ones, NaN and infinite numbers included."""
     if len(data) > LARGEST:
         raise ValueError(f"the document has {len(data)} bytes; expected {LARGEST} at most")
     try:

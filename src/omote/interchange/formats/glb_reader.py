@@ -1,7 +1,7 @@
-"""Reads meshes with named morph targets out of GLB files that anybody may have written.
+"""Parses meshes with named morph targets (blendshapes) from untrusted GLB files.
 
-Everything a file says is doubted: chunks, views, accessors, strides, sparse places, nodes. What it may cost is bounded
-before it is made, nothing outside the file is opened, and what is refused is refused with a sentence.
+All that a file declares is validated: chunks, views, accessors, strides, sparse indices, nodes. Memory is bounded
+before it is allocated, nothing outside the file is opened, and invalid files are rejected with an error message.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class Piece:
 def read_glb(data: bytes, /) -> tuple[Piece, ...]:
     """The pieces of every mesh that a node shows, in the nodes' order.
 
-    ValueError, in a sentence, for what is no GLB or costs more than any face.
+    ValueError for an invalid GLB or one that is larger than any face.
     """
     text, binary = _chunks(data)
     document = parse_document(text)
@@ -95,7 +95,7 @@ def _refuse_outside(document: Document, binary: bytes) -> None:
 
 
 def _refuse_costly(document: Document, primitives: list[Primitive]) -> None:
-    """Counts before anything is laid out: what an accessor says costs a file nothing."""
+    """Rejects documents that declare too many numbers, before any of them is allocated."""
     numbers = 0
     for primitive in primitives:
         points = _at(document.accessors, primitive.attributes.get("POSITION", -1), "positions in accessor")

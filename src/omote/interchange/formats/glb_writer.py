@@ -33,7 +33,7 @@ GENERATOR = "Omote"
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """What a target adds at full weight: to positions (n, 3) metres, to normals (n, 3)."""
+    """A morph target: displacements at full weight of positions (n, 3) metres and normals (n, 3)."""
 
     moves: Floats
     turns: Floats
@@ -88,7 +88,7 @@ class Shape:
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """What a file shows: shapes under one root; extras: plain data about it. ValueError where targets differ."""
+    """A scene: shapes under one root; extras: plain data about it. ValueError where targets differ."""
 
     name: str
     shapes: Sequence[Shape]
@@ -104,13 +104,13 @@ class Scene:
 
 
 def check_name(path: Path, /) -> None:
-    """ValueError for a path that is no GLB file's name."""
+    """Raises ValueError for a path that does not end with .glb."""
     if path.suffix.lower() != ".glb":
         raise ValueError(f"{path.name!r} is no name of a GLB file; end it with .glb")
 
 
 def glb_bytes(scene: Scene, /) -> bytes:
-    """The scene as a GLB."""
+    """Encodes a scene as a GLB."""
     store = _Store()
     materials = {id(shape.material): shape.material for shape in scene.shapes}
     places = {key: place for place, key in enumerate(materials)}
@@ -128,7 +128,7 @@ def glb_bytes(scene: Scene, /) -> bytes:
 
 
 class _Store:
-    """The binary chunk as it grows, with the views, accessors and pictures in it."""
+    """Builds the binary chunk with its views, accessors and pictures."""
 
     def __init__(self) -> None:
         self.data = bytearray()
@@ -153,7 +153,7 @@ class _Store:
         return len(self.pictures) - 1
 
     def document(self) -> Json:
-        """What the JSON chunk says of all that was added; nothing of what there is none of."""
+        """The JSON chunk's entries for all that was added, without empty ones."""
         sampler = {"magFilter": LINEAR, "minFilter": MIPMAPS, "wrapS": CLAMP, "wrapT": CLAMP}
         found: Json = {
             "accessors": self.accessors,

@@ -1,4 +1,4 @@
-"""The part of a glTF document that says where vertices and morph targets lie; all else in it is passed over."""
+"""The part of a glTF document that describes vertices and morph targets; everything else is ignored."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ class Document(msgspec.Struct, frozen=True, rename="camel"):
 
 
 def parse_document(text: bytes, /) -> Document:
-    """The document of a GLB's first chunk; ValueError, in a sentence, for what is none."""
+    """Parses and validates the JSON of a GLB's first chunk; ValueError for an invalid document."""
     if len(text) > LARGEST:
         raise ValueError(f"the file's JSON has {len(text)} bytes; expected {LARGEST} at most")
     try:

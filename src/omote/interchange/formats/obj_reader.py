@@ -1,4 +1,4 @@
-"""Vertices of Wavefront OBJ files, in their order; one file is one shape of a mesh."""
+"""Parses the vertices of untrusted Wavefront OBJ files, in their order; one file is one shape of a mesh."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _NUMBERS = 6  # x, y, z, and what some programs write after them: a weight, or a
 
 
 def read_obj(data: bytes, /) -> NDArray[np.float64]:
-    """The vertices (n, 3) of an OBJ file; ValueError, in a sentence, where it has none or one is no point."""
+    """Parses the vertices (n, 3) of an OBJ file; ValueError where it has none or one is invalid."""
     if len(data) > LARGEST:
         raise ValueError(f"the file has {len(data)} bytes; expected {LARGEST} at most")
     lines = [line for line in data.splitlines() if line.lstrip()[:2] in (b"v ", b"v\t")]

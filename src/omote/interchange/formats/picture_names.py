@@ -1,4 +1,4 @@
-"""Picture files: which names they may have."""
+"""The file formats of pictures, by file name suffix."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ KINDS: dict[str, Kind] = {".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "i
 
 
 def picture_kind(path: Path) -> Kind:
-    """The media type that a file's name asks for; ValueError for a name that asks for none."""
+    """The media type of a file name's suffix; ValueError for an unknown one."""
     kind = KINDS.get(path.suffix.lower())
     if kind is None:
         raise ValueError(f"{path.name!r} is no name of a picture; end it with {' or '.join(KINDS)}")

@@ -1,4 +1,4 @@
-"""PNG pictures as arrays, 8 bits a channel: what the bake writes and what exported faces wear."""
+"""Encodes and decodes PNG pictures of 8 bits a channel as arrays: for the bake and for exported textures."""
 
 from __future__ import annotations
 

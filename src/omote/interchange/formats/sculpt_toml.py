@@ -1,4 +1,4 @@
-"""Sculpt files: one face as readable TOML, every control point under the name of its feature (docs/sculpts.md)."""
+"""Parses sculpt files: one face as readable TOML, every control point named by its feature (docs/sculpts.md)."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ BRUSH_KEYS = ("at", "reach", "rounds")
 
 
 class SculptFileError(ValueError):
-    """The text is no sculpt, and why, in one sentence."""
+    """The text is not a valid sculpt; the message says why."""
 
 
 def read_sculpt(path: Path) -> Sculpt:
@@ -67,7 +67,7 @@ def read_sculpt(path: Path) -> Sculpt:
 
 
 def parse_sculpt(text: str, /) -> Sculpt:
-    """The sculpt that a text describes; SculptFileError or ValueError with a sentence where it is none."""
+    """Parses a sculpt; SculptFileError or ValueError with a message where it is invalid."""
     try:
         table = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:

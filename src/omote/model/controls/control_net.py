@@ -1,4 +1,4 @@
-"""The control net: how artists write expressions (paper, section 2.3; method.md, section 4)."""
+"""The control net: how artists write expressions (paper, section 2.3; docs/method.md, "The control net")."""
 
 from __future__ import annotations
 
@@ -122,7 +122,7 @@ class ControlNet:
         return ControlNet(space, all_theta, all_h, triangles, corners, weights, len(theta))
 
     def expression(self, values: ArrayLike, /) -> Expression:
-        """The expression that these vectors at the control points give: eq. 2.
+        """Interpolates vectors at the control points to an expression (eq. 2).
 
         Parameters
         ----------

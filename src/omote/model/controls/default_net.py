@@ -1,4 +1,4 @@
-"""The control points that every expression begins with: where the face moves, the same left and right."""
+"""The default control points of a new expression, placed by facial landmarks (lids, lips, brows, nose), symmetric."""
 
 from __future__ import annotations
 
@@ -57,16 +57,16 @@ def _features(space: ParameterSpace) -> list[int]:
     shares = region_weights(space)
     local = (space.points - middle) / unit
     front = _candidates(space) & (local[:, 2] > np.median(local[:, 2]))
-    rows = [_least(np.hypot(local[:, 0] - x, local[:, 1] - y), front) for x, y in (*_BROW, *_FOREHEAD)]
+    rows = [_row_of_least(np.hypot(local[:, 0] - x, local[:, 1] - y), front) for x, y in (*_BROW, *_FOREHEAD)]
     nose, jaw = front & (shares["nose"] > 0.5), front & (shares["jaw"] > 0.5)
     midline = np.abs(local[:, 0]) < 1e-6
-    rows.append(_least(-local[:, 2], nose & midline))
-    rows.append(_least(-local[:, 0], nose))
-    rows.append(_least(-local[:, 2], jaw & midline))
+    rows.append(_row_of_least(-local[:, 2], nose & midline))
+    rows.append(_row_of_least(-local[:, 0], nose))
+    rows.append(_row_of_least(-local[:, 2], jaw & midline))
     return [row for row in rows if row >= 0]
 
 
-def _least(values: Values, among: NDArray[np.bool_]) -> int:
+def _row_of_least(values: Values, among: NDArray[np.bool_]) -> int:
     return int(np.where(among, values, np.inf).argmin()) if among.any() else -1
 
 

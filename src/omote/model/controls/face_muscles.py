@@ -1,4 +1,4 @@
-"""The muscles of the face, found on the generic head by its features: lines' corners and the place of the eyes."""
+"""The facial muscles, placed on the generic head by its landmarks: corners of lids and lips, and the eyes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def muscles(space: ParameterSpace, /) -> Mapping[str, Muscle]:
 
 
 def muscle_fields(space: ParameterSpace, /) -> Mapping[str, Values]:
-    """What each muscle does at full contraction, (V, 3): dtheta, dh, R - 1."""
+    """The field of each muscle at full contraction, (V, 3): dtheta, dh, R - 1."""
     return MappingProxyType({name: field for name, (_, field) in _muscles_of(space).items()})
 
 
@@ -58,7 +58,7 @@ def _all(space: ParameterSpace) -> list[Muscle]:
 
 
 def _mirror_muscle(space: ParameterSpace, muscle: Muscle) -> Muscle:
-    """The right one of a left muscle."""
+    """The mirror image of a left muscle."""
     mirror = mirror_rows(space)
     return replace(
         muscle,

@@ -1,4 +1,4 @@
-"""Control points put where a hand let them go, on the face on which it dragged them."""
+"""Inverse solve: finds the control vectors that put dragged points at their targets on a face (Broyden's method)."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from omote.model.transfer.pipeline import apply_smooth_map
 Values = NDArray[np.float64]
 
 CLOSE = 4e-5
-"""Metres within which a solve is content; what people are promised is 5e-5."""
+"""Tolerance of the solve, metres; the promised accuracy is 5e-5."""
 MOST = 22
-"""Compounds that each way of giving may take."""
+"""Compounds that may be computed at each share of giving way."""
 
 # Where skin folds the map to a face jumps, and a target may lie in the gap. Then the points around the dragged ones
 # give way by so much of their change: that moves the gap.
@@ -50,7 +50,8 @@ def solve_vectors(
     space: ParameterSpace, face: Face, under: Expression, net_field: NetField, vectors: ArrayLike,
     points: Sequence[int], targets: ArrayLike, /,
 ) -> Solution:  # fmt: skip
-    """Vectors with which control points `points` (places in the net) lie at targets (m, 3), metres, on a face.
+    """Solves for vectors with which control points `points` (indices in the net) lie at targets (m, 3), metres, on a
+    face.
 
     under: the expression without the net's field; vectors (n, 3): where to start. Only those of the points change, and
     of their neighbours a little where skin folds and nothing else would do; the miss says how well it went.
@@ -65,8 +66,8 @@ def solve_vectors(
 
 @dataclass(frozen=True, eq=False)
 class _Drag:
-    """What a solve works on; its unknowns are where the generic head's vertices under the points go, (m, 3) metres:
-    there the map to any face is nearly a translation."""
+    """The system to solve; its unknowns are where the generic head's vertices under the points go, (m, 3) metres: in
+    these the map to any face is nearly a translation."""
 
     space: ParameterSpace
     face: Face
@@ -138,7 +139,7 @@ class _Drag:
 
 
 def _find_solution(drag: _Drag, goal: Values) -> Solution:
-    """The first way of giving that meets the goal, or the one that comes nearest."""
+    """Solves with more and more giving way of the neighbours, until the goal is met; else returns the nearest."""
     best = _solve_broyden(drag, goal)
     count = best.compounds
     for give in _GIVING:

@@ -1,4 +1,4 @@
-"""Left and right exchanged: the head's mirror image, vertex by vertex, and expressions seen in it."""
+"""Mirrors expressions: the left-right correspondence of the head's vertices, and expressions exchanged by it."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def mirror_rows(space: ParameterSpace, /) -> Rows:
 
 
 def mirror_expression(space: ParameterSpace, expression: Expression, /) -> Expression:
-    """The expression with left and right exchanged, on the sheet, in what the bindings leave over, and in the eyes."""
+    """Exchanges left and right of an expression: its field, its residuals and its eyes."""
     mirror = mirror_of(space)
     parts = {other: expression.parts[name][rows] * _ACROSS for other, (name, rows) in mirror.parts.items()
              if name in expression.parts}  # fmt: skip

@@ -1,4 +1,4 @@
-"""Muscles (Waters 1987), defined once on S: a pull that belongs to no face and works on every one.
+"""Muscles (Waters 1987) defined once on S: linear, sheet and sphincter muscles, independent of identity.
 
 K. Waters, "A muscle model for animating three-dimensional facial expression", SIGGRAPH 1987, in the metric of S: across
 mean radius times theta, up h, both in metres.
@@ -78,8 +78,8 @@ class Muscle:
 
 
 def pull_field(space: ParameterSpace, muscle: Muscle, /) -> Values:
-    """What a muscle does at full contraction: dtheta (radians), dh (metres), R - 1 of each vertex, (V, 3), zero off the
-    sheet. The skin slides along the head's slope, smoothed; half a contraction is half the field."""
+    """The field of a muscle at full contraction: dtheta (radians), dh (metres), R - 1 of each vertex, (V, 3), zero off
+    the sheet. The skin slides along the head's slope, smoothed; half a contraction is half the field."""
     metric = metric_of(space)
     across = wrap(space.theta - muscle.bone[0] / metric) * metric
     place = np.stack([across, space.h - muscle.bone[1]], axis=1)

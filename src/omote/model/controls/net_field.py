@@ -1,4 +1,4 @@
-"""Control nets on vertices of the generic head, and the same field under another net."""
+"""Control nets on vertices of the generic head, and the fields that they interpolate."""
 
 from __future__ import annotations
 
@@ -57,8 +57,8 @@ class NetField:
 
 
 def build_net_field(space: ParameterSpace, rows: Sequence[int], /) -> NetField:
-    """The net through vertices of the sheet. Raises ValueError on rows that are none, twice the same, or too few to
-    join around the head."""
+    """Builds the net through vertices of the sheet. Raises ValueError on rows that are none, twice the same, or too few
+    to join around the head."""
     _refuse_rows(space, rows)
     at = np.array(rows, np.int64)
     net = ControlNet.build(space, space.theta[at], space.h[at])

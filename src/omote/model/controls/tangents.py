@@ -1,4 +1,4 @@
-"""Tangents: how a face answers to a small field, so that pages can show a drag before it is let go."""
+"""Tangents: the derivative of a face by the field, with which pages preview a drag (linearisation)."""
 
 from __future__ import annotations
 

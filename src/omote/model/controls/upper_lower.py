@@ -1,4 +1,4 @@
-"""Upper and lower side of lids and lips: what lies on one side of an opening is not moved from the other."""
+"""Upper and lower side of lids and lips: control points on one side of an opening do not move the other."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ _sides: WeakKeyDictionary[ParameterSpace, Sides] = WeakKeyDictionary()
 
 
 def sides(space: ParameterSpace, /) -> Sides:
-    """On which side of each line of lids or lips each vertex lies: (lines, V), 1 above, -1 below, 0 beside it or off
-    the sheet."""
+    """The side of each line of lids or lips on which each vertex lies: (lines, V), 1 above, -1 below, 0 beside it or
+    off the sheet."""
     if space not in _sides:
         found = [_of_line(space, line) for line in space.lines]
         _sides[space] = np.stack(found) if found else np.zeros((0, space.vertex_count), np.int8)
@@ -57,7 +57,7 @@ def nearest_own_side(vertices: Sides, points: Sides, triangles: Indices, corners
 
 
 def clamp_weights(weights: Values, /) -> Values:
-    """Weights (n, 3) of points beyond their triangles, those far off brought back to its edge."""
+    """Clamps the barycentric weights (n, 3) of points far outside their triangles to the edge."""
     far = weights.min(axis=1) < -_BEYOND
     inside = np.maximum(weights, 0.0)
     return np.where(far[:, None], inside / inside.sum(axis=1, keepdims=True), weights)

@@ -1,4 +1,4 @@
-"""What a recipe adds up to: ground, layers, muscles and control points, as one expression."""
+"""Composes the expression of a recipe: adds its ground, weighted layers, muscles and control points."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ class _Sum:
 def compose_expression(
     space: ParameterSpace, recipe: Recipe, sources: Mapping[str, Expression], /, net_field: NetField | None = None
 ) -> Expression:  # fmt: skip
-    """The expression that a recipe stands for: fields add as dtheta, dh and R - 1, and so do residuals, parts, eyes and
+    """Composes the expression of a recipe: fields add as dtheta, dh and R - 1, and so do residuals, parts, eyes and
     pupils.
 
-    sources: the expressions that it names; weave: of its net, where it is known. Raises ValueError on what it names and
-    nobody knows, numbers that are not finite, weights beyond HEAVIEST and radii that are not positive.
+    sources: the expressions that it names; net_field: of its net, where it is known. Raises ValueError on what it names
+    and nobody knows, numbers that are not finite, weights beyond HEAVIEST and radii that are not positive.
     """
     total = _zero_sum(space)
     if recipe.ground is not None:
@@ -63,7 +63,7 @@ def compose_expression(
 
 
 def find_muscle_field(space: ParameterSpace, name: str, /) -> Values:
-    """The field (V, 3) of a muscle at full contraction; ValueError on a name that is none."""
+    """The field (V, 3) of a muscle at full contraction; ValueError for an unknown name."""
     fields = muscle_fields(space)
     if name not in fields:
         raise ValueError(f"there is no muscle {name!r}; expected one of {', '.join(fields) or 'none on this head'}")
@@ -73,8 +73,8 @@ def find_muscle_field(space: ParameterSpace, name: str, /) -> Values:
 def add_field(
     space: ParameterSpace, ground: Expression | None, field: Values, /
 ) -> Expression:  # fmt: skip
-    """A ground (None: at rest) with a field (V, 3) of dtheta, dh and R - 1 added; ValueError on radii that are not
-    positive."""
+    """Adds a field to a ground (None: at rest): a field (V, 3) of dtheta, dh and R - 1; ValueError on radii that are
+    not positive."""
     total = _zero_sum(space)
     if ground is not None:
         _add(space, total, ground, Layer("", ""))
@@ -169,20 +169,20 @@ def _expression(space: ParameterSpace, total: _Sum) -> Expression:
 def change_net(
     space: ParameterSpace, recipe: Recipe, ground: Expression | None, net: Sequence[int], /
 ) -> tuple[Recipe, NetField, Expression | None]:  # fmt: skip
-    """The same expression under another net: the recipe, whose ground the caller names, its weave, and that ground.
+    """Refits an expression to another net: the recipe, whose ground the caller names, its net field, and that ground.
 
     The new points carry the old control field where they stand; what the new net cannot say of it goes into the ground
-    (None: there is still none), so that nothing moves. ValueError as `woven`.
+    (None: there is still none), so that nothing moves. ValueError as `build_net_field`.
     """
     before = build_net_field(space, recipe.net).field(recipe.vectors)
     net_field = build_net_field(space, net)
     vectors = before[list(net_field.rows)] + [0.0, 0.0, 1.0]
     left = before - net_field.field(vectors)
     rows = tuple((float(a), float(b), float(c)) for a, b, c in vectors)
-    woven_anew = _replace_net(recipe, net_field.rows, rows)
+    refitted = _replace_net(recipe, net_field.rows, rows)
     if not np.abs(left).max(initial=0.0) > 1e-12:
-        return woven_anew, net_field, ground
-    return woven_anew, net_field, add_field(space, ground, left)
+        return refitted, net_field, ground
+    return refitted, net_field, add_field(space, ground, left)
 
 
 def _replace_net(recipe: Recipe, net: tuple[int, ...], vectors: tuple[tuple[float, float, float], ...]) -> Recipe:

@@ -1,4 +1,4 @@
-"""What a face's recipe makes: a mix of faces, regions of others, caricature, handles; and the look with it."""
+"""Composes the face (identity) and look of a recipe: a mix of faces, regions of others, caricature, handles."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class FaceWithLook:
 def compose_face(
     space: ParameterSpace, name: str, recipe: FaceRecipe, sources: Mapping[str, FaceWithLook], /
 ) -> FaceWithLook:  # fmt: skip
-    """The face that a recipe stands for, under a name: base, then regions, then caricature, then handles.
+    """Composes the face of a recipe, under a name: base, then regions, then caricature, then handles.
 
     sources: the faces that it names. Raises ValueError on faces, regions and handles that nobody knows, weights that do
     not sum to one, and what makes no face of this space.
@@ -69,7 +69,7 @@ def compose_face(
 
 
 def mix_faces(space: ParameterSpace, name: str, faces: Sequence[tuple[Face, float]], /) -> Face:
-    """The mix of faces by shares that sum to one, skin and parts, named `name`."""
+    """Mixes faces by shares that sum to one, skin and parts; named `name`."""
     skin = np.zeros(space.points.shape)
     parts = {part: np.zeros(one.points.shape) for part, one in space.parts.items()}
     for face, share in faces:
@@ -81,7 +81,7 @@ def mix_faces(space: ParameterSpace, name: str, faces: Sequence[tuple[Face, floa
 
 
 def mix_looks(looks: Sequence[tuple[Look, float]], /) -> Look:
-    """The mix of looks by shares that sum to one: colours in linear light, as the stage mixes them.
+    """Mixes looks by shares that sum to one: colours in linear light, as the stage mixes them.
 
     Hair is one style, whole, on the scalp that goes with it: a mixed hairline would fit none. It is that of the largest
     share (of styles worn by several, all their shares) where half of the mix or more wear any; its colour is mixed from
@@ -113,7 +113,7 @@ def _style(looks: Sequence[tuple[Look, float]]) -> str:
 
 
 def _normalize_shares(looks: Sequence[tuple[Look, float]]) -> list[tuple[Look, float]]:
-    """The same looks, their shares scaled to sum to one."""
+    """Scales the shares of looks to sum to one."""
     total = sum(share for _, share in looks)
     return [(look, share / total) for look, share in looks if share > 0.0]
 

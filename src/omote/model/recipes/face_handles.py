@@ -1,4 +1,4 @@
-"""Handles of the face editor: vertices of the generic head by feature; dragged, they carry face and parts along."""
+"""Handles of the face editor: landmarks of the generic head; dragged, they deform the face and its parts."""
 
 from __future__ import annotations
 
@@ -72,8 +72,8 @@ _BESIDE: tuple[tuple[str, tuple[float, float, float]], ...] = (
 
 @dataclass(frozen=True)
 class Handle:
-    """A vertex of the sheet with what people call it; mirror: the place of its mirror image among the handles, its own
-    on the midline."""
+    """A landmark: a vertex of the sheet with its label; mirror: the place of its mirror image among the handles, its
+    own on the midline."""
 
     label: str
     row: int
@@ -122,7 +122,7 @@ def handle_basis(space: ParameterSpace, face: Face, rows: ArrayLike, /) -> Value
 
 
 def drag_handles(space: ParameterSpace, face: Face, name: str, /, *, rows: ArrayLike, moves: ArrayLike) -> Face:
-    """The face with its handles (rows of the sheet) moved by moves (n, 3), metres; named `name`.
+    """Moves a face's handles (rows of the sheet) by moves (n, 3), metres; the result is named `name`.
 
     Skin and parts are carried by the sculptor's map; eyeballs stay round, and lids lie on them as before. Raises
     ValueError where rows are no vertices of the sheet, stand twice or all in one plane, or where a move is not finite,
@@ -152,7 +152,7 @@ def _keep_lids(space: ParameterSpace, before: FittedFace, skin: Values, parts: d
 
 
 def validate_rows(space: ParameterSpace, rows: ArrayLike, /) -> NDArray[np.int32]:
-    """Rows (n,) of the sheet, each once; ValueError else."""
+    """Validates rows (n,) of the sheet, each once; ValueError for others."""
     given = np.asarray(rows)
     if given.ndim != 1 or len(given) == 0 or given.dtype.kind not in "iu":
         raise ValueError(f"handles are {rows!r}; expected a list of rows of the generic face's sheet")

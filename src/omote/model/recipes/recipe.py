@@ -1,4 +1,4 @@
-"""Recipes: how an own expression or an own face was made, as plain data that can be kept, undone and mailed."""
+"""Recipes: how an own expression or face was made, as plain data for storage, undo and exchange."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ KEY = "#"
 
 
 class Layer(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """An expression laid under the control points.
+    """A weighted expression (a blendshape) under the control points.
 
     source: a name of the built-in cast, or `#` and a content key; label: what people read; region: one of
-    `model.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged.
+    `sculpting.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged.
     """
 
     source: str
@@ -32,7 +32,7 @@ class Pull(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Recipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="expression"):
-    """An expression as an artist made it: what its fields add up to (`model.compose`).
+    """An expression as an artist made it; `compose_expression` adds up its fields.
 
     net: rows of the generic face's sheet under the control points; vectors: dtheta (radians), dh (metres), R (1 on the
     surface) of each; ground: `#` and the key of a field that the net cannot say, or None; eyes: left yaw, pitch, right
@@ -49,7 +49,7 @@ class Recipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field=
 
 
 class FaceRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="face"):
-    """A face made from faces (`model.compose`): a mix, regions from others, caricature, then handles.
+    """A face made from faces (`compose_face`): a mix, regions from others, caricature, then handles.
 
     base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
     amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,

@@ -1,4 +1,4 @@
-"""Growth: a form carried on beyond a face by rotations and stretches, so that nothing turns inside out."""
+"""Extrapolates the form of a face in gradient space (rotations and stretches), so that nothing turns inside out."""
 
 from __future__ import annotations
 
@@ -26,7 +26,8 @@ _ROUNDS = 30
 
 
 def extrapolate(generic: Values, face: Values, triangles: Triangles, amount: float, bell: float, /) -> Values:
-    """The face (V, 3) with what turns and stretches it from the generic one (V, 3) applied once more, times amount.
+    """Extrapolates a face (V, 3): what turns and stretches it from the generic one (V, 3) is applied again, times
+    amount.
 
     Each triangle's deformation gradient (Sumner and Popovic 2004) is a rotation and a stretch; the logarithms of both,
     averaged over a bell of that width in metres, times amount are its growth, and the positions whose gradients come
@@ -52,8 +53,8 @@ def find_folds(face: Values, positions: Values, triangles: Triangles, /) -> NDAr
 
 
 def repair_folds(face: Values, positions: Values, triangles: Triangles, /) -> Values:
-    """The positions (V, 3) with what is turned over against the face pulled to the mean of its one-rings, as little as
-    does it, in at most so many rounds; the same where nothing is."""
+    """Smooths positions (V, 3) where triangles are turned over against the face, by the mean of their one-rings, as
+    little as repairs them, in a limited number of rounds; unchanged where nothing is folded."""
     result, mean = positions.copy(), smoothing_matrix(triangles, len(positions))
     for _ in range(_ROUNDS):
         bad = find_folds(face, result, triangles)

@@ -1,4 +1,4 @@
-"""Regions of the face, for mixes of faces part by part, and caricature; both are smooth over the skin."""
+"""Soft masks of facial regions, faces mixed region by region, and caricature (extrapolation of identity)."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ def regional(
 def _align_regions(
     space: ParameterSpace, chosen: Mapping[Region, FittedFace], whole: FittedFace
 ) -> dict[Region, Similarity]:
-    """How each region's face is laid on the whole one: by the border of all regions that the face gives."""
+    """Aligns each region's face with the whole one, by the border of all regions that the face gives."""
     weights, area = region_weights(space), _areas(space)
     found: dict[Region, Similarity] = {}
     for region, face in chosen.items():

@@ -1,4 +1,4 @@
-"""Sculpts: a face made by moving a few points of the generic head; everything between follows smoothly."""
+"""Sculpts: faces made by moving a few control points of the generic head; the rest follows a radial-basis warp."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ FARTHEST = 0.06
 _NEAREST = 1e-4  # Two control points closer than this, metres, would tear the skin between them.
 _EXACT = 1e-7  # What a point on the midline may be off it, and how exactly control points arrive, metres.
 # Lengths are counted in this unit while solving, so that the affine part and the kernel are of one size.
-_UNIT = 0.05
+WARP_UNIT = 0.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,16 +115,16 @@ def warp(sculpt: Sculpt, /) -> Callable[[Values], Values]:
         )
     answer = np.linalg.solve(_system(points, sculpt.kernel), np.concatenate([moves, np.zeros((4, 3))]))
 
-    def moved(where: Values) -> Values:
+    def move(where: Values) -> Values:
         result: Values = where + _columns(points, sculpt.kernel, where) @ answer
         return result
 
-    if not np.abs(moved(points) - points - moves).max() < _EXACT:
+    if not np.abs(move(points) - points - moves).max() < _EXACT:
         raise ValueError(
             f"the control points of sculpt {sculpt.name!r} could not be met to {_EXACT} m; "
             "expected points that are apart: join those that nearly touch"
         )
-    return moved
+    return move
 
 
 def warp_basis(points: Values, where: Values, /, *, kernel: Kernel = "triharmonic") -> Values:
@@ -213,7 +213,7 @@ def _base(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face]) -> t
 
 
 def _local(points: Values, where: Values) -> Values:
-    result: Values = (where - points.mean(axis=0)) / _UNIT
+    result: Values = (where - points.mean(axis=0)) / WARP_UNIT
     return result
 
 

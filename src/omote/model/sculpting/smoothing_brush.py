@@ -1,4 +1,5 @@
-"""Brushes: places of the skin where a sculpt leaves the form and takes the detail, such as the folds of an ear."""
+"""Smoothing brushes: places of the skin where a sculpt keeps the form and removes detail, such as the folds of an
+ear."""
 
 from __future__ import annotations
 
@@ -49,7 +50,7 @@ class Brush:
 def apply_brushes(
     space: ParameterSpace, skin: Values, brushes: Sequence[Brush], /, *, symmetric: bool = True
 ) -> Values:
-    """The skin (V, 3) with each brush's place smoothed by the mean of its one-rings; what no brush reaches stays.
+    """Smooths the skin (V, 3) under each brush by the mean of its one-rings (Laplacian smoothing); the rest stays.
 
     symmetric: a brush works at its mirror image too.
     """

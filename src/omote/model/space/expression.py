@@ -1,4 +1,4 @@
-"""Expressions: local deformation data, fields on S that belong to no face (paper, section 2.2)."""
+"""Expressions: blendshapes defined on S, independent of identity (the paper's local deformation data, section 2.2)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Expression:
-    """A field (dtheta, dh, R) on S with what the sheet cannot say: inner skin, parts, eyes.
+    """An expression: a blendshape as a field (dtheta, dh, R) on S, independent of identity, with inner skin, parts and
+    eyes.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Sockets: the skin around an eyeball lies as closely on it as on the face where it came from."""
+"""Eye sockets: keeps the distance of lids and skin to the eyeball when a face changes."""
 
 from __future__ import annotations
 
@@ -14,14 +14,15 @@ NEAR, FAR = 1.12, 1.6
 
 
 def ball_heights(skin: NDArray[np.floating], ball: NDArray[np.floating], /) -> Values:
-    """How far each vertex of the skin (V, 3) is from the middle of an eyeball (n, 3), in the ball's radii: (V,)."""
+    """The distance of each vertex of the skin (V, 3) from the middle of an eyeball (n, 3), in the ball's radii:
+    (V,)."""
     result: Values = np.linalg.norm(skin.astype(np.float64) - ball.mean(axis=0), axis=1) / radius_of(ball)
     return result
 
 
 def set_ball_heights(skin: Values, balls: Mapping[str, Values], wanted: Mapping[str, Values], /) -> Values:
-    """The skin (V, 3) with the vertices around each eyeball (n, 3) lifted or let down to the heights (V,) wanted of it,
-    radii; the wanted heights also say which vertices lie around it."""
+    """Moves the vertices of the skin (V, 3) around each eyeball (n, 3) to the wanted heights (V,) over it, in radii;
+    the wanted heights also say which vertices lie around it."""
     result = skin.copy()
     for name, ball in balls.items():
         now, rest = ball_heights(result, ball), wanted[name]
@@ -32,15 +33,15 @@ def set_ball_heights(skin: Values, balls: Mapping[str, Values], wanted: Mapping[
 
 
 def move_ball(ball: Values, before: Values, after: Values, /) -> Values:
-    """An eyeball (n, 3) elsewhere and of another size, as another went from before to after (n, 3): round as it was
-    and looking where it looked, whatever happened to the other's form."""
+    """Moves and scales an eyeball (n, 3) as another went from before to after (n, 3); it stays round and its gaze
+    stays, whatever happened to the other's form."""
     shift = before.mean(axis=0) - ball.mean(axis=0)
     result: Values = move_with_ball(ball + shift, before, after) - shift
     return result
 
 
 def move_with_ball(points: Values, before: NDArray[np.floating], after: NDArray[np.floating], /) -> Values:
-    """Points (m, 3) that go and grow with an eyeball from before to after (n, 3)."""
+    """Moves and scales points (m, 3) as an eyeball went from before to after (n, 3)."""
     larger = radius_of(after) / radius_of(before)
     result: Values = (points - before.mean(axis=0)) * larger + after.mean(axis=0)
     return result

@@ -1,4 +1,5 @@
-"""Faces: global deformation data (paper, section 2.1)."""
+"""Faces: identities, shapes with the topology of the generic face (the paper's global deformation data, section
+2.1)."""
 
 from __future__ import annotations
 
@@ -81,7 +82,8 @@ def _freeze(points: ArrayLike, name: str) -> NDArray[np.float32]:
 def align(
     points: NDArray[np.float64], generic: NDArray[np.float64], /, *, rows: NDArray[np.int32]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Rotation (3, 3) and shift (3,) that bring a face nearest to the generic one, size kept (method.md, section 3).
+    """Rotation (3, 3) and shift (3,) that bring a face nearest to the generic one, size kept
+    (docs/method.md, "The cylinder").
 
     points, generic (V, 3); rows: the vertices that decide (the sheet's). Apply as `points @ rotation.T + shift`.
     """

@@ -1,4 +1,4 @@
-"""A face checked against a space, with what every compound on it needs."""
+"""Validates a face against a space and precomputes what every compound on it needs."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def generic_face(space: ParameterSpace, /) -> Face:
 
 
 def fit(space: ParameterSpace, face: Face, /) -> FittedFace:
-    """The face ready for compounds, remembered as long as the face lives.
+    """Validates a face and prepares it for compounds; cached as long as the face lives.
 
     Raises ValueError where the face has another topology, triangles without area, or does not stand around the axis;
     TypeError where it is none.

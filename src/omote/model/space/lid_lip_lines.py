@@ -1,4 +1,5 @@
-"""Lines: where two lids, or two lips, meet; named once on the generic face (method.md, section 3)."""
+"""Lines: where two lids, or two lips, meet; named once on the generic face
+(docs/method.md, "Lines of lids and lips")."""
 
 from __future__ import annotations
 
@@ -25,8 +26,7 @@ class Line:
     """A closed line on the sheet around an opening, and the rungs across it.
 
     loop (n,): its vertices; vertices (RUNGS, 4), weights (RUNGS, 4): rung i is the weighted sum of its four
-    vertices, the
-    upper point minus the lower one, both at the same share of the arc from corner to corner.
+    vertices, the upper point minus the lower one, both at the same share of the arc from corner to corner.
     """
 
     name: str
@@ -44,7 +44,7 @@ class Line:
 def find_line(
     name: str, kind: Kind, points: Values, sheet: Indices, membranes: Indices, cylinder: Cylinder, near: Values, /
 ) -> Line:
-    """The line around the opening of the sheet whose membrane is nearest to a point.
+    """Finds the line around the opening of the sheet whose membrane is nearest to a point.
 
     points (V, 3) generic, sheet (F, 3), membranes (m, 3), near (3,) metres. The line is the shortest closed path along
     edges of the sheet that goes once around the opening. Raises ValueError where there is no such path.
@@ -93,7 +93,7 @@ def _shortest_around(points: Values, sheet: Indices, plane: Values, centre: Valu
     starts = np.unique(one[crosses])
     distance, before = dijkstra(graph, directed=False, indices=starts, return_predecessors=True)
     best = int(distance[np.arange(len(starts)), starts + count].argmin())
-    return [int(near[v % count]) for v in _back(before[best], starts[best] + count, starts[best])]
+    return [int(near[v % count]) for v in _trace_back(before[best], starts[best] + count, starts[best])]
 
 
 def _crossing(ends: Values) -> NDArray[np.bool_]:
@@ -105,7 +105,7 @@ def _crossing(ends: Values) -> NDArray[np.bool_]:
     return result
 
 
-def _back(before: Indices, end: int, start: int) -> list[int]:
+def _trace_back(before: Indices, end: int, start: int) -> list[int]:
     path, here = list[int](), end
     while here != start and here >= 0:
         path.append(here)

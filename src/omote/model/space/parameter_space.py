@@ -1,4 +1,4 @@
-"""The parameter space S: the generic face unrolled (method.md, section 2; paper, section 2.1)."""
+"""The parameter space S: the generic face unrolled onto a cylinder (method.md, section 2; paper, section 2.1)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Parts: eyeballs, teeth, tongue, lashes; placed on a face and moved by bindings to the skin (method.md, section 2)."""
+"""Parts: eyeballs, teeth, tongue, lashes; placed on a face and moved by bindings to the skin
+(docs/method.md, "Inner skin and parts")."""
 
 from __future__ import annotations
 
@@ -57,7 +58,7 @@ def bind_to_head(
     uvs: NDArray[np.float32] | None = None,
     eye: str = "",
 ) -> Part:
-    """A part that stands still in the head (eyeballs, upper teeth).
+    """Binds a part rigidly to the head (eyeballs, upper teeth).
 
     points (n, 3), triangles (f, 3), skin (V, 3) generic; candidates: skin vertices (the sheet's) that may place it.
     """
@@ -76,7 +77,7 @@ def bind_to_jaw(
     chin: NDArray[np.int32],
     uvs: NDArray[np.float32] | None = None,
 ) -> Part:
-    """A part that goes with the jaw as one piece (lower teeth, tongue): it moves by the chin's mean displacement."""
+    """Binds a part rigidly to the jaw (lower teeth, tongue): it moves by the chin's mean displacement."""
     anchors = np.broadcast_to(chin, (len(points), len(chin))).astype(np.int32)
     weights = np.full(anchors.shape, 1.0 / len(chin))
     return Part(name, points, triangles, _ring(points, skin, candidates), anchors, weights, uvs)
@@ -92,7 +93,7 @@ def bind_to_skin(
     candidates: NDArray[np.int32],
     uvs: NDArray[np.float32] | None = None,
 ) -> Part:
-    """A part that sticks to the skin under it (lashes, hair): each vertex moves with its three nearest on the skin."""
+    """Binds a part to the skin under it (lashes, hair): each vertex moves with its three nearest on the skin."""
     distance = np.linalg.norm(points[:, None] - skin[candidates][None], axis=2)
     nearest = np.argsort(distance, axis=1, kind="stable")[:, :3]
     share = 1.0 / np.maximum(np.take_along_axis(distance, nearest, axis=1), 1e-6)

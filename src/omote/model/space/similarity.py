@@ -1,4 +1,4 @@
-"""Similarities: turn, scale and move that lay one set of points on another."""
+"""Similarity transforms (rotation, scale, shift) that align two sets of points by weighted least squares."""
 
 from __future__ import annotations
 

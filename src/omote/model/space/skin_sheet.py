@@ -1,5 +1,5 @@
-"""Finds the axis of a head, its one-layered skin sheet and the membranes over the sheet's holes (method.md, section
-2)."""
+"""Finds the axis of a head, its one-layered skin sheet and the membranes over the sheet's holes
+(docs/method.md, "The skin sheet")."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def unwrap_corners(theta: NDArray[np.float64], corners: Triangles, /) -> NDArray
 def cut_sheet(
     points: Points, corners: Triangles, theta: NDArray[np.float64], h: NDArray[np.float64], cylinder: Cylinder, /
 ) -> tuple[NDArray[np.bool_], Triangles]:  # fmt: skip
-    """The skin sheet and the membranes over its holes.
+    """Cuts the one-layered skin sheet out of a head, and closes its holes with membranes.
 
     corners (F, 3) with seams welded. The sheet is the flood fill, from a forehead triangle, over triangles that face
     outward in S, the outer one wherever two lie over each other: S has one layer. Returns the mask (F,) of the sheet
@@ -107,7 +107,7 @@ def cut_sheet(
 
 
 def find_outward(theta: NDArray[np.float64], h: NDArray[np.float64], corners: Triangles, /) -> NDArray[np.bool_]:
-    """Which triangles have positive area in S and do not hold the axis: (F,)."""
+    """Finds the triangles that have positive area in S and do not hold the axis: (F,)."""
     unrolled, height = unwrap_corners(theta, corners), h[corners]
     span = wrap(np.roll(unrolled, -1, axis=1) - unrolled)
     whole = (np.abs(span).max(axis=1) < _WIDEST) & (np.abs(span.sum(axis=1)) < 1.0)

@@ -1,4 +1,4 @@
-"""Where everything is: the positions of a frame (method.md, section 5). The head's direction is left to the stage."""
+"""The positions of a frame (docs/method.md, "Bilinear and exact"). The head's direction is left to the stage."""
 
 from __future__ import annotations
 
@@ -207,7 +207,7 @@ def _nonlinear_part(cast: Cast, weights: Mapping[str, float], worn: Compiled) ->
 
 
 def _mix_faces(cast: Cast, weights: Mapping[str, float]) -> FittedFace:
-    """The face sum s_i M_i, ready to wear; sizes of residuals and parts mix like the positions."""
+    """The fitted face sum s_i M_i; sizes of residuals and parts mix like the positions."""
     fitted = [fit(cast.space, cast.faces[face]) for face in weights]
     factors = list(weights.values())
     positions = weighted_sum([face.positions for face in fitted], factors)

@@ -1,4 +1,4 @@
-"""The fields of all expressions of a cast as tables, so that a mix of them is one product and one walk over S."""
+"""Tables of all expressions' fields, so that a mix of them is one matrix product and one walk over S."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ _of_cast: WeakKeyDictionary[Cast, ExpressionTables] = WeakKeyDictionary()
 
 
 def tables_of(cast: Cast) -> ExpressionTables:
-    """The fields of a cast, the same ones as long as the cast lives."""
+    """The tables of a cast, cached as long as the cast lives."""
     if cast not in _of_cast:
         _of_cast[cast] = ExpressionTables(cast.space, cast.expressions)
     return _of_cast[cast]

@@ -1,4 +1,4 @@
-"""The weighted sum of a few large arrays: the kernel of every mix of positions."""
+"""Weighted sums of a few large arrays: the blending kernels of all positions (Numba)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A Chromium without a window: found on this machine, spoken to over a line of our own, gone when we are."""
+"""Finds, starts and ends a headless Chromium, driven over a DevTools pipe; it never outlives this process."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ NO_TIMEOUT_FLAGS = ["--disable-gpu-watchdog", "--disable-gpu-process-crash-limit
 LINUX_RENDERER = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--enable-unsafe-swiftshader"]
 LONGEST_ANSWER = 1 << 30
 """Bytes: a picture comes as one message."""
-# A process between us and the browser: puts our line on descriptors 3 and 4, where DevTools want it and where ours may
-# be in use, and ends the browser with all it has started when we end, however that comes.
+# A watchdog process between us and the browser: it puts our pipe on descriptors 3 and 4, where DevTools expect it (ours
+# may be in use), and kills the browser with its children when this process ends, for whatever reason.
 WATCHDOG = """
 import os, shutil, signal, subprocess, sys
 line, profile, *command = int(sys.argv[1]), *sys.argv[2:]
@@ -57,8 +57,8 @@ os.killpg(0, signal.SIGKILL)
 def find_chromium(environment: Mapping[str, str] = os.environ) -> Path:
     """The path of a Chromium: OMOTE_BROWSER, else the PATH, else an application.
 
-    FileNotFoundError with what to do where there is none, or where OMOTE_BROWSER names no file: a wish that cannot be
-    met is not silently replaced.
+    FileNotFoundError with what to do where there is none, or where OMOTE_BROWSER names no file: a setting that
+    cannot be met is not silently replaced.
     """
     wish = environment.get("OMOTE_BROWSER")
     if wish:
@@ -74,7 +74,7 @@ def find_chromium(environment: Mapping[str, str] = os.environ) -> Path:
 
 @asynccontextmanager
 async def open_chromium(path: Path) -> AsyncIterator[DevTools]:
-    """The DevTools of a fresh browser, which ends with the block; it ends, too, when this process is killed."""
+    """Starts a browser and yields its DevTools; the browser ends with the block, or when this process is killed."""
     with tempfile.TemporaryDirectory(prefix="omote-", ignore_cleanup_errors=True) as profile:
         ours, theirs = socket.socketpair()
         with theirs:

@@ -1,4 +1,4 @@
-"""A browser's DevTools over a line of our own: JSON messages, each ended by a zero byte; no port is opened."""
+"""Speaks the Chrome DevTools Protocol over a pipe: JSON messages, each ended by a zero byte; no port is opened."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ Answer = dict[str, Any]
 
 
 class BrowserError(RuntimeError):
-    """The browser does not do what it should, and why, in one sentence."""
+    """The browser failed; the message says why in one sentence."""
 
 
 class DevTools:
-    """The line to a browser; every call waits for its answer, however many wait at once."""
+    """A connection to a browser; every call waits for its own answer, and calls may overlap."""
 
     def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self._reader, self._writer = reader, writer
@@ -27,7 +27,7 @@ class DevTools:
         self._listening = asyncio.create_task(self._listen())
 
     async def call(self, method: str, *, session: str | None = None, **parameters: Any) -> Answer:
-        """What the browser answers; BrowserError when it refuses, or ends."""
+        """Calls a DevTools method and returns the result; BrowserError when the browser rejects it, or ends."""
         if self._listening.done():
             raise BrowserError("the browser has ended; try again")
         number = next(self._numbers)
@@ -40,7 +40,7 @@ class DevTools:
         return await answer
 
     async def evaluate(self, session: str, script: str) -> Any:
-        """The value of an expression on a page, once its promise is kept; BrowserError with what it throws."""
+        """Evaluates a script on a page, awaits its promise and returns the value; BrowserError with what it throws."""
         answer = await self.call(
             "Runtime.evaluate", session=session, expression=script, awaitPromise=True, returnByValue=True
         )
@@ -51,7 +51,7 @@ class DevTools:
         return answer["result"].get("value")
 
     async def close(self) -> None:
-        """Hangs up."""
+        """Closes the connection."""
         self._listening.cancel()
         self._writer.close()
         await asyncio.gather(self._listening, return_exceptions=True)

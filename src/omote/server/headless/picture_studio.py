@@ -1,4 +1,4 @@
-"""Pictures without a window: the stage's own page, served on loopback to a browser that nobody sees."""
+"""Renders pictures headlessly: the stage's own page, served on loopback to a Chromium without a window."""
 
 from __future__ import annotations
 
@@ -35,16 +35,16 @@ OPENING = 60.0
 
 
 class PicturePage:
-    """A page that draws sheets."""
+    """A stage page in the headless browser that renders picture grids."""
 
     def __init__(self, tools: DevTools, target: str, session: str) -> None:
         self._tools, self._target, self._session = tools, target, session
 
     async def draw(self, sheet: PictureGrid) -> bytes:
-        """The sheet as a file; BrowserError where the browser cannot draw it."""
+        """Renders a grid and returns the image file's bytes; BrowserError where the browser cannot."""
         words = msgspec.json.encode(sheet).decode()
-        drawn = await self._tools.evaluate(self._session, f"window.omoteStage.sheet({words})")
-        return base64.b64decode(drawn)
+        render = await self._tools.evaluate(self._session, f"window.omoteStage.sheet({words})")
+        return base64.b64decode(render)
 
     async def close(self) -> None:
         """Closes the page."""
@@ -52,22 +52,22 @@ class PicturePage:
 
 
 def draw_grid(sheet: PictureGrid, setting: Setting) -> bytes:
-    """A sheet as a file, by a browser that starts and ends with this call.
+    """Renders a grid in a browser that starts and ends with this call; returns the image file's bytes.
 
     FileNotFoundError where there is no browser, cast or page; BrowserError where the browser does not draw.
     """
     browser = find_chromium()
 
-    async def drawn() -> bytes:
+    async def render() -> bytes:
         async with serve_pages(built_in_documents(), read_pages()) as address, open_chromium(browser) as tools:
             return await (await open_picture_page(tools, address, setting)).draw(sheet)
 
-    return asyncio.run(drawn())
+    return asyncio.run(render())
 
 
 @asynccontextmanager
 async def serve_pages(documents: CastDocuments, pages: dict[str, Page]) -> AsyncIterator[str]:
-    """The address of a server for one browser, on loopback and a port of its own; no show, nothing is played."""
+    """Serves the pages and the cast on loopback for one browser and yields the address; no show is played."""
     session = ShowSession(documents.cast, Performer(documents.cast))
     server = ShowServer(session, documents, pages)
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
@@ -83,7 +83,7 @@ async def serve_pages(documents: CastDocuments, pages: dict[str, Page]) -> Async
 
 
 def query(setting: Setting) -> str:
-    """The address of a stage of this setting, from its question mark on."""
+    """The query string of the stage's address for this setting, from the question mark on."""
     words = {"quality": setting.quality, "background": setting.background}
     if setting.transparent:
         words["transparent"] = "1"
@@ -91,7 +91,7 @@ def query(setting: Setting) -> str:
 
 
 async def open_picture_page(tools: DevTools, address: str, setting: Setting) -> PicturePage:
-    """A stage of this setting; BrowserError, with the page's own sentence, where it does not open."""
+    """Opens a stage page with this setting; BrowserError with the page's own message where it does not open."""
     target = await tools.call("Target.createTarget", url="about:blank")
     attached = await tools.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)
     session = str(attached["sessionId"])

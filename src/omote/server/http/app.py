@@ -1,4 +1,4 @@
-"""The web server of one show: pages, documents, and the link."""
+"""The aiohttp application of one show: pages, documents, and the WebSocket links."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ Clock = Callable[[], float]
 
 
 class ShowServer:
-    """A session with its links, its documents and its pages."""
+    """Serves a show session: its WebSocket links, the cast's documents and the built pages."""
 
     def __init__(
         self,
@@ -52,7 +52,7 @@ class ShowServer:
         reopen: Callable[[], AuthoredWork | None],
         report: Callable[[str], None],
     ) -> None:
-        """Lets editors in; before `application`."""
+        """Adds the editors' link; to be called before `application`."""
         self.editing = EditorLinks(
             authored_work,
             self.documents,
@@ -66,12 +66,12 @@ class ShowServer:
         )
 
     def on_air(self) -> OnAir:
-        """What is seen now; coming is also what was called since the last tick."""
+        """What is on air now; `coming` includes what was called since the last tick."""
         found, (faces, expressions) = read_on_air(self._state) if self._state else OnAir(), self.session.names_held()
         return replace(found, coming=found.coming | faces | expressions)
 
     def application(self, names: frozenset[str]) -> web.Application:
-        """The aiohttp application; `names` are the hosts it answers to, beside addresses in figures."""
+        """Builds the aiohttp application; `names` are the host names it answers to, beside numeric addresses."""
         silence_bad_requests()
         application = web.Application(middlewares=[guard(names)], client_max_size=MESSAGE_LIMIT)
         application.on_response_prepare.append(add_headers)
@@ -90,29 +90,29 @@ class ShowServer:
         return application
 
     def tick(self) -> None:
-        """One state for everybody."""
+        """Advances the session by one tick and broadcasts the state."""
         now = self.clock()
         state = self._state = self.session.tick(now)
         self.links.broadcast(encode(state), now)
         self.documents.set_on_air(state)
 
     def broadcast_crew(self) -> None:
-        """Tells everybody who is connected."""
+        """Broadcasts who is connected."""
         now = self.clock()
         self.announce(self.session.crew_now(now))
 
     def announce(self, message: FromServer) -> None:
-        """The same to everybody."""
+        """Sends one message to every link."""
         data = encode(message)
         for link in self.links:
             self.links.answer(link.who, data)
 
     async def close_all(self) -> None:
-        """Tells every page that the server goes."""
+        """Closes every link; pages then know that the server is going."""
         await asyncio.gather(self.links.close_all(), *([self.editing.close()] if self.editing else []))
 
     async def link(self, request: web.Request) -> web.WebSocketResponse:
-        """A browser's link, from its first byte to its last."""
+        """Handles one page's WebSocket link until it closes."""
         ws = LinkSocket(heartbeat=HEARTBEAT)
         transport = await ws.accept(request)
         if transport is None:
@@ -126,7 +126,7 @@ class ShowServer:
         return ws
 
     async def manifest(self, request: web.Request) -> web.Response:
-        """What the cast is made of."""
+        """Responds with the manifest of the cast."""
         tag = f'"{self.documents.playing.digest}"'
         headers = {"Cache-Control": NO_CACHE, "ETag": tag}
         if request.headers.get("If-None-Match") == tag:
@@ -134,7 +134,7 @@ class ShowServer:
         return web.Response(body=await self.documents.manifest(), content_type=MESSAGEPACK, headers=headers)
 
     async def asset(self, request: web.Request) -> web.Response:
-        """A face, or the mask, by the name of its content."""
+        """Responds with a face, a hair style or the mask picture, by the digest of its content."""
         kept = {"Cache-Control": CACHE_FOREVER}
         if request.path == self.documents.mask_url:
             return web.Response(body=self.documents.mask, content_type="image/png", headers=kept)
@@ -144,28 +144,28 @@ class ShowServer:
         return web.Response(body=data, content_type=MESSAGEPACK, headers=kept)
 
     async def compound(self, request: web.Request) -> web.Response:
-        """A face wearing an expression, by their sources."""
+        """Responds with the compound of a face and an expression, by their sources."""
         names = request.match_info
         return await self._respond_computed(
             request, lambda: self.documents.compound(names["face"], names["expression"])
         )
 
     async def tangents(self, request: web.Request) -> web.Response:
-        """How a face answers to fields, by its source."""
+        """Responds with the tangents of a face (its derivative with respect to a field), by its source."""
         return await self._respond_computed(request, lambda: self.documents.tangents(request.match_info["face"]))
 
     async def handles(self, request: web.Request) -> web.Response:
-        """The handles of the face editor."""
+        """Responds with the handles of the face editor."""
         return await self._respond_computed(request, self.documents.handles, keep=NO_CACHE)
 
     async def content(self, request: web.Request) -> web.Response:
-        """An own face by its content."""
+        """Responds with an authored face, by the key of its content."""
         return await self._respond_computed(request, lambda: self.documents.face(request.match_info["key"]))
 
     async def _respond_computed(
         self, request: web.Request, make: Callable[[], Awaitable[bytes]], keep: str = CACHE_FOREVER
     ) -> web.Response:
-        """What is made now if need be, and as a rule is the same for ever under its address."""
+        """Responds with what `make` computes; by default cacheable for ever, for the address names the content."""
         if request.match_info.get("base", self.documents.cast.digest) != self.documents.cast.digest:
             raise web.HTTPNotFound(text="the cast has changed: load /manifest again.")
         try:
@@ -179,14 +179,14 @@ class ShowServer:
         return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": keep})
 
     async def layout(self, request: web.Request) -> web.Response:
-        """A page's document, as `set_layout` kept it; 204 where none is: a browser calls a 404 an error."""
+        """Responds with a page's stored layout; 204 where there is none, for browsers log a 404 as an error."""
         found = None if self.editing is None else self.editing.layout(request.match_info["name"])
         if found is None:
             return web.Response(status=204, headers={"Cache-Control": NO_CACHE})
         return web.Response(body=found, content_type="application/json", headers={"Cache-Control": NO_CACHE})
 
     async def page(self, request: web.Request) -> web.Response:
-        """A page, or one of its files."""
+        """Responds with a built page or one of its files."""
         page = self._pages.get(request.path)
         if page is None:
             raise web.HTTPNotFound(

@@ -1,4 +1,4 @@
-"""The cast's documents as bytes, ready to send; what takes mathematics is made when asked for, beside the show's
+"""Serializes the cast's documents; compounds and other costly ones are computed on request, off the show's event
 loop."""
 
 from __future__ import annotations
@@ -31,13 +31,13 @@ from omote.stage_data.assets import content_name, documents
 from omote.stage_data.playing_cast import PlayingCast, build_playing_cast, manifest_of
 
 CACHED_FACES = 256
-"""Documents of own faces that are kept, 60 KB each."""
+"""Documents of authored faces that are cached, 60 KB each."""
 
 
 class CastDocuments:
-    """Manifest, assets and compounds of a cast and of own things beside it.
+    """Manifest, assets and compounds of a cast and of the authored faces and expressions beside it, as bytes.
 
-    contents: the bytes of own things by key, also of those that do not play; troupe: what plays.
+    contents: the bytes of authored contents by key, also of those that do not play; playing: the cast that plays.
     """
 
     def __init__(self, cast: Cast, meshes: Sequence[BakedMesh], mask: bytes) -> None:
@@ -58,11 +58,11 @@ class CastDocuments:
         self._thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="workshop")
 
     async def manifest(self) -> bytes:
-        """The manifest of what plays."""
+        """The manifest of the cast that plays."""
         return self._manifests.get(self.playing.digest) or await self.prepare(self.playing)
 
     async def prepare(self, playing: PlayingCast) -> bytes:
-        """The manifest of a troupe, made ahead; own faces that cannot be are left out, and the operator is told."""
+        """Makes the manifest of a cast ahead; authored faces that fail are left out and reported to the operator."""
         found: dict[str, FaceDocument] = {}
         for own in playing.own:
             if own.kind != "face":
@@ -79,18 +79,18 @@ class CastDocuments:
         return manifest
 
     def play(self, playing: PlayingCast) -> None:
-        """Has what plays made ahead from now on."""
+        """Plays another cast from now on: its compounds are computed ahead."""
         self.playing = playing
         self._scheduler.set_expressions(playing.expression_sources.values())
 
     async def compound(self, face: str, expression: str) -> bytes:
-        """The compound of a face and an expression by their sources; KeyError for what is not there."""
+        """The compound of a face and an expression by their sources; KeyError for an unknown source."""
         self._check(face, self.cast.faces)
         self._check(expression, self.cast.expressions)
         return await self._scheduler.get((face, expression))
 
     async def face(self, key: str) -> bytes:
-        """The `ContentAsset` of an own face by the key of its content; KeyError where it is not there."""
+        """The `ContentAsset` of an authored face by the key of its content; KeyError where it is missing."""
         if key not in self._faces:
             made = await self._order(FaceOrder(key, {key: self.contents[key]}))
             self._faces[key] = made
@@ -100,7 +100,7 @@ class CastDocuments:
         return self._faces[key]
 
     async def tangents(self, face: str) -> bytes:
-        """The `TangentsAsset` of a face by its source; KeyError where it is not there."""
+        """The `TangentsAsset` of a face by its source; KeyError where it is missing."""
         self._check(face, self.cast.faces)
         return await self._order(TangentsOrder(face, self._contents(face)))
 
@@ -109,11 +109,11 @@ class CastDocuments:
         return await self._order(HandlesOrder())
 
     async def run_order(self, order: EditOrder) -> bytes:
-        """The `Baked` of an editor's order."""
+        """Computes an editor's order; returns its `Baked` answer."""
         return await self._order(order)
 
     def set_on_air(self, state: State) -> None:
-        """Makes what is on air first, and ahead what a face on air may wear next."""
+        """Computes first what is on air, then ahead what a face on air may wear next."""
         faces, expressions = names_on_air(state)
         self._scheduler.set_on_air(
             frozenset(source for name, source in self.playing.faces.items() if name in faces),
@@ -121,15 +121,15 @@ class CastDocuments:
         )
 
     def compute(self, order: bytes) -> bytes:
-        """What an order, as bytes, is answered with, here and now."""
+        """Computes an encoded order in this thread and returns the encoded answer."""
         return self.worker.make(order)
 
     def use_workshop(self, workshop: Workshop | None, report: Callable[[str], None]) -> None:
-        """Has orders made by a workshop from now on, as long as there is one; report: says things to the operator."""
+        """Sends orders to a workshop process from now on, while it lives; report: tells the operator."""
         self._workshop, self._report = workshop, report
 
     def close(self) -> None:
-        """Ends whoever computes."""
+        """Stops the scheduler, the workshop and the thread."""
         self._scheduler.close()
         if self._workshop is not None:
             self._workshop.close()
@@ -154,7 +154,7 @@ class CastDocuments:
             raise RefusedOrderError(str(error)) from error
 
     def _check(self, source: str, built_in: Mapping[str, object]) -> None:
-        """KeyError for a source that leads to nothing."""
+        """Raises KeyError for a source that names nothing."""
         _ = self.contents[source.removeprefix(KEY)] if source.startswith(KEY) else built_in[source]
 
     def _contents(self, *sources: str) -> dict[str, bytes]:
@@ -169,5 +169,5 @@ class CastDocuments:
 
 
 def built_in_documents() -> CastDocuments:
-    """The library of the baked cast; FileNotFoundError, with how to bake it, when it is missing."""
+    """The documents of the baked cast; FileNotFoundError, with how to bake it, when it is missing."""
     return CastDocuments(load_cast(), load_meshes(), load_mask())

@@ -1,4 +1,4 @@
-"""Puts own things into the show's cast while it plays, and takes them out again, but never what is on air."""
+"""Adds authored faces and expressions to the playing cast and removes them again, but never what is on air."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ Report = Callable[[str], None]
 
 
 class CastReload:
-    """The cast of a session, and its documents."""
+    """Replaces the cast of a running session together with its documents."""
 
     def __init__(self, session: ShowSession, documents: CastDocuments, report: Report) -> None:
         self._session, self._documents, self._report = session, documents, report
 
     async def recast(self, own: tuple[Own, ...], contents: Mapping[str, bytes]) -> CastChanged:
-        """Plays these own things beside the built-in cast, and what to tell everybody.
+        """Plays these authored items beside the built-in cast; returns the message for every page.
 
-        Own things on air that are not among them stay until the next time. All documents are there before the first
-        page hears of them.
+        Items on air that are not among them stay until the next reload. All documents are ready before any page is
+        told of them.
         """
         documents, tried = self._documents, None
         while True:
@@ -58,9 +58,9 @@ def gather_cast(
     *,
     before: PlayingCast | None = None,
 ) -> PlayingCast:
-    """The cast with all own things that can play; the operator is told of those that cannot.
+    """Builds the cast with all authored items that can play; the others are reported to the operator.
 
-    At the start of a show (`before` None) what played before is believed to play again: a server must be back soon.
+    At the start of a show (`before` None) contents are not checked first, so that a restarted server is back soon.
     """
     playing = build_playing_cast(base, (), contents)
     try:

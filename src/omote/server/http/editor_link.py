@@ -1,7 +1,7 @@
-"""The editors' link: what they say goes to the session, its orders to the workshop, its changes to the show file, and
-only then its answers back.
+"""The editors' WebSocket link: requests go to the edit session, its orders to the workshop, its changes to the show
+file, and only after the commit its answers back.
 
-What follows from one thing follows in order, in one task, and the mathematics waits for none of it.
+The consequences of all requests are carried out in order by one task; computations do not wait for it.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from omote.show.session import KeepRequest
 from omote.showfile.changes import Change, Kind, PutLayout
 
 HEARD_RATE, HEARD_BURST = 60.0, 60.0
-"""Messages per second heard from one editor: a hand on a slider; more waits in its own socket."""
+"""Messages per second read from one editor (a slider being dragged); more waits in the socket."""
 MOST_UNSENT = 512
 """Answers that wait for an editor who does not read; after that its link is cut, and it may come back."""
 MOST_LAYOUTS = 64
@@ -51,23 +51,23 @@ Consequence = Callable[[], Awaitable[None]]
 
 @dataclass(eq=False)
 class EditorPage:
-    """An editor's page."""
+    """One editor's page: its link and its unsent messages."""
 
     link: Link
     unsent: asyncio.Queue[bytes] = field(default_factory=asyncio.Queue)
 
     async def send_all(self) -> None:
-        """Sends for ever, at the pace at which the page reads."""
+        """Sends unsent messages for ever, as fast as the page reads them."""
         with contextlib.suppress(ConnectionError):
             while True:
                 await self.link.socket.send_bytes(await self.unsent.get())
 
 
 class EditorLinks:
-    """Everybody who edits, and the way of what they do into file and show.
+    """Connects all editors with the edit session, the workshop, the show file and the playing cast.
 
-    desk: None when nothing can be kept; reopen: gives it anew, from the file; on_air: what is seen now; tell: sends a
-    message to one console, announce: to every page of the show.
+    authored_work: None when nothing can be stored; reopen: reads it again from the file; on_air: what is seen now;
+    tell: sends a message to one console, announce: to every page of the show.
     """
 
     def __init__(
@@ -92,7 +92,7 @@ class EditorLinks:
         self._following: asyncio.Task[None] | None = None
 
     async def link(self, request: web.Request) -> web.WebSocketResponse:
-        """An editor's link, from its first byte to its last."""
+        """Handles one editor's WebSocket link until it closes."""
         ws = LinkSocket(
             heartbeat=HEARTBEAT, limit=EDITING_LIMIT, refusal=lambda reason: encode(EditRefused(-1, reason))
         )
@@ -114,7 +114,7 @@ class EditorLinks:
         return ws
 
     def request_keep(self, request: KeepRequest) -> None:
-        """What a console asked to keep."""
+        """Stores what a console asked to keep: a layout, or what is on air as a new item."""
         if self.authored_work is None:
             self._tell(request.who, wire.Refused(NO_FILE))
         elif isinstance(request.message, wire.SetLayout):
@@ -126,11 +126,11 @@ class EditorLinks:
             self._take(self.authored_work, lambda session: keep(session, kind, self._on_air()))
 
     def layout(self, name: str) -> bytes | None:
-        """A page's document, JSON; None where there is none."""
+        """A page's stored layout (JSON), None where there is none."""
         return None if self.authored_work is None else self.authored_work.layouts.get(name)
 
     async def close(self) -> None:
-        """Hangs up and stops; what was not acknowledged may be lost."""
+        """Closes all links and stops; what was not acknowledged may be lost."""
         await self.links.close_all()
         for task in list(self._tasks):
             task.cancel()
@@ -147,7 +147,7 @@ class EditorLinks:
                 self._take(self.authored_work, partial(receive_bytes, who=link.who, data=message.data))
 
     def _take(self, authored_work: AuthoredWork, happens: Callable[[EditSession], Outcome]) -> None:
-        """Begins the orders that come of something, and lets the rest of it follow in its turn."""
+        """Starts the orders of an outcome and queues its other consequences."""
         try:
             outcome = happens(authored_work.session)
         except Exception as error:
@@ -195,22 +195,22 @@ class EditorLinks:
             self._tell_kept(kept)
 
     async def _commit(self, authored_work: AuthoredWork, changes: tuple[Change, ...]) -> str | None:
-        """Waits until changes are kept; why they never will be."""
+        """Waits until changes are committed; returns why they never will be, or None."""
         if not changes:
             return None
-        loop, fates = asyncio.get_running_loop(), asyncio.Queue[CommitOutcome]()
+        loop, outcomes = asyncio.get_running_loop(), asyncio.Queue[CommitOutcome]()
 
-        def told(fate: CommitOutcome) -> None:
-            loop.call_soon_threadsafe(fates.put_nowait, fate)
+        def report_outcome(outcome: CommitOutcome) -> None:
+            loop.call_soon_threadsafe(outcomes.put_nowait, outcome)
 
-        authored_work.committer.commit(changes, told)
-        while (fate := await fates.get()).state == "waiting":
+        authored_work.committer.commit(changes, report_outcome)
+        while (outcome := await outcomes.get()).state == "waiting":
             for who in self._pages:
-                self._send(who, EditRefused(-1, fate.sentence))
-        return None if fate.state == "committed" else fate.sentence
+                self._send(who, EditRefused(-1, outcome.sentence))
+        return None if outcome.state == "committed" else outcome.sentence
 
     def _restart(self, why: str) -> None:
-        """The session knows what the file does not: the file counts, and every page opens its work again."""
+        """Reads the authored work from the file again, for the session is ahead of it; every page reconnects."""
         self._report(f"{why}; the editors' pages begin again from what the show file has.")
         self.authored_work = self._reopen()
         if self.authored_work is not None:

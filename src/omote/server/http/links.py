@@ -1,6 +1,6 @@
-"""The open links: states go to everybody at once, and whoever is slow slows nobody.
+"""The open WebSocket links: broadcasts states without waiting, so that a slow browser delays nobody (backpressure).
 
-A state is written straight to the socket of a link whose buffer is (nearly) empty; a link that is behind is passed over
+A state is written straight to the socket of a link whose buffer is (nearly) empty; a link that is behind is skipped
 until its buffer is empty again and then gets the newest state, so nothing piles up. Sending never waits.
 """
 
@@ -22,20 +22,20 @@ from omote.show.wire import encode
 UNSENT_LIMIT = 2048
 """Bytes that may wait in a link's buffer before it counts as behind: a frame or two."""
 ANSWER_LIMIT = 32768
-"""Bytes that may wait before answers (refusals, pongs) are dropped too."""
+"""Bytes that may wait before answers (rejections, pongs) are dropped too."""
 STALL_LIMIT = 10.0
-"""Seconds a link may be behind before it is cut; a browser comes back and is given the newest state."""
+"""Seconds a link may be behind before it is cut; the browser reconnects and gets the newest state."""
 SEND_BUFFER = 32768
 """Bytes of the kernel's buffer: large ones would hold seconds of old states for a browser that pauses."""
 CLOSE_SECONDS = 1.0
 HEARTBEAT = 8.0
-"""Seconds of silence after which a link is asked whether it lives; it has half as long to answer."""
+"""Seconds of silence after which a link is pinged; it has half as long to answer."""
 HEARD_RATE, HEARD_BURST = 1200.0, 240.0
-"""Messages per second heard from one link: ten fingers on faders; more waits in its own socket."""
+"""Messages per second read from one link (ten fingers on faders); more waits in the socket."""
 
 
 class LinkSocket(web.WebSocketResponse):
-    """A browser's socket; on a message that is too long it says so before it closes."""
+    """A WebSocket that reports a message over the size limit before it closes."""
 
     def __init__(
         self,
@@ -48,7 +48,7 @@ class LinkSocket(web.WebSocketResponse):
         self._limit, self._refusal = limit, refusal
 
     async def accept(self, request: web.Request) -> asyncio.Transport | None:
-        """Opens the link that a request asks for; None when the browser has gone before."""
+        """Accepts the WebSocket of a request and returns its transport; None when the browser has gone already."""
         try:
             await self.prepare(request)
         except ConnectionResetError:
@@ -56,20 +56,20 @@ class LinkSocket(web.WebSocketResponse):
         return request.transport
 
     async def close(self, *, code: int = WSCloseCode.OK, message: bytes = b"", drain: bool = True) -> bool:
-        """Closes; aiohttp calls it when a message is over the limit."""
+        """Closes the socket; aiohttp calls this when a message is over the limit."""
         if code == WSCloseCode.MESSAGE_TOO_BIG and not self.closed:
             message = f"a message was longer than {self._limit} bytes, the most that is read.".encode()
             with contextlib.suppress(ConnectionError):
                 finish_now(self.send_bytes(self._refusal(message.decode())))
         try:
             return await super().close(code=code, message=message, drain=drain)
-        except RuntimeError:  # gone before it was let in: aiohttp ends the answer that never began
+        except RuntimeError:  # gone before it was accepted: aiohttp ends the response that never began
             return False
 
 
 @dataclass(eq=False)
 class Link:
-    """One browser."""
+    """One page's open link, with its rate limit."""
 
     who: str
     socket: web.WebSocketResponse
@@ -79,12 +79,12 @@ class Link:
     skipped: int = 0
 
     async def wait_turn(self, clock: Callable[[], float]) -> None:
-        """Waits until this link may say one more thing; meanwhile its socket fills, not our memory."""
+        """Waits until the rate limit allows this link one more message; meanwhile the socket fills, not our memory."""
         while not self.bucket.take(clock()):
             await asyncio.sleep(1.0 / self.bucket.rate)
 
     def send(self, data: bytes, limit: int) -> bool:
-        """Sends now, or not at all when more than `limit` bytes still wait; never waits."""
+        """Sends at once, or drops the data when more than `limit` bytes are unsent; returns whether it was sent."""
         if self.socket.closed or self.transport.is_closing() or self.transport.get_write_buffer_size() > limit:
             return False
         try:
@@ -109,29 +109,29 @@ class Links:
         return len(self._links)
 
     def open(self, ws: web.WebSocketResponse, transport: asyncio.Transport) -> Link:
-        """A new link, under a name of its own."""
+        """Adds a link under a new name."""
         shrink_send_buffer(transport)
         link = Link(next(self._names), ws, transport)
         self._links[link.who] = link
         return link
 
     def close(self, link: Link) -> None:
-        """Forgets a link."""
+        """Removes a link."""
         self._links.pop(link.who, None)
 
     async def close_all(self) -> None:
-        """Tells every browser that the server goes; waits a second at most."""
+        """Closes every link with "going away"; waits a second at most."""
         closing = [link.socket.close(code=WSCloseCode.GOING_AWAY, message=b"the server ends") for link in self]
         with contextlib.suppress(TimeoutError):
             await asyncio.wait_for(asyncio.gather(*closing, return_exceptions=True), CLOSE_SECONDS)
 
     def answer(self, who: str, data: bytes) -> None:
-        """Sends to one link; dropped when it does not read."""
+        """Sends to one link; the data is dropped when the link does not read."""
         if who in self._links:
             self._links[who].send(data, ANSWER_LIMIT)
 
     def broadcast(self, data: bytes, now: float) -> None:
-        """Sends the same bytes to everybody who keeps up; cuts who has been behind for too long."""
+        """Sends the same bytes to every link that keeps up; cuts links that have been behind for too long."""
         for link in list(self._links.values()):
             if link.send(data, UNSENT_LIMIT):
                 link.behind_since = None
@@ -144,7 +144,7 @@ class Links:
 
 
 def finish_now(sending: Coroutine[object, None, None]) -> None:
-    """Runs a send as far as it goes without waiting; the frame is written before it would wait for room."""
+    """Runs a send coroutine up to its first wait; by then the frame is written to the transport."""
     try:
         sending.send(None)
     except StopIteration:

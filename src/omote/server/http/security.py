@@ -1,4 +1,4 @@
-"""Who may speak to the server: checks of Host and Origin, and the headers every answer carries."""
+"""Checks the Host and Origin of requests (DNS rebinding, foreign pages) and adds the security headers."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ HEADERS = {
 
 
 def silence_bad_requests() -> None:
-    """Keeps requests that are no HTTP, which aiohttp answers with 400, from filling the operator's terminal."""
+    """Drops log records of malformed HTTP requests (answered with 400), which would fill the operator's terminal."""
     logging.getLogger("aiohttp.server").addFilter(_is_no_bad_request)
 
 
@@ -32,19 +32,19 @@ def _is_no_bad_request(record: logging.LogRecord) -> bool:
 
 
 def own_names() -> frozenset[str]:
-    """The names under which browsers may address this machine; addresses in figures are always allowed."""
+    """The host names under which browsers may address this machine; numeric addresses are always allowed."""
     name = socket.gethostname().lower()
     return frozenset({"localhost", name, f"{name}.local"})
 
 
 def host_allowed(host: str, names: frozenset[str]) -> bool:
-    """Whether a Host header names this machine; a foreign name means that somebody's DNS was bent to point here."""
+    """Whether a Host header names this machine; a foreign name is a sign of DNS rebinding."""
     name = (urlsplit(f"//{host}").hostname or "").lower()
     return name in names or _is_address(name)
 
 
 def origin_allowed(origin: str | None, host: str) -> bool:
-    """Whether a request comes from our own pages, or from no page (a program in the house)."""
+    """Whether a request comes from our own pages (same origin), or has no Origin (a program, not a page)."""
     if origin is None:
         return True
     parts = urlsplit(origin)
@@ -52,7 +52,7 @@ def origin_allowed(origin: str | None, host: str) -> bool:
 
 
 def refusal(host: str, origin: str | None, names: frozenset[str]) -> str | None:
-    """Why a request is refused, in one sentence; None when it may pass."""
+    """Why a request is rejected, in one sentence; None when it is allowed."""
     try:
         if not host_allowed(host, names):
             return f"this server is not called {host[:80]!r}: use its address in figures, or localhost."
@@ -64,7 +64,7 @@ def refusal(host: str, origin: str | None, names: frozenset[str]) -> str | None:
 
 
 def guard(names: frozenset[str]) -> Middleware:
-    """The middleware that refuses strangers."""
+    """Builds the middleware that rejects requests with a foreign Host or Origin."""
 
     @web.middleware
     async def middleware(request: web.Request, handler: Handler) -> web.StreamResponse:
@@ -77,7 +77,7 @@ def guard(names: frozenset[str]) -> Middleware:
 
 
 async def add_headers(_: web.Request, response: web.StreamResponse) -> None:
-    """Gives an answer the headers of `HEADERS` (an `on_response_prepare` signal)."""
+    """Adds `HEADERS` to a response (an `on_response_prepare` signal)."""
     for name, value in HEADERS.items():
         response.headers.setdefault(name, value)
 

@@ -1,4 +1,4 @@
-"""The built pages, read once into memory: no name that a browser sends ever becomes a path."""
+"""Reads the built pages into memory once: no name that a browser sends ever becomes a file path."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ TYPES = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css"
 
 @dataclass(frozen=True)
 class Page:
-    """A file of the bundle as it is sent."""
+    """A built file as it is sent."""
 
     body: bytes
     content_type: str

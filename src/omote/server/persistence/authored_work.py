@@ -1,4 +1,4 @@
-"""The authored work of a show file, open: the session that knows it, and whoever keeps what it changes."""
+"""The authored work of an open show file: the edit session, and the thread that commits its changes."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from omote.showfile.show_file import ShowFile
 
 
 class Committer(Protocol):
-    """Whoever keeps changes (`scribe.Scribe`)."""
+    """Commits changes (`commit_thread.CommitThread`)."""
 
     def commit(self, changes: Sequence[Change], told: Callable[[CommitOutcome], None]) -> None:
-        """Keeps changes together; tells, from a thread of its own, what became of them."""
+        """Commits changes together; calls `told` with the outcome, from another thread."""
 
     def close(self) -> None:
-        """Keeps what is left."""
+        """Commits what is left."""
 
 
 @dataclass(frozen=True)
 class AuthoredWork:
-    """What editors work at; layouts: pages' documents (JSON) by name."""
+    """The edit session, its committer, and the pages' layouts (JSON) by name."""
 
     session: EditSession
     committer: Committer
@@ -36,7 +36,7 @@ class AuthoredWork:
 def open_authored_work(
     show: ShowFile, committer: Committer, worker: OrderWorker, report: Callable[[str], None]
 ) -> AuthoredWork | None:
-    """The desk of a show file; None, and the operator is told, when its authored work cannot be read."""
+    """Reads the authored work of a show file; None, with a report to the operator, when it cannot be read."""
     try:
         stored, contents = show.stored(), show.contents()
     except sqlite3.Error as error:

@@ -9,15 +9,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from omote.showfile.backup import keep_good_copy
+from omote.server.persistence.backup_thread import BackupThread
 from omote.showfile.changes import Change
-from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import ShowFile
 
 RETRY_SECONDS = 1.0
 """How long the scribe waits for a disk that failed."""
-QUIET_SECONDS = 5.0
-"""How long nothing must have been committed before the good copy is made."""
 
 
 @dataclass(frozen=True)
@@ -42,25 +39,25 @@ class _Job:
 
 
 class CommitThread:
-    """A thread that commits lists of changes one after the other, and keeps the good copy.
+    """A thread that commits lists of changes one after the other.
 
-    show: the scribe's own (`ShowFile.again`); it closes it. Fates are told on the scribe's thread.
+    show: the scribe's own (`ShowFile.again`); it closes it. backup: of the same file; nothing is committed to a file
+    that it found damaged. Fates are told on the scribe's thread.
     """
 
     def __init__(
         self,
         show: ShowFile,
         report: Callable[[str], None],
+        backup: BackupThread | None = None,
         *,
         retry_seconds: float = RETRY_SECONDS,
-        quiet_seconds: float = QUIET_SECONDS,
     ) -> None:
-        self._show, self._report = show, report
-        self._retry_seconds, self._quiet_seconds = retry_seconds, quiet_seconds
+        self._show, self._report, self._backup = show, report, backup
+        self._retry_seconds = retry_seconds
         self._queue: deque[_Job] = deque()
         self._waiting = threading.Condition()
         self._closing = self._failing = False
-        self._stale = True  # the good copy is older than the file: a file that opened well deserves one
         self._thread = threading.Thread(target=self._run, name="scribe", daemon=True)
         self._thread.start()
 
@@ -74,7 +71,7 @@ class CommitThread:
         told(CommitOutcome("refused", f"{self._show.path} is being closed; start the show again and repeat it."))
 
     def close(self) -> None:
-        """Commits what is left, keeps a good copy and closes the file; waits five seconds at most."""
+        """Commits what is left and closes the file; waits five seconds at most."""
         with self._waiting:
             self._closing = True
             self._waiting.notify()
@@ -83,33 +80,31 @@ class CommitThread:
     def _run(self) -> None:
         while True:
             with self._waiting:
-                quiet = self._quiet_seconds if self._stale else None
-                self._waiting.wait_for(lambda: self._queue or self._closing, timeout=quiet)
-                job, closing = (self._queue[0] if self._queue else None), self._closing
-            if job is not None:
-                self._carry_out(job)
-                self._queue.popleft()
-            elif closing:
-                break
-            else:
-                self._make_backup()
-        if self._stale:
-            self._make_backup()
+                self._waiting.wait_for(lambda: self._queue or self._closing)
+                if not self._queue:
+                    break
+                job = self._queue[0]
+            self._carry_out(job)
+            self._queue.popleft()
         self._show.close()
 
     def _carry_out(self, job: _Job) -> None:
-        fate = self._try_commit(job)
-        if fate.state == "waiting":
-            self._tell(job, fate)
-        while fate.state == "waiting":
+        outcome = self._try_commit(job)
+        if outcome.state == "waiting":
+            self._tell(job, outcome)
+        while outcome.state == "waiting":
             with self._waiting:
                 last = self._waiting.wait_for(lambda: self._closing, timeout=self._retry_seconds)
-            fate = self._try_commit(job)
-            if last and fate.state == "waiting":
-                fate = CommitOutcome("refused", fate.sentence)
-        self._tell(job, fate)
+            outcome = self._try_commit(job)
+            if last and outcome.state == "waiting":
+                outcome = CommitOutcome("refused", outcome.sentence)
+        self._tell(job, outcome)
 
     def _try_commit(self, job: _Job) -> CommitOutcome:
+        if self._backup and self._backup.damage:
+            return CommitOutcome(
+                "refused", f"{self._backup.damage} This is not kept: start the show again, and repeat it."
+            )
         try:
             self._show.apply(job.changes)
         except sqlite3.OperationalError as error:
@@ -120,20 +115,13 @@ class CommitThread:
             return CommitOutcome("waiting", sentence)
         except (sqlite3.Error, ValueError, TypeError, OverflowError) as error:
             return CommitOutcome("refused", f"{self._show.path} cannot keep this ({error}); undo it, or do it again.")
-        self._failing, self._stale = False, True
+        self._failing = False
         return CommitOutcome("committed")
 
-    def _tell(self, job: _Job, fate: CommitOutcome) -> None:
+    def _tell(self, job: _Job, outcome: CommitOutcome) -> None:
         try:
-            job.told(fate)
+            job.told(outcome)
         except RuntimeError:
             pass  # a loop that has ended hears nothing any more
         except Exception as error:  # whatever it is, later changes are still to be kept
-            self._report(f"what became of a change ({fate.state}) could not be told: {error!r}.")
-
-    def _make_backup(self) -> None:
-        self._stale = False
-        try:
-            self._stale = not keep_good_copy(self._show)
-        except (sqlite3.Error, OSError, ShowFileError) as error:
-            self._report(f"no good copy of {self._show.path} could be made ({error}); the one of before stays.")
+            self._report(f"what became of a change ({outcome.state}) could not be told: {error!r}.")

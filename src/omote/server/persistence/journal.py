@@ -1,4 +1,4 @@
-"""Writes the journal beside the show: a slow or broken disk never holds up a tick."""
+"""Writes the journal (the show's newest state) in a thread: a slow or broken disk never delays a tick."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from functools import partial
 from omote.showfile.show_file import JournalEntry, ShowFile
 
 FLUSH_SECONDS = 1.0
-"""How often the journal is made to survive a loss of power."""
+"""Seconds between two flushes (fsync), after which the journal survives a loss of power."""
 
 
 class JournalWriter:
-    """A thread that writes the newest state; older ones that it could not write in time are dropped.
+    """Writes the newest state in a thread; older states that it could not write in time are dropped.
 
     A second thread flushes: syncing a disk takes tens of milliseconds, and a state must not wait for it.
     """
@@ -32,7 +32,7 @@ class JournalWriter:
         self._flusher.start()
 
     def offer(self, entry: JournalEntry) -> None:
-        """Hands over the newest state; returns at once."""
+        """Queues the newest state; returns at once."""
         with self._waiting:
             self._newest = entry
             self._waiting.notify()

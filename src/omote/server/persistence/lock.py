@@ -1,4 +1,4 @@
-"""One server to a show file."""
+"""Locks a show file, so that only one server plays it."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ class ShowLockedError(RuntimeError):
 
 
 def lock_show(path: Path) -> int:
-    """A descriptor that holds the show file for us and every child that inherits it; ShowLockedError when it is taken.
+    """Locks a show file; returns the descriptor that holds the lock, in children too. ShowLockedError when it is taken.
 
     The lock is on a file beside the show file, so that it stays where it is when a corrupt show file is moved aside. It
-    ends with the last process that holds the descriptor, however that process ends. OSError, in a sentence, where no
+    ends with the last process that holds the descriptor, however that process ends. OSError with a message where no
     show file can be.
     """
     try:

@@ -1,20 +1,22 @@
-"""Show files that no show plays, opened for a command."""
+"""Opens a show file that no show plays, for a command."""
 
 from __future__ import annotations
 
 import os
+import sqlite3
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from omote.server.persistence.lock import lock_show
-from omote.showfile.show_file import ShowFile, open_show
+from omote.showfile.backup import back_up
+from omote.showfile.show_file import ShowFile, ShowFileError, open_show
 
 
 @contextmanager
 def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
-    """The show file, ours alone until the end; new: made where there is none.
+    """The show file, ours alone until the end; new: made where there is none, and backed up at the end.
 
     FileNotFoundError where there is none, ShowLockedError where a show plays it, ShowFileError where it cannot be used.
     """
@@ -25,6 +27,9 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
         file = open_show(path.absolute())
         try:
             yield file
+            if new:
+                with suppress(sqlite3.Error, OSError, ShowFileError):  # the work is done; a show makes the next one
+                    back_up(file)
         finally:
             file.close()
     finally:
@@ -32,5 +37,5 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
 
 
 def wall_clock() -> float:
-    """Seconds since 1970, for people who read a history."""
+    """Seconds since 1970, shown in histories."""
     return time.time_ns() / 1e9

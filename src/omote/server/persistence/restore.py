@@ -13,14 +13,14 @@ from omote.perform.performer import Performer
 from omote.perform.snapshot import Playable
 from omote.server.process.process_messages import Order
 from omote.show.session import SessionSnapshot, ShowSession
-from omote.showfile.recovery import Rescue, finish, is_lost, rescue_show
+from omote.showfile.recovery import Recovery, is_lost, recover_show
 from omote.showfile.show_file import CorruptShowFileError, JournalEntry, ShowFile, ShowFileError, open_show
 
 Report = Callable[[str], None]
 
 
 def open_journal(path: Path, report: Report) -> ShowFile | None:
-    """The show file's newest good state (`open_newest`); None when the disk allows no file at all."""
+    """The show file, or its newest whole backup (`open_newest`); None when the disk allows no file at all."""
     try:
         return open_newest(path, report)
     except (ShowFileError, OSError) as error:
@@ -29,32 +29,28 @@ def open_journal(path: Path, report: Report) -> ShowFile | None:
 
 
 def open_newest(path: Path, report: Report) -> ShowFile:
-    """The show file, made when there is none; a corrupt or lost one is kept and its newest good state opened.
+    """The show file, made when there is none; a corrupt or lost one is kept and its newest whole backup opened.
 
     ShowFileError with a sentence where it cannot be used; then it is untouched.
     """
     try:
-        finish(path)
         try:
             if is_lost(path):
                 raise CorruptShowFileError(f"{path} is {'empty' if path.exists() else 'not there'}.")
             return open_show(path)
         except CorruptShowFileError as error:
-            report(f"{error} {_sentence_of(rescue_show(path))}")
+            report(f"{error} {_sentence_of(recover_show(path))}")
             return open_show(path)
     except (sqlite3.Error, OSError) as error:
         raise ShowFileError(f"{path} cannot be used ({error}); free the disk or name another file.") from error
 
 
-def _sentence_of(rescue: Rescue) -> str:
-    kept = "" if rescue.kept is None else f"it is kept as {rescue.kept}; "
-    newer = f"{rescue.newer} {'change' if rescue.newer == 1 else 'changes'}"
-    if rescue.copied is None:
-        opened = f"{newer} of authored work could be read and go on" if rescue.newer else "the show starts neutral"
-        return _sentence(f"{kept}there is no good copy of it: {opened}.")
-    made = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(rescue.copied))
-    more = f", with {newer} made after it" if rescue.newer else ""
-    return _sentence(f"{kept}opened instead: its good copy of {made}{more}.")
+def _sentence_of(recovery: Recovery) -> str:
+    kept = "" if recovery.kept is None else f"it is kept as {recovery.kept}; "
+    if recovery.copied is None:
+        return _sentence(f"{kept}there is no good copy of it: the show starts neutral.")
+    made = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(recovery.copied))
+    return _sentence(f"{kept}opened instead: its good copy of {made}.")
 
 
 def _sentence(text: str) -> str:

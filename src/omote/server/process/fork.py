@@ -1,4 +1,4 @@
-"""Copies of a process that has everything loaded: made in milliseconds, and gone with their task."""
+"""Forks this process with everything it has loaded: a child starts in milliseconds and ends with its task."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ STANDARD = 3
 
 
 def fork_process(work: Callable[[], None]) -> int:
-    """The process id of a copy of this process that works and ends, with status 1 if that fails."""
+    """Forks a child that calls `work` and exits, with status 1 if that raises; returns its process id."""
     pid = os.fork()
     if pid:
         return pid
@@ -33,7 +33,7 @@ def fork_process(work: Callable[[], None]) -> int:
 
 
 def close_descriptors(keep: Collection[int]) -> None:
-    """Closes every inherited descriptor but these and the standard ones: whoever waits for their end must see it."""
+    """Closes every inherited descriptor but these and the standard ones, so that their readers see the end of file."""
     for descriptor in [int(entry.name) for entry in Path("/dev/fd").iterdir()]:
         if descriptor >= STANDARD and descriptor not in keep:
             with suppress(OSError):  # the one that listed the folder is closed already

@@ -1,4 +1,4 @@
-"""The show before everything else on the machine, where the system lets us."""
+"""Scheduling priority of processes: the show before other programs, where the system allows it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ LOWERED = 2
 
 
 def raise_priority() -> bool:
-    """Lets this process, and those it makes, run before others; False where that takes rights that we have not."""
+    """Raises the priority of this process and its children; False where that needs privileges that we lack."""
     try:
         os.setpriority(os.PRIO_PROCESS, 0, RAISED)
     except OSError:
@@ -20,5 +20,5 @@ def raise_priority() -> bool:
 
 
 def lower_priority() -> None:
-    """Lets this process, and those it makes, run after others."""
+    """Lowers the priority of this process and its children."""
     os.setpriority(os.PRIO_PROCESS, 0, LOWERED)

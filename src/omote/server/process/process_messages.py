@@ -1,4 +1,4 @@
-"""What supervisor, standby and server say to each other."""
+"""Messages between supervisor, standby and server processes."""
 
 from __future__ import annotations
 
@@ -45,12 +45,12 @@ _order: msgspec.json.Decoder[Order] = msgspec.json.Decoder(Order)
 
 
 def send_order(line: socket.socket, order: Order, control: int, pulse: int) -> None:
-    """Sends an order with the server's ends of its two pipes."""
+    """Sends an order and the server's ends of its two pipes (as file descriptors)."""
     socket.send_fds(line, [msgspec.json.encode(order)], [control, pulse])
 
 
 def receive_order(line: socket.socket) -> tuple[Order, int, int] | None:
-    """The next order with its pipes; None when the supervisor is gone."""
+    """Receives the next order and its pipes; None when the supervisor is gone."""
     try:
         data, descriptors, _, _ = socket.recv_fds(line, 4096, 2)
     except ConnectionError:  # it went without reading our last news
@@ -63,11 +63,11 @@ def receive_order(line: socket.socket) -> tuple[Order, int, int] | None:
 
 
 def send_news(line: socket.socket, news: News) -> None:
-    """Sends news to the supervisor; one that is gone needs none."""
+    """Sends news to the supervisor; ignores that it is gone."""
     with contextlib.suppress(ConnectionError):
         line.sendall(msgspec.json.encode(news) + b"\n")
 
 
 def read_news(lines: bytes) -> list[News]:
-    """The news in whole lines."""
+    """Decodes the news in whole lines."""
     return [_news.decode(line) for line in lines.splitlines()]

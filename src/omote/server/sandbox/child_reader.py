@@ -1,4 +1,7 @@
-"""Files of strangers are read in a process of their own, bounded in what it uses; it brings back plain arrays."""
+"""Parses untrusted GLB and OBJ files in a sandboxed child process with limits on CPU, memory and descriptors.
+
+The child sends back plain arrays, which are validated again here.
+"""
 
 from __future__ import annotations
 
@@ -13,18 +16,17 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.interchange.formats import glb_reader as glbread
-from omote.interchange.formats import obj_reader as objfile
+from omote.interchange.formats import glb_reader, obj_reader
 from omote.interchange.formats.glb_reader import Piece
 
 SECONDS, MEMORY, FILES = 60, 2 * 2**30, 16
-"""What a reader may use: seconds of a processor, bytes beyond what it begins with, open files."""
+"""Limits of the child: CPU seconds, bytes of memory beyond what it starts with, open files."""
 
 READERS: Mapping[str, Callable[[bytes], tuple[Piece, ...]]] = {
-    ".glb": glbread.read_glb,
-    ".obj": lambda data: (Piece("skin", objfile.read_obj(data)),),
+    ".glb": glb_reader.read_glb,
+    ".obj": lambda data: (Piece("skin", obj_reader.read_obj(data)),),
 }
-"""Who reads what, by the end of a file's name."""
+"""Parsers by file name suffix."""
 
 
 class _Plain(msgspec.Struct, frozen=True, array_like=True):
@@ -40,12 +42,12 @@ class _Answer(msgspec.Struct, frozen=True, array_like=True):
 
 
 def read_in_sandbox(path: Path, /) -> tuple[Piece, ...]:
-    """The pieces in a GLB or OBJ file; ValueError, in a sentence, for what is none, OSError where it cannot be read."""
+    """Parses a GLB or OBJ file into its pieces; ValueError for an invalid file, OSError where it cannot be read."""
     reader = READERS.get(path.suffix.lower())
     if reader is None:
         raise ValueError(f"{path.name!r} is no file with a head; expected {', '.join(READERS)} or .json")
-    if path.stat().st_size > glbread.LARGEST:
-        raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {glbread.LARGEST} at most")
+    if path.stat().st_size > glb_reader.LARGEST:
+        raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {glb_reader.LARGEST} at most")
     data = path.read_bytes()
     answer = _run_in_child(lambda: _Answer([_plain(piece) for piece in reader(data)]))
     if answer.refused:
@@ -54,7 +56,7 @@ def read_in_sandbox(path: Path, /) -> tuple[Piece, ...]:
 
 
 def _run_in_child(work: Callable[[], _Answer]) -> _Answer:
-    """What a child answers; a refusal where it died of what it read."""
+    """Runs `work` in a child process; returns its answer, or a rejection where the file exhausted or killed it."""
     come, go = os.pipe()
     child = os.fork()
     if child == 0:
@@ -83,7 +85,7 @@ def _try_work(work: Callable[[], _Answer]) -> _Answer:
 
 
 def _limit_resources() -> None:
-    """No more memory than so much, no files, no dumps; whatever lasts too long is ended."""
+    """Limits this process: CPU time, memory, file writes, descriptors; no core dumps."""
     pages = int(Path("/proc/self/statm").read_text().split()[0]) if Path("/proc/self/statm").exists() else 0
     resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
     resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))

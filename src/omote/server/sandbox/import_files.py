@@ -1,4 +1,4 @@
-"""What comes from outside into a show file: files by their kinds, what they bring, and how well it was taken."""
+"""Imports expressions and faces from files (JSON, GLB, OBJ) and reports how well each one fits."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 from omote.builtin import load_meshes
 from omote.edit.store.import_items import ImportedItem, import_document
-from omote.interchange.formats import expression_json as exchange
+from omote.interchange.formats import expression_json
 from omote.interchange.import_meshes import import_expressions, import_face
 from omote.model.cast import Cast
 from omote.perform.limits import check_known
@@ -15,23 +15,23 @@ from omote.server.sandbox.child_reader import read_in_sandbox
 
 DOCUMENT = ".json"
 FAR = 5e-5
-"""Metres; what an expression misses the shape it came from by is told from here on."""
+"""Metres; a larger error of an imported expression against its source shape is reported."""
 
 Brought = tuple[ImportedItem, str]
 
 
 def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> Iterator[Brought]:
-    """Each expression in the files, with a sentence about it; face: the face of the cast that shapes start from.
+    """Yields each expression in the files with a report about it; face: the face of the cast that shapes start from.
 
-    ValueError, in a sentence, for files that hold none; OSError where one cannot be read.
+    ValueError for files without expressions; OSError where one cannot be read.
     """
     _refuse_missing(paths)
     documents = [path for path in paths if path.suffix.lower() == DOCUMENT]
     for path in documents:
-        if path.stat().st_size > exchange.LARGEST:
-            raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {exchange.LARGEST} at most")
+        if path.stat().st_size > expression_json.LARGEST:
+            raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {expression_json.LARGEST} at most")
         try:
-            arrival = import_document(cast.space, exchange.decode(path.read_bytes()), note=path.name)
+            arrival = import_document(cast.space, expression_json.decode(path.read_bytes()), note=path.name)
         except ValueError as error:
             raise ValueError(f"{path.name}: {error}") from error
         yield arrival, f"{arrival.label}, from {path.name}"
@@ -45,7 +45,7 @@ def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> It
 
 
 def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator[Brought]:
-    """Each head at rest in the files as a face; look: the face of the cast whose colours it wears, "" for its own.
+    """Yields each head at rest in the files as a face; look: the cast's face whose colours it gets, "" for its own.
 
     Errors as `expressions_from`.
     """

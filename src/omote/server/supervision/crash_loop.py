@@ -1,4 +1,4 @@
-"""Whether the state that servers start from is what kills them."""
+"""Detects a crash loop: servers that keep dying because of the state that they start from."""
 
 from __future__ import annotations
 
@@ -7,26 +7,26 @@ from collections import deque
 
 DEATHS, WITHIN_SECONDS = 3, 30.0
 FROM_OUTSIDE = {-signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT, -signal.SIGHUP}
-"""Codes of servers that somebody else ended: no fault of the state."""
+"""Exit codes of servers that were ended from outside: no fault of the state."""
 
 
 class CrashLoop:
-    """Counts the deaths that a state may have caused; time is an argument."""
+    """Counts the crashes that a state may have caused; time is passed in."""
 
     def __init__(self) -> None:
         self._deaths: deque[float] = deque(maxlen=DEATHS)
 
     def record_end(self, now: float, code: int) -> None:
-        """A server ended with this exit status, or minus the signal that killed it."""
+        """Records that a server ended; code: its exit status, or minus the signal that killed it."""
         if code != 0 and code not in FROM_OUTSIDE:
             self._deaths.append(now)
 
     def record_hang(self, now: float) -> None:
-        """A server hung before its first tick and had to be killed."""
+        """Records that a server hung before its first tick and had to be killed."""
         self._deaths.append(now)
 
     def suspects_state(self, now: float) -> bool:
-        """Whether the next server should start from neutral; asking starts the count anew when it should."""
+        """Whether the next server should start from neutral; if so, the count starts anew."""
         blamed = len(self._deaths) == DEATHS and now - self._deaths[0] <= WITHIN_SECONDS
         if blamed:
             self._deaths.clear()

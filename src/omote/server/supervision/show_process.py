@@ -1,4 +1,4 @@
-"""The process that plays: until its supervisor closes the pipe."""
+"""The process that plays the show, until its supervisor closes the pipe."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from omote.server.http.cast_reload import gather_cast
 from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
+from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitThread
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry, open_journal, restore
@@ -30,7 +31,7 @@ from omote.showfile.show_file import ShowFile
 
 @dataclass(frozen=True)
 class Pipes:
-    """Descriptors from the supervisor: the listening socket, the pipe from it (its end is our end), the pulse."""
+    """Descriptors from the supervisor: the listening socket, the control pipe (closed: end), the heartbeat pipe."""
 
     listen: int
     control: int
@@ -39,24 +40,24 @@ class Pipes:
 
 @dataclass(frozen=True)
 class ShowMaterial:
-    """What a server serves: the cast's documents and the pages."""
+    """What a show process serves: the cast's documents and the built pages."""
 
     documents: CastDocuments
     pages: Mapping[str, Page]
 
 
 def load_material() -> ShowMaterial:
-    """The baked cast and the built pages; FileNotFoundError, with what to do, when they are missing."""
+    """Loads the baked cast and the built pages; FileNotFoundError, with what to do, when they are missing."""
     return ShowMaterial(built_in_documents(), read_pages())
 
 
 def report(sentence: str) -> None:
-    """Says a sentence to the operator's terminal."""
+    """Prints a sentence on the operator's terminal."""
     sys.stderr.write(f"omote: {sentence}\n")
 
 
 def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
-    """Plays to the end, on the fastest event loop there is."""
+    """Plays the show to its end, on uvloop where it is available."""
     start_workshop(material.documents)  # while there is neither thread nor loop, which no copy may have
     playing = play(material, order, show=show, pipes=pipes)
     try:
@@ -68,7 +69,7 @@ def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> No
 
 
 def start_workshop(documents: CastDocuments) -> None:
-    """Has everything computed beside the server; where no process can be made, in a thread of it."""
+    """Starts the workshop process that computes orders; where that fails, a thread of the server computes them."""
     try:
         documents.use_workshop(open_workshop(documents.compute), report)
     except OSError as error:
@@ -76,9 +77,10 @@ def start_workshop(documents: CastDocuments) -> None:
 
 
 async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
-    """Plays until the supervisor's pipe ends or SIGTERM comes; raises what a tick raises."""
+    """Plays until the control pipe ends or SIGTERM comes; raises what a tick raises."""
     file, documents = open_journal(show, report), material.documents
-    authored_work, reopen = open_reopenable_work(file, documents, report)
+    backup = BackupThread(file.again(), report) if file else None
+    authored_work, reopen = open_reopenable_work(file, documents, report, backup)
     server = ShowServer(restore(documents.playing, file, order, report), documents, material.pages)
     server.enable_editing(authored_work, reopen, report)
     journal = JournalWriter(file, report) if file else None
@@ -96,36 +98,38 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
         if journal:
             journal.offer(journal_entry(server.session))
             journal.close()
+        if backup:
+            backup.close()
 
 
 def open_reopenable_work(
-    file: ShowFile | None, documents: CastDocuments, report: Callable[[str], None]
+    file: ShowFile | None, documents: CastDocuments, report: Callable[[str], None], backup: BackupThread | None = None
 ) -> tuple[AuthoredWork | None, Callable[[], AuthoredWork | None]]:
-    """The desk of a show file, its own things in the cast already, and what gives the desk anew."""
+    """Opens the authored work of a show file and adds it to the cast; also returns the function that reopens it."""
     if file is None:
         return None, lambda: None
-    committer = CommitThread(file.again(), report)
+    committer = CommitThread(file.again(), report, backup)
 
-    def reopened() -> AuthoredWork | None:
+    def reopen() -> AuthoredWork | None:
         with closing(file.again()) as own:  # the journal's thread writes with the other connection
             return open_authored_work(own, committer, documents.worker, report)
 
-    authored_work = reopened()
+    authored_work = reopen()
     if authored_work is None:
         committer.close()
         return None, lambda: None
     documents.contents = authored_work.session.contents
     documents.play(gather_cast(documents.cast, authored_work.session.own(), documents.contents, report))
-    return authored_work, reopened
+    return authored_work, reopen
 
 
-async def run_until_ended(beating: Coroutine[object, object, None], control: int) -> None:
+async def run_until_ended(ticking: Coroutine[object, object, None], control: int) -> None:
     """Runs `beating` until the control pipe or SIGTERM ends it; raises what it raises."""
     ended = asyncio.Event()
     loop = asyncio.get_running_loop()
     loop.add_reader(control, ended.set)
     loop.add_signal_handler(signal.SIGTERM, ended.set)
-    tasks = {asyncio.create_task(beating), asyncio.ensure_future(ended.wait())}
+    tasks = {asyncio.create_task(ticking), asyncio.ensure_future(ended.wait())}
     done, rest = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
     loop.remove_reader(control)
     for task in rest:

@@ -1,8 +1,8 @@
-"""The process that waits warmed up and makes servers of itself.
+"""The standby process: it waits with everything loaded and forks servers from itself.
 
-Starting Python, loading the cast and its kernels takes longer than an audience forgives, so it is done once, here. An
-order makes a copy of this process (`fork_server`) in milliseconds, and the copy plays. The standby has no thread and
-no event loop, so that copies are whole. It lives as long as its supervisor, and each server as long as its own pipe.
+Starting Python, loading the cast and its kernels takes seconds, so it is done once, here. On an order this
+process forks (`fork_server`) in milliseconds, and the child plays. The standby has no thread and no event loop, so that
+a fork is safe. It lives as long as its supervisor, and each server as long as its own pipe.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ Start = Callable[[Order, int, int], int]
 
 
 def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = load_material) -> int:
-    """Warms up, says so, and makes servers as ordered; the exit status."""
+    """Loads and warms everything, reports ready, and serves orders; returns the exit status."""
     options = _options(arguments)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to all; the supervisor decides
     try:
@@ -57,7 +57,7 @@ def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = 
 
 
 def warm(documents: CastDocuments) -> None:
-    """Does once all that is slow the first time: kernels are compiled or loaded, caches filled."""
+    """Runs once what is slow the first time: compiles or loads kernels and fills caches."""
     cast = documents.cast
     face = next(iter(cast.faces.values()))
     for expression in list(cast.expressions)[:2]:
@@ -65,7 +65,7 @@ def warm(documents: CastDocuments) -> None:
     Performer(cast).advance(1.0 / STATE_RATE)
     _ = documents.worker.runner, documents.worker.net, documents.worker.welcome
     gc.collect()
-    gc.freeze()  # copies share this memory with us as long as nobody touches it
+    gc.freeze()  # children share this memory (copy on write) as long as nobody touches it
 
 
 def serve_orders(line: socket.socket, start: Start) -> None:
@@ -108,17 +108,17 @@ def wait_for_servers(servers: set[int], wake: int) -> None:
 
 
 def fork_server(line: socket.socket, play: Callable[[], None]) -> int:
-    """The process id of a copy of this process that plays and ends; it leaves the line to its parent."""
+    """Forks a child that plays and exits; returns its process id. The child closes its copy of the line."""
 
-    def played() -> None:
+    def play_in_child() -> None:
         line.close()
         play()
 
-    return fork_process(played)
+    return fork_process(play_in_child)
 
 
 def reap_servers() -> list[Ended]:
-    """The servers that have ended since the last call."""
+    """Reaps and returns the servers that have ended since the last call."""
     ended: list[Ended] = []
     while True:
         try:

@@ -1,9 +1,9 @@
-"""Keeps a server playing: one plays, a standby waits to make the next.
+"""Supervises the show: one server plays, and a standby process waits to fork the next one.
 
-The supervisor owns the listening socket, so browsers that come back while no server plays wait in its queue and are
-heard by the next one. It does little else, so that nothing can bring it down. A server is gone when its pulse pipe
-ends (at once, whatever killed it) and hangs when its pulse stops. The pipes to servers and standby tell them to end by
-ending themselves, so nothing outlives the supervisor.
+The supervisor owns the listening socket, so browsers that reconnect while no server plays wait in its queue for
+the next one. It does little else, so that nothing can bring it down. A server is gone when its heartbeat pipe closes
+(at once, whatever killed it) and hangs when its heartbeat stops. Servers and standby end when the supervisor's pipes to
+them close, so nothing outlives the supervisor.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ PROGRAM = (sys.executable, "-m", "omote.server.supervision.standby")
 HANG_SECONDS = 1.0
 """Silence of a playing server after which it is replaced."""
 START_SECONDS = 10.0
-"""The same, from its order to its first tick."""
+"""Seconds from an order to the first tick after which a server counts as hung."""
 END_SECONDS = 3.0
 """How long servers may take to end when told to."""
 PAUSE_SECONDS = 2.0
@@ -51,7 +51,7 @@ class Standby:
 
 @dataclass(eq=False)
 class Server:
-    """A server; its end of `control` ends it, `pulse` comes from it; `pid` is known once the standby has told it."""
+    """A server process: closing `control` ends it, `pulse` is its heartbeat, `pid` comes from the standby."""
 
     control: int
     pulse: int
@@ -251,7 +251,8 @@ class Supervisor:
 
 
 def listen_on(host: str, port: int) -> socket.socket:
-    """The listening socket of a show; OSError, in a sentence, when the port is taken or the address is not ours."""
+    """Opens the listening socket of a show; OSError with a message when the port is taken or the address is not
+    ours."""
     if not host:
         raise OSError("--host is empty: give 127.0.0.1 for this machine alone, 0.0.0.0 for the whole network.")
     family = socket.AF_INET6 if ":" in host else socket.AF_INET

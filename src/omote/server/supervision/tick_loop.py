@@ -1,4 +1,4 @@
-"""The show's beat: a tick sixty times a second, drift-free, and what rides on it."""
+"""The tick loop of the show: sixty drift-free ticks a second, each with state, heartbeat and journal."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from omote.server.process.process_messages import PULSE_TICKS, TICK
 from omote.show.messages import STATE_RATE
 
 LATE_TICKS = 6
-"""After a longer pause (a sleeping laptop) the beat starts anew; it never catches up in a burst."""
+"""After a longer pause (a sleeping laptop) the loop starts anew; it never catches up in a burst."""
 JOURNAL_TICKS = 2
 """Ticks between two entries of the journal while something moves: 33 ms."""
 RESTING_TICKS = 60
-"""Ticks between two entries while nothing moves but the clock, and between two roll calls."""
+"""Ticks between two entries while nothing moves but the clock, and between two broadcasts of the crew."""
 
 Tick = Callable[[int], None]
 
@@ -40,14 +40,14 @@ async def run_ticks(tick: Tick, *, rate: float = STATE_RATE, clock: Callable[[],
 
 
 class ShowTick:
-    """A server that plays, its journal and its pulse, tick by tick."""
+    """One tick of a playing server: its state, its heartbeat and its journal."""
 
     def __init__(self, server: ShowServer, journal: JournalWriter | None, pulse: int) -> None:
         self._server, self._journal, self._pulse = server, journal, pulse
         self._kept: Snapshot | None = None
 
     def tick(self, number: int) -> None:
-        """A state for everybody, the pulse, the journal, the roll call."""
+        """Broadcasts the state, sends the heartbeat, writes the journal and broadcasts who is connected."""
         self._server.tick()
         if number % PULSE_TICKS == 0:
             send_pulse(self._pulse, TICK)
@@ -65,6 +65,6 @@ class ShowTick:
 
 
 def send_pulse(pulse: int, sign: bytes) -> None:
-    """Lets the supervisor know; a full or closed pipe means that it does not listen, which is no reason to wait."""
+    """Sends a heartbeat to the supervisor; never waits: a full or closed pipe means that nobody reads it."""
     with contextlib.suppress(BlockingIOError, BrokenPipeError):
         os.write(pulse, sign)

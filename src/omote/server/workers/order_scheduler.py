@@ -1,5 +1,5 @@
-"""What is computed, one thing at a time: what is on air first, then editors' orders, then what is asked for, then what
-may be asked for next. Compounds are made once each."""
+"""Schedules computations one at a time, by priority: what is on air, editors' orders, what pages asked for, then what
+they may ask for next. Compounds are cached."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Order = tuple[Callable[[], Awaitable[bytes]], "asyncio.Future[bytes]"]
 
 
 class OrderScheduler:
-    """Makes one thing at a time, keeps the compounds last used; `all_expressions` of a face on air are made ahead."""
+    """Computes one order at a time; caches compounds (LRU); precomputes `all_expressions` of the faces on air."""
 
     def __init__(
         self, make: Callable[[str, str], Awaitable[bytes]], all_expressions: Collection[str], *, memory: int = MEMORY
@@ -31,7 +31,7 @@ class OrderScheduler:
         self._working: asyncio.Task[None] | None = None
 
     async def get(self, key: Key) -> bytes:
-        """A compound, as soon as it is made; raises what making it raises."""
+        """Waits for a compound and returns it; raises what computing it raises."""
         if key in self._made:
             self._made.move_to_end(key)
             return self._made[key]
@@ -41,14 +41,14 @@ class OrderScheduler:
         return await asyncio.shield(self._asked[key])  # others may wait for the same
 
     async def order(self, make: Callable[[], Awaitable[bytes]]) -> bytes:
-        """What `make` makes, in its turn: before all but what is on air; raises what making it raises."""
+        """Runs `make` in its turn, before all but what is on air, and returns the result; raises what it raises."""
         waiting: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
         self._orders.append((make, waiting))
         self._work()
         return await waiting
 
     def set_on_air(self, faces: frozenset[str], expressions: frozenset[str]) -> None:
-        """Tells what is on air or coming: it goes first, and a face that was not there before is made ahead in full."""
+        """Sets what is on air or coming: it is computed first; a new face is precomputed with all expressions."""
         if (faces, expressions) == self._on_air:
             return
         new = faces - self._on_air[0]
@@ -60,7 +60,7 @@ class OrderScheduler:
             self._work()
 
     def set_expressions(self, all_expressions: Collection[str]) -> None:
-        """Tells which expressions there are now: the faces on air are made ahead in those that are new."""
+        """Sets which expressions there are now: faces on air are precomputed with the new ones."""
         new = [name for name in all_expressions if name not in self._expressions]
         self._expressions = tuple(all_expressions)
         ahead = {key: None for key in self._ahead if key[1] in all_expressions}
@@ -70,7 +70,7 @@ class OrderScheduler:
             self._work()
 
     def close(self) -> None:
-        """Stops; who still waits is cancelled."""
+        """Stops computing and cancels all waiting calls."""
         if self._working is not None:
             self._working.cancel()
         for waiting in (*self._asked.values(), *(waiting for _, waiting in self._orders)):
@@ -104,7 +104,7 @@ class OrderScheduler:
             _answer(self._asked.pop(key, None), made)
 
     def _next_on_air(self) -> Key | None:
-        """What is on air and not made: asked for before not, then in the order in which it came."""
+        """The next compound that is on air and not computed: those asked for first, then in order of arrival."""
         for waiting in (self._asked, self._ahead):
             for key in waiting:
                 if key[0] in self._on_air[0] and key[1] in self._on_air[1]:

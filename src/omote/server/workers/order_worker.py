@@ -1,7 +1,7 @@
-"""What a hand of the workshop works at: orders as bytes in, what was made of them as bytes out.
+"""Computes orders in a worker process: encoded orders in, encoded answers out.
 
-Orders carry all that they need beside the built-in cast, so any hand can make any of them; a hand keeps what it
-unpacked last.
+Orders carry all that they need beside the built-in cast, so any worker can compute any of them; a worker caches the
+contents that it unpacked last.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from omote.showfile.contents import content_kind, unpack_expression, unpack_face
 from omote.stage_data.assets import compound_asset, content_asset
 
 CACHED_CONTENTS = 64
-"""Contents that a hand keeps unpacked: a megabyte each at most."""
+"""Contents that a worker caches unpacked: a megabyte each at most."""
 
 
 class CompoundOrder(msgspec.Struct, frozen=True, tag=True):
@@ -39,14 +39,14 @@ class CompoundOrder(msgspec.Struct, frozen=True, tag=True):
 
 
 class TangentsOrder(msgspec.Struct, frozen=True, tag=True):
-    """How a face answers to a field, by its source; answered with a `TangentsAsset`."""
+    """The tangents of a face (derivative with respect to a field), by its source; answered with a `TangentsAsset`."""
 
     face: str
     contents: Contents
 
 
 class FaceOrder(msgspec.Struct, frozen=True, tag=True):
-    """An own face by the key of its content; answered with a `ContentAsset`."""
+    """An authored face by the key of its content; answered with a `ContentAsset`."""
 
     key: str
     contents: Contents
@@ -62,14 +62,14 @@ _order: msgspec.msgpack.Decoder[WorkshopOrder] = msgspec.msgpack.Decoder(Worksho
 
 
 class OrderWorker:
-    """Makes orders on one built-in cast; ValueError, with a sentence, for those that cannot be."""
+    """Computes orders on one built-in cast; ValueError with a message for orders that cannot be carried out."""
 
     def __init__(self, cast: Cast) -> None:
         self.cast = cast
         self._unpacked: OrderedDict[str, Expression | tuple[Face, Look]] = OrderedDict()
 
     def make(self, data: bytes) -> bytes:
-        """What an order, as bytes, is answered with, as bytes."""
+        """Computes an encoded order and returns the encoded answer."""
         order = _order.decode(data)
         if isinstance(order, CompoundOrder):
             face, _ = self._face(order.face, order.contents)
@@ -84,7 +84,7 @@ class OrderWorker:
 
     @cached_property
     def welcome(self) -> Greeted:
-        """What does not change of the answer to an editor who greets."""
+        """The constant part of the welcome to an editor."""
         return build_welcome(self.cast)
 
     @cached_property
@@ -94,7 +94,7 @@ class OrderWorker:
 
     @cached_property
     def runner(self) -> OrderRunner:
-        """Whoever makes editors' orders."""
+        """Runs editors' orders."""
         return OrderRunner(self.cast)
 
     def _face(self, source: str, contents: Mapping[str, bytes]) -> tuple[Face, Look]:

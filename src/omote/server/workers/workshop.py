@@ -1,9 +1,9 @@
-"""Where orders are made: beside the server, in a process that shares its loaded cast, so that no tick is late.
+"""The workshop: a process beside the server that computes orders, so that no tick is late; it shares the loaded cast.
 
-The server opens it before it has a thread or a loop. Two copies of the server make it up: a keeper that only passes
-orders on, and a hand that works. A hand that dies or hangs is replaced and the order given again; an order that no hand
-survives is answered with nothing. Both end with the line to the server. An order is bytes, and so is what is made of
-it (`bench`); whoever makes it refuses with a ValueError, whose sentence comes back.
+The server forks it before it has a thread or an event loop. It consists of two processes: a supervisor that passes
+orders on, and a worker that computes them. A worker that dies or hangs is replaced and the order repeated; an order
+that kills every worker is answered with nothing. Both processes end with the server's socket. Orders and answers are
+bytes (`order_worker`); a ValueError of the worker comes back to the server with its message.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from omote.server.process.fork import close_descriptors, fork_process
 from omote.server.process.priority import lower_priority
 
 TRIES = 2
-"""Hands that an order may cost."""
+"""Workers that one order may kill or hang."""
 HANG_SECONDS = 20.0
-"""Silence of a working hand after which it is replaced; a compound takes milliseconds."""
+"""Seconds after which a silent worker is replaced; a compound takes milliseconds."""
 
 Make = Callable[[bytes], bytes]
 
 MADE, REFUSED = b"+", b"-"
-"""Begin the answers; an empty one: it could not be made."""
+"""First byte of the answers; an empty answer: the order failed."""
 
 _length = struct.Struct("!I")
 
@@ -39,11 +39,11 @@ class ClosedWorkshopError(RuntimeError):
 
 
 class FailedOrderError(RuntimeError):
-    """The workshop could not make this."""
+    """The workshop failed to compute this order."""
 
 
 class RefusedOrderError(ValueError):
-    """Whoever makes orders has refused this one, and why, in one sentence."""
+    """The worker rejected this order; the message says why."""
 
 
 @dataclass
@@ -55,10 +55,10 @@ class Workshop:
     _streams: tuple[asyncio.StreamReader, asyncio.StreamWriter] | None = None
 
     async def make(self, order: bytes) -> bytes:
-        """What was ordered.
+        """Sends an order and returns the answer.
 
-        RefusedOrderError when it must not be made, FailedOrderError when it cannot, ClosedWorkshopError when nobody is
-        there.
+        RefusedOrderError when the worker rejects it, FailedOrderError when it fails, ClosedWorkshopError when the
+        workshop has ended.
         """
         try:
             if self._streams is None:
@@ -72,7 +72,7 @@ class Workshop:
         return read_answer(made)
 
     def close(self) -> None:
-        """Ends it at once."""
+        """Kills the workshop at once."""
         with suppress(ProcessLookupError):
             os.kill(self.supervisor_pid, signal.SIGKILL)
         with suppress(ChildProcessError):
@@ -84,7 +84,7 @@ class Workshop:
 
 
 def open_workshop(make: Make) -> Workshop:
-    """A workshop that makes with `make`; to be opened while this process has one thread. OSError where none can be."""
+    """Forks a workshop that computes with `make`, while this process has one thread; OSError where that fails."""
     ours, theirs = socket.socketpair()
     ours.setblocking(False)
 
@@ -105,13 +105,13 @@ def open_workshop(make: Make) -> Workshop:
 
 @dataclass(eq=False)
 class WorkerProcess:
-    """A copy of the keeper that works."""
+    """A worker process and the socket to it."""
 
     pid: int
     line: socket.socket
 
     def ask(self, order: bytes) -> bytes | None:
-        """What it made, nothing if it could not; None when it died or hangs."""
+        """Sends an order and returns the answer, empty if it failed; None when the worker died or hangs."""
         try:
             self.line.sendall(frame(order))
             return receive(self.line)
@@ -119,7 +119,7 @@ class WorkerProcess:
             return None
 
     def kill(self) -> None:
-        """Ends it, whatever it does."""
+        """Kills the worker."""
         self.line.close()
         with suppress(ProcessLookupError):
             os.kill(self.pid, signal.SIGKILL)
@@ -127,7 +127,7 @@ class WorkerProcess:
 
 
 def spawn_worker(make: Make) -> WorkerProcess:
-    """A new hand."""
+    """Forks a new worker."""
     ours, theirs = socket.socketpair()
 
     def work() -> None:
@@ -141,7 +141,7 @@ def spawn_worker(make: Make) -> WorkerProcess:
 
 
 def supervise_worker(line: socket.socket, make: Make) -> None:
-    """Has every order made, by another hand if need be, until the line ends."""
+    """Passes every order to a worker, replacing workers that die or hang, until the line ends."""
     worker = spawn_worker(make)
     try:
         while (order := receive(line)) is not None:
@@ -157,7 +157,7 @@ def supervise_worker(line: socket.socket, make: Make) -> None:
 
 
 def serve_orders(line: socket.socket, make: Make) -> None:
-    """Makes what is ordered until the line ends; what cannot be made is answered with nothing, a refusal with why."""
+    """Computes orders until the line ends; failures are answered with nothing, rejections with their message."""
     while (order := receive(line)) is not None:
         try:
             made = MADE + make(order)
@@ -166,12 +166,12 @@ def serve_orders(line: socket.socket, make: Make) -> None:
         except Exception:
             traceback.print_exc()
             made = b""
-        with suppress(ConnectionError):  # the keeper went without waiting for it
+        with suppress(ConnectionError):  # the supervisor ended without waiting for it
             line.sendall(frame(made))
 
 
 def read_answer(data: bytes) -> bytes:
-    """What an answer holds; FailedOrderError and RefusedOrderError where it holds nothing."""
+    """Decodes an answer; raises FailedOrderError for a failed order and RefusedOrderError for a rejected one."""
     if data.startswith(REFUSED):
         raise RefusedOrderError(data[len(REFUSED) :].decode())
     if not data:
@@ -180,12 +180,12 @@ def read_answer(data: bytes) -> bytes:
 
 
 def frame(data: bytes) -> bytes:
-    """Data with its length before it."""
+    """Prefixes data with its length."""
     return _length.pack(len(data)) + data
 
 
 def receive(line: socket.socket) -> bytes | None:
-    """The next data of a line; None when it has ended."""
+    """Receives the next length-prefixed data of a line; None when the line has ended."""
     head = _receive_exactly(line, _length.size)
     return None if head is None else _receive_exactly(line, _length.unpack(head)[0])
 

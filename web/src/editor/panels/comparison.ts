@@ -1,12 +1,18 @@
+/** The comparison of two contents on one face, as a heat map of the distances. */
+
+import { decode } from "@msgpack/msgpack";
 import { css, html, nothing } from "lit";
 import { customElement, property, queryAll, state } from "lit/decorators.js";
-import { curtain } from "../../console/dialog_style";
-import { base } from "../../console/theme";
-import { controls } from "../controls_style";
-import { distances, drawShape, heat, largest, SKIN } from "../difference";
-import { BenchElement } from "../element";
-import { wearing } from "../shapes";
-import { MILLIMETRES, shown } from "../units";
+import { aligned } from "../../link/arrays";
+import { fetchWithRetry } from "../../link/assets";
+import type { ContentAsset } from "../../link/messages";
+import { curtain } from "../../ui/dialog_style";
+import { base } from "../../ui/theme";
+import { controls } from "../controls/controls_style";
+import { EditorElement } from "../controls/editor_element";
+import { MILLIMETRES, shown } from "../controls/units";
+import type { DraftStore } from "../session/draft_store";
+import { distances, drawShape, heat, largest, SKIN } from "./shape_difference";
 
 /** One of two things that are compared: a content, and what people call it. */
 export interface Side {
@@ -19,7 +25,7 @@ const ALIKE = 2e-5;
 
 /** Two revisions beside each other, and where they differ. */
 @customElement("omote-comparison")
-export class Comparison extends BenchElement {
+export class Comparison extends EditorElement {
   @property({ attribute: false }) sides!: readonly [Side, Side];
   @state() private sentence = "Drawing…";
   @queryAll("canvas") private canvases!: NodeListOf<HTMLCanvasElement>;
@@ -67,14 +73,14 @@ export class Comparison extends BenchElement {
   }
 
   async #draw(): Promise<void> {
-    const { bench } = this;
+    const { store } = this;
     const worn = ({ content }: Side): Promise<Float32Array> =>
-      bench.face === null ? wearing(bench, bench.sourceOf(bench.work), content) : wearing(bench, content, "neutral");
+      store.face === null ? wearing(store, store.sourceOf(store.work), content) : wearing(store, content, "neutral");
     const [one, other] = await Promise.all(this.sides.map(worn));
     if (one === undefined || other === undefined) return;
     const apart = distances(one, other);
     const most = largest(apart);
-    const meshes = (bench.library?.meshes ?? []).filter(({ name }) => !name.includes("lash"));
+    const meshes = (store.library?.meshes ?? []).filter(({ name }) => !name.includes("lash"));
     const [first, second, third] = [...this.canvases] as [HTMLCanvasElement, HTMLCanvasElement, HTMLCanvasElement];
     drawShape(first, one, meshes, () => SKIN);
     drawShape(second, other, meshes, () => SKIN);
@@ -86,12 +92,14 @@ export class Comparison extends BenchElement {
 
   /** The first two as they look on a stage, where expressions are compared; the plain shapes stay where that fails. */
   async #portray(canvases: readonly HTMLCanvasElement[]): Promise<void> {
-    const studio = this.rig.studio();
-    if (studio === null || this.bench.face !== null) return;
-    const face = this.bench.sourceOf(this.bench.work);
+    const thumbnailRenderer = this.context.thumbnailRenderer();
+    if (thumbnailRenderer === null || this.store.face !== null) return;
+    const face = this.store.sourceOf(this.store.work);
     for (const [at, canvas] of canvases.entries()) {
       const expression = (this.sides[at] as Side).content;
-      const picture = await studio.picture({ face, expression }, canvas.width, canvas.height).catch(() => null);
+      const picture = await thumbnailRenderer
+        .picture({ face, expression }, canvas.width, canvas.height)
+        .catch(() => null);
       if (picture !== null) canvas.getContext("2d")?.drawImage(picture, 0, 0);
     }
   }
@@ -112,4 +120,25 @@ export class Comparison extends BenchElement {
   #close(): void {
     this.dispatchEvent(new CustomEvent("close"));
   }
+}
+
+/** The positions of a face by its source, (vertices, 3) metres. */
+async function facePositions({ library }: DraftStore, source: string): Promise<Float32Array> {
+  if (library === null) throw new Error("The cast is not here yet; wait a moment.");
+  if (library.hasFace(source)) return library.positions(source);
+  const asset = decode(await fetchWithRetry(`/contents/${source.slice(1)}`)) as ContentAsset;
+  return new Float32Array(aligned(asset.positions));
+}
+
+/** A face (a source) that wears an expression (a source), (vertices, 3) metres. */
+async function wearing(store: DraftStore, face: string, expression: string): Promise<Float32Array> {
+  const rest = await facePositions(store, face);
+  if (expression === "neutral" || store.library === null) return rest;
+  const { scale, indices, deltas } = await store.library.compound(face, expression);
+  const worn = rest.slice();
+  indices.forEach((row, at) => {
+    for (let axis = 0; axis < 3; axis += 1)
+      worn[3 * row + axis] = (worn[3 * row + axis] as number) + scale * (deltas[3 * at + axis] as number);
+  });
+  return worn;
 }

@@ -1,0 +1,186 @@
+"""The shape of the web's code: folders, direction of imports, sizes. Biome checks cycles and the length of bodies."""
+
+import json
+import re
+from pathlib import Path, PurePosixPath
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+WEB = ROOT / "web"
+SOURCE = WEB / "src"
+
+MOST_MODULES = 12
+# Folders that hold more, and why.
+LARGE_FOLDERS: dict[str, str] = {}
+SHORT_MODULE = 30
+# Modules below that length with one importer and no test of their own, and why they stand apart.
+LONELY_MODULES: dict[str, str] = {}
+
+# Which folders each folder imports from, lowest first. A page imports from no other page, `face` and `ui` nothing from
+# each other.
+USED: dict[str, str] = {
+    "link": "",
+    "ui": "link",
+    "face/pose": "link",
+    "face/quality": "link",
+    "face/anatomy": "link",
+    "face/gpu": "face/quality",
+    "face/blend": "link face/pose face/anatomy face/gpu",
+    "face/light": "link face/gpu",
+    "face/skin": "link face/gpu face/light",
+    "face/head": "link face/pose face/quality face/anatomy face/gpu face/light face/skin",
+    "face/hair": "link face/quality face/gpu face/light face/head",
+    "face": "link face/pose face/quality face/anatomy face/gpu face/blend face/light face/skin face/head face/hair",
+    "stage": "link face/pose face/quality face/light face",
+    "console/store": "link ui",
+    "console/controls": "link ui console/store",
+    "console/panels": "link ui face/pose face/quality face console/store console/controls",
+    "console": "link ui face/pose face console/store console/controls console/panels",
+    "editor/link": "link",
+    "editor/session": "link ui face/pose face/gpu face editor/link",
+    "editor/controls": "ui editor/session",
+    "editor/panels": "link ui editor/session editor/controls",
+    "editor/page": "link ui editor/session editor/controls",
+    "editor/canvas/math": "link face/anatomy",
+    "editor/canvas/model": "link face/pose face/anatomy editor/session editor/canvas/math",
+    "editor/canvas/draw": (
+        "link face/anatomy face/gpu face/light face/skin editor/session editor/canvas/math editor/canvas/model"
+    ),
+    "editor/canvas/scene": "link face/anatomy editor/session editor/canvas/math editor/canvas/model editor/canvas/draw",
+    "editor/canvas/input": (
+        "face/anatomy editor/session editor/canvas/math editor/canvas/model editor/canvas/draw editor/canvas/scene"
+    ),
+    "editor/canvas": (
+        "link face/quality face/anatomy face/gpu editor/session editor/canvas/math editor/canvas/model "
+        "editor/canvas/draw editor/canvas/scene editor/canvas/input"
+    ),
+    "editor": "link ui editor/link editor/session editor/controls editor/panels editor/page editor/canvas",
+}
+ALLOWED = {folder: set(used.split()) for folder, used in USED.items()}
+
+IMPORT = re.compile(r'^(?:import|export)\s+(?:[\w\s{},*]+?\bfrom\s+)?"(\.[^"]+)"|\bimport\("(\.[^"]+)"\)', re.MULTILINE)
+
+
+def imports_in(text: str, module: str) -> set[str]:
+    """The modules that the text of a module imports by a relative path, types too; all as paths below `src`."""
+    found = (first or second for first, second in IMPORT.findall(text))
+    return {_resolved(PurePosixPath(module).parent / path) for path in found}
+
+
+def _resolved(path: PurePosixPath) -> str:
+    parts: list[str] = []
+    for part in path.parts:
+        if part == "..":
+            parts.pop()
+        else:
+            parts.append(part)
+    return "/".join(parts)
+
+
+MODULES = {
+    path.relative_to(SOURCE).with_suffix("").as_posix(): path.read_text()
+    for path in sorted(SOURCE.rglob("*.ts"))
+    if not path.name.endswith(".test.ts")
+}
+IMPORTS = {module: imports_in(text, module) for module, text in MODULES.items()}
+FOLDERS = sorted({PurePosixPath(module).parent.as_posix() for module in MODULES})
+
+
+def folder_of(module: str) -> str:
+    """The folder of a module below `src`."""
+    return PurePosixPath(module).parent.as_posix()
+
+
+def closure(folder: str) -> set[str]:
+    """All folders that a folder may reach, directly or through others."""
+    reached, open_ends = set[str](), [folder]
+    while open_ends:
+        new = ALLOWED[open_ends.pop()] - reached
+        reached |= new
+        open_ends += new
+    return reached
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ('import { a } from "./b";\n', {"ui/b"}),
+        ('import type {\n  A,\n} from "../link/c";\n', {"link/c"}),
+        ('import "./d";\n', {"ui/d"}),
+        ('export { e } from "./e";\n', {"ui/e"}),
+        ('const f = await import("./f");\n', {"ui/f"}),
+        ('import { html } from "lit";\nexport class G {\n  @query(".g") g = "./g";\n}\n', set()),
+    ],
+)
+def test_the_search_for_imports_finds_each_kind(text: str, found: set[str]) -> None:
+    assert imports_in(text, "ui/a") == found
+
+
+def test_every_import_leads_to_a_module() -> None:
+    assert {(module, to) for module, all_of in IMPORTS.items() for to in all_of if to not in MODULES} == set()
+
+
+def test_the_table_names_every_folder_and_no_other() -> None:
+    assert sorted(ALLOWED) == FOLDERS
+    assert set().union(*ALLOWED.values()) <= set(FOLDERS)
+
+
+def test_the_table_goes_one_way() -> None:
+    order = list(ALLOWED)
+    assert all(order.index(to) < order.index(folder) for folder, used in ALLOWED.items() for to in used)
+
+
+def test_pages_reach_no_other_page_and_what_is_shared_reaches_no_page() -> None:
+    pages = {"stage", "console", "editor"}
+    for folder in ALLOWED:
+        top = folder.split("/")[0]
+        assert {to.split("/")[0] for to in closure(folder)} & pages <= {top} & pages
+    assert not any(to.startswith("face") for to in closure("ui"))
+    assert "ui" not in closure("face")
+
+
+@pytest.mark.parametrize("folder", FOLDERS)
+def test_imports_are_those_of_the_table(folder: str) -> None:
+    found = {(module, to) for module in MODULES if folder_of(module) == folder for to in IMPORTS[module]}
+    leaving = {(module, to) for module, to in found if folder_of(to) != folder}
+    assert {pair for pair in leaving if folder_of(pair[1]) not in ALLOWED[folder]} == set()
+    assert {folder_of(to) for _, to in leaving} == ALLOWED[folder], "the table allows what nobody uses"
+
+
+def test_folders_are_small_or_say_why() -> None:
+    sizes = {folder: sum(folder_of(module) == folder for module in MODULES) for folder in FOLDERS}
+    assert {folder for folder, size in sizes.items() if size > MOST_MODULES} == set(LARGE_FOLDERS)
+
+
+def test_a_short_module_with_one_importer_lives_in_it() -> None:
+    importers = {module: {one for one, found in IMPORTS.items() if module in found} for module in MODULES}
+    lonely = {
+        module
+        for module, text in MODULES.items()
+        if len(importers[module]) == 1
+        and len(text.splitlines()) < SHORT_MODULE
+        and not (SOURCE / f"{module}.test.ts").exists()
+    }
+    assert lonely == set(LONELY_MODULES)
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_every_module_is_used_or_is_a_page(module: str) -> None:
+    used = any(module in found for found in IMPORTS.values())
+    tested = any(module in imports_in(path.read_text(), _name(path)) for path in SOURCE.rglob("*.test.ts"))
+    assert used or tested or PurePosixPath(module).name == "main"
+
+
+def _name(path: Path) -> str:
+    return path.relative_to(SOURCE).as_posix()
+
+
+def test_biome_checks_cycles_and_the_length_of_bodies() -> None:
+    config = json.loads((WEB / "biome.json").read_text())
+    rules = config["linter"]["rules"]
+    assert rules["suspicious"]["noImportCycles"] == {"level": "error", "options": {"ignoreTypes": False}}
+    bodies = {"level": "error", "options": {"maxLines": 25}}  # as Python's; a template of markup or GLSL is one line
+    assert rules["complexity"]["noExcessiveLinesPerFunction"] == bodies
+    off = [override for override in config["overrides"] if "complexity" in override["linter"]["rules"]]
+    assert [override["includes"] for override in off] == [["**/*.test.ts"]]

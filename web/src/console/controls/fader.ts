@@ -1,0 +1,109 @@
+/** The fader of one channel. */
+
+import { html } from "lit";
+import { customElement, property, query } from "lit/decorators.js";
+import { type Drag, onArrows, onDrag, onWheel } from "../../ui/gestures";
+import { base } from "../../ui/theme";
+import { CHANNEL, fractionOf, stepped, travelOf, weightAt, within } from "../../ui/travel";
+import type { Side } from "../store/channels";
+import type { Knob } from "../store/knob";
+import { AnimatedElement, StyleWriter } from "./console_element";
+import { style } from "./fader_style";
+
+const STEP = 0.05;
+const STOPS = [0, 1];
+
+/** The fader of one channel, -0.5..1.5, with rests at 0 and 1. */
+@customElement("omote-fader")
+export class Fader extends AnimatedElement {
+  @property() channel = "";
+  @property() side: Side | null = null;
+  @query(".slot") private slotElement!: HTMLElement;
+  @query(".fill") private fill!: HTMLElement;
+  @query(".gaze") private gaze!: HTMLElement;
+  @query(".carrier") private carrier!: HTMLElement;
+  @query(".number") private number!: HTMLElement;
+  readonly #written = new StyleWriter();
+  #shown: Knob | null = null;
+  #travel = 0;
+  #era = 0;
+
+  static override styles = [base, style];
+
+  override render() {
+    return html`
+      <div class="number"></div>
+      <div
+        class="slot"
+        role="slider"
+        tabindex="0"
+        aria-orientation="vertical"
+        aria-valuemin=${CHANNEL.low}
+        aria-valuemax=${CHANNEL.high}
+        aria-label=${this.channel}
+        data-channel=${this.channel}
+      >
+        <div class="tick" style="bottom:25%"></div>
+        <div class="tick" style="bottom:75%"></div>
+        <div class="groove"></div>
+        <div class="fill"></div>
+        <div class="gaze"></div>
+        <div class="carrier"></div>
+      </div>
+    `;
+  }
+
+  override firstUpdated(): void {
+    onDrag(this.slotElement, this.#drag());
+    onWheel(this.slotElement, (steps) => this.#step(steps));
+    onArrows(
+      this.slotElement,
+      (dx, dy) => this.#step(dx + dy),
+      () => this.store.channel(this.channel).nudge(0),
+    );
+  }
+
+  #drag(): Drag {
+    const knob = () => this.store.channel(this.channel);
+    const read = () => {
+      this.#travel = travelOf(knob().value(performance.now()));
+    };
+    return {
+      start: () => {
+        this.#era = this.store.era;
+        read();
+      },
+      move: (_dx, dy) => {
+        if (this.#era !== this.store.era || dy === 0) return;
+        if (!this.store.online) read(); // nothing is pretended: when the link is back the drag goes on from there
+        this.#travel = within(this.#travel + dy * (CHANNEL.high - CHANNEL.low), CHANNEL);
+        knob().grip(weightAt(this.#travel));
+      },
+      end: () => knob().leave(),
+      double: () => {
+        knob().nudge(0);
+        this.#travel = 0;
+      },
+    };
+  }
+
+  #step(steps: number): void {
+    const knob = this.store.channel(this.channel);
+    knob.nudge(stepped(knob.value(performance.now()), steps * STEP, CHANNEL, STOPS));
+  }
+
+  paint(now: number): void {
+    const write = this.#written;
+    this.#shown ??= this.store.channel(this.channel, false);
+    const weight = this.#shown.value(now);
+    const text = weight === 0 ? "" : weight.toFixed(2).replace(/^(-?)0\./, "$1.");
+    write.style(this.carrier, "transform", `translateY(${-100 * fractionOf(weight, CHANNEL)}%)`);
+    write.style(this.fill, "transform", `scaleY(${weight / (CHANNEL.high - CHANNEL.low)})`);
+    const lid = this.store.state?.lids[this.channel] ?? 0;
+    write.style(this.gaze, "transform", `scaleY(${lid / (CHANNEL.high - CHANNEL.low)})`);
+    write.text(this.number, text || (this.side === null ? "" : this.side === "left" ? "L" : "R"));
+    write.flag(this.number, "touched", weight !== 0);
+    write.flag(this.carrier, "touched", weight !== 0);
+    write.attribute(this.slotElement, "aria-valuenow", weight.toFixed(2));
+  }
+}

@@ -1,0 +1,92 @@
+/** The row of keys that call lights. */
+
+import { css, html } from "lit";
+import { customElement, query } from "lit/decorators.js";
+import { base } from "../../ui/theme";
+import type { Topic } from "../store/console_store";
+import { AnimatedElement, StyleWriter } from "./console_element";
+
+/** A key for each light: which are on air and how much, which is coming. A call takes the time of a face's call. */
+@customElement("omote-lights")
+export class LightRow extends AnimatedElement {
+  @query(".row") private row!: HTMLElement;
+  readonly #written = new StyleWriter();
+
+  static override styles = [
+    base,
+    css`
+      .row {
+        display: flex;
+        align-items: center;
+        gap: 4px;
+        padding: 4px 10px;
+        border-top: 1px solid var(--line);
+      }
+      .row > span {
+        color: var(--dim);
+      }
+      button {
+        position: relative;
+        flex: 1 1 auto;
+        min-width: 0;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      @media (max-width: 1100px) {
+        .row > span {
+          display: none;
+        }
+        button {
+          padding: 0 4px;
+        }
+      }
+      button i {
+        position: absolute;
+        inset: auto 0 0;
+        height: 4px;
+        transform-origin: left;
+        transform: scaleX(0);
+        background: var(--air);
+      }
+      button.coming {
+        border-color: var(--coming);
+      }
+      button.coming i {
+        background: var(--coming);
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["cast"];
+  }
+
+  /** To the first key. */
+  override focus(): void {
+    this.row.querySelector("button")?.focus();
+  }
+
+  override render() {
+    return html`<div class="row" role="group" aria-label="Light">
+      <span>Light</span>
+      ${this.store.lights.map(
+        ({ name, label }) => html`<button data-light=${name} title=${label} @click=${() => this.store.callLight(name)}>
+          ${label}<i></i>
+        </button>`,
+      )}
+    </div>`;
+  }
+
+  paint(): void {
+    const { state } = this.store;
+    for (const button of this.row.querySelectorAll<HTMLElement>("button")) {
+      const name = button.dataset.light as string;
+      const weight = state?.light[name] ?? 0;
+      const coming = state?.light_call?.target === name;
+      this.#written.style(button.querySelector("i") as HTMLElement, "transform", `scaleX(${weight.toFixed(3)})`);
+      this.#written.flag(button, "coming", coming);
+      this.#written.attribute(button, "aria-pressed", String(!coming && weight > 0.5));
+    }
+  }
+}

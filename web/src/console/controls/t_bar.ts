@@ -1,0 +1,166 @@
+/** The T-bar: a call moved by hand. */
+
+import { html } from "lit";
+import { customElement, property, query } from "lit/decorators.js";
+import { type Drag, onArrows, onDrag, onWheel } from "../../ui/gestures";
+import { base } from "../../ui/theme";
+import { UNIT, within } from "../../ui/travel";
+import { type Axis, onAir } from "../store/axis";
+import { remainingLabel } from "../store/timing";
+import { AnimatedElement, StyleWriter } from "./console_element";
+import { style } from "./t_bar_style";
+import { type BarView, barView } from "./t_bar_view";
+
+/** The T-bar of an axis: the hand's handle, the value of the call beside it, and who is at which end. */
+@customElement("omote-tbar")
+export class TBar extends AnimatedElement {
+  @property() axis: Axis = "face";
+  @query(".track") private track!: HTMLElement;
+  @query(".hand") private hand!: HTMLElement;
+  @query(".value") private value!: HTMLElement;
+  @query(".way") private way!: HTMLElement;
+  @query(".column") private column!: HTMLElement;
+  @query(".top") private top!: HTMLElement;
+  @query(".bottom") private bottom!: HTMLElement;
+  @query(".percent") private percent!: HTMLElement;
+  @query(".mode") private mode!: HTMLElement;
+  @query(".release") private release!: HTMLButtonElement;
+  readonly #written = new StyleWriter();
+  #view: BarView | null = null;
+  #from = "";
+  #position = 0;
+  #touched = false;
+  #era = 0;
+
+  static override styles = [base, style];
+
+  override render() {
+    const name = this.axis === "face" ? "Face" : "Expression";
+    return html`
+      <h2>${this.axis === "face" ? "Face" : "Expr."}</h2>
+      <div class="end top"></div>
+      <div
+        class="track"
+        role="slider"
+        tabindex="0"
+        aria-orientation="vertical"
+        aria-valuemin="0"
+        aria-valuemax="1"
+        aria-label="${name} T-bar"
+      >
+        <div class="ticks"></div>
+        <div class="slot"></div>
+        <div class="column"></div>
+        <div class="carrier value"></div>
+        <div class="carrier way"></div>
+        <div class="carrier hand"></div>
+      </div>
+      <div class="end bottom"></div>
+      <div><div class="percent">&nbsp;</div><div class="mode"></div></div>
+      <button class="release" title="Take the hand off: a timed call runs on" @click=${() => this.store.release(this.axis)}>
+        Release
+      </button>
+    `;
+  }
+
+  override firstUpdated(): void {
+    onDrag(this.track, this.#drag());
+    onWheel(this.track, (steps) => this.#step(steps * 0.04));
+    onArrows(
+      this.track,
+      (dx, dy) => this.#step((dx + dy) * 0.02),
+      () => this.store.release(this.axis),
+    );
+  }
+
+  #drag(): Drag {
+    const knob = () => this.store.bar(this.axis);
+    const read = () => {
+      this.#position = knob().value(performance.now());
+    };
+    return {
+      start: () => {
+        this.#era = this.store.era;
+        this.#touched = true;
+        read();
+      },
+      move: (_dx, dy) => {
+        if (this.#era !== this.store.era) return;
+        if (!this.store.online) read(); // nothing is pretended: when the link is back the drag goes on from there
+        this.#position = within(this.#position + dy, UNIT);
+        knob().grip(this.#position);
+      },
+      end: () => {
+        this.#touched = false;
+        knob().leave();
+      },
+      double: () => this.store.release(this.axis),
+    };
+  }
+
+  #step(by: number): void {
+    const knob = this.store.bar(this.axis);
+    knob.nudge(within(knob.value(performance.now()) + by, UNIT));
+  }
+
+  override focus(): void {
+    this.track.focus();
+  }
+
+  paint(now: number): void {
+    const position = this.store.bar(this.axis).value(now);
+    const view = barView(this.store.callOf(this.axis), position, this.#touched, this.#view);
+    if (view.target !== this.#view?.target) this.#from = this.#strongest(view.target);
+    this.#view = view;
+    this.#paintTrack(view, position);
+    this.#paintWords(view);
+  }
+
+  #paintTrack(view: BarView, position: number): void {
+    const write = this.#written;
+    const [running, waiting] = [view.target !== null, view.mode === "waiting"];
+    write.style(this.hand, "transform", `translateY(${-100 * position}%)`);
+    write.flag(this.hand, "ghost", waiting);
+    write.flag(this.hand, "held", view.mode === "held");
+    write.style(this.value, "transform", `translateY(${-100 * view.value}%)`);
+    write.flag(this.value, "shown", running);
+    write.flag(this.way, "shown", waiting && Math.abs(view.gap) > 0.01);
+    const low = Math.min(position, view.value);
+    write.style(this.way, "transform", `translateY(${-100 * low}%) scaleY(${Math.abs(view.gap)})`);
+    write.flag(this.column, "flipped", view.flipped);
+    write.style(this.column, "transform", `scaleY(${running ? (view.flipped ? 1 - view.value : view.value) : 0})`);
+    write.attribute(this.track, "aria-valuenow", position.toFixed(2));
+  }
+
+  #paintWords(view: BarView): void {
+    const write = this.#written;
+    const call = this.store.callOf(this.axis);
+    const [start, goal] = view.flipped ? [this.top, this.bottom] : [this.bottom, this.top];
+    const label = (name: string) => this.store.label(this.axis, name);
+    write.text(goal, call === null ? "" : label(call.target));
+    write.text(start, label(call === null ? this.#strongest(null) : this.#from));
+    for (const end of [this.top, this.bottom]) {
+      write.flag(end, "air", end === start);
+      write.flag(end, "coming", end === goal && call !== null);
+    }
+    write.text(this.percent, call === null ? "–" : `${Math.round(call.progress * 100)} %`);
+    write.text(this.mode, MODES[view.mode](call?.remaining ?? null, view.gap));
+    write.flag(this.mode, "attention", view.mode === "waiting");
+    write.flag(this.release, "lit", view.mode === "held");
+    const spoken = call === null ? "no call" : `${label(call.target)} ${Math.round(call.progress * 100)} per cent`;
+    write.attribute(this.track, "aria-valuetext", spoken);
+  }
+
+  #strongest(besides: string | null): string {
+    const state = this.store.state;
+    const names = onAir((this.axis === "face" ? state?.faces : state?.expressions) ?? {});
+    return names.find(([name]) => name !== besides)?.[0] ?? "";
+  }
+}
+
+const MODES: Record<BarView["mode"], (remaining: number | null, gap: number) => string> = {
+  idle: () => "",
+  running: (remaining) => (remaining === null ? "" : `${remainingLabel(remaining)} s left`),
+  waiting: (_, gap) => `pick up ${gap < 0 ? "▲" : "▼"}`,
+  held: () => "by hand",
+};

@@ -1,0 +1,137 @@
+/** The bank of channel faders, by region of the face. */
+
+import { html } from "lit";
+import { customElement, query, state } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import type { ExpressionDocument } from "../../link/messages";
+import { base } from "../../ui/theme";
+import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { byRegion, type Region, type Strip, stripsOf } from "../store/channels";
+import type { BankTab } from "../store/console_layout";
+import type { Topic } from "../store/console_store";
+import { style } from "./bank_style";
+import "../controls/fader";
+
+const KINDS: Readonly<Record<ExpressionDocument["kind"], string>> = {
+  neutral: "",
+  performed: "performed",
+  arkit: "ARKit",
+  makehuman: "MakeHuman",
+  own: "own",
+};
+
+/** A fader for every channel, a region at a time; what is touched can be gathered on one tab. */
+@customElement("omote-bank")
+export class Bank extends AnimatedElement {
+  /** The channels gathered when the tab "touched" was opened; a fader brought back to zero stays under the hand. */
+  @state() private gathered: readonly string[] = [];
+  @query("nav") private nav!: HTMLElement;
+  readonly #written = new StyleWriter();
+
+  static override styles = [base, style];
+
+  protected override topics(): readonly Topic[] {
+    return ["cast", "layout"];
+  }
+
+  private get tab(): BankTab {
+    return this.store.layout.tab;
+  }
+
+  /** The channels of the tab now open. */
+  #shown(): readonly ExpressionDocument[] {
+    const playable = this.store.expressions.filter((one) => one.kind !== "neutral");
+    if (this.tab === "touched") return playable.filter((one) => this.gathered.includes(one.name));
+    return byRegion(playable).get(this.tab) ?? [];
+  }
+
+  #touched(): string[] {
+    const channels = this.store.state?.channels ?? {};
+    return Object.keys(channels).filter((name) => channels[name] !== 0);
+  }
+
+  #open(tab: BankTab): void {
+    this.gathered = this.#touched();
+    this.store.arrange({ tab });
+  }
+
+  override render() {
+    const tabs: BankTab[] = ["touched", ...byRegion(this.store.expressions).keys()];
+    const shown = this.#shown();
+    return html`
+      <header>
+        <nav role="tablist" aria-label="Channels by region">
+          ${tabs.map(
+            (
+              tab,
+            ) => html`<button role="tab" data-tab=${tab} aria-selected=${tab === this.tab} @click=${() => this.#open(tab)}>
+              ${tab}<span class="count"></span>
+            </button>`,
+          )}
+        </nav>
+        <button
+          aria-pressed=${this.store.linked}
+          title="Left and right of a pair move together"
+          @click=${() => {
+            this.store.arrange({ linked: !this.store.linked });
+          }}
+        >
+          Link R L
+        </button>
+        <button data-clear="region" @click=${() => this.store.clearChannels(shown.map((one) => one.name))}>
+          Clear ${this.tab}
+        </button>
+        <button data-clear="all" @click=${() => this.store.clearChannels(this.#touched())}>Clear all</button>
+      </header>
+      <div class="strips">${this.#strips(stripsOf(shown))}</div>
+    `;
+  }
+
+  #strips(strips: readonly Strip[]) {
+    if (strips.length === 0)
+      return html`<div class="empty">${this.tab === "touched" ? "No channel is on air" : ""}</div>`;
+    const kinds = [...new Set(strips.map((strip) => strip.kind))];
+    return kinds.map(
+      (kind) => html`
+        <div class="kind">${KINDS[kind]}</div>
+        ${repeat(
+          strips.filter((strip) => strip.kind === kind),
+          (strip) => strip.key,
+          (strip) => this.#strip(strip),
+        )}
+      `,
+    );
+  }
+
+  #strip(strip: Strip) {
+    return html`<div class="strip ${strip.channels.length > 1 ? "pair" : "single"}">
+      <div class="faders">
+        ${strip.channels.map(
+          ({ name, side }) => html`<omote-fader .context=${this.context} .channel=${name} .side=${side}></omote-fader>`,
+        )}
+      </div>
+      <div class="label" title=${strip.channels.map(({ name }) => name).join(", ")}>${strip.label}</div>
+    </div>`;
+  }
+
+  paint(): void {
+    const touched = new Set(this.#touched());
+    const regions = byRegionCached(this.store.expressions);
+    for (const button of this.nav.querySelectorAll<HTMLElement>("button")) {
+      const tab = button.dataset.tab as BankTab;
+      const names = tab === "touched" ? [...touched] : (regions.get(tab) ?? []).filter((name) => touched.has(name));
+      this.#written.text(button.querySelector(".count") as Element, names.length === 0 ? "" : String(names.length));
+    }
+  }
+}
+
+let cached: { of: readonly ExpressionDocument[]; regions: Map<Region, string[]> } | null = null;
+
+/** The names of each region, worked out once per cast. */
+function byRegionCached(of: readonly ExpressionDocument[]): Map<Region, string[]> {
+  if (cached?.of !== of) {
+    const regions = [...byRegion(of)].map(([region, inside]) => [region, inside.map((one) => one.name)] as const);
+    cached = { of, regions: new Map(regions) };
+  }
+  return cached.regions;
+}

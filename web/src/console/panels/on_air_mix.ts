@@ -1,0 +1,171 @@
+/** The list of what is on air on one axis, heaviest first. */
+
+import { css, html } from "lit";
+import { customElement, property, query } from "lit/decorators.js";
+import { base } from "../../ui/theme";
+import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { type Axis, onAir } from "../store/axis";
+import { remainingLabel } from "../store/timing";
+
+const ROWS = 4;
+
+/** What is on air on one axis, heaviest first, and what is coming. */
+@customElement("omote-mix")
+export class Mix extends AnimatedElement {
+  @property() axis: Axis = "face";
+  @query(".rows") private rows!: HTMLElement;
+  @query(".coming") private coming!: HTMLElement;
+  @query(".what") private what!: HTMLElement;
+  @query(".left") private left!: HTMLElement;
+  @query(".progress") private progress!: HTMLElement;
+  readonly #written = new StyleWriter();
+
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: grid;
+        grid-template-rows: auto 1fr auto;
+        gap: 4px;
+        padding: 8px 10px;
+        min-width: 0;
+      }
+      header {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        gap: 6px;
+        min-width: 0;
+      }
+      header button {
+        height: 20px;
+        min-height: 0;
+        padding: 0 7px;
+        font-size: 11px;
+        white-space: nowrap;
+        overflow: hidden;
+        text-overflow: ellipsis;
+      }
+      .rows {
+        display: grid;
+        align-content: start;
+        gap: 3px;
+        min-height: 76px;
+      }
+      .row {
+        position: relative;
+        display: flex;
+        align-items: center;
+        gap: 6px;
+        height: 17px;
+        padding: 0 6px;
+        border-radius: 3px;
+        overflow: hidden;
+        background: #000;
+      }
+      .row.none {
+        visibility: hidden;
+      }
+      .row i {
+        position: absolute;
+        inset: 0;
+        transform-origin: left;
+        transform: scaleX(0);
+        background: var(--air-deep);
+        border-right: 2px solid var(--air);
+      }
+      .row.target i {
+        background: var(--coming-deep);
+      }
+      .row b {
+        position: relative;
+        flex: 1;
+        font-size: 12px;
+        font-weight: 600;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .row span {
+        position: relative;
+        font-size: 12px;
+      }
+      .coming {
+        position: relative;
+        display: flex;
+        gap: 6px;
+        align-items: center;
+        height: 24px;
+        padding: 0 8px;
+        border-radius: 3px;
+        border: 1px solid var(--line);
+        color: var(--faint);
+        overflow: hidden;
+      }
+      .coming.shown {
+        color: var(--coming);
+        border-color: var(--coming);
+      }
+      .what {
+        flex: 1;
+        font-weight: 600;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .progress {
+        position: absolute;
+        left: 0;
+        right: 0;
+        bottom: 0;
+        height: 3px;
+        transform-origin: left;
+        transform: scaleX(0);
+        background: var(--coming);
+      }
+    `,
+  ];
+
+  override render() {
+    return html`
+      <header>
+        <h2>${this.axis === "face" ? "Face" : "Expression"}</h2>
+        <button
+          data-keep=${this.axis}
+          aria-label="Keep ${this.axis}"
+          title="Keep what is on air as a new ${this.axis} (${this.axis === "face" ? "N" : "M"})"
+          @click=${() => this.store.keep(this.axis)}
+        >
+          Keep
+        </button>
+      </header>
+      <div class="rows" data-axis=${this.axis}>
+        ${Array.from({ length: ROWS }, () => html`<div class="row none"><i></i><b></b><span></span></div>`)}
+      </div>
+      <div class="coming"><span class="what"></span><span class="left"></span><span class="progress"></span></div>
+    `;
+  }
+
+  paint(): void {
+    const state = this.store.state;
+    const call = this.store.callOf(this.axis);
+    const names = onAir((this.axis === "face" ? state?.faces : state?.expressions) ?? {});
+    const write = this.#written;
+    for (const [index, row] of [...this.rows.children].entries()) {
+      const [name, weight] = names[index] ?? ["", 0];
+      const [label, more] = [this.store.label(this.axis, name), names.length - ROWS];
+      write.flag(row, "none", name === "");
+      write.flag(row, "target", name === call?.target);
+      write.style(row.children[0] as HTMLElement, "transform", `scaleX(${Math.abs(weight).toFixed(3)})`);
+      write.text(row.children[1] as Element, index === ROWS - 1 && more > 0 ? `${label} + ${more} more` : label);
+      write.text(row.children[2] as Element, name === "" ? "" : String(Math.round(weight * 100)));
+    }
+    write.flag(this.coming, "shown", call !== null);
+    write.text(this.what, call === null ? "nothing coming" : `▶ ${this.store.label(this.axis, call.target)}`);
+    write.text(
+      this.left,
+      call === null ? "" : call.remaining === null ? "by hand" : `${remainingLabel(call.remaining)} s`,
+    );
+    write.style(this.progress, "transform", `scaleX(${(call?.progress ?? 0).toFixed(3)})`);
+  }
+}

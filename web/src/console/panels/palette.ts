@@ -1,0 +1,273 @@
+/** The palette of faces or expressions with thumbnails, hot keys and search. */
+
+import { html, nothing } from "lit";
+import { customElement, property, query, queryAll, state } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import { EDITOR, EDITOR_TAB, editorAddress } from "../../link/editor_address";
+import type { ExpressionDocument, FaceDocument } from "../../link/messages";
+import { onRoam } from "../../ui/gestures";
+import { base } from "../../ui/theme";
+import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
+import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import type { Axis } from "../store/axis";
+import { REGIONS, regionOf } from "../store/channels";
+import { KINDS, type PaletteKind } from "../store/console_layout";
+import type { Topic } from "../store/console_store";
+import { keyLabel } from "../store/keys";
+import { style } from "./palette_style";
+import "../controls/timing_row";
+
+const LABELS: Readonly<Record<PaletteKind, string>> = {
+  performed: "Performed",
+  own: "Own",
+  arkit: "ARKit",
+  makehuman: "MakeHuman",
+};
+/** How long a face must be alone on air before the expressions are drawn anew on it, in milliseconds. */
+const SETTLED = 800;
+
+type Tile = FaceDocument | ExpressionDocument;
+
+/** The faces or the expressions, as pictures: a tap calls one in the chosen time. */
+@customElement("omote-palette")
+export class Palette extends AnimatedElement {
+  @property() axis: Axis = "face";
+  @state() private search = "";
+  /** The face that the expressions are shown on. */
+  @state() private model = "generic";
+  @query(".tiles") private list!: HTMLElement;
+  @query("input") private input!: HTMLInputElement | null;
+  @queryAll(".tile") private tiles!: NodeListOf<HTMLElement>;
+  readonly #written = new StyleWriter();
+  #candidate: [string, number] = ["", 0];
+
+  static override styles = [base, style];
+
+  protected override topics(): readonly Topic[] {
+    return ["cast", "layout"];
+  }
+
+  private get kind(): PaletteKind {
+    return this.store.layout.kind;
+  }
+
+  /** What the palette shows now, in order. */
+  get shown(): readonly Tile[] {
+    return this.#sections(this.store.layout.ownFaces).flatMap(([, inside]) => inside);
+  }
+
+  /** The first nine of these have hot keys: what is shown, but a face keeps its key while own faces are shown alone. */
+  get #keyed(): readonly Tile[] {
+    return this.#sections(false).flatMap(([, inside]) => inside);
+  }
+
+  /** Tiles under their headings: units by region; what is searched needs none. The crew's own come last, so that the
+   * hot keys of all others stay where they are when something is kept during the show. */
+  #sections(ownFaces: boolean): [string, Tile[]][] {
+    const all: readonly Tile[] = this.axis === "face" ? this.store.faces : this.store.expressions;
+    const words = this.search.toLowerCase().split(/\s+/).filter(Boolean);
+    if (words.length > 0) return [["", all.filter((one) => words.every((word) => textOf(one).includes(word)))]];
+    const own = all.filter(isOwn).sort((a, b) => a.place - b.place);
+    if (this.axis === "face" && ownFaces) return [["", own]];
+    if (this.axis === "face")
+      return withOwn(
+        this.store.faces.filter((one) => !isOwn(one)),
+        own,
+      );
+    if (this.kind === "own") return [["", own]];
+    const inside = this.store.expressions.filter((one) => !isOwn(one) && this.#inTab(one));
+    if (this.kind === "performed") return withOwn(inside, own);
+    const regions = REGIONS.map((region): [string, ExpressionDocument[]] => [
+      region,
+      inside.filter((one) => regionOf(one) === region),
+    ]);
+    return regions.filter(([, units]) => units.length > 0);
+  }
+
+  #inTab(one: ExpressionDocument): boolean {
+    return one.kind === this.kind || (this.kind === "performed" && (one.kind === "neutral" || one.kind === "own"));
+  }
+
+  /** Calls the tile at an index, as its hot key does. */
+  callIndex(index: number): void {
+    const name = this.#keyed[index]?.name;
+    if (name !== undefined) this.store.call(this.axis, name);
+  }
+
+  override focus(): void {
+    this.input?.focus();
+  }
+
+  override render() {
+    return html`
+      <header>${this.axis === "face" ? this.#ownSwitch() : this.#tabs()} ${this.#searchField()}</header>
+      <div class="tiles" @scroll=${this.#hint}>${this.#tiles()}</div>
+      <omote-timing .context=${this.context} .axis=${this.axis}></omote-timing>
+    `;
+  }
+
+  #tabs() {
+    return html`<div class="tabs" role="tablist" aria-label="Kinds of expressions">
+      ${KINDS.map(
+        (kind) => html`<button
+          role="tab"
+          data-kind=${kind}
+          aria-selected=${this.kind === kind && this.search === ""}
+          @click=${() => {
+            this.store.arrange({ kind });
+            this.search = "";
+          }}
+        >
+          ${LABELS[kind]}
+        </button>`,
+      )}
+    </div>`;
+  }
+
+  #ownSwitch() {
+    const { ownFaces } = this.store.layout;
+    return html`<h2>Faces</h2>
+      <div class="tabs">
+        <button
+          data-own-faces
+          title="Your own faces alone; hot keys stay with their faces"
+          aria-pressed=${ownFaces && this.search === ""}
+          @click=${() => {
+            this.store.arrange({ ownFaces: !ownFaces || this.search !== "" });
+            this.search = "";
+          }}
+        >
+          Own
+        </button>
+      </div>`;
+  }
+
+  #searchField() {
+    const what = this.axis === "face" ? "faces by name or tag" : "expressions by name, region or tag";
+    return html`<input
+      type="search"
+      placeholder=${this.axis === "face" ? "search" : "search /"}
+      aria-label="Search ${what}"
+      .value=${this.search}
+      @input=${(event: Event) => {
+        this.search = (event.target as HTMLInputElement).value;
+      }}
+    />`;
+  }
+
+  #tiles() {
+    const { shown } = this;
+    const keyed = this.#keyed;
+    if (shown.length === 0 && this.search !== "")
+      return html`<div class="none">Nothing is called "${this.search}".</div>`;
+    if (shown.length === 0)
+      return html`<div class="none">Nothing of your own yet: keep what is on air (${this.axis === "face" ? "N" : "M"}), or make one in the <a href=${EDITOR} target=${EDITOR_TAB}>editor</a>.</div>`;
+    return this.#sections(this.store.layout.ownFaces).map(
+      ([heading, inside]) => html`${heading === "" ? nothing : html`<div class="region">${heading}</div>`}
+        ${repeat(
+          inside,
+          (one) => one.name,
+          (one) => this.#place(one, keyed.indexOf(one)),
+        )}`,
+    );
+  }
+
+  /** A tile, and over a corner of an own one the way to the editor, which never calls. */
+  #place(one: Tile, index: number) {
+    const edit = isOwn(one)
+      ? html`<a
+          class="edit"
+          href=${editorAddress(this.axis, one.name)}
+          target=${EDITOR_TAB}
+          aria-label="Edit ${one.label}"
+          title="Edit ${one.label} in the editor"
+          ><span aria-hidden="true">✎</span></a
+        >`
+      : nothing;
+    return html`<div class="place">${this.#tile(one, index)}${edit}</div>`;
+  }
+
+  #tile(one: Tile, index: number) {
+    const key = keyLabel(this.axis, index);
+    return html`<button
+      class=${isOwn(one) ? "tile own" : "tile"}
+      data-name=${one.name}
+      data-source=${one.source}
+      aria-label="${one.label}${key === null ? "" : `, key ${key}`}"
+      title=${[one.name, ...one.tags].join(", ")}
+      @click=${() => this.store.call(this.axis, one.name)}
+    >
+      <canvas width="${THUMBNAIL_SIZE.width}" height="${THUMBNAIL_SIZE.height}" aria-hidden="true"></canvas>
+      <span class="name">${one.label}</span>
+      ${key === null ? nothing : html`<span class="key">${key}</span>`}
+      <span class="weight"></span>
+    </button>`;
+  }
+
+  override firstUpdated(): void {
+    onRoam(this.list, ".tile");
+    new ResizeObserver(this.#hint).observe(this.list);
+  }
+
+  /** Fades what goes on below: scroll bars are hidden on tablets until they are used. */
+  readonly #hint = (): void => {
+    const { scrollTop, clientHeight, scrollHeight } = this.list;
+    this.#written.flag(this.list, "more", scrollHeight - clientHeight - scrollTop > 4);
+  };
+
+  override updated(): void {
+    this.#hint();
+    for (const tile of this.tiles) {
+      const source = tile.dataset.source ?? "";
+      const sitting: ThumbnailSubject =
+        this.axis === "face"
+          ? { face: source, expression: "neutral" }
+          : { face: this.#modelSource, expression: source };
+      this.context.thumbnails.ask(tile.querySelector("canvas") as HTMLCanvasElement, sitting);
+    }
+  }
+
+  /** What the model is now: an own face that was saved again is another picture. */
+  get #modelSource(): string {
+    return this.store.faces.find(({ name }) => name === this.model)?.source ?? this.model;
+  }
+
+  paint(now: number): void {
+    const state = this.store.state;
+    const weights = (this.axis === "face" ? state?.faces : state?.expressions) ?? {};
+    const target = this.store.callOf(this.axis)?.target;
+    for (const tile of this.tiles) {
+      const name = tile.dataset.name ?? "";
+      const weight = weights[name] ?? 0;
+      this.#written.flag(tile, "coming", name === target);
+      this.#written.flag(tile, "air", name !== target && weight >= 0.001);
+      const bar = tile.lastElementChild as HTMLElement;
+      this.#written.style(bar, "transform", `scaleX(${weight.toFixed(3)})`);
+    }
+    if (this.axis === "expression") this.#followModel(now);
+  }
+
+  /** The expressions are drawn on the face on air once it stands there alone for a while. */
+  #followModel(now: number): void {
+    const faces = Object.entries(this.store.state?.faces ?? {}).filter(([, weight]) => weight > 0.999);
+    const alone = this.store.callOf("face") === null ? faces[0]?.[0] : undefined;
+    if (alone === undefined || alone !== this.#candidate[0]) this.#candidate = [alone ?? "", now];
+    else if (alone !== this.model && now - this.#candidate[1] > SETTLED) this.model = alone;
+  }
+}
+
+/** The crew's own, not the built-in cast's. */
+const isOwn = ({ source }: Tile): boolean => source.startsWith("#");
+
+const withOwn = (others: Tile[], own: Tile[]): [string, Tile[]][] =>
+  own.length === 0
+    ? [["", others]]
+    : [
+        ["", others],
+        ["Own", own],
+      ];
+
+const textOf = (one: Tile): string =>
+  [one.name, one.label, ...one.tags, isOwn(one) ? "own" : "", "kind" in one ? `${one.kind} ${regionOf(one)}` : ""]
+    .join(" ")
+    .toLowerCase();

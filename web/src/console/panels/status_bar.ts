@@ -1,0 +1,98 @@
+/** The status bar: stages, link, notices and panic. */
+
+import { html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { levelsOf } from "../../face/quality/quality_levels";
+import { EDITOR_TAB } from "../../link/editor_address";
+import { base } from "../../ui/theme";
+import { ConsoleElement } from "../controls/console_element";
+import type { Topic } from "../store/console_store";
+import { style } from "./status_bar_style";
+
+/** Stages that draw fewer frames a second than this are worth a look. */
+const SLOW = 30;
+/** Milliseconds for which a notice stands. */
+const NOTICE = 6000;
+
+/** The head of the page: the link, the crew, what must be read, the help and panic. */
+@customElement("omote-status")
+export class StatusBar extends ConsoleElement {
+  @state() private panicked = false;
+  #timers: { notice?: ReturnType<typeof setTimeout>; panic?: ReturnType<typeof setTimeout> } = {};
+  #leave: (() => void)[] = [];
+
+  static override styles = [base, style];
+
+  protected override topics(): readonly Topic[] {
+    return ["crew", "link", "notice", "panic"];
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#leave = [
+      this.store.listen("notice", () => {
+        clearTimeout(this.#timers.notice);
+        if (this.store.notice === null || this.store.offer !== null) return; // an offer waits to be taken
+        this.#timers.notice = setTimeout(() => this.store.say(null), NOTICE);
+      }),
+      this.store.listen("panic", () => {
+        if (!this.store.online) return; // nothing was sent, so nothing lights up
+        this.panicked = true;
+        clearTimeout(this.#timers.panic);
+        this.#timers.panic = setTimeout(() => {
+          this.panicked = false;
+        }, 400);
+      }),
+    ];
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    for (const leave of this.#leave) leave();
+    clearTimeout(this.#timers.notice);
+    clearTimeout(this.#timers.panic);
+  }
+
+  override render() {
+    return html`
+      <div class="mark">OMOTE</div>
+      ${this.store.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
+      <div class="notice ${this.store.offer === null ? "" : "done"}" role="status">
+        ${this.store.notice ?? ""}
+        ${this.#offer()}
+      </div>
+      <button class="help" title="Keys" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
+      <button class="panic ${this.panicked ? "done" : ""}" @pointerdown=${this.#press} @click=${this.#click}>
+        PANIC<small>neutral now · Esc</small>
+      </button>
+    `;
+  }
+
+  #offer() {
+    const { offer } = this.store;
+    return offer === null ? nothing : html`<a href=${offer.address} target=${EDITOR_TAB}>${offer.label}</a>`;
+  }
+
+  /** On the way down, not on release: panic does not wait for the finger to lift. */
+  #press(event: PointerEvent): void {
+    if (event.button === 0) this.store.panic();
+  }
+
+  #click(event: MouseEvent): void {
+    if (event.detail === 0) this.store.panic(); // by keyboard; a pointer has been heard on its way down
+  }
+
+  #crew() {
+    const { crew, latency } = this.store;
+    const stages = crew?.stages ?? [];
+    return html`
+      <div class="item link"><span class="lamp"></span><b>live</b> ${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</div>
+      <div class="item stages ${crew !== null && stages.length === 0 ? "slow" : ""}">
+        <b>${stages.length}</b> ${stages.length === 1 ? "stage" : "stages"}
+        ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stage?.level ?? "silent"}>${stage === null ? "–" : Math.round(stage.fps)}</b>`)}
+        ${stages.length > 0 ? "fps" : nothing} <span class="level" title="quality">${levelsOf(stages)}</span>
+      </div>
+      <div class="item consoles"><b>${crew?.consoles ?? 0}</b> ${crew?.consoles === 1 ? "console" : "consoles"}</div>
+    `;
+  }
+}

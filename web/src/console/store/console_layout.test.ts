@@ -1,0 +1,62 @@
+import { describe, expect, it } from "vitest";
+import { type ConsoleLayout, FIRST, KINDS, parsed, written } from "./console_layout";
+import { LONGEST } from "./timing";
+
+const OTHER: ConsoleLayout = {
+  timing: { face: { seconds: null, easing: "late" }, expression: { seconds: 0, easing: "sharp" } },
+  kind: "arkit",
+  ownFaces: true,
+  tab: "touched",
+  linked: false,
+};
+
+describe("a console's layout", () => {
+  it("comes back as it was written", () => {
+    for (const layout of [FIRST, OTHER, ...KINDS.map((kind) => ({ ...FIRST, kind }))])
+      expect(parsed(written(layout))).toEqual(layout);
+  });
+
+  it("is small enough for a message", () => {
+    expect(written(OTHER).length).toBeLessThan(400);
+  });
+
+  it("of before own faces had a palette of their own shows all", () => {
+    const { ownFaces: _, ...before } = FIRST;
+    expect(parsed(written(before as ConsoleLayout))).toEqual(FIRST);
+  });
+
+  it("brings nothing with it that it does not know", () => {
+    expect(parsed(JSON.stringify({ ...JSON.parse(written(FIRST)), theme: "pink" }))).toEqual(FIRST);
+  });
+
+  const broken: [string, unknown][] = [
+    ["no record", 7],
+    ["a list", []],
+    ["nothing", null],
+    ["of another version", { ...FIRST, version: 99 }],
+    ["without times", { version: 1, ...FIRST, timing: {} }],
+    [
+      "with a time below zero",
+      { version: 1, ...FIRST, timing: { ...FIRST.timing, face: { seconds: -1, easing: "smooth" } } },
+    ],
+    [
+      "with too long a time",
+      { version: 1, ...FIRST, timing: { ...FIRST.timing, face: { seconds: LONGEST + 1, easing: "smooth" } } },
+    ],
+    [
+      "with an easing of its own",
+      { version: 1, ...FIRST, timing: { ...FIRST.timing, face: { seconds: 1, easing: "bouncy" } } },
+    ],
+    ["with a strange tab", { version: 1, ...FIRST, tab: "beak" }],
+    ["with a strange kind", { version: 1, ...FIRST, kind: 3 }],
+    ["without a link", { version: 1, ...FIRST, linked: "yes" }],
+  ];
+
+  it.each(broken)("that is %s is told in a sentence", (_, document) => {
+    expect(parsed(JSON.stringify(document))).toMatch(/^The layout kept in the show file .*its own\.$/);
+  });
+
+  it("that is no JSON at all is told too", () => {
+    expect(parsed("{")).toMatch(/cannot be read/);
+  });
+});

@@ -1,0 +1,248 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import type { FromClient, Manifest, State } from "../../link/messages";
+import { onAir } from "./axis";
+import { ConsoleStore } from "./console_store";
+import { ECHO } from "./held_values";
+
+const REST: State = {
+  type: "state",
+  epoch: 1,
+  number: 1,
+  time: 0,
+  revision: 1,
+  faces: { generic: 1 },
+  expressions: { neutral: 1 },
+  channels: {},
+  head: [0, 0, 0],
+  gaze: [0, 0],
+  eyes: [0, 0, 0, 0],
+  lids: {},
+  face_call: null,
+  expression_call: null,
+  face_fader: 0,
+  expression_fader: 0,
+  light: { theatre: 1 },
+  light_call: null,
+};
+const expression = (name: string) => ({ name, label: name, kind: "arkit", region: "", eyes: [0, 0, 0, 0] });
+const MANIFEST = {
+  faces: [{ name: "generic", label: "Generic" }],
+  expressions: ["mouthSmileLeft", "mouthSmileRight", "jawOpen"].map(expression),
+} as unknown as Manifest;
+
+let now: number;
+let sent: FromClient[];
+let store: ConsoleStore;
+
+beforeEach(() => {
+  now = 1000;
+  sent = [];
+  store = new ConsoleStore(
+    (message) => sent.push(message),
+    () => now,
+    "me",
+  );
+  store.setManifest(MANIFEST);
+  store.receiveState(REST);
+  store.setOnline(true);
+});
+
+describe("calls", () => {
+  it("carry the chosen time and easing, and each its own id", () => {
+    store.setTiming("face", { seconds: 4, easing: "late" });
+    store.call("face", "old");
+    store.call("face", "old");
+    expect(sent).toMatchObject([
+      { type: "call_face", name: "old", seconds: 4, easing: "late" },
+      { type: "call_face", name: "old" },
+    ]);
+    expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(2);
+  });
+
+  it("keep the time of a face and of an expression apart", () => {
+    store.setTiming("face", { seconds: null });
+    store.call("expression", "smile");
+    expect(sent).toMatchObject([{ type: "call_expression", seconds: 0.5 }]);
+  });
+});
+
+describe("keeping what is on air", () => {
+  it("asks for a face or an expression, each time under an id of its own", () => {
+    store.keep("face");
+    store.keep("expression");
+    store.keep("expression");
+    expect(sent).toMatchObject([{ type: "keep_face" }, { type: "keep_expression" }, { type: "keep_expression" }]);
+    expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(3);
+  });
+
+  it("says under which name it was kept, and where to edit it; the next notice has no such offer", () => {
+    store.keep("face");
+    store.keep("expression");
+    store.flush();
+    const [face, other] = sent.map((message) => ("id" in message ? message.id : ""));
+    store.receiveKept({ type: "kept", id: other as string, name: "on_air_3", label: "On air 3" });
+    expect([store.notice, store.offer?.address]).toEqual([
+      "Kept as On air 3 under Own.",
+      "/editor?kind=expression&name=on_air_3",
+    ]);
+    store.receiveKept({ type: "kept", id: face as string, name: "on_air_4", label: "On air 4" });
+    expect(store.offer?.address).toBe("/editor?kind=face&name=on_air_4");
+    store.say("No.");
+    expect(store.offer).toBeNull();
+  });
+
+  it("asks nothing while the link is lost", () => {
+    store.setOnline(false);
+    store.keep("face");
+    expect(sent).toEqual([]);
+    expect(store.notice).toMatch(/Not sent/);
+  });
+});
+
+describe("lights", () => {
+  it("come in the time of a face, and never by hand", () => {
+    store.setTiming("face", { seconds: 4, easing: "late" });
+    store.callLight("flat");
+    store.setTiming("face", { seconds: null });
+    store.callLight("portrait");
+    expect(sent).toMatchObject([
+      { type: "call_light", name: "flat", seconds: 4, easing: "late" },
+      { type: "call_light", name: "portrait", seconds: 2 },
+    ]);
+    expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(2);
+  });
+});
+
+describe("knobs", () => {
+  it("show the hand at once, the server after the echo", () => {
+    const jaw = store.channel("jawOpen");
+    jaw.grip(0.6);
+    expect(jaw.value(now)).toBe(0.6);
+    jaw.leave();
+    expect(jaw.value(now + ECHO - 1)).toBe(0.6);
+    store.receiveState({ ...REST, number: 2, channels: { jawOpen: 0.2 } });
+    expect(jaw.value(now + ECHO)).toBe(0.2);
+  });
+
+  it("send one message for each parameter in a frame", () => {
+    for (const value of [0.1, 0.2, 0.3]) store.channel("jawOpen").grip(value);
+    store.head("yaw").grip(0.2);
+    store.head("pitch").grip(-0.1);
+    expect(sent).toEqual([]);
+    store.flush();
+    expect(sent).toEqual([
+      { type: "set_channel", name: "jawOpen", value: 0.3 },
+      { type: "set_head", yaw: 0.2, pitch: -0.1, roll: 0 },
+    ]);
+  });
+
+  it("leave the parts of a direction that another console moves", () => {
+    store.receiveState({ ...REST, number: 2, head: [0, 0, 0.4], gaze: [0.1, 0] });
+    store.head("yaw").grip(0.2);
+    store.gaze("pitch").nudge(0.3);
+    store.flush();
+    expect(sent).toEqual([
+      { type: "set_head", yaw: 0.2, pitch: 0, roll: 0.4 },
+      { type: "set_gaze", yaw: 0.1, pitch: 0.3 },
+    ]);
+  });
+
+  it("move left and right together only while they are linked", () => {
+    store.channel("mouthSmileLeft").grip(0.5);
+    store.flush();
+    expect(sent.map((message) => "name" in message && message.name)).toEqual(["mouthSmileLeft", "mouthSmileRight"]);
+    expect(store.channel("mouthSmileRight").value(now)).toBe(0.5);
+    sent.length = 0;
+    store.arrange({ linked: false });
+    store.channel("mouthSmileLeft").grip(0.7);
+    store.flush();
+    expect(sent).toHaveLength(1);
+  });
+
+  it("show the T-bar where any hand left it", () => {
+    store.receiveState({ ...REST, number: 2, face_fader: 0.8 });
+    expect(store.bar("face").value(now)).toBe(0.8);
+    store.bar("face").grip(0.9);
+    store.release("face");
+    expect(sent.map(({ type }) => type)).toEqual(["fade_face", "release_face"]);
+  });
+
+  it("clear only what is on air, and no mirror by accident", () => {
+    store.receiveState({ ...REST, number: 2, channels: { mouthSmileLeft: 0.4 } });
+    store.clearChannels(["mouthSmileLeft", "mouthSmileRight", "jawOpen"]);
+    store.flush();
+    expect(sent).toEqual([{ type: "set_channel", name: "mouthSmileLeft", value: 0 }]);
+  });
+});
+
+describe("panic", () => {
+  it("goes out at once, alone, and takes every hand off", () => {
+    store.channel("jawOpen").grip(0.9);
+    const era = store.era;
+    store.panic();
+    expect(sent).toEqual([{ type: "panic" }]);
+    expect(store.era).toBeGreaterThan(era);
+    expect(store.channel("jawOpen").value(now)).toBe(0);
+    store.flush();
+    expect(sent).toHaveLength(1);
+  });
+});
+
+describe("a lost link", () => {
+  it("sends nothing, pretends nothing, queues nothing, and says so", () => {
+    store.channel("jawOpen").grip(0.9);
+    store.setOnline(false);
+    store.call("face", "old");
+    store.channel("jawOpen").grip(0.4);
+    store.bar("face").nudge(0.4);
+    store.release("face");
+    store.clearChannels(["jawOpen"]);
+    store.panic();
+    store.flush();
+    expect(sent).toEqual([]);
+    expect(store.channel("jawOpen").value(now)).toBe(0);
+    expect(store.notice).toContain("Not sent");
+    store.setOnline(true);
+    store.flush();
+    expect(sent).toEqual([]);
+  });
+
+  it("leaves a drag under way to go on once the link is back", () => {
+    const era = store.era;
+    store.setOnline(false);
+    store.setOnline(true);
+    expect(store.era).toBe(era);
+    store.channel("jawOpen").grip(0.4);
+    store.flush();
+    expect(sent).toHaveLength(1);
+  });
+});
+
+describe("listeners", () => {
+  it("hear a new call once, not every state", () => {
+    let heard = 0;
+    const leave = store.listen("call", () => {
+      heard += 1;
+    });
+    const call = { target: "old", progress: 0, remaining: 1, by_hand: false, fader: 0, pickup: 0 };
+    store.receiveState({ ...REST, number: 2, face_call: call });
+    store.receiveState({ ...REST, number: 3, face_call: { ...call, progress: 0.1 } });
+    expect(heard).toBe(1);
+    leave();
+    store.receiveState({ ...REST, number: 4 });
+    expect(heard).toBe(1);
+  });
+});
+
+it("reads names by their labels, and unknown ones as they are", () => {
+  expect(store.label("face", "generic")).toBe("Generic");
+  expect(store.label("face", "stranger")).toBe("stranger");
+});
+
+it("lists what is on air, heaviest first, without dust", () => {
+  expect(onAir({ a: 0.2, b: 0.8, c: 0.0004, d: -0.05 })).toEqual([
+    ["b", 0.8],
+    ["a", 0.2],
+    ["d", -0.05],
+  ]);
+});

@@ -1,0 +1,299 @@
+/**
+ * What the page knows and what it may do: the server's newest state, the hand's own values while they count, and the
+ * messages of the next frame. Nothing here touches the page or a clock.
+ */
+
+import { editorAddress } from "../../link/editor_address";
+import type {
+  CallState,
+  Crew,
+  ExpressionDocument,
+  FaceDocument,
+  FromClient,
+  Kept,
+  LightDocument,
+  Manifest,
+  State,
+} from "../../link/messages";
+import { type Axis, callOf } from "./axis";
+import { mirrorOf, type Strip, stripsOf } from "./channels";
+import { type ConsoleLayout, FIRST } from "./console_layout";
+import { HeldValues } from "./held_values";
+import type { Knob } from "./knob";
+import { Outbox } from "./outbox";
+import type { Seconds, Timing } from "./timing";
+
+/** What has changed, for elements that render (rarely); what moves is read every frame instead. */
+export type Topic = "cast" | "crew" | "link" | "timing" | "layout" | "call" | "notice" | "panic";
+
+export type HeadPart = "yaw" | "pitch" | "roll";
+export type GazePart = "yaw" | "pitch";
+const HEAD: readonly HeadPart[] = ["yaw", "pitch", "roll"];
+const GAZE: readonly GazePart[] = ["yaw", "pitch"];
+
+const NOT_SENT = "Not sent: the link to the show is lost.";
+
+export class ConsoleStore {
+  manifest: Manifest | null = null;
+  state: State | null = null;
+  crew: Crew | null = null;
+  /** Milliseconds there and back, or null before the first pong. */
+  latency: number | null = null;
+  online = false;
+  /** The last thing the operator must read: a refusal, or why nothing was sent; and where to go for it. */
+  notice: string | null = null;
+  offer: { readonly label: string; readonly address: string } | null = null;
+  /** Rises with each panic: a drag begun before it is over. */
+  era = 0;
+  layout: ConsoleLayout = FIRST;
+
+  #strips: Strip[] = [];
+  #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
+  #calls = 0;
+  readonly #holds = new HeldValues<number>();
+  readonly #outbox: Outbox;
+  readonly #listeners = new Map<Topic, Set<() => void>>();
+
+  /** `send` takes a message to the server, `now` is the page's clock in milliseconds, `id` names this console. */
+  constructor(
+    send: (message: FromClient) => void,
+    private readonly now: () => number,
+    private readonly id: string,
+  ) {
+    this.#outbox = new Outbox(send);
+  }
+
+  listen(topic: Topic, heard: () => void): () => void {
+    const listeners = this.#listeners.get(topic) ?? new Set();
+    this.#listeners.set(topic, listeners.add(heard));
+    return () => listeners.delete(heard);
+  }
+
+  #tell(topic: Topic): void {
+    for (const heard of this.#listeners.get(topic) ?? []) heard();
+  }
+
+  /** What people read of a name; a name that the cast does not know stands for itself. */
+  label(axis: Axis, name: string): string {
+    return this.#labels[axis].get(name) ?? name;
+  }
+
+  get faces(): readonly FaceDocument[] {
+    return this.manifest?.faces ?? [];
+  }
+
+  get expressions(): readonly ExpressionDocument[] {
+    return this.manifest?.expressions ?? [];
+  }
+
+  get lights(): readonly LightDocument[] {
+    return this.manifest?.lights ?? [];
+  }
+
+  setManifest(manifest: Manifest): void {
+    this.manifest = manifest;
+    this.#strips = stripsOf(manifest.expressions);
+    const labels = (documents: readonly { name: string; label: string }[]) =>
+      new Map(documents.map(({ name, label }) => [name, label]));
+    this.#labels = { face: labels(manifest.faces), expression: labels(manifest.expressions) };
+    this.#tell("cast");
+  }
+
+  /** A newer state than any before. */
+  receiveState(state: State): void {
+    const last = this.state;
+    this.state = state;
+    const turned = (axis: Axis): boolean => (last ? callOf(last, axis)?.target : null) !== callOf(state, axis)?.target;
+    if (turned("face") || turned("expression")) this.#tell("call");
+  }
+
+  receiveCrew(crew: Crew): void {
+    this.crew = crew;
+    this.#tell("crew");
+  }
+
+  /** The way there and back took `milliseconds`. */
+  receiveTrip(milliseconds: number): void {
+    this.latency = milliseconds;
+    this.#tell("crew");
+  }
+
+  /** The link came up or was lost. While it is lost the controls rest at the last state heard, and nothing is queued. */
+  setOnline(online: boolean): void {
+    if (online === this.online) return;
+    this.online = online;
+    this.#holds.clear();
+    this.#outbox.clear();
+    if (!online) this.latency = null;
+    this.#tell("link");
+  }
+
+  say(notice: string | null, offer: ConsoleStore["offer"] = null): void {
+    [this.notice, this.offer] = [notice, offer];
+    this.#tell("notice");
+  }
+
+  /** What was on air is in the cast. */
+  receiveKept({ id, name, label }: Kept): void {
+    const axis = id.endsWith("-face") ? "face" : "expression";
+    this.say(`Kept as ${label} under Own.`, { label: "Edit it", address: editorAddress(axis, name) });
+  }
+
+  /** True when the link is there; else tells the operator that nothing was sent. */
+  #mayAct(): boolean {
+    if (!this.online) this.say(NOT_SENT);
+    return this.online;
+  }
+
+  get timing(): ConsoleLayout["timing"] {
+    return this.layout.timing;
+  }
+
+  /** Left and right of a pair move together. */
+  get linked(): boolean {
+    return this.layout.linked;
+  }
+
+  setTiming(axis: Axis, change: Partial<Timing>): void {
+    this.arrange({ timing: { ...this.timing, [axis]: { ...this.timing[axis], ...change } } });
+  }
+
+  /** Lays the console out. */
+  arrange(change: Partial<ConsoleLayout>): void {
+    this.layout = { ...this.layout, ...change };
+    if (change.timing !== undefined) this.#tell("timing");
+    this.#tell("layout");
+  }
+
+  callSeconds(axis: Axis): Seconds {
+    return this.timing[axis].seconds;
+  }
+
+  /** A name for a message that is to be obeyed once. */
+  #nextId(): string {
+    this.#calls += 1;
+    return `${this.id}-${this.#calls}`;
+  }
+
+  call(axis: Axis, name: string): void {
+    if (!this.#mayAct()) return;
+    const id = this.#nextId();
+    const type = axis === "face" ? "call_face" : "call_expression";
+    this.#outbox.push({ type, id, name, ...this.timing[axis] });
+  }
+
+  /** Calls a light in the time of a face; in two seconds where faces are called by hand, for a light has no T-bar. */
+  callLight(name: string): void {
+    if (!this.#mayAct()) return;
+    const { seconds, easing } = this.timing.face;
+    this.#outbox.push({ type: "call_light", id: this.#nextId(), name, seconds: seconds ?? 2, easing });
+  }
+
+  /** Keeps what is on air on an axis as a new face or expression of the cast. */
+  keep(axis: Axis): void {
+    const id = `${this.#nextId()}-${axis}`; // the answer names nothing else of what was asked
+    if (this.#mayAct()) this.#outbox.push({ type: axis === "face" ? "keep_face" : "keep_expression", id });
+  }
+
+  release(axis: Axis): void {
+    if (!this.#mayAct()) return;
+    this.#outbox.push({ type: axis === "face" ? "release_face" : "release_expression" });
+  }
+
+  panic(): void {
+    this.#holds.clear();
+    this.#outbox.clear();
+    this.era += 1;
+    if (this.#mayAct()) this.#outbox.push({ type: "panic" });
+    this.#tell("panic");
+  }
+
+  clearChannels(names: Iterable<string>): void {
+    if (!this.#mayAct()) return;
+    const now = this.now();
+    for (const name of names) {
+      if (this.channel(name).value(now) === 0) continue;
+      this.channel(name, false).nudge(0);
+    }
+  }
+
+  centre(): void {
+    for (const part of HEAD) this.head(part).nudge(0);
+    for (const part of GAZE) this.gaze(part).nudge(0);
+  }
+
+  /** Sends what the hands changed since the last frame. */
+  flush(): void {
+    this.#outbox.flush();
+  }
+
+  // --- knobs ----------------------------------------------------------------------------------------------------------
+
+  /** The weight of a channel; with `linked` its mirror moves along. */
+  channel(name: string, linked = this.linked): Knob {
+    const mirror = linked ? mirrorOf(name, this.#strips) : null;
+    return this.#knob(
+      [`channel:${name}`, ...(mirror === null ? [] : [`channel:${mirror}`])],
+      () => this.state?.channels[name] ?? 0,
+      (value) => {
+        for (const one of mirror === null ? [name] : [name, mirror])
+          this.#outbox.put(`channel:${one}`, { type: "set_channel", name: one, value });
+      },
+    );
+  }
+
+  head(part: HeadPart): Knob {
+    return this.#knob([`head:${part}`], () => this.state?.head[HEAD.indexOf(part)] ?? 0, this.#putHead);
+  }
+
+  gaze(part: GazePart): Knob {
+    return this.#knob([`gaze:${part}`], () => this.state?.gaze[GAZE.indexOf(part)] ?? 0, this.#putGaze);
+  }
+
+  /** Where a T-bar stands, under the hand of this console or of another. */
+  bar(axis: Axis): Knob {
+    const type = axis === "face" ? "fade_face" : "fade_expression";
+    return this.#knob(
+      [type],
+      () => this.state?.[axis === "face" ? "face_fader" : "expression_fader"] ?? 0,
+      (value) => this.#outbox.put(type, { type, value }),
+    );
+  }
+
+  callOf(axis: Axis): CallState | null {
+    return this.state === null ? null : callOf(this.state, axis);
+  }
+
+  readonly #putHead = (): void => {
+    const now = this.now();
+    const [yaw, pitch, roll] = HEAD.map((part) => this.head(part).value(now)) as [number, number, number];
+    this.#outbox.put("head", { type: "set_head", yaw, pitch, roll });
+  };
+
+  readonly #putGaze = (): void => {
+    const now = this.now();
+    const [yaw, pitch] = GAZE.map((part) => this.gaze(part).value(now)) as [number, number];
+    this.#outbox.put("gaze", { type: "set_gaze", yaw, pitch });
+  };
+
+  #knob(keys: readonly string[], echo: () => number, put: (value: number) => void): Knob {
+    const key = keys[0] as string;
+    return {
+      key,
+      value: (now) => this.#holds.read(key, echo(), now),
+      grip: (value) => {
+        if (!this.#mayAct()) return;
+        for (const one of keys) this.#holds.grip(one, value);
+        put(value);
+      },
+      nudge: (value) => {
+        if (!this.#mayAct()) return;
+        for (const one of keys) this.#holds.nudge(one, value, this.now());
+        put(value);
+      },
+      leave: () => {
+        for (const one of keys) this.#holds.leave(one, this.now());
+      },
+    };
+  }
+}

@@ -1,0 +1,48 @@
+/** Whose value a control shows: the hand's while it is touched and a moment after, then what the server says. */
+
+interface Held<Value> {
+  value: Value;
+  until: number;
+}
+
+/** Milliseconds for which the hand's last value stands after it let go: longer than any echo on a local network takes. */
+export const ECHO = 300;
+
+export class HeldValues<Value> {
+  readonly #held = new Map<string, Held<Value>>();
+
+  /** The hand is on `key`, and stays. */
+  grip(key: string, value: Value): void {
+    this.#held.set(key, { value, until: Number.POSITIVE_INFINITY });
+  }
+
+  /** The hand leaves `key`. */
+  leave(key: string, now: number): void {
+    const held = this.#held.get(key);
+    if (held) held.until = now + ECHO;
+  }
+
+  /** One step by key or wheel, which nobody keeps holding; a grip stays a grip. */
+  nudge(key: string, value: Value, now: number): void {
+    const gripped = this.gripped(key);
+    this.#held.set(key, { value, until: gripped ? Number.POSITIVE_INFINITY : now + ECHO });
+  }
+
+  /** The value to show for `key`: the hand's own while it counts, else `echo`. */
+  read<Echo>(key: string, echo: Echo, now: number): Value | Echo {
+    const held = this.#held.get(key);
+    if (held === undefined) return echo;
+    if (now < held.until) return held.value;
+    this.#held.delete(key);
+    return echo;
+  }
+
+  gripped(key: string): boolean {
+    return this.#held.get(key)?.until === Number.POSITIVE_INFINITY;
+  }
+
+  /** All hands off: panic, or a link that is lost. */
+  clear(): void {
+    this.#held.clear();
+  }
+}

@@ -1,0 +1,86 @@
+/** The keyboard as one table: what each key does, and how the help shows it. */
+
+import type { KeyPress } from "../../ui/gestures";
+import type { Axis } from "./axis";
+
+export type Place = "face" | "expression" | "head" | "gaze" | "search" | "light";
+
+export type Command =
+  | { do: "panic" }
+  | { do: "help" }
+  | { do: "call"; axis: Axis; index: number }
+  | { do: "timing"; axis: Axis; direction: -1 | 1 }
+  | { do: "hand"; axis: Axis }
+  | { do: "release"; axis: Axis }
+  | { do: "keep"; axis: Axis }
+  | { do: "focus"; place: Place }
+  | { do: "centre" }
+  | { do: "clear" };
+
+/** Physical keys, so that they lie in two rows on every layout. */
+export const FACE_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9"].map((digit) => `Digit${digit}`);
+export const EXPRESSION_KEYS = [..."QWERTYUIO"].map((letter) => `Key${letter}`);
+
+const COMMANDS: Readonly<Record<string, Command>> = {
+  BracketLeft: { do: "timing", axis: "face", direction: -1 },
+  BracketRight: { do: "timing", axis: "face", direction: 1 },
+  Minus: { do: "timing", axis: "expression", direction: -1 },
+  Equal: { do: "timing", axis: "expression", direction: 1 },
+  KeyA: { do: "hand", axis: "face" },
+  KeyS: { do: "hand", axis: "expression" },
+  KeyF: { do: "focus", place: "face" },
+  KeyG: { do: "focus", place: "expression" },
+  KeyH: { do: "focus", place: "head" },
+  KeyJ: { do: "focus", place: "gaze" },
+  KeyL: { do: "focus", place: "light" },
+  KeyV: { do: "release", axis: "face" },
+  KeyB: { do: "release", axis: "expression" },
+  KeyN: { do: "keep", axis: "face" },
+  KeyM: { do: "keep", axis: "expression" },
+  KeyC: { do: "centre" },
+  KeyX: { do: "clear" },
+};
+
+/** The lines of the help: keys, and what they do. */
+export const HELP: readonly (readonly [string, string])[] = [
+  ["Esc", "Panic: neutral now. Works everywhere, also while typing"],
+  ["1 – 9", "Call one of the first nine faces"],
+  ["Q – O", "Call one of the first nine expressions shown"],
+  ["[  ]", "Shorter, longer: seconds of a face call"],
+  ["-  =", "Shorter, longer: seconds of an expression call"],
+  ["A  S", "By hand or timed: face, expression"],
+  ["F  G", "To the T-bar of the face, of the expression; then arrows"],
+  ["V  B", "Let go of the T-bar of the face, of the expression"],
+  ["N  M", "Keep what is on air as a new face, as a new expression"],
+  ["H  J", "To the head pad, to the gaze pad; then arrows"],
+  ["L", "To the lights; then Tab and Enter"],
+  ["C", "Head and gaze to the centre"],
+  ["X", "All channels to zero"],
+  ["/", "Search expressions"],
+  ["Tab", "Next control"],
+  [
+    "Arrows",
+    "Move the control in focus, with Shift ten times finer, with the Page keys ten times coarser; in a palette: to the next picture",
+  ],
+  ["Home, 0", "The control in focus to its rest"],
+  ["?", "This page"],
+];
+
+/** What a key press means, or null. `typing`: the focus is in a field for text, where only panic is heard. */
+export function commandOf(press: KeyPress, typing: boolean): Command | null {
+  if (press.key === "Escape") return { do: "panic" };
+  if (typing || press.repeat || press.ctrlKey || press.altKey || press.metaKey) return null;
+  if (press.key === "?") return { do: "help" };
+  if (press.key === "/") return { do: "focus", place: "search" };
+  const face = FACE_KEYS.indexOf(press.code);
+  if (face >= 0) return { do: "call", axis: "face", index: face };
+  const expression = EXPRESSION_KEYS.indexOf(press.code);
+  if (expression >= 0) return { do: "call", axis: "expression", index: expression };
+  return COMMANDS[press.code] ?? null;
+}
+
+/** The label of the hot key at an index of a palette, or null beyond the ninth. */
+export function keyLabel(axis: Axis, index: number): string | null {
+  const code = (axis === "face" ? FACE_KEYS : EXPRESSION_KEYS)[index];
+  return code === undefined ? null : code.replace(/^(Digit|Key)/, "");
+}

@@ -1,0 +1,44 @@
+import { expect, it } from "vitest";
+import { patch } from "../model/skin_patch";
+import { coarsened } from "./coarse_mesh";
+
+const { positions, triangles } = patch();
+const mesh = {
+  name: "skin",
+  source: Uint32Array.from({ length: 81 }, (_, n) => n),
+  uv: new Float32Array(162),
+  triangles,
+};
+const fineness = { lines: [40], around: 0.012, near: 1e-5, cell: 0.022, sky: () => 1 };
+
+it("draws fewer triangles of the same rows, and those around lines in their own cells", () => {
+  const made = coarsened(mesh, positions, fineness);
+  expect(made.triangles.length).toBeLessThan(triangles.length / 2);
+  expect(made.triangles.length).toBeGreaterThan(0);
+  const rows = new Set(made.source);
+  for (const row of [40, 39, 41, 31, 49]) expect(rows.has(row)).toBe(true);
+  expect(Math.max(...made.triangles)).toBeLessThan(made.source.length);
+  expect(made.uv).toHaveLength(2 * made.source.length);
+});
+
+it("changes nothing where cells hold one row, and leaves out what no light reaches", () => {
+  expect(coarsened(mesh, positions, { ...fineness, cell: 1e-5 }).triangles).toHaveLength(triangles.length);
+  expect(coarsened(mesh, positions, { ...fineness, lines: [], sky: () => 0 }).triangles).toHaveLength(0);
+});
+
+it("keeps apart what lies in one place but hangs together nowhere: lips that touch", () => {
+  const count = positions.length / 3;
+  const twice = Float32Array.from([...positions, ...positions]);
+  const both = {
+    name: "skin",
+    source: Uint32Array.from({ length: 2 * count }, (_, n) => n),
+    uv: new Float32Array(4 * count),
+    triangles: Uint32Array.from([...triangles, ...triangles.map((corner) => corner + count)]),
+  };
+  const made = coarsened(both, twice, { ...fineness, lines: [] });
+  for (let at = 0; at < made.triangles.length; at += 3) {
+    const sides = new Set([0, 1, 2].map((n) => (made.source[made.triangles[at + n] as number] as number) >= count));
+    expect(sides.size).toBe(1);
+  }
+  expect(made.triangles.length).toBe(2 * coarsened(mesh, positions, { ...fineness, lines: [] }).triangles.length);
+});

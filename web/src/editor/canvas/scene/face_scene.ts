@@ -1,0 +1,232 @@
+/** The scene of the face editor: the face under work, once large and at rest, and again with other expressions beside it. */
+
+import type { Anatomy } from "../../../face/anatomy/anatomy";
+import type { FaceRecipe, HandlesAsset } from "../../../link/editing_messages";
+import type { FaceDocument, Look, Manifest } from "../../../link/messages";
+import { loadFace, loadWorn } from "../../session/asset_loading";
+import { type Handles, handlesOf, loadHandles } from "../../session/face_handles";
+import { MOST_BLOCKS } from "../draw/atlas_shaders";
+import type { FaceAtlas } from "../draw/face_atlas";
+import type { SkinTextures } from "../draw/skin_texture";
+import { type Bounds, boundsOf } from "../math/camera";
+import { ChangedRows } from "../model/changed_rows";
+import { type Difference, Figure } from "../model/figure";
+import { type HandleDeform, handleDeform } from "../model/handle_deform";
+
+/** What the face wears, the first at rest: the sum of expressions, and what people read. */
+const WORN: readonly { label: string; expressions: readonly string[] }[] = [
+  { label: "At rest", expressions: [] },
+  { label: "Smile", expressions: ["smile"] },
+  { label: "Blink", expressions: ["eyeBlinkLeft", "eyeBlinkRight"] },
+  { label: "Jaw open", expressions: ["jawOpen"] },
+];
+
+/** One picture of the face: the fields that the canvas draws of any face. */
+export interface FacePicture {
+  source: string;
+  document: FaceDocument;
+  figure: Figure;
+  bounds: Bounds;
+  skinTexture: WebGLTexture;
+  block: number;
+  /** What it wears, for people. */
+  label: string;
+  /** What the server made, (rows, 3) metres. */
+  truth: Float32Array;
+}
+
+/** A face as the server made it, with all it wears. */
+interface Arrival {
+  content: string;
+  item: number;
+  document: FaceDocument;
+  shape: HandleDeform;
+  under: string;
+  handles: Handles;
+  truths: Float32Array[];
+}
+
+export class FaceScene {
+  /** The pictures, in the order of WORN; empty until the first face is here. */
+  all: FacePicture[] = [];
+  handles: Handles | undefined;
+  /** How far the pictures were from what the server made, when that came last, by label. */
+  readonly differences = new Map<string, Difference>();
+  private item = -1;
+  private look = "";
+  private content = "";
+  private shape: HandleDeform | undefined;
+  /** What lies under the handles of this shape. */
+  private under = "";
+  /** The face at rest as the shape has it where the server made it: where handles were pulled very far, it may miss. */
+  private made: Float32Array = new Float32Array();
+  private moves: Float64Array = new Float64Array();
+  private asset: Promise<HandlesAsset> | undefined;
+  private arrival: Arrival | undefined;
+  private changed = false;
+  private readonly slots = new Int32Array(MOST_BLOCKS).fill(-1);
+  private readonly lags = new Float32Array(MOST_BLOCKS);
+  private readonly everything: { moved: Uint32Array; turned: Uint32Array };
+  private readonly rows: { skin: number; balls: Uint32Array[] };
+
+  constructor(
+    private readonly faceAtlas: FaceAtlas,
+    private readonly skinTextures: SkinTextures,
+    anatomy: Anatomy,
+    skin: number,
+    private readonly side: number,
+  ) {
+    this.everything = new ChangedRows(anatomy.fans).all;
+    const ball = (n: number): Uint32Array => {
+      const [first, end] = [anatomy.eyeRows[2 * n] as number, anatomy.eyeRows[2 * n + 1] as number];
+      return Uint32Array.from({ length: end - first }, (_, at) => first + at);
+    };
+    this.rows = { skin, balls: [ball(0), ball(1)].filter((rows) => rows.length > 0) };
+  }
+
+  /** Shows a draft's content, made by a recipe; what is there stays until all of it has come. */
+  async show(manifest: Manifest, item: number, content: string, recipe: FaceRecipe): Promise<void> {
+    if (content === this.content && item === this.item) return;
+    this.content = content;
+    this.asset ??= loadHandles();
+    const [{ document, positions }, asset] = await Promise.all([loadFace(manifest, content), this.asset]);
+    const wear = async (expressions: readonly string[]): Promise<Float32Array> => {
+      const known = expressions.filter((name) => manifest.expressions.some((one) => one.name === name));
+      const worn = await Promise.all(known.map((name) => loadWorn(manifest, content, name, positions)));
+      return positions.map((rest, at) => worn.reduce((sum, one) => sum + (one[at] as number) - rest, rest));
+    };
+    const truths = await Promise.all(WORN.map(({ expressions }) => wear(expressions)));
+    if (content !== this.content) return; // something newer is on its way
+    const handles = handlesOf(asset, recipe);
+    const under = JSON.stringify([item, recipe.base, recipe.regions, recipe.amount, handles.rows]);
+    // Where only handles were moved, the face at rest is known already, and exactly.
+    const known = under === this.under ? this.shape : undefined;
+    known?.hold(handles.moves);
+    const shape = known ?? handleDeform(positions, this.rows, handles.rows, handles.moves);
+    this.arrival = { content, item, document, shape, under, handles, truths };
+  }
+
+  /** Whether all pictures show what was asked for last, and nothing eases. */
+  settled(time: number): boolean {
+    const shown = this.all.length > 0 && this.all[0]?.source === this.content;
+    return shown && this.arrival === undefined && this.all.every(({ figure }) => figure.lag(time) === 0);
+  }
+
+  /** Moves the handles, (n, 3) metres: all pictures follow. */
+  move(moves: Float64Array): void {
+    this.moves = moves;
+    this.changed = true;
+  }
+
+  /** Forgets what is shown: the canvas is needed for something else. */
+  leave(): void {
+    [this.all, this.content, this.item, this.handles, this.under] = [[], "", -1, undefined, ""];
+    [this.shape, this.arrival] = [undefined, undefined];
+  }
+
+  /** Takes a picture to the front: it is then drawn large, the others beside it. */
+  front(n: number): void {
+    const [first, chosen] = [this.all[0], this.all[n]];
+    if (first === undefined || chosen === undefined) return;
+    this.all = [chosen, ...this.all.filter((picture) => picture !== chosen)];
+  }
+
+  /** Brings the pictures up to a time (seconds); whether anything moved. `ahead`: a hand shows more than was answered. */
+  advance(time: number, ahead: boolean): boolean {
+    const easing = this.all.some(({ figure }) => Number.isFinite(figure.easedFrom));
+    if (!this.changed && !easing && this.arrival === undefined) return false;
+    if (this.arrival !== undefined) this.take(this.arrival, time, ahead);
+    else if (this.changed) this.pose();
+    this.changed = false;
+    for (const { block, figure } of this.all) {
+      const lag = figure.lag(time);
+      this.lags[block] = lag;
+      if (lag === 0) figure.easedFrom = -Infinity;
+    }
+    for (const { block, figure } of this.all) this.faceAtlas.upload(block, figure, false);
+    this.faceAtlas.run({ ...this.everything, slots: this.slots, lags: this.lags }, 0, this.all.length);
+    return true;
+  }
+
+  private take(arrival: Arrival, time: number, ahead: boolean): void {
+    const { content, item, document, shape, under, handles, truths } = arrival;
+    this.arrival = undefined;
+    const fresh = item !== this.item || this.all.length === 0;
+    if (fresh) this.begin(document, truths);
+    const shown = this.all.map(({ figure }) => figure.base.slice());
+    if (!ahead || fresh) this.moves = handles.moves;
+    [this.item, this.shape, this.under, this.handles] = [item, shape, under, handles];
+    this.made = shape.at(handles.moves).slice();
+    this.dress(document.look);
+    for (const picture of this.all) {
+      picture.truth = truths[WORN.findIndex(({ label }) => label === picture.label)] as Float32Array;
+      [picture.source, picture.document] = [content, { ...document, label: picture.label }];
+    }
+    this.pose();
+    this.all.forEach((picture, n) => {
+      ease(picture, fresh ? picture.figure.base : (shown[n] as Float32Array), fresh ? -Infinity : time);
+      this.differences.set(picture.label, differenceOf(picture.figure.offset, picture.truth, picture.figure.rest));
+    });
+  }
+
+  private begin(document: FaceDocument, truths: readonly Float32Array[]): void {
+    const bounds = boundsOf(truths[0] as Float32Array); // kept while the face is under work: the view stays
+    const skinTexture = this.skinTextures.paint(document.look, this.side);
+    this.look = JSON.stringify(document.look);
+    this.all = WORN.map(({ label }, block) => {
+      const truth = truths[block] as Float32Array;
+      return {
+        source: "",
+        document,
+        figure: new Figure(label, truth, undefined),
+        bounds,
+        skinTexture,
+        block,
+        label,
+        truth,
+      };
+    });
+  }
+
+  private dress(look: Look): void {
+    const wanted = JSON.stringify(look);
+    if (wanted === this.look) return;
+    this.look = wanted;
+    const skinTexture = this.skinTextures.paint(look, this.side);
+    for (const picture of this.all) picture.skinTexture = skinTexture;
+  }
+
+  /** Puts every picture where the handles lead: what moves the face at rest moves it with any expression. */
+  private pose(): void {
+    const { shape, made, moves } = this;
+    if (shape === undefined) return;
+    const there = shape.at(moves);
+    for (const { figure, truth } of this.all) {
+      for (let at = 0; at < truth.length; at++)
+        figure.base[at] = (truth[at] as number) + (there[at] as number) - (made[at] as number);
+      figure.live.set(figure.base);
+    }
+  }
+}
+
+/** The picture goes from what was shown to what is there now, from a time on. */
+function ease({ figure }: FacePicture, shown: Float32Array, time: number): void {
+  figure.offset.forEach((_, at) => {
+    figure.offset[at] = (shown[at] as number) - (figure.base[at] as number);
+  });
+  figure.easedFrom = time;
+}
+
+function differenceOf(offset: Float32Array, truth: Float32Array, first: Float32Array): Difference {
+  let [greatest, sum, move] = [0, 0, 0];
+  for (let at = 0; at < offset.length; at += 3) {
+    const far = (values: (place: number) => number): number => Math.hypot(values(at), values(at + 1), values(at + 2));
+    const missing = far((place) => offset[place] as number);
+    [greatest, sum] = [Math.max(greatest, missing), sum + missing];
+    move = Math.max(
+      move,
+      far((place) => (truth[place] as number) - (first[place] as number)),
+    );
+  }
+  return { greatest, mean: (3 * sum) / offset.length, move };
+}

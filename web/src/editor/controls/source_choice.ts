@@ -1,0 +1,28 @@
+/** A choice among sources, in their groups. */
+
+import { html } from "lit";
+import { grouped, type Source } from "../session/sources";
+import { textOf } from "./editor_element";
+
+/** A choice among sources under their groups; `chosen` hears each choice. */
+export const sourceChoice = (
+  sources: readonly Source[],
+  {
+    label,
+    first,
+    value = "",
+    chosen,
+  }: { label: string; first: string; value?: string; chosen: (source: string) => void },
+) => html`<select class="grow" aria-label=${label} title=${label}
+  @change=${(event: Event) => {
+    const source = textOf(event);
+    (event.target as HTMLSelectElement).value = value; // until it is so
+    chosen(source);
+  }}>
+  <option value="" ?selected=${value === ""}>${first}</option>
+  ${grouped(sources).map(
+    ([group, inside]) => html`<optgroup label=${group}>
+      ${inside.map(({ source, label: name }) => html`<option value=${source} ?selected=${source === value}>${name}</option>`)}
+    </optgroup>`,
+  )}
+</select>`;

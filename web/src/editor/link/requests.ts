@@ -1,0 +1,14 @@
+/** What an editor asks of the server, and what it is answered. */
+
+import type { FromEditor, Greet, ToEditor } from "../../link/editing_messages";
+
+type Unnumbered<R> = R extends unknown ? Omit<R, "request"> : never;
+/** A request before the link has numbered it. */
+export type Request = Unnumbered<Exclude<FromEditor, Greet>>;
+/** What a request is answered with when it is not refused. */
+export type Answer = Exclude<ToEditor, { type: "greeted" | "items" | "refused" }>;
+type Part<R> = R extends { item: number } ? Omit<R, "item"> : never;
+/** A request about the open item, before the store has named it. */
+export type Change = Part<Request>;
+/** Sends a request; rejects with a sentence when it is refused or cannot be sent. */
+export type Ask = (request: Request) => Promise<Answer>;

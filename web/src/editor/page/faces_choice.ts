@@ -1,0 +1,143 @@
+/** The choice of the face under work and of the faces beside it. */
+
+import { css, html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { base } from "../../ui/theme";
+import { controls } from "../controls/controls_style";
+import { EditorElement } from "../controls/editor_element";
+import type { Topic } from "../session/draft_store";
+import { MOST_NEIGHBOURS } from "../session/editor_store";
+
+/** Pixels that the list takes, with its margin. */
+const WIDTH = 280;
+
+/** Which face is under work, and which stand beside it and follow. */
+@customElement("omote-faces-choice")
+export class FacesChoice extends EditorElement {
+  /** Where the list stands, pixels of the window; null: it is closed. */
+  @state() private place: { left: number; top: number } | null = null;
+
+  static override styles = [
+    base,
+    controls,
+    css`
+      button {
+        min-width: 84px;
+      }
+      .list {
+        position: fixed;
+        z-index: 6;
+        width: 270px;
+        overflow: auto;
+        padding: 8px;
+        display: grid;
+        grid-template-columns: 1fr auto auto;
+        align-items: center;
+        gap: 4px 10px;
+        box-shadow: 0 8px 30px #000c;
+      }
+      .head {
+        font-size: 11px;
+        color: var(--faint);
+      }
+      input[type="radio"] {
+        accent-color: var(--text);
+        width: 18px;
+        height: 18px;
+        margin: 0;
+        justify-self: center;
+      }
+      input[type="checkbox"] {
+        justify-self: center;
+        width: 18px;
+        height: 18px;
+      }
+      @media (pointer: coarse) {
+        .list {
+          gap: 12px 16px;
+        }
+        input[type="radio"],
+        input[type="checkbox"] {
+          width: 26px;
+          height: 26px;
+        }
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["cast"];
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    window.addEventListener("pointerdown", this.#elsewhere, true);
+    window.addEventListener("focusin", this.#elsewhere, true);
+    window.addEventListener("keydown", this.#key, true);
+    window.addEventListener("resize", this.#close);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    window.removeEventListener("pointerdown", this.#elsewhere, true);
+    window.removeEventListener("focusin", this.#elsewhere, true);
+    window.removeEventListener("keydown", this.#key, true);
+    window.removeEventListener("resize", this.#close);
+  }
+
+  readonly #close = (): void => {
+    this.place = null;
+  };
+
+  /** Whoever goes on elsewhere has chosen. */
+  readonly #elsewhere = (event: Event): void => {
+    if (!event.composedPath().includes(this)) this.#close();
+  };
+
+  /** Wherever the focus is: nobody looks for it before pressing Esc. */
+  readonly #key = (event: KeyboardEvent): void => {
+    if (event.key !== "Escape" || this.place === null) return;
+    event.stopPropagation(); // one step out at a time
+    this.#close();
+    this.renderRoot.querySelector("button")?.focus();
+  };
+
+  /** It stays where it opened, whatever the button comes to say. */
+  readonly #toggle = (event: Event): void => {
+    const { left, bottom } = (event.currentTarget as HTMLElement).getBoundingClientRect();
+    this.place =
+      this.place === null ? { left: Math.max(4, Math.min(left, innerWidth - WIDTH)), top: bottom + 4 } : null;
+  };
+
+  override render() {
+    const { work, neighbours } = this.store;
+    return html`
+      <button aria-expanded=${this.place !== null} title="Which faces are shown" @click=${this.#toggle}>Faces: ${neighbours.length + 1} ▾</button>
+      ${this.place === null ? nothing : this.#list(work, neighbours, this.place)}
+    `;
+  }
+
+  #list(work: string, neighbours: readonly string[], { left, top }: { left: number; top: number }) {
+    const faces = this.store.manifest?.faces ?? [];
+    return html`<div class="panel list" role="group" aria-label="Faces shown"
+      style="left: ${left}px; top: ${top}px; max-height: ${Math.max(160, innerHeight - top - 12)}px">
+      <span class="head">Up to ${MOST_NEIGHBOURS} beside the work</span><span class="head">work</span><span class="head">beside</span>
+      ${faces.map(
+        ({ name, label }) => html`
+          <span>${label}</span>
+          <input type="radio" name="work" aria-label="Work on ${label}" .checked=${name === work}
+            @change=${() => this.store.setWork(name)} />
+          <input type="checkbox" aria-label="${label} beside" .checked=${neighbours.includes(name)} ?disabled=${name === work || (!neighbours.includes(name) && neighbours.length >= MOST_NEIGHBOURS)}
+            @change=${() => this.#choose(name)} />
+        `,
+      )}
+    </div>`;
+  }
+
+  #choose(name: string): void {
+    const { neighbours } = this.store;
+    this.store.setNeighbours(
+      neighbours.includes(name) ? neighbours.filter((one) => one !== name) : [...neighbours, name],
+    );
+  }
+}

@@ -1,0 +1,95 @@
+/** The heading of the editor: the open item, whether it is saved, who else edits it. */
+
+import { html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import type { DraftState, ItemDocument } from "../../link/editing_messages";
+import { base } from "../../ui/theme";
+import { controls } from "../controls/controls_style";
+import { EditorElement, textOf } from "../controls/editor_element";
+import type { Topic } from "../session/draft_store";
+import { describe, redo, save, undo } from "../session/item_commands";
+import { style } from "./heading_style";
+
+/** The head of the page: what is open, whether it is saved, who else is at it. */
+@customElement("omote-heading")
+export class Heading extends EditorElement {
+  @state() private note = "";
+
+  static override styles = [base, controls, style];
+
+  protected override topics(): readonly Topic[] {
+    return ["draft", "items", "link", "options"];
+  }
+
+  override render() {
+    const { store } = this;
+    const { item, draft } = store;
+    return html`
+      <div class="mark">OMOTE <small>EDITOR</small></div>
+      ${store.online ? nothing : html`<div class="lost" role="alert">LINK LOST – what you do waits here</div>`}
+      ${item === null || draft === null ? html`<span class="grow"></span>` : this.#open(item, draft)}
+      <label class="you" title="Other editors read this name">You:
+        <input aria-label="Your name" maxlength="64" .value=${this.context.name()} @change=${this.#rename} /></label>
+      <a class="console" href="/console" target="_blank" title="Play what is saved">Console</a>
+      <button class="icon" title="Keys (?)" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
+    `;
+  }
+
+  #open(item: ItemDocument, draft: DraftState) {
+    const { store } = this;
+    const { dirty, others } = draft;
+    return html`
+      <span class="dot ${dirty ? "dirty" : ""}" role="img" title=${dirty ? "Not saved yet" : "Saved"}
+        aria-label=${dirty ? "Not saved yet" : "Saved"}></span>
+      <input class="label" aria-label="Name" title="Rename" maxlength="64" .value=${item.label}
+        @change=${(event: Event) => this.#relabel(item, textOf(event))} />
+      <input class="tags" aria-label="Tags" placeholder="tags" title="Tags to find it by, with commas between them" .value=${item.tags.join(", ")}
+        @change=${(event: Event) => void describe(store, item, { tags: tagsOf(textOf(event)) })} />
+      ${others.length === 0 ? nothing : html`<span class="others" role="status">${others.join(", ")} ${others.length === 1 ? "is" : "are"} at it too</span>`}
+      <span class="grow"></span>
+      ${this.#steps(draft.undo, draft.redo, draft.what)}
+      <input class="remark" aria-label="Note" title="What you say of this save, if you like" placeholder="note" maxlength="200" .value=${this.note}
+        @input=${(event: Event) => {
+          this.note = textOf(event);
+        }}
+        @keydown=${(event: KeyboardEvent) => (event.key === "Enter" ? this.save() : nothing)} />
+      <button class="main save" title="Save (Ctrl S): it plays from now on" ?disabled=${!dirty && item.head > 0}
+        @click=${() => this.save()}>Save</button>
+    `;
+  }
+
+  #steps(back: number, forward: number, what: string) {
+    const next = this.store.undone.at(-1) ?? "";
+    return html`<div class="steps">
+      <button data-step="undo" ?disabled=${back === 0} title=${back === 0 ? "Nothing to undo" : `Undo: ${what} (Ctrl Z)`} aria-label=${back === 0 ? "Undo" : `Undo: ${what}`}
+        @click=${() => undo(this.store)}>↶ <span>${back === 0 ? "Undo" : what}</span></button>
+      <button data-step="redo" ?disabled=${forward === 0} title=${forward === 0 ? "Nothing to redo" : `Redo: ${next} (Ctrl Shift Z)`} aria-label=${forward === 0 ? "Redo" : `Redo: ${next}`}
+        @click=${() => redo(this.store)}>↷ <span>${forward === 0 ? "Redo" : next || "Redo"}</span></button>
+    </div>`;
+  }
+
+  save(): void {
+    void save(this.store, this.note);
+    this.note = "";
+  }
+
+  #relabel(item: ItemDocument, label: string): void {
+    if (label.trim() === "") this.requestUpdate();
+    else void describe(this.store, item, { label: label.trim() });
+  }
+
+  readonly #rename = (event: Event): void => {
+    const name = textOf(event).trim();
+    if (name !== "") this.context.rename(name);
+  };
+}
+
+/** Tags as they are typed: between commas, each once. */
+export const tagsOf = (text: string): string[] => [
+  ...new Set(
+    text
+      .split(",")
+      .map((tag) => tag.trim())
+      .filter(Boolean),
+  ),
+];

@@ -1,0 +1,117 @@
+/** The form that creates an item. */
+
+import { css, html, nothing } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
+import { base } from "../../ui/theme";
+import { amountOf } from "../controls/amount";
+import { controls } from "../controls/controls_style";
+import { EditorElement, textOf } from "../controls/editor_element";
+import { sourceChoice } from "../controls/source_choice";
+import { PERCENT } from "../controls/units";
+import type { Topic } from "../session/draft_store";
+import { create, freeLabel, type Kind } from "../session/item_commands";
+import { labelOf, sourcesOf } from "../session/sources";
+import "../controls/amount";
+
+/** Where something new begins: neutral, any expression or mix, what is on air now. Tells `close`. */
+@customElement("omote-new")
+export class NewItem extends EditorElement {
+  @property() kind: Kind = "expression";
+  @property({ attribute: false }) mix: Readonly<Record<string, number>> = {};
+  @state() private label = "";
+  @state() private onAir = false;
+
+  static override styles = [
+    base,
+    controls,
+    css`
+      form {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr);
+        gap: 8px;
+        padding: 10px;
+        background: var(--raised);
+        border: 1px solid var(--edge);
+        border-radius: 6px;
+      }
+      .source {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto;
+        align-items: center;
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["items", "cast"];
+  }
+
+  override firstUpdated(): void {
+    this.renderRoot.querySelector("input")?.select();
+  }
+
+  /** The name if none is typed. */
+  get #proposed(): string {
+    const [source] = Object.keys(this.mix);
+    const stem = this.kind === "face" ? "New face" : "New expression";
+    const known = source === undefined ? stem : `My ${labelOf(sourcesOf(this.store, this.kind), source).toLowerCase()}`;
+    return freeLabel(this.store.items, known);
+  }
+
+  override render() {
+    const sources = sourcesOf(this.store, this.kind);
+    const rest = this.kind === "face" ? "the generic face" : "neutral";
+    return html`<form @submit=${this.#create} aria-label="New ${this.kind}">
+      <h2>New ${this.kind}</h2>
+      <input aria-label="Name" maxlength="64" .value=${this.label || this.#proposed}
+        @input=${(event: Event) => {
+          this.label = textOf(event);
+        }} />
+      <label class="row"><input type="checkbox" .checked=${this.onAir}
+        @change=${() => {
+          this.onAir = !this.onAir;
+        }} /> From what is on air now</label>
+      ${
+        this.onAir
+          ? nothing
+          : html`${Object.entries(this.mix).map(([source, weight]) => this.#part(labelOf(sources, source), source, weight))}
+            ${sourceChoice(
+              sources.filter(({ source }) => !(source in this.mix)),
+              {
+                label: "Begin from",
+                first: Object.keys(this.mix).length === 0 ? `From ${rest}; or choose…` : "+ mix in…",
+                chosen: (source) => this.#set(source, 1),
+              },
+            )}`
+      }
+      <div class="row"><button class="main grow" type="submit">Create</button>
+        <button type="button" @click=${() => this.#close()}>Cancel</button></div>
+    </form>`;
+  }
+
+  #part(label: string, source: string, weight: number) {
+    return html`<div class="source">
+      <omote-amount label=${label} .unit=${PERCENT} .value=${weight} @done=${(event: Event) => this.#set(source, amountOf(event))}></omote-amount>
+      <button class="icon quiet" type="button" aria-label="Without ${label}" title="Without it" @click=${() => this.#drop(source)}>✕</button>
+    </div>`;
+  }
+
+  #set(source: string, weight: number): void {
+    if (source !== "") this.mix = { ...this.mix, [source]: weight };
+  }
+
+  #drop(source: string): void {
+    this.mix = Object.fromEntries(Object.entries(this.mix).filter(([one]) => one !== source));
+  }
+
+  readonly #create = (event: Event): void => {
+    event.preventDefault();
+    const label = this.label.trim() || this.#proposed;
+    void create(this.store, this.kind, label, { mix: this.onAir ? {} : this.mix, onAir: this.onAir });
+    this.#close();
+  };
+
+  #close(): void {
+    this.dispatchEvent(new CustomEvent("close"));
+  }
+}

@@ -1,0 +1,112 @@
+/** The notices that must be read, with what can be done about them. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import { base } from "../../ui/theme";
+import { controls } from "../controls/controls_style";
+import { EditorElement } from "../controls/editor_element";
+import type { Topic } from "../session/draft_store";
+import type { Notice } from "../session/notices";
+
+/** Milliseconds for which good news stands. */
+const SEEN = 12_000;
+
+/** What must be read. */
+@customElement("omote-notices")
+export class NoticesView extends EditorElement {
+  static override styles = [
+    base,
+    controls,
+    css`
+      :host {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr);
+        gap: 6px;
+      }
+      :host([hidden]) {
+        display: none;
+      }
+      [role] {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto;
+        align-items: start;
+        gap: 6px;
+        padding: 6px 6px 8px 12px;
+        border-radius: 6px;
+        color: var(--text);
+        background: #1d2126;
+        border: 1px solid var(--edge);
+        box-shadow: 0 6px 24px #000a;
+        user-select: text;
+        -webkit-user-select: text;
+      }
+      .refusal,
+      .conflict {
+        border-color: var(--attention);
+        background: #2a2108;
+      }
+      .done {
+        border-color: var(--coming);
+        background: #0d2417;
+      }
+      span {
+        padding-top: 5px;
+        overflow-wrap: anywhere;
+      }
+      .row {
+        grid-column: 1 / -1;
+      }
+    `,
+  ];
+
+  readonly #timers = new Map<number, ReturnType<typeof setTimeout>>();
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    for (const timer of this.#timers.values()) clearTimeout(timer);
+  }
+
+  /** Good news goes by itself; what went wrong stays until it has been read. */
+  override willUpdate(): void {
+    for (const { id, kind } of this.store.notices) {
+      if (kind !== "done" || this.#timers.has(id)) continue;
+      this.#timers.set(
+        id,
+        setTimeout(() => this.store.dismiss(id), SEEN),
+      );
+    }
+  }
+
+  /** Nothing to say takes no room. */
+  override updated(): void {
+    this.hidden = this.store.notices.length === 0;
+  }
+
+  protected override topics(): readonly Topic[] {
+    return ["notices"];
+  }
+
+  override render() {
+    return repeat(
+      this.store.notices,
+      ({ id }) => id,
+      (notice) => this.#notice(notice),
+    );
+  }
+
+  #button(id: number, { label, act }: Notice["actions"][number]) {
+    return html`<button @click=${() => {
+      this.store.dismiss(id);
+      act();
+    }}>${label}</button>`;
+  }
+
+  #notice({ id, text, kind, actions }: Notice) {
+    return html`<div class=${kind} role=${kind === "done" ? "status" : "alert"}>
+      <span>${text}</span>
+      <button class="icon quiet" title="I have read it" aria-label="Dismiss" @click=${() => this.store.dismiss(id)}>✕</button>
+      ${actions.length === 0 ? nothing : html`<div class="row">${actions.map((action) => this.#button(id, action))}</div>`}
+    </div>`;
+  }
+}

@@ -1,0 +1,114 @@
+/** The panel of the expressions that lie under the control points. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import type { Layer } from "../../link/editing_messages";
+import { base } from "../../ui/theme";
+import { amountOf } from "../controls/amount";
+import { controls, panel } from "../controls/controls_style";
+import { EditorElement, textOf } from "../controls/editor_element";
+import { sourceChoice } from "../controls/source_choice";
+import { PERCENT } from "../controls/units";
+import type { Topic } from "../session/draft_store";
+import { bake } from "../session/item_commands";
+import { labelOf, sourcesOf } from "../session/sources";
+
+/** Expressions laid under the control points: brow of one, mouth of another. */
+@customElement("omote-layers")
+export class Layers extends EditorElement {
+  static override styles = [
+    base,
+    controls,
+    panel,
+    css`
+      .name {
+        font-weight: 600;
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["draft", "items", "cast"];
+  }
+
+  get #layers(): readonly Layer[] {
+    return this.store.recipe?.layers ?? [];
+  }
+
+  #change(at: number, change: Partial<Layer>): void {
+    this.store.setLayers(this.#layers.map((layer, place) => (place === at ? { ...layer, ...change } : layer)));
+  }
+
+  #move(at: number, by: -1 | 1): void {
+    const layers = [...this.#layers];
+    const [layer] = layers.splice(at, 1);
+    layers.splice(at + by, 0, layer as Layer);
+    this.store.setLayers(layers);
+  }
+
+  override render() {
+    const own = this.store.item?.content;
+    const sources = sourcesOf(this.store, "expression").map((one) =>
+      one.source === own ? { ...one, label: `${one.label}, as it was saved (a copy)` } : one,
+    );
+    const add = (source: string): void => {
+      if (source === "") return;
+      const label = labelOf(sources, source);
+      if (this.#layers.some((one) => one.source === source && one.region === null && !one.mirrored)) {
+        this.store.say(
+          `"${label}" is a layer already, on the whole face: give that one more weight, or a region of its own.`,
+        );
+        return;
+      }
+      this.store.setLayers([...this.#layers, { source, label, weight: 1, region: null, mirrored: false }]);
+      if (source === own)
+        this.store.say(`"${label}" now counts twice: as a layer and as the needles here. Give the layer less weight.`);
+    };
+    return html`
+      <p>Expressions that lie under your needles and add up: the brow of one, the mouth of another.</p>
+      ${sourceChoice(sources, { label: "Add a layer", first: "+ Add an expression as a layer…", chosen: add })}
+      <ul>
+        ${repeat(
+          this.#layers,
+          (layer, at) => `${at} ${layer.source}`,
+          (layer, at) => this.#layer(layer, at),
+        )}
+      </ul>
+      ${this.#layers.length === 0 ? nothing : this.#bake()}
+    `;
+  }
+
+  #layer(layer: Layer, at: number) {
+    return html`<li class="card" data-layer=${at}>
+      <div class="row">
+        <span class="name grow">${layer.label}</span>
+        <button class="icon quiet" title="Move up" aria-label="Move ${layer.label} up" ?disabled=${at === 0}
+          @click=${() => this.#move(at, -1)}>↑</button>
+        <button class="icon quiet" title="Move down" aria-label="Move ${layer.label} down"
+          ?disabled=${at === this.#layers.length - 1} @click=${() => this.#move(at, 1)}>↓</button>
+        <button class="icon quiet" title="Take this layer away" aria-label="Remove ${layer.label}"
+          @click=${() => this.store.setLayers(this.#layers.filter((_, place) => place !== at))}>✕</button>
+      </div>
+      <omote-amount label="Weight" .unit=${PERCENT} .low=${-0.5} .high=${1.5} .value=${layer.weight}
+        hint="How much of it; below zero the opposite"
+        @done=${(event: Event) => this.#change(at, { weight: amountOf(event) })}></omote-amount>
+      <div class="row">
+        <select class="grow" aria-label="Region of ${layer.label}" title="Only this part of the face"
+          @change=${(event: Event) => this.#change(at, { region: textOf(event) || null })}>
+          <option value="" ?selected=${layer.region === null}>Whole face</option>
+          ${this.store.regions.map(
+            (region) => html`<option value=${region} ?selected=${region === layer.region}>Only ${region}</option>`,
+          )}
+        </select>
+        <label class="row" title="Left and right exchanged"><input type="checkbox" .checked=${layer.mirrored}
+          @change=${() => this.#change(at, { mirrored: !layer.mirrored })} /> mirrored</label>
+      </div>
+    </li>`;
+  }
+
+  #bake() {
+    return html`<button title="Layers, muscles and needles become one field; the needles then stand at rest on it"
+      @click=${() => bake(this.store)}>Bake into one</button>`;
+  }
+}

@@ -1,0 +1,117 @@
+/** The panel that makes a face from faces: a mix, regions, caricature, handles. */
+
+import { html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
+import { base } from "../../ui/theme";
+import { amountOf } from "../controls/amount";
+import { controls, panel } from "../controls/controls_style";
+import { EditorElement } from "../controls/editor_element";
+import { sourceChoice } from "../controls/source_choice";
+import { MILLIMETRES, PERCENT, shown } from "../controls/units";
+import type { Topic } from "../session/draft_store";
+import { loadHandles } from "../session/face_handles";
+import { normalised } from "../session/item_commands";
+import { labelOf, type Source, sourcesOf } from "../session/sources";
+
+/** How a face is made from faces: a mix, regions from others, caricature, handles. */
+@customElement("omote-recipe")
+export class FaceRecipePanel extends EditorElement {
+  static override styles = [base, controls, panel];
+
+  /** What the head's handles are called; null until the server has told. */
+  @state() private handles: HandlesAsset | null = null;
+
+  protected override topics(): readonly Topic[] {
+    return ["draft", "items", "cast", "selection"];
+  }
+
+  override firstUpdated(): void {
+    loadHandles().then(
+      (handles) => {
+        this.handles = handles;
+      },
+      () => undefined, // numbers do for names
+    );
+  }
+
+  #set(change: Partial<FaceRecipe>, what: string): void {
+    const recipe = this.store.face;
+    if (recipe !== null) this.store.setFace({ ...recipe, ...change }, what);
+  }
+
+  override render() {
+    const recipe = this.store.face;
+    if (recipe === null) return nothing;
+    const sources = sourcesOf(this.store, "face").filter(({ source }) => source !== this.store.item?.content);
+    return html`
+      ${this.#mix(recipe, sources)} ${this.#regions(recipe, sources)}
+      <h2>Caricature</h2>
+      <omote-amount label="Exaggerate" .unit=${PERCENT} .low=${1} .high=${2} .value=${recipe.amount}
+        hint="How far its own traits are taken; 100 % as it is"
+        @done=${(event: Event) => this.#set({ amount: Math.min(2, Math.max(1, amountOf(event))) }, "caricature")}></omote-amount>
+      ${this.#handles(recipe)}
+    `;
+  }
+
+  #mix({ base: mix }: FaceRecipe, sources: readonly Source[]) {
+    const one = Object.keys(mix).length === 1;
+    const put = (weights: FaceRecipe["base"]): void => this.#set({ base: normalised(weights) }, "mix of faces");
+    return html`<h2>Mix of faces</h2>
+      ${Object.entries(mix).map(
+        ([source, weight]) => html`<div class="row">
+          <omote-amount class="grow" label=${labelOf(sources, source)} .unit=${PERCENT} .value=${weight} ?disabled=${one}
+            @done=${(event: Event) => put({ ...mix, [source]: Math.max(0, amountOf(event)) })}></omote-amount>
+          <button class="icon quiet" ?disabled=${one} title="Without it" aria-label="Without ${labelOf(sources, source)}"
+            @click=${() => put(Object.fromEntries(Object.entries(mix).filter(([name]) => name !== source)))}>✕</button>
+        </div>`,
+      )}
+      ${sourceChoice(
+        sources.filter(({ source }) => !(source in mix)),
+        {
+          label: "Mix in a face",
+          first: "+ mix in a face…",
+          chosen: (source) => (source === "" ? undefined : put({ ...mix, [source]: 1 / Object.keys(mix).length })),
+        },
+      )}`;
+  }
+
+  #regions({ regions }: FaceRecipe, sources: readonly Source[]) {
+    const chosen = (region: string, source: string): void => {
+      const others = Object.fromEntries(Object.entries(regions).filter(([name]) => name !== region));
+      this.#set({ regions: source === "" ? others : { ...others, [region]: source } }, `${region} of another`);
+    };
+    return html`<h2>Parts of others</h2>
+      ${this.store.regions.map(
+        (region) => html`<div class="row"><span style="width: 64px">${region}</span>
+          ${sourceChoice(sources, {
+            label: `Where the ${region} come from`,
+            first: "–",
+            value: regions[region] ?? "",
+            chosen: (source) => chosen(region, source),
+          })}</div>`,
+      )}`;
+  }
+
+  /** The handles that were moved; those at rest stay in the recipe, for the others hold on to them. */
+  #handles({ points, moves }: FaceRecipe) {
+    const far = (move: readonly number[]): number => Math.hypot(...move);
+    const moved = moves.flatMap((move, at) => (far(move) > 0 ? [at] : []));
+    const reset = (places: readonly number[]): void =>
+      this.#set({ moves: moves.map((move, at) => (places.includes(at) ? [0, 0, 0] : move)) }, "handles back at rest");
+    return html`<h2>Handles</h2>
+      <p class="note">${moved.length === 0 ? "None moved yet: drag one on the face. " : nothing}With Alt held it goes to and fro, along your view.</p>
+      <ul>${moved.map(
+        (at) => html`<li class="row">
+          <button class="grow" aria-pressed=${this.store.selection.has(at)} title="Choose it"
+            @click=${() => this.store.select([at])}>${this.#label(points[at] ?? -1, at)}: ${shown(far(moves[at] ?? []), MILLIMETRES)} mm</button>
+          <button class="icon quiet" title="Back where it was" aria-label="Reset ${this.#label(points[at] ?? -1, at)}"
+            @click=${() => reset([at])}>✕</button></li>`,
+      )}</ul>
+      ${moved.length < 2 ? nothing : html`<button @click=${() => reset(moved)}>All handles back</button>`}`;
+  }
+
+  #label(row: number, at: number): string {
+    return this.handles?.labels[this.handles.points.indexOf(row)] ?? `handle ${at + 1}`;
+  }
+}

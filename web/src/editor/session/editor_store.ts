@@ -1,0 +1,157 @@
+/** What there is around the work: the cast, own things, faces that are shown, how hands work, what must be read. */
+
+import type { Library } from "../../link/assets";
+import type { Greeted, ItemDocument } from "../../link/editing_messages";
+import type { Manifest } from "../../link/messages";
+import { type Followers, type HeadControls, type Muscle, readHeadControls } from "./control_net";
+import { type Notice, Notices } from "./notices";
+
+/** What has changed. "live" is told at the rate of the pointer, all others rarely. */
+export type Topic = "cast" | "items" | "draft" | "selection" | "options" | "live" | "link" | "notices" | "history";
+
+/** drag: on the surface; pull: off it (R); add, remove, place: the net itself. */
+export type Tool = "drag" | "pull" | "add" | "remove" | "place";
+
+export interface Options {
+  readonly tool: Tool;
+  /** What a hand does on one side is done on the other. */
+  readonly mirror: boolean;
+  /** How far a drag takes points beside the dragged ones along, millimetres; 0: not at all. */
+  readonly falloff: number;
+  /** The only region that a drag moves, or null. */
+  readonly region: string | null;
+  readonly wireframe: boolean;
+  readonly needles: boolean;
+  readonly muscles: boolean;
+}
+
+/** The most faces beside the work. */
+export const MOST_NEIGHBOURS = 10;
+/** The face under work before anybody has chosen: one that looks good as clay. */
+const FIRST = "kaori";
+const NEIGHBOURS = ["dog", "child", "old"];
+
+/** Everything that belongs to no item; whoever listens to a topic hears of its changes. */
+export class EditorStore {
+  library: Library | null = null;
+  headControls: HeadControls | null = null;
+  items: readonly ItemDocument[] = [];
+  /** Of the cast that pages may load now; "" before the server has said. */
+  digest = "";
+  /** The name of the face shown large, and of those beside it. */
+  work = FIRST;
+  neighbours: readonly string[] = NEIGHBOURS;
+  options: Options = {
+    tool: "drag",
+    mirror: false,
+    falloff: 25,
+    region: null,
+    wireframe: false,
+    needles: true,
+    muscles: false,
+  };
+  online = false;
+  readonly #notices = new Notices();
+  readonly #listeners = new Map<Topic, Set<() => void>>();
+
+  listen(topic: Topic, heard: () => void): () => void {
+    const listeners = this.#listeners.get(topic) ?? new Set();
+    this.#listeners.set(topic, listeners.add(heard));
+    return () => listeners.delete(heard);
+  }
+
+  tell(topic: Topic): void {
+    for (const heard of this.#listeners.get(topic) ?? []) heard();
+  }
+
+  /** The cast as it is now. */
+  get manifest(): Manifest | null {
+    return this.library?.manifest ?? null;
+  }
+
+  get notices(): readonly Notice[] {
+    return this.#notices.all;
+  }
+
+  get muscles(): readonly Muscle[] {
+    return this.headControls?.muscles ?? [];
+  }
+
+  get regions(): readonly string[] {
+    return this.headControls?.regions ?? [];
+  }
+
+  /** For each region how much it owns of each vertex, 255 all. */
+  get masks(): readonly Uint8Array[] {
+    return this.headControls?.masks ?? [];
+  }
+
+  get followers(): Followers | null {
+    return this.headControls?.followers ?? null;
+  }
+
+  /** The library has come, or has been renewed. */
+  setCast(library: Library): void {
+    this.library = library;
+    const { manifest } = library;
+    const known = (name: string) => manifest.faces.some((face) => face.name === name);
+    if (!known(this.work)) this.work = known(FIRST) ? FIRST : (manifest.faces[0]?.name ?? this.work);
+    this.neighbours = this.neighbours.filter((name) => known(name) && name !== this.work);
+    this.tell("cast");
+  }
+
+  setHeadControls(greeted: Greeted): void {
+    this.headControls = readHeadControls(greeted);
+    this.setItems(greeted.items, greeted.digest);
+  }
+
+  setItems(items: readonly ItemDocument[], digest = this.digest): void {
+    [this.items, this.digest] = [items, digest];
+    this.tell("items");
+  }
+
+  setOnline(online: boolean): void {
+    this.online = online;
+    this.tell("link");
+  }
+
+  /** The source of a face by its name. */
+  sourceOf(face: string): string {
+    return this.library?.sourceOf("faces", face) ?? face;
+  }
+
+  setOptions(change: Partial<Options>): void {
+    this.options = { ...this.options, ...change };
+    this.tell("options");
+  }
+
+  /** Shows a face large; the one that was takes its place beside it. */
+  setWork(name: string): void {
+    if (name === this.work) return;
+    this.neighbours = this.neighbours.map((one) => (one === name ? this.work : one));
+    this.work = name;
+    this.tell("cast");
+  }
+
+  setNeighbours(names: readonly string[]): void {
+    this.neighbours = [...new Set(names)].filter((name) => name !== this.work).slice(0, MOST_NEIGHBOURS);
+    this.tell("cast");
+  }
+
+  /** Tells the user something that stays until it is read. */
+  say(text: string, kind: Notice["kind"] = "refusal", actions: Notice["actions"] = []): void {
+    this.#notices.say(text, kind, actions);
+    this.tell("notices");
+  }
+
+  /** What was said of this kind holds no more. */
+  clear(kind: Notice["kind"]): void {
+    this.#notices.clear(kind);
+    this.tell("notices");
+  }
+
+  dismiss(id: number): void {
+    this.#notices.dismiss(id);
+    this.tell("notices");
+  }
+}

@@ -1,0 +1,180 @@
+/** What people do with items: make, open, save, undo, bring back, name, order, delete. */
+
+import type { FaceRecipe, ItemDocument, RevisionDocument, Saved } from "../../link/editing_messages";
+import type { Request } from "../link/requests";
+import type { DraftStore } from "./draft_store";
+
+/** Where something new begins: sources by weight, or what is on air now. */
+export interface Start {
+  readonly mix: Readonly<Record<string, number>>;
+  readonly onAir: boolean;
+}
+
+export type Kind = ItemDocument["kind"];
+
+export function create(store: DraftStore, kind: Kind, label: string, { mix, onAir }: Start): Promise<unknown> {
+  const request: Request =
+    kind === "expression"
+      ? { type: "create_expression", label, start: mix, on_air: onAir }
+      : {
+          type: "create_face",
+          label,
+          base: Object.keys(mix).length === 0 ? { generic: 1 } : normalised(mix),
+          on_air: onAir,
+        };
+  return store.ask(request);
+}
+
+export const openItem = (store: DraftStore, item: number): Promise<unknown> => store.ask({ type: "open_item", item });
+
+/** A name for something new that no item has yet: `stem`, else with the first number that is free. */
+export function freeLabel(items: readonly ItemDocument[], stem: string): string {
+  const taken = new Set(items.filter(({ deleted }) => !deleted).map(({ label }) => label.toLowerCase()));
+  for (let number = 1; ; number += 1) {
+    const label = number === 1 ? stem : `${stem} ${number}`;
+    if (!taken.has(label.toLowerCase())) return label;
+  }
+}
+
+// --- the open item ----------------------------------------------------------------------------------------------------
+
+export async function save(store: DraftStore, note: string): Promise<void> {
+  if (store.draft === null) return;
+  const { item, base } = store.draft;
+  const answer = await store.ask({ type: "save", item, note });
+  if (answer?.type !== "saved") return;
+  if (store.draft?.item === item && store.draft.base === base && !answer.aside) {
+    store.receive({ ...store.draft, request: -1, net: null, base: answer.revision, dirty: false });
+  }
+  store.clear("conflict"); // what was to be decided is
+  if (answer.aside) tellAside(store, answer);
+  else if (answer.revision === base)
+    store.say(answer.sentence, "done"); // nothing was new
+  else tellSaved(store, answer);
+  askHistory(store);
+}
+
+function tellSaved(store: DraftStore, { item }: Saved): void {
+  const saved = store.items.find(({ id }) => id === item);
+  const place = saved?.kind === "face" ? "among the faces" : "under Own";
+  store.say(`Saved. On the console "${saved?.label ?? ""}" is now ${place}: call it there.`, "done", [
+    { label: "Open the console", act: () => void window.open("/console", "_blank") },
+  ]);
+}
+
+/** Another editor saved first: both versions are kept, and the user chooses which plays. */
+function tellAside(store: DraftStore, { item, head, sentence }: Saved): void {
+  store.say(sentence, "conflict", [
+    { label: "Look at theirs", act: () => void lookAt(store, item, head) },
+    { label: "Save mine over it", act: () => void saveOver(store, item) },
+  ]);
+}
+
+/** Whichever item is open by now. */
+async function saveOver(store: DraftStore, item: number): Promise<void> {
+  if (store.draft?.item !== item) await openItem(store, item);
+  if (store.draft?.item === item) await save(store, "over another's");
+}
+
+async function lookAt(store: DraftStore, item: number, number: number): Promise<void> {
+  if (store.draft?.item !== item) await openItem(store, item);
+  await store.ask({ type: "ask_history", item });
+  const theirs = store.revisions.find((revision) => revision.number === number);
+  if (theirs !== undefined && store.draft?.item === item) store.setLook(theirs.content);
+}
+
+export function undo(store: DraftStore): void {
+  const { draft } = store;
+  if (draft === null || draft.undo === 0) return;
+  const { what } = draft;
+  void store.ask({ type: "undo", item: draft.item }).then((answer) => {
+    if (answer !== null) store.undone = [...store.undone, what];
+    store.tell("options");
+  });
+}
+
+export function redo(store: DraftStore): void {
+  const { draft } = store;
+  if (draft === null || draft.redo === 0) return;
+  void store.ask({ type: "redo", item: draft.item }).then((answer) => {
+    if (answer !== null) store.undone = store.undone.slice(0, -1);
+    store.tell("options");
+  });
+}
+
+export function askHistory(store: DraftStore): void {
+  if (store.draft !== null) void store.ask({ type: "ask_history", item: store.draft.item });
+}
+
+/** The draft becomes what a revision was; says that it does not play yet. */
+export async function bringBack(store: DraftStore, { number }: RevisionDocument): Promise<void> {
+  const { draft } = store;
+  if (draft === null) return;
+  store.setLook(null);
+  const answer = await store.ask({ type: "bring_back", item: draft.item, revision: number });
+  if (answer === null) return;
+  if (store.draft?.item === draft.item && !store.draft.dirty) {
+    store.say(`Revision ${number} is what plays and what your draft is: there is nothing to save.`, "done");
+    return;
+  }
+  const sentence = `Revision ${number} is your draft now. What plays is unchanged: press Save to make this one play.`;
+  store.say(sentence, "done", [{ label: "Save", act: () => void save(store, `revision ${number} again`) }]);
+}
+
+export const bake = (store: DraftStore): void => store.edit({ type: "flatten" });
+
+/** Weights that sum to one, in the same proportions; an even mix where all are zero. */
+export function normalised(mix: FaceRecipe["base"]): FaceRecipe["base"] {
+  const sum = Object.values(mix).reduce((total, weight) => total + weight, 0);
+  const even = 1 / Object.keys(mix).length;
+  return Object.fromEntries(Object.entries(mix).map(([name, weight]) => [name, sum > 0 ? weight / sum : even]));
+}
+
+// --- any item ---------------------------------------------------------------------------------------------------------
+
+type Description = Partial<Pick<ItemDocument, "label" | "tags" | "place">>;
+
+/** Shown at once, so that what is typed next is not built on what was before; a refusal takes it back. */
+export async function describe(store: DraftStore, { id }: ItemDocument, change: Description): Promise<void> {
+  const before = store.items.find((item) => item.id === id);
+  if (before === undefined) return;
+  const put = (now: Description): void =>
+    store.setItems(store.items.map((item) => (item.id === id ? { ...item, ...now } : item)));
+  const { label, tags, place } = { ...before, ...change };
+  if (label !== before.label) store.clear("done"); // good news that calls it by its old name
+  put(change);
+  const answer = await store.ask({ type: "describe", item: id, label, tags, place });
+  if (answer === null) put({ label: before.label, tags: before.tags, place: before.place });
+}
+
+export const duplicate = (store: DraftStore, { id, label }: ItemDocument): void =>
+  void store.ask({ type: "duplicate", item: id, label: freeLabel(store.items, `${label} copy`) });
+
+export async function remove(store: DraftStore, item: ItemDocument): Promise<void> {
+  const answer = await store.ask({ type: "delete", item: item.id });
+  if (answer === null) return;
+  if (store.draft?.item === item.id) store.leave();
+  store.say(`"${item.label}" is deleted.`, "done", [{ label: "Undo", act: () => restore(store, item) }]);
+}
+
+export const restore = (store: DraftStore, { id }: ItemDocument): void => void store.ask({ type: "restore", item: id });
+
+/** Words of a search are all found in an item's name or tags. */
+export function matches(words: string, label: string, tags: readonly string[] = []): boolean {
+  const text = [label, ...tags].join(" ").toLowerCase();
+  return words
+    .toLowerCase()
+    .split(/\s+/)
+    .every((word) => text.includes(word));
+}
+
+/** Own items of a kind in their order. */
+export const ordered = (items: readonly ItemDocument[], kind: Kind): ItemDocument[] =>
+  items.filter((item) => item.kind === kind).sort((a, b) => a.place - b.place || a.id - b.id);
+
+/** The place that puts an item between its new neighbours: `others` in order, without the item; it comes before `at`. */
+export function placeAt(others: readonly ItemDocument[], at: number): number {
+  const [before, after] = [others[at - 1]?.place, others[at]?.place];
+  if (before === undefined) return (after ?? 1) - 1;
+  return after === undefined ? before + 1 : (before + after) / 2;
+}

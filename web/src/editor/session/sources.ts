@@ -1,0 +1,45 @@
+/** What layers and new things can be made from: own items that were saved, then the built-in cast. */
+
+import type { DraftStore } from "./draft_store";
+import type { Kind } from "./item_commands";
+import { ordered } from "./item_commands";
+
+export interface Source {
+  readonly source: string;
+  readonly label: string;
+  readonly group: string;
+}
+
+const GROUPS: Readonly<Record<string, string>> = {
+  performed: "Performed",
+  arkit: "ARKit",
+  makehuman: "MakeHuman",
+};
+
+export function sourcesOf(store: DraftStore, kind: Kind): Source[] {
+  const own = ordered(store.items, kind)
+    .filter(({ deleted, content }) => !deleted && content !== "")
+    .map(({ content, label }) => ({ source: content, label, group: "Own" }));
+  return [...own, ...(kind === "face" ? facesOf(store) : expressionsOf(store))];
+}
+
+const facesOf = (store: DraftStore): Source[] =>
+  (store.manifest?.faces ?? [])
+    .filter(({ source }) => !source.startsWith("#"))
+    .map(({ source, label }) => ({ source, label, group: "Faces" }));
+
+const expressionsOf = (store: DraftStore): Source[] =>
+  (store.manifest?.expressions ?? [])
+    .filter(({ kind }) => kind !== "neutral" && kind !== "own")
+    .map(({ source, label, kind }) => ({ source, label, group: GROUPS[kind] ?? kind }));
+
+/** What people read of a source; an old content is named by what the list still knows, else by its key. */
+export const labelOf = (sources: readonly Source[], source: string): string =>
+  sources.find((one) => one.source === source)?.label ?? source.slice(0, 9);
+
+/** Sources under their groups, in order. */
+export function grouped(sources: readonly Source[]): [string, Source[]][] {
+  const groups = new Map<string, Source[]>();
+  for (const one of sources) groups.set(one.group, [...(groups.get(one.group) ?? []), one]);
+  return [...groups];
+}

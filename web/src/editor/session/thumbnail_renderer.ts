@@ -1,0 +1,62 @@
+/** Pictures of (face, expression) off screen, one after the other, on one graphics context. */
+
+import { FaceView } from "../../face/face_view";
+import { THUMBNAIL } from "../../face/framing";
+import { fenced } from "../../face/gpu/fence";
+import { restPose } from "../../face/pose/pose";
+import { KEY, type Library } from "../../link/assets";
+import type { ThumbnailSubject } from "../../ui/thumbnails";
+import { loadFace } from "./asset_loading";
+
+/** Milliseconds between two looks at whether the graphics processor has drawn. */
+const LOOK = 8;
+
+export class ThumbnailRenderer {
+  /** What is being drawn; the next picture waits for it. */
+  #last: Promise<unknown> = Promise.resolve();
+
+  private constructor(private readonly view: FaceView) {}
+
+  /** Draws at the cheapest level: pictures as small as these look alike at all. */
+  static async open(library: Library): Promise<ThumbnailRenderer> {
+    const canvas = document.createElement("canvas");
+    return new ThumbnailRenderer(
+      await FaceView.load(canvas, library, { shot: THUMBNAIL, pixelRatio: 1, level: "lowest" }),
+    );
+  }
+
+  /** Rejects when it cannot be drawn. */
+  picture(sitting: ThumbnailSubject, width: number, height: number): Promise<ImageBitmap> {
+    const drawn = this.#last.catch(() => undefined).then(() => this.#draw(sitting, width, height));
+    this.#last = drawn;
+    return drawn;
+  }
+
+  async #draw({ face, expression }: ThumbnailSubject, width: number, height: number): Promise<ImageBitmap> {
+    const { view } = this;
+    await ensureFace(view.library, face);
+    view.resize(width, height);
+    await view.present(restPose(face, expression));
+    if (!view.alive) throw new Error("the graphics context is lost for a moment");
+    const picture = createImageBitmap(view.canvas); // now, while the canvas still holds it
+    await finished(view.context);
+    return picture;
+  }
+}
+
+/**
+ * Makes a face known that the cast has not, or not yet: one that was saved a moment ago, an old revision, a deleted one.
+ * Without its look it would be drawn black.
+ */
+export async function ensureFace(library: Library, face: string, load = loadFace): Promise<void> {
+  if (library.hasFace(face) || library.sourceOf("faces", face) !== face) return;
+  if (!face.startsWith(KEY)) throw new Error(`There is no face "${face}" in this cast.`);
+  const { document } = await load(library.manifest, face);
+  library.faces.set(face, document);
+}
+
+/** Waits without blocking until the graphics processor has drawn: on slow ones the page stays usable meanwhile. */
+async function finished(gl: WebGL2RenderingContext): Promise<void> {
+  const done = fenced(gl);
+  while (!gl.isContextLost() && !done()) await new Promise((done) => setTimeout(done, LOOK));
+}

@@ -1,0 +1,105 @@
+/** Studies the generic face of a cast once: neck, hair, open sky, eyeballs, lines of the openings. */
+
+import { MathUtils } from "three";
+import type { Library, Mesh } from "../../link/assets";
+import { HAIRLINE } from "../../link/constants";
+import { type CorrectivesData, readCorrectives } from "./correctives_data";
+import { openness } from "./occlusion";
+import { distances, type Fans, fans, lowestBorder, rowTriangles, smoothed } from "./topology";
+
+/** What the stage works out once per cast from the generic face: all that is painted or turned by place. */
+export interface Anatomy {
+  fans: Fans;
+  /** Per row: how far it turns with the head (0 at the neck's rim), open sky, hair, and light (0..1 each). */
+  traits: Float32Array;
+  /** Rows of the neck's rim, in walking order. */
+  rim: number[];
+  /** First and end row of the left eyeball, then of the right. */
+  eyeRows: Int32Array;
+  /** The generic face, (rows, 3) metres. */
+  positions: Float32Array;
+  /** Rows of the lines around the openings, by name, in walking order. */
+  lines: ReadonlyMap<string, Uint32Array>;
+  /** How sums are put right, where the cast says so. */
+  correctives: CorrectivesData | undefined;
+}
+
+/** 0..1 to 0..1 with level ends. */
+const smooth = (x: number): number => MathUtils.smoothstep(x, 0, 1);
+
+const NECK = 0.075; // metres along the skin in which the neck comes to turn with the head
+
+const studied = new WeakMap<Library, Promise<Anatomy>>();
+
+/** The anatomy of a library's cast, worked out once. */
+export function loadAnatomy(library: Library): Promise<Anatomy> {
+  const known = studied.get(library) ?? buildAnatomy(library);
+  studied.set(library, known);
+  return known;
+}
+
+async function buildAnatomy(library: Library): Promise<Anatomy> {
+  const positions = await library.positions(firstFace(library));
+  const triangles = library.meshes.map(rowTriangles);
+  const around = fans(triangles, library.manifest.vertices);
+  const skin = library.meshes.findIndex((mesh) => mesh.name === "skin");
+  const rim = skin < 0 ? [] : lowestBorder(triangles[skin] as Uint32Array, positions);
+  const traits = readTraits(around, positions, rim, library.manifest.skin, triangles);
+  const document = library.manifest.settling;
+  const correctives = document === null || document === undefined ? undefined : readCorrectives(document);
+  return { fans: around, traits, rim, eyeRows: eyeRows(library.meshes), positions, lines: library.lines, correctives };
+}
+
+function firstFace(library: Library): string {
+  const names = library.manifest.faces.map((face) => face.name);
+  const name = names.includes("generic") ? "generic" : names[0];
+  if (name === undefined) throw new Error("The cast has no face; bake it again.");
+  return name;
+}
+
+function eyeRows(meshes: readonly Mesh[]): Int32Array {
+  return Int32Array.from(
+    ["eye_left", "eye_right"].flatMap((name) => {
+      const source = meshes.find((mesh) => mesh.name === name)?.source;
+      return source === undefined || source.length === 0 ? [0, 0] : [Math.min(...source), Math.max(...source) + 1];
+    }),
+  );
+}
+
+function readTraits(
+  around: Fans,
+  positions: Float32Array,
+  rim: readonly number[],
+  skin: number,
+  triangles: readonly Uint32Array[],
+): Float32Array {
+  const rows = around.starts.length - 1;
+  const far = distances(around, positions, rim);
+  const turn = smoothed(
+    around,
+    far.map((distance) => smooth((distance - 0.008) / NECK)),
+    1,
+    6,
+  );
+  const sky = smoothed(around, openness(around, positions, triangles), 1, 1);
+  const traits = new Float32Array(4 * rows);
+  for (let row = 0; row < rows; row++) {
+    const part = row < skin ? (turn[row] as number) : 1;
+    const light = smooth((far[row] as number) / 0.03 + 0.35);
+    traits.set([part, sky[row] as number, hairAt(positions, row), row < skin ? light : 1], 4 * row);
+  }
+  for (const row of rim) traits[4 * row] = 0;
+  return traits;
+}
+
+/** Short hair: above a line that runs from the forehead over the temples and behind the ears to the nape. */
+function hairAt(positions: Float32Array, row: number): number {
+  const [x, y, z] = [positions[3 * row] as number, positions[3 * row + 1] as number, positions[3 * row + 2] as number];
+  const angle = Math.abs(Math.atan2(x, z - 0.03)); // 0 straight ahead
+  const line = HAIRLINE.findIndex(([at]) => at >= angle);
+  const [a0, h0] = HAIRLINE[Math.max(0, line - 1)] as readonly [number, number];
+  const [a1, h1] = HAIRLINE[Math.max(0, line)] as readonly [number, number];
+  const height = a1 > a0 ? h0 + ((h1 - h0) * (angle - a0)) / (a1 - a0) : h0;
+  const ear = y < 0.026 ? smooth((Math.abs(x) - 0.0745) / 0.006) : 0;
+  return smooth((y - height) / 0.024 + 0.5) * (1 - ear);
+}

@@ -1,0 +1,55 @@
+import { describe, expect, it } from "vitest";
+import type { Compound, Library } from "../../link/assets";
+import { restPose } from "../pose/pose";
+import { AssetResidency } from "./asset_residency";
+import type { Blender } from "./blender";
+import { LayerTable } from "./layer_table";
+
+const compound: Compound = { scale: 1, indices: new Uint32Array(), deltas: new Int16Array(), allowed: undefined };
+
+/** A library of one face whose compounds come when told, and one that has been refused. */
+function late(): { library: Library; come: () => void } {
+  let come = (): void => undefined;
+  const waiting = new Promise<Compound>((resolve) => {
+    come = () => resolve(compound);
+  });
+  const library = {
+    hasFace: (face: string) => face === "dog",
+    hasExpression: (name: string) => name.startsWith("#"),
+    positions: async () => new Float32Array(3),
+    compound: (_: string, name: string) => (name === "#refused" ? Promise.reject(new Error("404")) : waiting),
+  };
+  return { library: library as unknown as Library, come };
+}
+
+const layers = (): Blender =>
+  ({
+    layers: new LayerTable(8, 8),
+    blankLayer: () => new Float32Array(4),
+    upload: () => undefined,
+  }) as unknown as Blender;
+
+describe("what a stage holds", () => {
+  it("is away until it is loaded, here until it is drawn in full, then shown", async () => {
+    const { library, come } = late();
+    const [residency, blender] = [new AssetResidency(library), layers()];
+    const arrival = () => residency.arrival(["dog"], ["#1", "neutral"], blender);
+    residency.want(["dog"], ["#1"]);
+    expect(arrival()).toBe("away");
+    come();
+    await residency.complete();
+    expect(arrival()).toBe("here");
+    const pose = { ...restPose("dog"), expressions: { neutral: 0.999, "#1": 0.001 } };
+    residency.mix(pose, blender, 0, false);
+    expect(arrival()).toBe("shown"); // next to nothing of it shows, so it needs no easing
+  });
+
+  it("counts what was refused, and what nobody has, as shown: nothing waits for it", async () => {
+    const { library } = late();
+    const [residency, blender] = [new AssetResidency(library), layers()];
+    residency.want(["dog"], ["#refused"]);
+    await residency.complete();
+    residency.mix(restPose("dog"), blender, 0, true);
+    expect(residency.arrival(["dog", "nobody"], ["#refused", "nothing"], blender)).toBe("shown");
+  });
+});

@@ -1,0 +1,166 @@
+/** Decides which blendshapes are on the GPU, and eases in those that arrive late. */
+
+import type { Compound, Library } from "../../link/assets";
+import { expressionWeights, faceWeights, type Term, terms } from "../pose/mix_terms";
+import type { Pose } from "../pose/pose";
+import type { Blender, Entry, Mix } from "./blender";
+
+/** Writes a layer's values, (x, y, z, unused) per texel. */
+type Fill = (into: Float32Array) => void;
+
+const CATCH_UP = 0.25; // seconds in which a term that came late grows to its weight
+const UPLOADS = 8; // layers uploaded in one frame, so that no frame is late for them
+
+const keyOf = (face: string, expression: string | undefined): string =>
+  expression === undefined ? face : `${face}\n${expression}`;
+
+/** What a stage holds of the cast, by source: fetched lazily, uploaded a few per frame, held back until then and never popped. */
+export class AssetResidency {
+  private readonly sheets = new Map<string, Fill>();
+  private readonly asked = new Map<string, Promise<unknown>>();
+  private readonly shares = new Map<string, number>();
+  private readonly lost = new Set<string>();
+  private readonly allowances = new Map<string, NonNullable<Compound["allowed"]>>();
+  private readonly allowed: Float32Array;
+  private scratch: Float32Array | undefined;
+
+  /** `size`: numbers in an allowance (`correctives_data.ts`). */
+  constructor(
+    private readonly library: Library,
+    size = 0,
+  ) {
+    this.allowed = new Float32Array(size);
+  }
+
+  /** Fetches these faces wearing these expressions; what is not in the cast is passed over. */
+  want(faces: Iterable<string>, expressions: Iterable<string>): void {
+    const names = [...expressions].filter((name) => name !== "neutral" && this.library.hasExpression(name));
+    for (const face of faces) {
+      if (!this.library.hasFace(face)) continue;
+      this.fetchFace(face);
+      for (const name of names) this.fetchCompound(face, name);
+    }
+  }
+
+  /** How far faces wearing expressions are here; what was refused counts as shown. */
+  arrival(faces: readonly string[], expressions: readonly string[], blender: Blender): "away" | "here" | "shown" {
+    const worn = expressions.filter((name) => name !== "neutral" && this.library.hasExpression(name));
+    const keys = faces
+      .filter((face) => this.library.hasFace(face))
+      .flatMap((face) => [undefined, ...worn].map((name) => keyOf(face, name)));
+    const all = (test: (key: string) => boolean): boolean => keys.every((key) => this.lost.has(key) || test(key));
+    if (!all((key) => this.sheets.has(key))) return "away";
+    return all((key) => blender.layers.has(key) && this.shares.get(key) === 1) ? "shown" : "here";
+  }
+
+  /** Waits until everything that was ever wanted has come, or was refused. */
+  async complete(): Promise<void> {
+    await Promise.all(this.asked.values());
+  }
+
+  /** The pose's terms as layers of the blender, after `seconds` more; `atOnce`: everything that is here, in full. */
+  mix(pose: Pose, blender: Blender, seconds: number, atOnce: boolean): Mix {
+    this.upload(pose, blender, atOnce);
+    for (const [key, share] of this.shares)
+      if (share < 1) this.shares.set(key, atOnce ? 1 : Math.min(1, share + seconds / CATCH_UP));
+    const held = terms(pose, (face, expression) => this.share(face, expression, blender));
+    const entry = ({ face, expression, weight }: Term): Entry => ({
+      layer: blender.layers.use(keyOf(face, expression)) as number,
+      weight,
+    });
+    const rest = held.filter(({ expression }) => expression === undefined);
+    const several = rest.length > 1 || held.length > rest.length + 1;
+    return { entries: held.map(entry), rest: rest.map(entry), allowed: several ? this.allow(held) : undefined };
+  }
+
+  /** What the compounds together are allowed: the same array every time. */
+  private allow(held: readonly Term[]): Float32Array {
+    this.allowed.fill(0);
+    for (const { face, expression, weight } of held) {
+      const own = expression === undefined ? undefined : this.allowances.get(keyOf(face, expression));
+      own?.places.forEach((place, n) => {
+        this.allowed[place] = (this.allowed[place] as number) + Math.abs(weight) * (own.values[n] as number);
+      });
+    }
+    return this.allowed;
+  }
+
+  /** The weights of the faces on air, as far as they are here. */
+  faces(pose: Pose, blender: Blender): Map<string, number> {
+    return faceWeights(pose, (face) => this.share(face, undefined, blender));
+  }
+
+  /** Whether every term of the pose shows in full. */
+  settled(pose: Pose, blender: Blender): boolean {
+    return terms(pose, () => 1).every(({ face, expression }) => {
+      const key = keyOf(face, expression);
+      return this.lost.has(key) || (blender.layers.has(key) && this.shares.get(key) === 1);
+    });
+  }
+
+  private share(face: string, expression: string | undefined, blender: Blender): number {
+    const key = keyOf(face, expression);
+    return blender.layers.has(key) ? smoothShare(this.shares.get(key) ?? 0) : 0;
+  }
+
+  private upload(pose: Pose, blender: Blender, atOnce: boolean): void {
+    const wanted = terms(pose, () => 1);
+    const keep = new Set(wanted.map(({ face, expression }) => keyOf(face, expression)));
+    const bare = !wanted.some(({ face }) => blender.layers.has(face)); // nothing shows yet: no need to ease
+    let left = atOnce ? Infinity : UPLOADS;
+    for (const { face, expression, weight } of wanted) {
+      const key = keyOf(face, expression);
+      const fill = this.sheets.get(key);
+      if (blender.layers.has(key) || fill === undefined || left <= 0) continue;
+      const layer = blender.layers.take(key, keep);
+      if (layer === undefined) return; // more than the GPU has layers for: held back
+      left -= 1;
+      this.scratch ??= blender.blankLayer();
+      fill(this.scratch.fill(0));
+      blender.upload(layer, this.scratch);
+      this.shares.set(key, atOnce || bare || Math.abs(weight) < 0.01 ? 1 : 0);
+    }
+  }
+
+  private fetchFace(face: string): void {
+    this.ask(keyOf(face, undefined), async () => {
+      const positions = await this.library.positions(face);
+      return (into) => {
+        for (let row = 0; 3 * row < positions.length; row++)
+          into.set(positions.subarray(3 * row, 3 * row + 3), 4 * row);
+      };
+    });
+  }
+
+  private fetchCompound(face: string, expression: string): void {
+    this.ask(keyOf(face, expression), async () => {
+      const { scale, indices, deltas, allowed } = await this.library.compound(face, expression);
+      if (allowed !== undefined) this.allowances.set(keyOf(face, expression), allowed);
+      return (into) => {
+        for (let n = 0; n < indices.length; n++)
+          for (let axis = 0; axis < 3; axis++)
+            into[4 * (indices[n] as number) + axis] = (deltas[3 * n + axis] as number) * scale;
+      };
+    });
+  }
+
+  private ask(key: string, read: () => Promise<Fill>): void {
+    if (this.asked.has(key)) return;
+    const came = read().then(
+      (fill) => this.sheets.set(key, fill),
+      (error: unknown) => {
+        this.lost.add(key);
+        console.warn(String(error));
+      },
+    );
+    this.asked.set(key, came);
+  }
+}
+
+const smoothShare = (share: number): number => share * share * (3 - 2 * share);
+
+/** Names that a pose puts weight on. */
+export const namesOf = (pose: Pose): { faces: string[]; expressions: string[] } => ({
+  faces: Object.keys(pose.faces),
+  expressions: Object.keys(expressionWeights(pose)),
+});

@@ -1,0 +1,54 @@
+import { describe, expect, it } from "vitest";
+import { cameraPosition, type Point, portraitCamera, type Shot } from "./framing";
+
+const shot: Shot = { centre: [0, -0.01, 0.05], height: 0.3, width: 0.23 };
+const half = Math.tan((portraitCamera().fov * Math.PI) / 360);
+
+/** Where a point lies in the picture, -1..1 from edge to edge. */
+function seen(point: Point, from: Point, aspect: number): [number, number] {
+  const reach = (from[2] - point[2]) * half;
+  return [(point[0] - from[0]) / (reach * aspect), (point[1] - from[1]) / reach];
+}
+
+/** A head with a muzzle of `long` metres, turned by `yaw`. */
+function head(long: number, yaw: number): Point[] {
+  const points: Point[] = [
+    [-0.08, 0, 0],
+    [0.08, 0, 0],
+    [0, -0.2, 0.02],
+    [0, 0.12, 0.02],
+    [0, 0, -0.1],
+    [0, -0.02, long],
+  ];
+  const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
+  return points.map(([x, y, z]) => [c * x + s * z, y, c * z - s * x]);
+}
+
+describe("the position of the camera", () => {
+  it("is the shot's own where everything fits", () => {
+    const from = cameraPosition(shot, head(0.13, 0), half, 16 / 9);
+    expect(from).toEqual([0, -0.01, 0.05 + shot.height / 2 / half]);
+  });
+
+  it("holds muzzles, ears and crowns at every turn and in every picture", () => {
+    for (const aspect of [0.5, 0.9, 16 / 9])
+      for (const long of [0.12, 0.18, 0.26])
+        for (let yaw = -1.6; yaw <= 1.6; yaw += 0.1) {
+          const points = head(long, yaw);
+          const from = cameraPosition(shot, points, half, aspect);
+          for (const point of points) {
+            const [across, up] = seen(point, from, aspect);
+            expect(Math.abs(across)).toBeLessThan(1);
+            expect(up).toBeLessThan(1);
+          }
+        }
+  });
+
+  it("moves as smoothly as the head turns and grows", () => {
+    for (let yaw = -1.6; yaw <= 1.6; yaw += 0.01) {
+      const a = cameraPosition(shot, head(0.25, yaw), half, 0.9);
+      const b = cameraPosition(shot, head(0.25, yaw + 1e-4), half, 0.9);
+      for (const axis of [0, 1, 2] as const) expect(Math.abs(b[axis] - a[axis])).toBeLessThan(1e-3);
+    }
+  });
+});

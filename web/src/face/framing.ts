@@ -1,0 +1,83 @@
+/** Framing: where the camera stands for a shot, and the part of a wall that one stage shows. */
+
+import { PerspectiveCamera } from "three";
+
+/** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */
+export interface Tile {
+  column: number;
+  row: number;
+  columns: number;
+  rows: number;
+  /** Width of the gap between two pictures, as a part of a picture's width and of its height. */
+  bezel: [number, number];
+}
+
+/** What the picture shows: `centre` of the head in metres and the `height` and `width` that must be seen. */
+export interface Shot {
+  centre: [number, number, number];
+  height: number;
+  width: number;
+}
+
+/** The head with its collar, as a director frames it. */
+export const PORTRAIT: Shot = { centre: [0, -0.011, 0.05], height: 0.305, width: 0.23 };
+
+/** Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. */
+export const THUMBNAIL: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };
+
+export type Point = readonly [number, number, number];
+
+/** The rectangle of one tile in its wall's picture, in pixels of the tile. */
+export function tileView(tile: Tile, width: number, height: number): [number, number, number, number, number, number] {
+  const [across, down] = [width * (1 + tile.bezel[0]), height * (1 + tile.bezel[1])]; // picture to picture
+  const wallWidth = across * (tile.columns - 1) + width;
+  const wallHeight = down * (tile.rows - 1) + height;
+  return [wallWidth, wallHeight, tile.column * across, tile.row * down, width, height];
+}
+
+/** Hair, and air around what a picture has to hold, metres. */
+const AIR = 0.012;
+
+/** Where the camera stands for a shot that also holds `points`: a little aside first, then farther away. */
+export function cameraPosition(
+  shot: Shot,
+  points: readonly Point[],
+  half: number,
+  aspect: number,
+): [number, number, number] {
+  const [x, y, z] = shot.centre;
+  const near = Math.max(shot.height, shot.width / aspect) / 2 / half;
+  const wide = (depth: number): number => (near - (depth - z)) * half * aspect;
+  const over = (side: 1 | -1): number =>
+    Math.max(0, ...points.map((point) => side * (point[0] - x) + AIR - wide(point[2])));
+  const aside = x + (over(1) - over(-1)) / 2;
+  const far = points.flatMap((point) => [
+    (Math.abs(point[0] - aside) + AIR) / (half * aspect) + (point[2] - z), // nothing is cut off at a side
+    (point[1] - y + AIR) / half + (point[2] - z), // nor above; below, the neck goes on
+  ]);
+  return [aside, y, z + Math.max(near, ...far)];
+}
+
+/**
+ * Points the camera so that the shot, and the points of the head, fill a picture of `width` x `height` pixels, or this
+ * tile's part of the wall's.
+ */
+export function frame(
+  camera: PerspectiveCamera,
+  shot: Shot,
+  points: readonly Point[],
+  width: number,
+  height: number,
+  tile?: Tile,
+): void {
+  const [fullWidth, fullHeight] = tile === undefined ? [width, height] : tileView(tile, width, height);
+  camera.aspect = fullWidth / fullHeight;
+  camera.position.set(...cameraPosition(shot, points, Math.tan((camera.fov * Math.PI) / 360), camera.aspect));
+  if (tile === undefined) camera.clearViewOffset();
+  else camera.setViewOffset(...tileView(tile, width, height));
+  camera.updateProjectionMatrix();
+  camera.updateMatrixWorld();
+}
+
+/** A camera with the long lens of a portrait. */
+export const portraitCamera = (): PerspectiveCamera => new PerspectiveCamera(18, 1, 0.1, 10);

@@ -1,0 +1,79 @@
+/** Crossfades from the last picture of one level of quality to the next. */
+
+import * as THREE from "three";
+
+const VERTEX = `
+precision highp float;
+out vec2 place;
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+  place = corner;
+  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}
+`;
+const FRAGMENT = `
+precision mediump float;
+uniform sampler2D before;
+in vec2 place;
+out vec4 colour;
+void main() { colour = texture(before, place); }
+`;
+
+/** Seconds in which a picture gives way to its successor. */
+const LENGTH = 0.4;
+
+/** The picture of before over the picture of now, less and less: so a change of the level does not pop. */
+export class PictureCrossfade {
+  private readonly scene = new THREE.Scene();
+  private readonly camera = new THREE.Camera();
+  private readonly look = new THREE.RawShaderMaterial({
+    glslVersion: THREE.GLSL3,
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    uniforms: { before: { value: null } },
+    depthTest: false,
+    depthWrite: false,
+    blending: THREE.CustomBlending, // a mix, alpha too, so that a transparent stage fades as an opaque one does
+    blendSrc: THREE.ConstantAlphaFactor,
+    blendDst: THREE.OneMinusConstantAlphaFactor,
+  });
+  private before: THREE.FramebufferTexture | undefined;
+  private left = 0;
+
+  constructor(private readonly renderer: THREE.WebGLRenderer) {
+    const geometry = new THREE.BufferGeometry().setIndex([0, 1, 2]);
+    const sheet = new THREE.Mesh(geometry, this.look);
+    sheet.frustumCulled = false;
+    this.scene.add(sheet);
+  }
+
+  /** Keeps the picture that has just been drawn. */
+  begin(): void {
+    const { x, y } = this.renderer.getDrawingBufferSize(new THREE.Vector2());
+    this.before?.dispose();
+    this.before = new THREE.FramebufferTexture(x, y);
+    this.before.minFilter = this.before.magFilter = THREE.LinearFilter; // the successor may have another size
+    this.renderer.copyFramebufferToTexture(this.before);
+    (this.look.uniforms.before as THREE.IUniform).value = this.before;
+    this.left = LENGTH;
+  }
+
+  /** Draws what is left of it over the new picture, `seconds` after the last frame. */
+  paint(seconds: number): void {
+    if (this.before === undefined) return;
+    const part = this.left / LENGTH;
+    this.look.blendAlpha = part * part * (3 - 2 * part);
+    this.renderer.autoClear = false;
+    this.renderer.render(this.scene, this.camera);
+    this.renderer.autoClear = true;
+    this.left -= seconds;
+    if (this.left > 0) return;
+    this.before.dispose();
+    this.before = undefined;
+  }
+
+  /** Whether a picture of before still shows. */
+  get running(): boolean {
+    return this.before !== undefined;
+  }
+}

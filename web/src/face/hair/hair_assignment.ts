@@ -1,0 +1,114 @@
+/** Which hair styles the faces on air have, how much of each is grown, and their strands. */
+
+import type { Library } from "../../link/assets";
+import type { HairStrands } from "../../link/strands";
+import { FULL, grownAt, mixOffsets, type Offsets, offsetsOn, styleWeights } from "./hair_strands";
+
+const CATCH_UP = 0.25; // seconds in which a style that came late grows in
+
+/** A style as it is worn now. */
+export interface ActiveStyle {
+  readonly name: string;
+  readonly hair: HairStrands;
+  /** Metres from the skin at each strand's root, four numbers a place, mixed over all faces on air. */
+  readonly strands: Float32Array;
+  /** Rises when the strands change. */
+  version: number;
+  /** 0 nothing of it shows, 1 all of it. */
+  grown: number;
+}
+
+/** What of the cast's hair is here, and how the faces on air wear it; a style that comes late grows in. */
+export class HairAssignment {
+  private readonly faces = new Map<string, Float32Array>();
+  private readonly asked = new Map<string, Promise<unknown>>();
+  private readonly offsets = new Map<string, Offsets>();
+  private readonly shares = new Map<string, number>();
+  private coming = 0;
+  private readonly mixes = new Map<string, string>();
+  /** The weights of the faces on air that wear any hair. */
+  wearers: ReadonlyMap<string, number> = new Map();
+  /** Every style that has come. */
+  readonly worn = new Map<string, ActiveStyle>();
+
+  constructor(
+    private readonly library: Library,
+    private readonly generic: Float32Array,
+  ) {}
+
+  /** Fetches what these faces wear, and the faces, which all styles on air must fit. */
+  want(faces: Iterable<string>): void {
+    for (const face of faces) {
+      if (!this.library.hasFace(face)) continue;
+      this.ask(`face ${face}`, async () => this.faces.set(face, await this.library.positions(face)));
+      const style = this.styleOf(face);
+      if (style !== "") this.ask(`style ${style}`, async () => this.take(style, await this.library.hair(style)));
+    }
+  }
+
+  /** Waits until everything that was ever wanted has come, or was refused. */
+  async complete(): Promise<void> {
+    await Promise.all(this.asked.values());
+  }
+
+  /** Whether all that was wanted has come, or was refused, and has grown in. */
+  get settled(): boolean {
+    return this.coming === 0 && [...this.worn.keys()].every((style) => (this.shares.get(style) ?? 0) >= 1);
+  }
+
+  /** Dresses the faces on air, by weight, `seconds` after the last frame; `atOnce`: in full. */
+  dress(faces: ReadonlyMap<string, number>, seconds: number, atOnce: boolean): void {
+    const here = new Map([...faces].filter(([face]) => this.faces.has(face)));
+    const styles = styleWeights(here, (face) => this.styleOf(face));
+    this.wearers = new Map([...styles.values()].flatMap((wearers) => [...wearers]));
+    for (const style of this.worn.values()) {
+      const wearers = styles.get(style.name) ?? new Map<string, number>();
+      const weight = [...wearers.values()].reduce((sum, part) => sum + part, 0);
+      const share = Math.min(1, (this.shares.get(style.name) ?? 0) + (atOnce ? 1 : seconds / CATCH_UP));
+      this.shares.set(style.name, weight > 0 ? share : 1); // what comes while nobody wears it needs no easing
+      style.grown = grownAt(weight) * grownAt(FULL * (this.shares.get(style.name) as number));
+      if (style.grown > 0) this.mix(style, here);
+    }
+  }
+
+  private styleOf(face: string): string {
+    return this.library.faces.get(face)?.look.hair_style ?? "";
+  }
+
+  private mix(style: ActiveStyle, faces: ReadonlyMap<string, number>): void {
+    const key = JSON.stringify([...faces]);
+    if (this.mixes.get(style.name) === key) return;
+    this.mixes.set(style.name, key);
+    const total = [...faces.values()].reduce((sum, weight) => sum + weight, 0) || 1;
+    mixOffsets(
+      [...faces].map(([face, weight]) => [this.offsetsOf(style, face), weight / total] as const),
+      style.strands,
+    );
+    style.version += 1;
+  }
+
+  private offsetsOf(style: ActiveStyle, face: string): Offsets {
+    const key = `${style.name}\n${face}`;
+    const known = this.offsets.get(key) ?? offsetsOn(style.hair, this.generic, this.faces.get(face) as Float32Array);
+    this.offsets.set(key, known);
+    return known;
+  }
+
+  private take(name: string, hair: HairStrands): void {
+    const strands = new Float32Array((4 * hair.points.length) / 3);
+    this.worn.set(name, { name, hair, strands, version: 0, grown: 0 });
+  }
+
+  private ask(key: string, read: () => Promise<unknown>): void {
+    if (this.asked.has(key)) return;
+    this.coming += 1;
+    this.asked.set(
+      key,
+      read()
+        .catch((error: unknown) => console.warn(String(error)))
+        .then(() => {
+          this.coming -= 1;
+        }),
+    );
+  }
+}

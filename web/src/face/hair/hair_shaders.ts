@@ -1,0 +1,192 @@
+/** Shaders of hair: ribbons that face the camera, lit as Kajiya and Kay (1989). */
+
+import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
+
+/** Light on hair (Kajiya and Kay 1989): a soft shade around the strand, a white sheen and a coloured one beside it. */
+const HAIR_LIGHT = `
+struct HairFall { vec3 diffuse; vec3 sheen; vec3 glow; };
+
+float lobe(vec3 along, vec3 half_, float sharpness) {
+  float cosine = dot(along, half_);
+  return pow(max(1.0 - cosine * cosine, 0.0), sharpness);
+}
+
+HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float shift) {
+  vec3 view = normalize(cameraPosition - point);
+  float lit = dot(normal, KEY);
+  float key = clamp((lit + 0.35) / 1.35, 0.0, 1.0) * shaded(open) * shadow(point, normal);
+  float cosine = dot(along, KEY);
+  float around = sqrt(max(1.0 - cosine * cosine, 0.0));
+  vec3 diffuse = KEY_LIGHT * key * mix(around, 1.0, 0.4);
+  diffuse += (FILL_LIGHT * clamp(dot(normal, FILL) * 0.5 + 0.5, 0.0, 1.0) + 1.6 * ambient(normal)) * shaded(open);
+  vec3 root = normalize(along - normal * (0.10 + shift));
+  vec3 tip = normalize(along + normal * (0.16 + shift));
+  vec3 toKey = normalize(KEY + view);
+  vec3 toFill = normalize(FILL + view);
+  float facing = smoothstep(-0.25, 0.5, lit) * shaded(open) * key;
+  vec3 sheen = KEY_LIGHT * lobe(root, toKey, 120.0) * facing + FILL_LIGHT * 0.5 * lobe(root, toFill, 90.0) * open;
+  vec3 glow = KEY_LIGHT * lobe(tip, toKey, 16.0) * facing;
+  float edge = 1.0 - max(dot(normal, view), 0.0);
+  float rim = edge * edge * edge * (max(dot(normal, RIM_LEFT), 0.0) * 0.7 + max(dot(normal, RIM_RIGHT), 0.0));
+  return HairFall(diffuse, sheen, glow + RIM_LIGHT * rim * open);
+}
+`;
+
+/** A ribbon of strands: its places are offsets from the skin at its root (\`source\`), mixed as the faces are. */
+export const HAIR_VERTEX = `${VERTEX_HEAD}${LIGHTS}${HAIR_LIGHT}
+uniform sampler2D strands; // a line for each strand: metres from its anchor, root to tip
+uniform sampler2D shape;   // away from the head (xyz), open sky (w)
+uniform float stations;
+uniform float grown;
+uniform float width;
+in vec2 place; // across -1..1, along 0..1
+out vec2 vPlace;
+out vec2 vChance;
+#ifdef FAST
+out vec3 vDiffuse;
+out vec3 vSheen;
+out vec3 vGlow;
+#else
+out vec3 vPoint;
+out vec3 vNormal;
+out vec3 vAlong;
+out float vOpen;
+#endif
+
+#ifdef DETAIL
+#define KIN_APART 4.0 // half-widths of a ribbon that those of one strand spread over
+/** A round course through the stations (Catmull and Rom 1974): where it is \`part\` of the way between the middle two. */
+vec3 coursed(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
+  return b + 0.5 * part * (c - a + part * (2.0 * a - 5.0 * b + 4.0 * c - d + part * (3.0 * (b - c) + d - a)));
+}
+
+vec3 heading(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
+  return 0.5 * (c - a) + part * (2.0 * a - 5.0 * b + 4.0 * c - d + 1.5 * part * (3.0 * (b - c) + d - a));
+}
+#endif
+
+float chanceOf(float salt) { return fract(sin(float(gl_InstanceID) * 12.9898 + salt) * 43758.5453); }
+
+void main() {
+#ifdef DETAIL
+  int strand = gl_InstanceID / KIN; // a few thin ribbons follow each strand
+#else
+  int strand = gl_InstanceID;
+#endif
+  float chance = chanceOf(0.0);
+  float roll = chanceOf(3.7) - 0.5;
+  float length_ = clamp(grown * 1.5 - 0.5 * chance, 0.0, 1.0); // strands grow one after the other
+#ifdef DETAIL
+  length_ *= 1.0 - 0.14 * chanceOf(5.3);
+#endif
+  float at = place.y * length_ * (stations - 1.0);
+  int here = int(min(at, stations - 2.0));
+  vec3 before = texelFetch(strands, ivec2(max(here - 1, 0), strand), 0).xyz;
+  vec3 from = texelFetch(strands, ivec2(here, strand), 0).xyz;
+  vec3 to = texelFetch(strands, ivec2(here + 1, strand), 0).xyz;
+#ifdef DETAIL
+  float part = at - float(here);
+  vec3 after = texelFetch(strands, ivec2(min(here + 2, int(stations) - 1), strand), 0).xyz;
+  vec4 facing = mix(
+    texelFetch(shape, ivec2(here, strand), 0), texelFetch(shape, ivec2(here + 1, strand), 0), part);
+  vec3 spot = coursed(before, from, to, after, part);
+  vec3 along = normalize(heading(before, from, to, after, part));
+#else
+  vec4 facing = texelFetch(shape, ivec2(int(at + 0.5), strand), 0);
+  vec3 spot = mix(from, to, at - float(here));
+  vec3 along = normalize(to - before);
+#endif
+  vec3 away = normalize(facing.xyz * 2.0 - 1.0);
+  vec3 aside = normalize(cross(along, away));
+  away = cross(aside, along);
+  aside = normalize(aside + roll * away);
+#ifdef DETAIL
+  float apart = KIN_APART * smoothstep(0.0, 0.15, place.y) * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
+  spot += apart * width * ((chanceOf(9.1) - 0.5) * aside + 0.4 * chanceOf(11.3) * away);
+#endif
+  float thin = smoothstep(0.0, 0.12, length_) * (1.0 - 0.45 * place.y * place.y);
+#ifdef DETAIL
+  float end = place.y * place.y;
+  thin *= (1.0 - 0.8 * end * end) * mix(0.45, 1.0, smoothstep(0.0, 0.2, place.y)); // to a point: noise leaves dust
+#endif
+  vec3 point = fetchRow(positions) + spot + aside * (place.x * width * thin);
+  vec3 normal = normalize(away + 0.55 * place.x * aside);
+  point = turned(point, 1.0);
+  normal = headTurn * normal;
+  along = headTurn * along;
+  float open = facing.w * mix(0.45, 1.0, smoothstep(0.0, 0.22, place.y));
+  vPlace = place;
+  vChance = vec2(chance, chanceOf(7.1));
+#ifdef FAST
+  HairFall light = hairFall(point, normal, along, open, 0.2 * (vChance.y - 0.5));
+  vDiffuse = light.diffuse;
+  vSheen = light.sheen;
+  vGlow = light.glow;
+#else
+  vPoint = point;
+  vNormal = normal;
+  vAlong = along;
+  vOpen = open;
+#endif
+  gl_Position = project(point);
+}
+`;
+
+export const HAIR_FRAGMENT = `${FRAGMENT_HEAD}${HAIR_LIGHT}
+uniform sampler2D grain;
+uniform vec3 tint;
+in vec2 vPlace;
+in vec2 vChance;
+#ifdef FAST
+in vec3 vDiffuse;
+in vec3 vSheen;
+in vec3 vGlow;
+#else
+in vec3 vPoint;
+in vec3 vNormal;
+in vec3 vAlong;
+in float vOpen;
+#endif
+
+void main() {
+#ifdef DETAIL
+  // Single hairs, a few noise cells wide, that sway along the ribbon; broader ones show when it is seen from afar.
+  vec2 start = vec2(vChance.x * 7.3, vChance.y);
+  float sway = 0.010 * (texture(grain, start.yx + vec2(0.0, vPlace.y * 0.010)).b - 0.5);
+  vec4 fibre = texture(grain, start + vec2(vPlace.x * 0.016 + sway, vPlace.y * 0.008));
+  fibre.rg = clamp(fibre.rg + 0.7 * (texture(grain, start.yx + vec2(vPlace.x * 0.045 + sway, vPlace.y * 0.012)).rg - 0.5), 0.0, 1.0);
+#else
+  vec4 fibre = texture(grain, vec2(vPlace.x * 0.05 + vChance.x * 7.3, vPlace.y * 0.013 + vChance.y));
+#endif
+  float edge = vPlace.x * vPlace.x;
+  float tip = vPlace.y * vPlace.y;
+#ifdef DETAIL
+  float bare = 0.22 * edge * edge + 0.16 * tip + 0.5 * smoothstep(0.9, 1.06, vPlace.y);
+#else
+  float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
+#endif
+  float cover = fibre.r - bare - 0.06; // fibres end one after the other, at the edges and at the tip
+#ifdef SOFT
+  cover = clamp(cover / max(fwidth(cover), 1e-4) + 0.5, 0.0, 1.0);
+#endif
+  if (cover <= 0.0) discard;
+#ifdef FAST
+  HairFall light = HairFall(vDiffuse, vSheen, vGlow);
+#else
+  HairFall light = hairFall(vPoint, normalize(vNormal), normalize(vAlong), vOpen, 0.35 * (fibre.g - 0.5));
+#endif
+#ifdef DETAIL
+  vec3 albedo = tint * (0.78 + 0.5 * vChance.x) * (0.22 + 1.5 * fibre.r) * mix(0.62, 1.12, vPlace.y);
+  albedo *= mix(vec3(1.10, 0.98, 0.86), vec3(0.92, 1.02, 1.12), fract(vChance.y * 3.0 + 0.4 * fibre.g)); // no two of one hue
+#else
+  vec3 albedo = tint * (0.72 + 0.56 * vChance.x) * (0.55 + 0.9 * fibre.r);
+#endif
+  vec3 seen = albedo * light.diffuse;
+  seen += (0.05 + 0.25 * albedo) * light.sheen * (0.4 + 1.2 * fibre.g) + (0.02 + 0.9 * albedo) * light.glow;
+#ifdef SOFT
+  colour = vec4(display(seen), cover);
+#else
+  colour = vec4(display(seen), 1.0);
+#endif
+}
+`;

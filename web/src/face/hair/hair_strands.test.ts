@@ -1,0 +1,67 @@
+import { describe, expect, it } from "vitest";
+import type { HairStrands } from "../../link/strands";
+import { grownAt, mixOffsets, offsetsOn, styleWeights } from "./hair_strands";
+
+/** One strand of two places over two rows of skin. */
+const hair: HairStrands = {
+  stations: 2,
+  links: 2,
+  width: 0.004,
+  points: Float32Array.from([0, 0, 0, 0.5, 1, 0]),
+  rows: Uint32Array.from([0, 1, 0, 1]),
+  weights: Float32Array.from([1, 0, 0.5, 0.5]),
+  anchors: Uint32Array.from([0]),
+  facing: new Int8Array(6),
+  light: new Uint8Array(2),
+};
+const generic = Float32Array.from([0, 0, 0, 1, 0, 0]);
+const wide = Float32Array.from([-1, 0, 0, 3, 0, 0]);
+
+describe("offsets", () => {
+  it("are the strand itself on the face it was made on", () => {
+    expect([...offsetsOn(hair, generic, generic)]).toEqual([0, 0, 0, 0.5, 1, 0]);
+  });
+
+  it("do not change when the face only shifts", () => {
+    const shifted = generic.map((value) => value + 0.25);
+    expect([...offsetsOn(hair, generic, shifted)]).toEqual([...offsetsOn(hair, generic, generic)]);
+  });
+
+  it("of a mix of faces are the mix of their offsets", () => {
+    const half = generic.map((value, at) => (value + (wide[at] as number)) / 2);
+    const mixed = new Float32Array(8);
+    mixOffsets(
+      [generic, wide].map((face) => [offsetsOn(hair, generic, face), 0.5] as const),
+      mixed,
+    );
+    const wanted = offsetsOn(hair, generic, half);
+    for (let place = 0; place < 2; place++)
+      for (let axis = 0; axis < 3; axis++)
+        expect(mixed[4 * place + axis]).toBeCloseTo(wanted[3 * place + axis] as number);
+  });
+});
+
+describe("a style", () => {
+  it("grows with its weight, from nothing to all, and never jumps", () => {
+    expect([grownAt(-0.1), grownAt(0), grownAt(1), grownAt(1.1)]).toEqual([0, 0, 1, 1]);
+    for (let step = 1; step <= 200; step++) {
+      const [before, after] = [grownAt((step - 1) / 200), grownAt(step / 200)];
+      expect(after).toBeGreaterThanOrEqual(before);
+      expect(after - before).toBeLessThan(0.02);
+    }
+  });
+
+  it("weighs what the faces that wear it weigh; a face without hair wears none", () => {
+    const faces = new Map([
+      ["kaori", 0.4],
+      ["doll", 0.3],
+      ["man", 0.3],
+      ["dog", 0.1],
+      ["old", -0.1],
+    ]);
+    const styles: Record<string, string> = { kaori: "bob", doll: "bob", man: "short", dog: "", old: "thin" };
+    const found = styleWeights(faces, (face) => styles[face] as string);
+    expect([...found.keys()]).toEqual(["bob", "short"]);
+    expect(Object.fromEntries(found.get("bob") as Map<string, number>)).toEqual({ kaori: 0.4, doll: 0.3 });
+  });
+});

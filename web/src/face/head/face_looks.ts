@@ -1,0 +1,95 @@
+/** Mixes the looks of the faces on air: colours, traits, eyeballs, extremes. */
+
+import * as THREE from "three";
+import type { FaceDocument } from "../../link/messages";
+import { faceWeights } from "../pose/mix_terms";
+import type { Pose } from "../pose/pose";
+import { mixSkinTraits, SKIN_TRAITS, type SkinTraits } from "../skin/skin_layers";
+import type { EyeUniforms, HeadUniforms } from "./head";
+
+const COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat"] as const;
+
+type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
+  traits: SkinTraits;
+  eyeRadius: number;
+  centres: number[];
+  ballRadii: number[];
+  extremes: [number, number, number][];
+};
+
+/** The looks of faces by source, mixed with the weights of the faces on air. */
+export class FaceLooks {
+  private readonly looks = new Map<string, FaceLook>();
+
+  /** `faces`: documents by source; more may come. */
+  constructor(private readonly faces: ReadonlyMap<string, FaceDocument>) {}
+
+  /** The mix in linear light, for the shaders. */
+  dress(pose: Pose, shared: HeadUniforms, eyes: readonly EyeUniforms[]): void {
+    const shares = this.shares(pose);
+    for (const part of COLOURS) {
+      const colour = shared[part].value.setRGB(0, 0, 0);
+      for (const [look, share] of shares) addScaled(colour, look[part], share);
+    }
+    const traits = mixSkinTraits(shares.map(([look, share]) => [look.traits, share]));
+    for (const name of SKIN_TRAITS) shared[name].value = traits[name];
+    const radius = shares.reduce((sum, [look, share]) => sum + share * look.eyeRadius, 0);
+    for (const eye of eyes) eye.radius.value = radius;
+  }
+
+  /** The mix of the eyeballs' centres, left then right, metres: eyeballs turn about it, as `omote.evaluate_parts` has it. */
+  writeCentres(pose: Pose, into: Float32Array): void {
+    into.fill(0);
+    for (const [look, share] of this.shares(pose))
+      look.centres.forEach((part, at) => {
+        into[at] = (into[at] as number) + share * part;
+      });
+  }
+
+  /** The mix of the eyeballs' radii, left then right, metres: what lids must leave. */
+  writeRadii(pose: Pose, into: Float32Array): void {
+    into.fill(0);
+    for (const [look, share] of this.shares(pose))
+      look.ballRadii.forEach((part, at) => {
+        into[at] = (into[at] as number) + share * part;
+      });
+  }
+
+  /** The mix of the heads' farthest points, metres: of all faces on air, loaded or not, so that a wall's tiles agree. */
+  extremes(pose: Pose): [number, number, number][] {
+    const mixed = Array.from({ length: 6 }, (): [number, number, number] => [0, 0, 0]);
+    for (const [look, share] of this.shares(pose))
+      look.extremes.forEach((point, at) => {
+        const sum = mixed[at] as [number, number, number];
+        for (const axis of [0, 1, 2] as const) sum[axis] += share * point[axis];
+      });
+    return mixed;
+  }
+
+  private shares(pose: Pose): [FaceLook, number][] {
+    const weights = faceWeights(pose, (face) => (this.faces.has(face) ? 1 : 0));
+    return [...weights].filter(([face]) => this.faces.has(face)).map(([face, weight]) => [this.look(face), weight]);
+  }
+
+  private look(face: string): FaceLook {
+    const look = this.looks.get(face) ?? readLook(this.faces.get(face) as FaceDocument);
+    this.looks.set(face, look);
+    return look;
+  }
+}
+
+function readLook(face: FaceDocument): FaceLook {
+  const colours = COLOURS.map((part) => [part, new THREE.Color().setStyle(face.look[part])]); // sRGB in, linear out
+  return {
+    ...Object.fromEntries(colours),
+    traits: face.look,
+    eyeRadius: face.eye_radius,
+    centres: face.centres.flat(),
+    ballRadii: [...face.ball_radii],
+    extremes: face.extremes,
+  } as FaceLook;
+}
+
+function addScaled(sum: THREE.Color, colour: THREE.Color, weight: number): void {
+  sum.setRGB(sum.r + colour.r * weight, sum.g + colour.g * weight, sum.b + colour.b * weight);
+}

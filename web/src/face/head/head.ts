@@ -1,0 +1,184 @@
+/** Builds the head as a scene of three, and its uniforms. */
+
+import * as THREE from "three";
+import type { Mesh } from "../../link/assets";
+import type { Anatomy } from "../anatomy/anatomy";
+import { material, type Uniforms } from "../gpu/renderer";
+import { type LightUniforms, lightUniforms } from "../light/light_uniforms";
+import { type ShadowUniforms, shadowUniforms } from "../light/shadow";
+import { definesOf, type Features } from "../quality/quality_levels";
+import { type SkinUniforms, skinUniforms } from "../skin/skin_layers";
+import * as skins from "../skin/skin_shaders";
+import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "./collar";
+import { eyeball } from "./eyeballs";
+import { lashes } from "./lashes";
+import { mouthPart } from "./mouth";
+
+/** Colours in linear light and the eyeballs' size: what of a face's look the shaders take. */
+export interface BlendedLook {
+  skin: THREE.Color;
+  lip: THREE.Color;
+  brow: THREE.Color;
+  blush: THREE.Color;
+  iris: THREE.Color;
+  eyeRadius: number;
+}
+
+/** The uniforms all materials share; written once a frame. */
+export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms, SkinUniforms {
+  positions: THREE.IUniform<THREE.Texture>;
+  normals: THREE.IUniform<THREE.Texture>;
+  headTurn: THREE.IUniform<THREE.Matrix3>;
+  pivot: THREE.IUniform<THREE.Vector3>;
+  grain: THREE.IUniform<THREE.Texture>;
+  skin: THREE.IUniform<THREE.Color>;
+  lip: THREE.IUniform<THREE.Color>;
+  brow: THREE.IUniform<THREE.Color>;
+  blush: THREE.IUniform<THREE.Color>;
+  hair: THREE.IUniform<THREE.Color>;
+  coat: THREE.IUniform<THREE.Color>;
+  iris: THREE.IUniform<THREE.Color>;
+  irisSize: THREE.IUniform<number>;
+  slit: THREE.IUniform<number>;
+  lashes: THREE.IUniform<number>;
+  pupil: THREE.IUniform<number>;
+}
+
+/** What differs between the two eyeballs. */
+export interface EyeUniforms extends Uniforms {
+  centre: THREE.IUniform<THREE.Vector3>;
+  radius: THREE.IUniform<number>;
+  eyeTurn: THREE.IUniform<THREE.Matrix3>;
+}
+
+/** Where the head turns: the top of the spine, metres. */
+const PIVOT = new THREE.Vector3(0, -0.075, 0.03);
+
+export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): HeadUniforms {
+  return {
+    ...lightUniforms(),
+    ...skinUniforms(),
+    ...shadowUniforms(),
+    positions: { value: new THREE.ExternalTexture(positions) },
+    normals: { value: new THREE.ExternalTexture(normals) },
+    headTurn: { value: new THREE.Matrix3() },
+    pivot: { value: PIVOT.clone() },
+    grain: { value: grainTexture() },
+    skin: { value: new THREE.Color() },
+    lip: { value: new THREE.Color() },
+    brow: { value: new THREE.Color() },
+    blush: { value: new THREE.Color() },
+    hair: { value: new THREE.Color() },
+    coat: { value: new THREE.Color() },
+    iris: { value: new THREE.Color() },
+    irisSize: { value: 1 },
+    slit: { value: 0 },
+    lashes: { value: 1 },
+    pupil: { value: 0 },
+  };
+}
+
+export const eyeUniforms = (): EyeUniforms => ({
+  centre: { value: new THREE.Vector3() },
+  radius: { value: 0.015 },
+  eyeTurn: { value: new THREE.Matrix3() },
+});
+
+/** What a head is built from. */
+export interface HeadParts {
+  meshes: readonly Mesh[];
+  anatomy: Anatomy;
+  shared: HeadUniforms;
+  eyes: [EyeUniforms, EyeUniforms];
+  /** What the picture may cost. */
+  features: Features;
+}
+
+/** The whole head as a scene. */
+export function buildHead(from: HeadParts): THREE.Group {
+  const head = new THREE.Group();
+  for (const mesh of from.meshes) if (mesh.name !== "lashes") head.add(drawn(mesh, from));
+  const grown = lashes(from.anatomy, from.shared);
+  if (grown !== undefined) head.add(grown);
+  if (from.anatomy.rim.length > 0) {
+    const cloth = material(COLLAR_VERTEX, COLLAR_FRAGMENT, from.shared);
+    head.add(new THREE.Mesh(collar(from.anatomy), cloth));
+  }
+  for (const child of head.children) {
+    child.frustumCulled = false; // the vertices are where the GPU puts them
+    const look = (child as THREE.Mesh).material as THREE.RawShaderMaterial;
+    look.defines = { ...look.defines, ...definesOf(from.features) };
+  }
+  return head;
+}
+
+function drawn(mesh: Mesh, { anatomy, shared, eyes, features }: HeadParts): THREE.Mesh {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
+  geometry.setAttribute("source", new THREE.BufferAttribute(Float32Array.from(mesh.source), 1));
+  switch (mesh.name) {
+    case "eye_left":
+    case "eye_right": {
+      const side = mesh.name === "eye_left" ? 0 : 1;
+      return eyeball(side, anatomy, { ...shared, ...eyes[side] }, !features.pixelLight);
+    }
+    case "teeth_upper":
+    case "teeth_lower":
+    case "tongue":
+      return mouthPart(geometry, mesh, anatomy, shared);
+    default:
+      return skin(geometry, mesh, anatomy, material(skins.SKIN_VERTEX, skins.SKIN_FRAGMENT, shared));
+  }
+}
+
+function skin(geometry: THREE.BufferGeometry, mesh: Mesh, anatomy: Anatomy, look: THREE.RawShaderMaterial): THREE.Mesh {
+  geometry.setAttribute("uv", new THREE.BufferAttribute(mesh.uv, 2));
+  geometry.setAttribute("traits", new THREE.BufferAttribute(gather(anatomy.traits, mesh.source, 4), 4));
+  const drawn = new THREE.Mesh(geometry, look);
+  drawn.castShadow = true;
+  return drawn;
+}
+
+function gather(values: Float32Array, rows: Uint32Array, width: number): Float32Array {
+  const out = new Float32Array(width * rows.length);
+  rows.forEach((row, index) => {
+    out.set(values.subarray(width * row, width * (row + 1)), width * index);
+  });
+  return out;
+}
+
+/** Four channels of seeded noise that tile: pores, blotches, fibres. */
+function grainTexture(size = 256): THREE.DataTexture {
+  const data = new Uint8Array(4 * size * size);
+  let seed = 0x2545f491;
+  for (let index = 0; index < data.length; index++) {
+    seed ^= seed << 13;
+    seed ^= seed >>> 17;
+    seed ^= seed << 5;
+    data[index] = seed & 255;
+  }
+  const texture = new THREE.DataTexture(blurred(data, size), size, size);
+  texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
+  texture.magFilter = THREE.LinearFilter;
+  texture.minFilter = THREE.LinearMipmapLinearFilter;
+  texture.generateMipmaps = true;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** Box-blurs the channels over 1, 2, 4 and 1 texels and stretches them back to full contrast. */
+function blurred(data: Uint8Array, size: number): Uint8Array {
+  const out = new Uint8Array(data.length);
+  [1, 2, 4, 1].forEach((reach, channel) => {
+    for (let y = 0; y < size; y++)
+      for (let x = 0; x < size; x++) {
+        let sum = 0;
+        for (let dy = 0; dy < 2 * reach; dy++)
+          for (let dx = 0; dx < 2 * reach; dx++)
+            sum += data[4 * (((y + dy) % size) * size + ((x + dx) % size)) + channel] as number;
+        const mean = sum / (4 * reach * reach);
+        out[4 * (y * size + x) + channel] = Math.min(255, Math.max(0, 127.5 + (mean - 127.5) * 1.6 * reach));
+      }
+  });
+  return out;
+}

@@ -1,0 +1,53 @@
+/** Teeth and tongue. */
+
+import * as THREE from "three";
+import type { Mesh } from "../../link/assets";
+import { ARCH, ARCH_DEPTH, TOOTH_REACH } from "../../link/constants";
+import type { Anatomy } from "../anatomy/anatomy";
+import { type Opening, opening, outline } from "../anatomy/openings";
+import { extent } from "../anatomy/topology";
+import { material, type Uniforms } from "../gpu/renderer";
+import { edgeUniforms } from "./eyeballs";
+import { MOUTH_VERTEX, TEETH_FRAGMENT, TONGUE_FRAGMENT } from "./mouth_shaders";
+
+/** Teeth or tongue, lit through the lips. */
+export function mouthPart(
+  geometry: THREE.BufferGeometry,
+  mesh: Mesh,
+  anatomy: Anatomy,
+  uniforms: Uniforms,
+): THREE.Mesh {
+  geometry.setAttribute("place", new THREE.BufferAttribute(places(mesh, anatomy.positions), 4));
+  const look = material(MOUTH_VERTEX, mesh.name === "tongue" ? TONGUE_FRAGMENT : TEETH_FRAGMENT, {
+    ...uniforms,
+    ...edgeUniforms(lips(mesh, anatomy)),
+  });
+  look.side = THREE.DoubleSide;
+  return new THREE.Mesh(geometry, look);
+}
+
+/** The lips' edges; where the cast names none the part's own outline, so that light comes in. */
+function lips(mesh: Mesh, anatomy: Anatomy): Opening {
+  const line = anatomy.lines.get("lips") ?? outline([...mesh.source], anatomy.positions);
+  return opening([...line], anatomy.positions);
+}
+
+/** Where each vertex of a part lies: depth behind its front (0..1), angle on the arch, height from gum to edge, jaw. */
+export function places(mesh: Mesh, positions: Float32Array): Float32Array {
+  const at = (row: number, axis: number) => positions[3 * row + axis] as number;
+  const [, ahead] = extent(positions, 2, mesh.source);
+  const rows = [...mesh.source];
+  const angles = rows.map((row) => Math.atan2(at(row, 0), at(row, 2) - ahead + ARCH));
+  const upper = mesh.name === "teeth_upper" ? 1 : 0;
+  const out = new Float32Array(4 * rows.length);
+  rows.forEach((row, index) => {
+    const angle = angles[index] as number;
+    const beside = rows
+      .filter((_, other) => Math.abs((angles[other] as number) - angle) < TOOTH_REACH)
+      .map((one) => at(one, 1));
+    const [low, high] = [Math.min(...beside), Math.max(...beside)];
+    const level = high > low ? (at(row, 1) - low) / (high - low) : 0;
+    out.set([(ahead - at(row, 2)) / ARCH_DEPTH, angle, upper ? 1 - level : level, upper], 4 * index);
+  });
+  return out;
+}

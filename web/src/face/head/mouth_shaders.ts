@@ -1,0 +1,158 @@
+/** Shaders of teeth and tongue, lit through the lips. */
+
+import { EDGE_POINTS } from "../anatomy/openings";
+import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
+import { OPENING } from "./opening_shaders";
+
+/** In an open mouth lower teeth and tongue lie in front of the lining that is so many metres before them: it wraps around them. */
+const AHEAD = "0.002";
+
+/**
+ * Teeth and tongue: each vertex asks the blended lips what comes in to it. The key light comes straight through the
+ * opening, or not at all; the rest by how large the opening looks from here.
+ */
+export const MOUTH_VERTEX = `${VERTEX_HEAD}${OPENING}
+uniform vec3 KEY;
+uniform vec3 cameraPosition;
+in vec4 place; // depth in the mouth, angle on the arch, height from the gum (0) to the edge (1), upper jaw (1) or not
+out vec3 vPoint;
+out vec3 vNormal;
+out vec4 vPlace;
+out vec3 vLight; // of the key, of what comes from everywhere, and how far the lips are shut
+
+/** The depth of a point so many metres nearer to the camera. */
+float inFront(vec3 point, float nearer) {
+  vec4 seen = viewMatrix * vec4(point, 1.0);
+  vec4 place = projectionMatrix * (seen + vec4(0.0, 0.0, nearer, 0.0));
+  return place.z / place.w;
+}
+
+void main() {
+  vec3 here = fetchRow(positions);
+  vPoint = turned(here, 1.0);
+  vNormal = turnedNormal(fetchRow(normals), 1.0);
+  vPlace = place;
+  gl_Position = project(vPoint);
+
+  float middle = 0.5 * (rowAt(upperRows[0]).x + rowAt(upperRows[${EDGE_POINTS - 1}]).x);
+  float half_ = 0.5 * abs(rowAt(upperRows[${EDGE_POINTS - 1}]).x - rowAt(upperRows[0]).x);
+  Gap ahead = gapAt(middle + clamp(0.7 * (here.x - middle), -0.7 * half_, 0.7 * half_)); // cheeks are seen through it too
+  float behind = mix(ahead.lower.z, ahead.upper.z, 0.5) - here.z;
+  float deep = max(behind, 0.0);
+  vec3 key = KEY * headTurn;
+  vec2 to = here.xy + 0.5 * key.xy / max(key.z, 0.25) * deep; // half the slant: stages have more lamps above than one
+  vec2 inside = insideOf(gapAt(to.x), to);
+  float soft = 0.0012 + 0.22 * deep;
+  float direct = smoothstep(-soft, soft, min(inside.x, inside.y)) * smoothstep(0.0, 0.3, key.z);
+  float high = max(ahead.upper.y - ahead.lower.y, 0.0);
+  float area = 1.2 * high * (ahead.left.x - ahead.right.x);
+  vec2 own = vec2(ahead.upper.y - here.y, here.y - ahead.lower.y);
+  float sky = area / (area + 6.0 * deep * deep + 2e-5) * smoothstep(-0.006 - 0.8 * deep, 0.002, min(own.x, own.y));
+  float parted = smoothstep(0.0, 0.004, high);
+  vec3 view = (cameraPosition - vPoint) * headTurn;
+  vec2 seenAt = here.xy + view.xy / max(view.z, 0.25 * length(view)) * deep;
+  vec2 through = insideOf(gapAt(seenAt.x), seenAt); // never through the chin: only what is seen between the lips
+  float shown = smoothstep(0.0, 0.004, min(through.x, through.y)) * smoothstep(0.006, 0.014, high);
+  gl_Position.z = inFront(vPoint, ${AHEAD} * (1.0 - place.w) * shown) * gl_Position.w;
+  float within = smoothstep(-0.003, 0.002, behind); // a tongue that is out is in the light
+  vLight = vec3(mix(vec2(1.0), vec2(direct, sky) * parted, within), (1.0 - parted) * within);
+}
+`;
+
+const MOUTH_HEAD = `${FRAGMENT_HEAD}
+uniform mat3 headTurn;
+uniform sampler2D grain;
+in vec3 vPoint;
+in vec3 vNormal;
+in vec4 vPlace;
+in vec3 vLight;
+
+const vec3 SEAM = vec3(0.075, 0.016, 0.013);
+
+/** Light on something wet in the mouth: through the lips, and back from the red walls. */
+vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
+  vec3 view = normalize(cameraPosition - vPoint);
+  float direct = shaded(vLight.x) * shadow(vPoint, normal);
+  float around = shaded(vLight.y);
+  float key = clamp((dot(normal, KEY) + through) / (1.0 + through), 0.0, 1.0);
+  vec3 fallen = KEY_LIGHT * key * direct * 0.9;
+  vec3 sky = (FILL_LIGHT * clamp(dot(normal, FILL) * 0.5 + 0.5, 0.0, 1.0) + ambient(normal) + KEY_LIGHT * 0.30) * around;
+  vec3 walls = vec3(0.20, 0.055, 0.045) * KEY_LIGHT * around * around;
+  vec3 shut = SEAM * (KEY_LIGHT + FILL_LIGHT) * vLight.z; // between closed lips: their own wet dark red, not a black slit
+  vec3 light = albedo * (fallen + sky + walls);
+  float gleam = shine(normal, view, KEY, 60.0) + 0.35 * shine(normal, view, KEY, 14.0);
+  light += wet * (KEY_LIGHT * gleam * direct + FILL_LIGHT * shine(normal, view, FILL, 30.0) * around);
+  return mix(light, shut, vLight.z);
+}
+
+vec3 facing() { return normalize(gl_FrontFacing ? vNormal : -vNormal); }
+`;
+
+/** The tongue: a furrow along its middle, papillae, wet. */
+export const TONGUE_FRAGMENT = `${MOUTH_HEAD}
+void main() {
+  vec3 normal = facing();
+  float furrow = exp(-pow(vPlace.y / 0.10, 2.0));
+  vec2 at = vec2(vPlace.y * 0.55, vPlace.x * 1.1);
+#ifdef DETAIL
+  vec4 bumps = texture(grain, at * 1.9) - 0.5;
+  vec4 patch_ = texture(grain, at * 0.6) - 0.5;
+#else
+  vec4 bumps = texture(grain, at) - 0.5;
+  vec4 patch_ = vec4(0.0);
+#endif
+  vec3 side = headTurn * vec3(1.0, 0.0, 0.0);
+  vec3 back = headTurn * vec3(0.0, 0.0, 1.0);
+  normal = normalize(normal + side * (0.5 * furrow * sign(-vPlace.y) * smoothstep(0.0, 0.06, abs(vPlace.y)) + 0.30 * bumps.r) + back * 0.30 * bumps.g);
+  vec3 flesh = mix(vec3(0.42, 0.115, 0.105), vec3(0.50, 0.21, 0.19), clamp(0.35 + bumps.b + 0.6 * patch_.g, 0.0, 1.0));
+  flesh *= (1.0 - 0.38 * furrow) * (1.0 - 0.35 * clamp(vPlace.x, 0.0, 1.0));
+  colour = premultiplied(lit(flesh, normal, 0.7, 0.16 * (1.0 + bumps.a)), 1.0);
+}
+`;
+
+/** Teeth: each with its own width, length and roundness, gum that climbs between them. */
+export const TEETH_FRAGMENT = `${MOUTH_HEAD}
+uniform float age;
+
+/** Place across the tooth (-1..1), half its width in radians, its number from the middle. */
+vec3 toothAt(float angle, float upper) {
+  float from = 0.0;
+  float far = abs(angle);
+  for (int n = 0; n < 7; n++) {
+    float wide = n == 0 ? mix(0.180, 0.268, upper) : n == 1 ? mix(0.195, 0.212, upper) : n < 5 ? 0.235 : 0.330;
+    if (far < from + wide || n == 6) return vec3((2.0 * (far - from) / wide - 1.0) * sign(angle), 0.5 * wide, float(n));
+    from += wide;
+  }
+  return vec3(0.0);
+}
+
+void main() {
+  float upper = vPlace.w;
+  vec3 tooth = toothAt(vPlace.y, upper);
+  float across = tooth.x;
+  float sides = across * across;
+  float height = vPlace.z;
+  // The edge: rounded corners, the upper lateral teeth a little shorter, canines pointed.
+  float point = tooth.z == 2.0 ? 0.07 : 0.0;
+  float end = 1.0 - 0.075 * sides * sides * sides - point * abs(across) - (tooth.z == 1.0 ? 0.05 * upper : 0.0);
+  if (height > end + 0.02) discard;
+  float gumLine = 0.36 + 0.13 * sides * sides - (tooth.z == 1.0 ? 0.0 : 0.03);
+  float gum = 1.0 - smoothstep(gumLine - 0.03, gumLine + 0.03, height);
+  float groove = smoothstep(0.80, 1.0, abs(across)) * (1.0 - gum);
+
+  vec3 normal = facing();
+  vec3 along = headTurn * vec3(cos(vPlace.y), 0.0, -sin(vPlace.y));
+  float curl = across * 0.42 + across * sides * 0.55;
+  normal = normalize(normal + along * curl * (1.0 - 0.5 * gum) + headTurn * vec3(0.0, upper * 2.0 - 1.0, 0.0) * 0.5 * (exp(-pow((height - gumLine) / 0.05, 2.0))));
+  float shade = fract(sin(tooth.z * 12.9 + sign(vPlace.y) * 3.7 + upper) * 43.7) - 0.5;
+  vec3 enamel = mix(vec3(0.80, 0.68, 0.50), vec3(0.86, 0.79, 0.68), smoothstep(gumLine, gumLine + 0.45, height));
+  enamel = mix(enamel, vec3(0.60, 0.60, 0.60), 0.55 * smoothstep(0.84, 1.02, height + 0.05 * sides)); // the edge lets the dark through
+  enamel *= mix(vec3(1.0), vec3(0.93, 0.84, 0.66), age);
+  enamel *= (1.0 + 0.07 * shade) * (1.0 - 0.62 * groove) * (tooth.z > 2.5 ? 0.90 : 1.0);
+  vec3 pink = mix(vec3(0.50, 0.17, 0.16), vec3(0.60, 0.27, 0.25), smoothstep(gumLine - 0.16, gumLine, height));
+  pink *= 1.0 + 0.5 * (texture(grain, vec2(vPlace.y * 1.3, height * 0.6)).b - 0.5);
+  vec3 albedo = mix(enamel, pink, gum);
+  albedo *= mix(0.72, 1.0, smoothstep(0.0, 0.06, abs(height - gumLine) + 0.02)); // where the gum begins
+  colour = premultiplied(lit(albedo, normal, mix(0.75, 0.4, gum), mix(0.34, 0.22, gum) * (1.0 - groove)), 1.0);
+}
+`;

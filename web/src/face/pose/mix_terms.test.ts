@@ -1,0 +1,84 @@
+import { describe, expect, it } from "vitest";
+import { expressionWeights, faceWeights, terms } from "./mix_terms";
+import { mixPoses, restPose } from "./pose";
+
+const all = (): number => 1;
+
+/** The mix by its definition (docs/architecture.md, section 2), for numbers instead of positions. */
+function byDefinition(pose: ReturnType<typeof restPose>, at: (face: string, expression?: string) => number): number {
+  let sum = 0;
+  const channels = { ...pose.channels };
+  for (const [name, weight] of Object.entries(pose.lids)) channels[name] = (channels[name] ?? 0) + weight;
+  for (const [face, s] of Object.entries(pose.faces)) {
+    for (const [name, t] of Object.entries(pose.expressions)) sum += s * t * at(face, name);
+    for (const [name, c] of Object.entries(channels)) sum += s * c * (at(face, name) - at(face));
+  }
+  return sum;
+}
+
+const pose = {
+  ...restPose("generic"),
+  faces: { generic: 0.3, old: 0.7 },
+  expressions: { neutral: 0.25, smile: 0.85, cry: -0.1 },
+  channels: { jawOpen: 0.4, smile: 0.2 },
+  lids: { jawOpen: -0.1, eyeBlinkLeft: 0.5 },
+};
+
+const face = (name: string): number => name.length * 1.7;
+const delta = (name: string, expression: string): number =>
+  expression === "neutral" ? 0 : Math.sin(name.length * 3 + expression.length * 1.3);
+const position = (name: string, expression?: string): number =>
+  face(name) + (expression === undefined ? 0 : delta(name, expression));
+
+describe("the terms of a mix", () => {
+  it("sum to the mix by its definition", () => {
+    const sum = terms(pose, all).reduce(
+      (so, term) =>
+        so + term.weight * (term.expression === undefined ? face(term.face) : delta(term.face, term.expression)),
+      0,
+    );
+    expect(sum).toBeCloseTo(byDefinition(pose, position), 12);
+  });
+
+  it("hold back what is not loaded and keep the face whole", () => {
+    const held = terms(pose, (name, expression) => (expression === "smile" && name === "old" ? 0.5 : 1));
+    const full = terms(pose, all);
+    expect(held.map((term) => ({ ...term, weight: 0 }))).toEqual(full.map((term) => ({ ...term, weight: 0 })));
+    for (const [n, term] of held.entries()) {
+      const whole = (full[n] as (typeof full)[number]).weight;
+      expect(term.weight).toBeCloseTo(term.face === "old" && term.expression === "smile" ? whole / 2 : whole, 12);
+    }
+  });
+
+  it("give a missing face's weight to the others", () => {
+    expect([...faceWeights(pose, (name) => (name === "old" ? 0 : 1))]).toEqual([["generic", expect.closeTo(1, 12)]]);
+    expect(faceWeights(pose, () => 0).size).toBe(0);
+    expect(terms(pose, () => 0)).toEqual([]);
+  });
+
+  it("leave out what weighs nothing", () => {
+    expect(terms(restPose("kaori"), all)).toEqual([{ face: "kaori", expression: undefined, weight: 1 }]);
+  });
+
+  it("add channels, and what the gaze adds, to the expressions", () => {
+    expect(expressionWeights(pose)).toEqual({
+      neutral: 0.25,
+      smile: expect.closeTo(1.05, 12),
+      cry: -0.1,
+      jawOpen: expect.closeTo(0.3, 12),
+      eyeBlinkLeft: 0.5,
+    });
+  });
+});
+
+describe("mixing poses", () => {
+  it("gives the ends at the ends and keeps sums between", () => {
+    const other = { ...restPose("child"), channels: { jawOpen: 1 } };
+    expect(mixPoses(pose, other, 0).faces).toMatchObject(pose.faces);
+    expect(mixPoses(pose, other, 1).faces).toMatchObject({ child: 1, generic: 0, old: 0 });
+    for (const part of [0.2, 0.5, 0.9]) {
+      const { faces } = mixPoses(pose, other, part);
+      expect(Object.values(faces).reduce((sum, weight) => sum + weight, 0)).toBeCloseTo(1, 12);
+    }
+  });
+});

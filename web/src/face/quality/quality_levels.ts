@@ -1,0 +1,63 @@
+/** The levels of quality, and what each draws. */
+
+import { LEVELS } from "../../link/constants";
+
+/** What a view spends on its picture; every feature can be left out, and the face stays the same face. */
+export interface Features {
+  /** Light for every pixel; false: for every vertex. */
+  readonly pixelLight: boolean;
+  /** Texels along a side of the shadow map; 0: no cast shadows. */
+  readonly shadow: number;
+  /** Fine normals, the layers of skin and iris: what shows from near. */
+  readonly detail: boolean;
+  /** The share of a hair style's ribbons that is drawn, 0..1. */
+  readonly hair: number;
+  /** Edges drawn from several samples; like `anisotropy` of the machine: fixed when the view is made. */
+  readonly multisample: boolean;
+  /** Samples along a texture that is seen at a slant, 1 or more. */
+  readonly anisotropy: number;
+  /** Pixels drawn at most; a larger picture is drawn smaller and stretched. */
+  readonly pixels: number;
+}
+
+export type Level = (typeof LEVELS)[number];
+
+export const FEATURES: Readonly<Record<Level, Features>> = {
+  lowest: {
+    pixelLight: false,
+    shadow: 0,
+    detail: false,
+    hair: 0.35,
+    multisample: false,
+    anisotropy: 1,
+    pixels: 0.5e6,
+  },
+  low: { pixelLight: true, shadow: 0, detail: false, hair: 0.6, multisample: false, anisotropy: 1, pixels: 1e6 },
+  medium: { pixelLight: true, shadow: 512, detail: true, hair: 1, multisample: true, anisotropy: 4, pixels: 2.1e6 },
+  high: { pixelLight: true, shadow: 1024, detail: true, hair: 1, multisample: true, anisotropy: 8, pixels: Infinity },
+};
+
+/** The features as the shaders' switches: FAST, SHADOW, DETAIL. */
+export function definesOf(features: Features): Record<string, string> {
+  return {
+    ...(features.pixelLight ? {} : { FAST: "" }),
+    ...(features.shadow > 0 ? { SHADOW: "" } : {}),
+    ...(features.detail ? { DETAIL: "" } : {}),
+  };
+}
+
+/** Drawn pixels per pixel of the page, for a picture of `width` x `height` on a display of `ratio` pixels each. */
+export function pixelRatio(features: Features, width: number, height: number, ratio: number): number {
+  return Math.min(ratio, Math.sqrt(features.pixels / Math.max(1, width * height)));
+}
+
+/** Where a machine starts. */
+export const firstLevel = (software: boolean): Level => (software ? "lowest" : "medium");
+
+/** The quality that the stages draw at: one level, or from the lowest to the highest of theirs; empty: none says. */
+export function levelsOf(stages: readonly ({ readonly level: Level } | null)[]): string {
+  const used = LEVELS.filter((level) => stages.some((stage) => stage?.level === level));
+  const [lowest, highest] = [used[0], used.at(-1)];
+  if (lowest === undefined) return "";
+  return lowest === highest ? lowest : `${lowest} to ${highest}`;
+}

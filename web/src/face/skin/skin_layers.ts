@@ -1,0 +1,79 @@
+/** The painted layers of the skin as textures, and the traits that weigh them. */
+
+import * as THREE from "three";
+import { SKIN_LAYERS } from "../../link/constants";
+import type { Look } from "../../link/messages";
+import type { Uniforms } from "../gpu/renderer";
+
+type Layer = (typeof SKIN_LAYERS)[number];
+
+/** What stands for each layer of the skin until its picture is here. */
+const BLANKS = {
+  mask: [0, 0, 0, 255],
+  marks: [0, 0, 0, 128],
+  patches: [0, 0, 0, 0],
+  relief: [128, 128, 128, 128],
+  finish: [115, 51, 255, 128],
+} as const satisfies Record<Layer, readonly [number, number, number, number]>;
+
+/** What of a look is a number for the skin's shaders, by the same name. */
+export const SKIN_TRAITS = [
+  "pores",
+  "age",
+  "freckles",
+  "stubble",
+  "brows",
+  "makeup",
+  "gloss",
+  "fur",
+  "stripes",
+  "lacquer",
+  "scalp",
+] as const satisfies readonly (keyof Look)[];
+type SkinTrait = (typeof SKIN_TRAITS)[number];
+
+/** A look's traits of the skin. */
+export type SkinTraits = Record<SkinTrait, number>;
+
+/** What the skin's shaders take: its layers, and the traits of the faces on air. */
+export type SkinUniforms = Uniforms &
+  Record<Layer, THREE.IUniform<THREE.Texture>> &
+  Record<SkinTrait, THREE.IUniform<number>>;
+
+/** Uniforms of a skin without layers. */
+export function skinUniforms(): SkinUniforms {
+  const plain = SKIN_LAYERS.map((name) => [name, { value: plainTexture(BLANKS[name]) }]);
+  return { ...Object.fromEntries(plain), ...Object.fromEntries(SKIN_TRAITS.map((name) => [name, { value: 0 }])) };
+}
+
+/** Puts the pictures of the layers, in their order, on the skin. */
+export function applyLayers(uniforms: SkinUniforms, pictures: readonly ImageBitmap[], anisotropy: number): void {
+  SKIN_LAYERS.forEach((name, index) => {
+    const picture = pictures[index];
+    if (picture !== undefined) uniforms[name].value = layerTexture(picture, anisotropy);
+  });
+}
+
+/** The mix of looks by their shares: linear in each trait. */
+export function mixSkinTraits(shares: readonly (readonly [SkinTraits, number])[]): SkinTraits {
+  const sum = (name: SkinTrait): number => shares.reduce((total, [traits, share]) => total + share * traits[name], 0);
+  return Object.fromEntries(SKIN_TRAITS.map((name) => [name, sum(name)])) as SkinTraits;
+}
+
+function plainTexture(texel: readonly number[]): THREE.Texture {
+  const texture = new THREE.DataTexture(Uint8Array.from(texel), 1, 1);
+  texture.needsUpdate = true;
+  return texture;
+}
+
+function layerTexture(picture: ImageBitmap, anisotropy: number): THREE.Texture {
+  const texture = new THREE.Texture(picture);
+  texture.flipY = false; // texture coordinates as in glTF: (0, 0) is the upper left corner
+  texture.premultiplyAlpha = false;
+  texture.generateMipmaps = true;
+  texture.minFilter = anisotropy > 1 ? THREE.LinearMipmapLinearFilter : THREE.LinearMipmapNearestFilter;
+  texture.magFilter = THREE.LinearFilter;
+  texture.anisotropy = anisotropy;
+  texture.needsUpdate = true;
+  return texture;
+}

@@ -1,0 +1,219 @@
+/** Shaders of the skin: its light in hollows and through flesh, fine relief, two specular lobes. */
+
+import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
+import { SKIN_COLOURS } from "./skin_colour_shaders";
+
+/** The slope that 0 and 1 of the layer `relief` stand for (tools/baking/skin/relief.py: STEEPEST). */
+const STEEPEST = 0.8;
+
+/**
+ * Light out of the shade. `onFlesh`: cool light from aside turns grey on skin, so flesh takes it mostly in the hue of the
+ * key. `bounced`: what a hollow leaves of the light that goes to and fro in it; it keeps the skin's own hue
+ * (J. Jimenez et al., "Practical Realtime Strategies for Accurate Indirect Occlusion", 2016). `deepened`: the hue of what
+ * only light from skin to skin reaches.
+ */
+const SHADE_LIGHT = `
+vec3 onFlesh(vec3 light, float flesh) {
+  const vec3 SEEN = vec3(0.2126, 0.7152, 0.0722);
+  vec3 hue = (KEY_LIGHT + 1e-3) / (dot(KEY_LIGHT, SEEN) + 1e-3);
+  return mix(light, dot(light, SEEN) * hue, 0.85 * flesh);
+}
+
+vec3 bounced(float open, vec3 albedo) {
+  vec3 a = 2.0404 * albedo - 0.3324, b = 0.6417 - 4.7951 * albedo, c = 2.7552 * albedo + 0.6903;
+  return max(vec3(open), ((open * a + b) * open + c) * open);
+}
+
+vec3 deepened(vec3 albedo, float flesh) {
+  return mix(vec3(1.0), 1.12 * albedo / max(max(albedo.r, albedo.g), max(albedo.b, 1e-3)), 0.28 * flesh)
+    * mix(vec3(1.0), vec3(1.07, 0.97, 0.95), flesh); // blood lets red pass
+}
+`;
+
+/** How much light is left in the mouth's lining at least: what comes through lips and cheeks. */
+const GLOW = "0.34";
+
+/** What falls on the skin at one vertex, before its colour: for slow machines. */
+const VERTEX_LIGHT = `
+uniform vec3 skin;
+struct Fall { vec3 diffuse; vec2 gloss; float rim; };
+
+Fall fall(vec3 point, vec3 normal, float open, float hair) {
+  vec3 view = normalize(cameraPosition - point);
+  float flesh = 1.0 - hair;
+  vec3 wrap = mix(vec3(0.05), vec3(0.22, 0.16, 0.13), flesh);
+  vec3 key = clamp((dot(normal, KEY) + wrap) / (1.0 + wrap), 0.0, 1.0);
+  key *= mix(vec3(1.0, 0.95, 0.92), vec3(1.0), key); // the terminator is warm: light that went through the skin
+  float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
+  vec3 shade = mix(vec3(open), bounced(open, skin), flesh);
+  vec3 around = onFlesh(FILL_LIGHT * fill + ambient(normal), mix(1.0, flesh, 0.4)) * deepened(skin, flesh);
+  vec3 diffuse = KEY_LIGHT * key * mix(vec3(1.0), shade, 0.8) + around * shade * open;
+  vec2 gloss = vec2(shine(normal, view, KEY, 22.0) + 0.15 * shine(normal, view, FILL, 22.0), shine(normal, view, KEY, 70.0));
+  float edge = 1.0 - max(dot(normal, view), 0.0);
+  float rim = edge * edge * edge * edge * (max(dot(normal, RIM_LEFT), 0.0) * 0.7 + max(dot(normal, RIM_RIGHT), 0.0));
+  return Fall(diffuse, gloss, rim * open * open);
+}
+`;
+
+/**
+ * Light on the skin at one pixel. Light that goes in comes out again beside: the diffuse light wraps round the form,
+ * red furthest, most where the skin is thin (after E. d'Eon and D. Luebke, "Advanced Techniques for Realistic Real-Time
+ * Skin Rendering", 2007, and E. Penner, "Pre-Integrated Skin Shading", 2011); what stays outside shines in two lobes.
+ */
+const PIXEL_LIGHT = `
+uniform float gloss;
+#ifdef DETAIL
+uniform sampler2D relief;
+
+/** The normal tilted by slopes along the texture's columns and rows (M. Mikkelsen, "Surface Gradient Based Bump Mapping", 2020). */
+vec3 tilted(vec3 normal, vec2 slope) {
+  vec3 across = dFdx(vPoint), down = dFdy(vPoint);
+  vec2 uvAcross = dFdx(vUv), uvDown = dFdy(vUv);
+  vec3 first = cross(down, normal), second = cross(normal, across);
+  vec3 u = first * uvAcross.x + second * uvDown.x;
+  vec3 v = first * uvAcross.y + second * uvDown.y;
+  float side = sign(dot(across, first));
+  u *= inversesqrt(max(dot(u, u), 1e-24));
+  v *= inversesqrt(max(dot(v, v), 1e-24));
+  return normalize(normal - side * (slope.x * u + slope.y * v));
+}
+
+/** What the fine relief does to the normal. */
+vec3 fine(vec3 normal, Ground at) {
+  vec4 slope = (texture(relief, vUv) - 0.5) * ${(2 * STEEPEST).toFixed(1)};
+  float skinned = (1.0 - at.hair) * (1.0 - at.fur) * (1.0 - lacquer);
+  vec2 young = slope.rg * max(pores, at.lips * 0.8);
+  return tilted(normal, (young * 2.0 + slope.ba * age * (1.0 - 0.6 * at.lips)) * skinned);
+}
+#endif
+
+/** A lobe of shine that keeps its light however sharp it is. */
+float lobe(float along, float sharpness) { return (sharpness + 8.0) * 0.04 * pow(along, sharpness); }
+
+/** Two lobes, what a smooth skin mirrors of a lamp; rough 0..1. */
+float lobes(vec3 normal, vec3 view, vec3 lamp, float sharpness) {
+  vec3 half_ = normalize(lamp + view);
+  float along = max(dot(normal, half_), 0.0);
+  float grazing = 1.0 - max(dot(view, half_), 0.0);
+  float mirrored = 0.04 + 0.96 * grazing * grazing * grazing * grazing * grazing;
+  return mirrored * max(dot(normal, lamp) * 2.0 + 0.3, 0.0) * (0.75 * lobe(along, sharpness) + 0.25 * lobe(along, sharpness * 3.0));
+}
+
+vec3 lit(Layers layers, Ground at, float open) {
+  vec3 form = normalize(vNormal);
+  vec3 view = normalize(cameraPosition - vPoint);
+#ifdef DETAIL
+  vec3 normal = fine(form, at);
+#else
+  vec3 normal = form;
+#endif
+  float flesh = (1.0 - at.hair) * (1.0 - 0.6 * at.fur) * (1.0 - 0.7 * lacquer);
+  vec3 blurred = vec3(0.65, 0.32, 0.2) * flesh; // red light goes furthest: fine relief hardly shows in it
+  vec3 wrap = vec3(0.05) + (vec3(0.15, 0.10, 0.075) + layers.finish.g * vec3(0.08, 0.045, 0.03)) * flesh;
+  vec3 key = mix(vec3(dot(normal, KEY)), vec3(dot(form, KEY)), blurred);
+  key = clamp((key + wrap) / (1.0 + wrap), 0.0, 1.0);
+  float sunlit = shadow(vPoint, form);
+  key *= mix(vec3(sunlit), vec3(sqrt(sunlit), sunlit, sunlit), 0.1 * flesh); // a trace of red where light comes out beside
+  key *= mix(vec3(1.0), mix(vec3(1.0, 0.95, 0.92), vec3(1.0), key), flesh);
+  float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
+  vec3 shade = mix(vec3(open), bounced(open, at.albedo), flesh);
+  float warm = mix(flesh, 1.0, 0.6 * at.hair); // the scalp between hairs is skin too
+  vec3 around = onFlesh(FILL_LIGHT * fill + ambient(normal), warm) * deepened(at.albedo, flesh);
+  vec3 diffuse = KEY_LIGHT * key * mix(vec3(1.0), shade, 0.8) + around * shade * open;
+
+  float edge = 1.0 - max(dot(normal, view), 0.0);
+  float down = edge * edge * edge;
+  float rims = max(dot(form, RIM_LEFT), 0.0) * 0.7 + max(dot(form, RIM_RIGHT), 0.0);
+  float behind = max(dot(-form, RIM_LEFT), 0.0) * 0.7 + max(dot(-form, RIM_RIGHT), 0.0);
+  float through = smoothstep(0.66, 1.0, layers.finish.g) * flesh * (1.0 - smoothstep(0.02, 0.06, vPoint.z)); // in front, the head stands between
+
+  float wet = at.lips * gloss * (1.0 - at.fur) + at.leather * 0.7;
+  float oily = layers.finish.r * (0.35 + 0.65 * pores) * (1.0 - 0.55 * age);
+  float sharpness = mix(mix(10.0, 26.0, oily), 90.0, max(wet, lacquer * 0.75));
+  float strength = (0.26 + 0.52 * oily + 1.1 * wet) * mix(1.0, layers.finish.b, pores);
+  strength = mix(strength, 0.8, lacquer) * (1.0 - 0.85 * at.hair) * (1.0 - 0.8 * (at.fur - at.leather));
+  strength *= open;
+  vec3 aside = onFlesh(FILL_LIGHT, flesh) * mix(1.0, 0.6, flesh);
+  vec3 mirror = KEY_LIGHT * sunlit * lobes(normal, view, KEY, sharpness) + aside * lobes(normal, view, FILL, sharpness * 0.5);
+  mirror += onFlesh(ambient(reflect(-view, normal)), flesh) * (0.03 + 0.4 * down * edge) * (0.4 + 2.0 * wet + lacquer) * open;
+
+  vec3 seen = at.albedo * diffuse + strength * 1.6 * mirror;
+  seen += at.albedo * (aside + KEY_LIGHT * 0.25 * sunlit * max(dot(form, KEY) + 0.5, 0.0)) * down * (0.35 * flesh + 1.2 * at.fur) * open; // down on the skin
+  vec3 rim = onFlesh(RIM_LIGHT, 0.5 * flesh) * mix(1.0, 0.75, flesh);
+  seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, vec3(0.16), at.hair) * (1.0 + at.fur);
+  seen += at.albedo * vec3(1.0, 0.34, 0.18) * RIM_LIGHT * behind * through * open * 0.6;
+  return seen;
+}
+`;
+
+export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${SHADE_LIGHT}${VERTEX_LIGHT}
+in vec2 uv;
+in vec4 traits; // turn with the head, open sky, hair, light at the neck
+out vec2 vUv;
+out vec3 vTraits;
+#ifdef FAST
+uniform float scalp;
+out vec3 vDiffuse;
+out vec3 vGloss;
+#else
+out vec3 vPoint;
+out vec3 vNormal;
+#endif
+
+float openness(float sky) { return smoothstep(0.05, 1.0, shaded(sky)); }
+
+void main() {
+  vec3 point = turned(fetchRow(positions), traits.x);
+  vec3 normal = turnedNormal(fetchRow(normals), traits.x);
+  vUv = uv;
+  vTraits = vec3(openness(traits.y), traits.zw);
+#ifdef FAST
+  Fall light = fall(point, normal, vTraits.x, traits.z * scalp);
+  vDiffuse = light.diffuse;
+  vGloss = vec3(light.gloss, light.rim);
+#else
+  vPoint = point;
+  vNormal = normal;
+#endif
+  gl_Position = project(point);
+}
+`;
+
+export const SKIN_FRAGMENT = `${FRAGMENT_HEAD}
+in vec2 vUv;
+in vec3 vTraits;
+#ifdef FAST
+in vec3 vDiffuse;
+in vec3 vGloss;
+uniform float gloss;
+#else
+in vec3 vPoint;
+in vec3 vNormal;
+#endif
+#ifdef DETAIL
+uniform sampler2D finish;
+#endif
+${SKIN_COLOURS}
+#ifndef FAST
+${SHADE_LIGHT}${PIXEL_LIGHT}
+#endif
+
+void main() {
+#ifdef DETAIL
+  vec4 finished = texture(finish, vUv);
+#else
+  const vec4 finished = vec4(0.45, 0.2, 1.0, 0.5);
+#endif
+  Layers layers = Layers(texture(mask, vUv), texture(marks, vUv), texture(patches, vUv), finished);
+  Ground at = ground(layers, vTraits.y);
+#ifdef FAST
+  float oil = (0.05 + 0.13 * at.lips * gloss + 0.06 * lacquer) * (1.0 - at.hair) * (1.0 - 0.7 * at.fur) * vTraits.x;
+  vec3 seen = at.albedo * vDiffuse;
+  seen += KEY_LIGHT * oil * (vGloss.x + (1.2 + 3.0 * at.lips) * vGloss.y);
+  seen += RIM_LIGHT * vGloss.z * mix(0.02 + 0.85 * at.albedo, vec3(0.16), at.hair);
+#else
+  vec3 seen = lit(layers, at, max(vTraits.x, ${GLOW} * at.lining));
+#endif
+  colour = premultiplied(seen * vTraits.z, 1.0);
+}
+`;

@@ -1,0 +1,32 @@
+// Written by tools/messages.py from the Python tables that it imports. Do not edit: run `python tools/messages.py`.
+
+/** The lights that a show can call, in the order of the console. */
+export const LIGHT_NAMES = ["theatre", "portrait", "flat"] as const;
+/** The light that a show begins with. */
+export const FIRST_LIGHT = "theatre";
+/** The easings of a call. */
+export const EASING_NAMES = ["smooth", "gentle", "sharp", "early", "late"] as const;
+/** The easing of a call that names none. */
+export const DEFAULT_EASING = "smooth";
+/** The levels of quality, from the cheapest to the best. */
+export const LEVELS = ["lowest", "low", "medium", "high"] as const;
+/** The lowest and the highest weight of a channel. */
+export const CHANNEL_RANGE = [-0.5, 1.5] as const;
+/** Pairs of points between the edges of lids and lips that corrective shapes keep apart. */
+export const RUNGS = 32;
+/** In radii of an eyeball: skin below keeps its height over it exactly. */
+export const SOCKET_NEAR = 1.12;
+/** In radii of an eyeball: skin above moves freely. */
+export const SOCKET_FAR = 1.6;
+/** Metres in which the warp of the handles counts lengths. */
+export const WARP_UNIT = 0.05;
+/** The layers of the skin's picture, from the top. */
+export const SKIN_LAYERS = ["mask", "marks", "patches", "relief", "finish"] as const;
+/** Radians from straight ahead, and the metres over the eyes where hair begins. */
+export const HAIRLINE = [[0.0, 0.079], [0.35, 0.077], [0.6, 0.071], [0.76, 0.06], [0.9, 0.04], [1.02, 0.02], [1.12, 0.0], [1.24, -0.006], [1.34, 0.008], [1.6, 0.022], [1.9, 0.0], [2.2, -0.045], [3.2, -0.07]] as const;
+/** Metres from the front teeth back to the middle of the dental arch. */
+export const ARCH = 0.034;
+/** Radians along the arch within which vertices belong to one tooth's height. */
+export const TOOTH_REACH = 0.16;
+/** Metres behind the front teeth that the teeth's texture spans. */
+export const ARCH_DEPTH = 0.05;

@@ -1,0 +1,422 @@
+// Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
+
+export const EDITING_VERSION = 1;
+export const EDITING_PATH = "/editing";
+/** Bytes; no message of an editor is longer. */
+export const EDITING_LIMIT = 65536;
+
+/**
+ * A face made from faces (`compose_face`): a mix, regions from others, caricature, then handles.
+ * base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
+ * amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,
+ * regions and amount put them.
+ */
+export interface FaceRecipe {
+  kind: "face";
+  base: Record<string, number>;
+  regions: Record<string, string>;
+  amount: number;
+  points: number[];
+  moves: [number, number, number][];
+}
+
+/**
+ * A weighted expression (a blendshape) under the control points.
+ * source: a name of the built-in cast, or `#` and a content key; label: what people read; region: one of
+ * `sculpting.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged.
+ */
+export interface Layer {
+  source: string;
+  label: string;
+  weight: number;
+  region: string | null;
+  mirrored: boolean;
+}
+
+/** A muscle's contraction, 0 at rest, 1 as far as it goes. */
+export interface Pull {
+  muscle: string;
+  contraction: number;
+}
+
+/**
+ * An expression as an artist made it; `compose_expression` adds up its fields.
+ * net: rows of the generic face's sheet under the control points; vectors: dtheta (radians), dh (metres), R (1 on the
+ * surface) of each; ground: `#` and the key of a field that the net cannot say, or None; eyes: left yaw, pitch, right
+ * yaw, pitch, radians, and pupil: what is added to those of ground and layers.
+ */
+export interface Recipe {
+  kind: "expression";
+  net: number[];
+  vectors: [number, number, number][];
+  ground: string | null;
+  layers: Layer[];
+  pulls: Pull[];
+  eyes: [number, number, number, number];
+  pupil: number;
+}
+
+/**
+ * Opens the link; other messages before it are rejected. `editor` is stored by the browser, so a reload finds its
+ * draft.
+ */
+export interface Greet {
+  type: "greet";
+  editor: string;
+  name: string;
+  version: number;
+}
+
+/**
+ * A new expression, opened at once; start: what it begins from, by weight (built-in names, or `#` and a content
+ * key; empty: neutral); on_air: from what is on air now instead.
+ */
+export interface CreateExpression {
+  type: "create_expression";
+  request: number;
+  label: string;
+  start: Record<string, number>;
+  on_air: boolean;
+}
+
+/** A new face, opened at once, from a mix of faces (sources by weight); on_air: from what is on air now instead. */
+export interface CreateFace {
+  type: "create_face";
+  request: number;
+  label: string;
+  base: Record<string, number>;
+  on_air: boolean;
+}
+
+/** Opens an item: this editor's draft of it, made from its newest revision where there is none. */
+export interface OpenItem {
+  type: "open_item";
+  request: number;
+  item: number;
+}
+
+/** Leaves an item; the draft stays. */
+export interface CloseItem {
+  type: "close_item";
+  request: number;
+  item: number;
+}
+
+/**
+ * Control points (indices in the net) dropped at targets (metres, on this face): solved until they lie there.
+ * `vectors`: where the page's linearisation puts all points of the net, the start of the solve.
+ */
+export interface DragPoints {
+  type: "drag_points";
+  request: number;
+  item: number;
+  face: string;
+  points: number[];
+  targets: [number, number, number][];
+  vectors: [number, number, number][];
+}
+
+/** Vectors of the whole net at once: numeric entry, nudges, mirror, reset. `what` goes into the history. */
+export interface SetVectors {
+  type: "set_vectors";
+  request: number;
+  item: number;
+  vectors: [number, number, number][];
+  what: string;
+}
+
+/** Other control points (rows of the sheet): the field stays, the net is built anew. */
+export interface SetNet {
+  type: "set_net";
+  request: number;
+  item: number;
+  net: number[];
+}
+
+/** The layers (weighted expressions, as of blendshapes) under the control points. */
+export interface SetLayers {
+  type: "set_layers";
+  request: number;
+  item: number;
+  layers: Layer[];
+}
+
+/** The muscles' contractions. */
+export interface SetPulls {
+  type: "set_pulls";
+  request: number;
+  item: number;
+  pulls: Pull[];
+}
+
+/** Eyeballs' angles (left yaw, pitch, right yaw, pitch, radians) and pupils. */
+export interface SetEyes {
+  type: "set_eyes";
+  request: number;
+  item: number;
+  eyes: [number, number, number, number];
+  pupil: number;
+}
+
+/** Bakes layers, muscles and control points into one field, on which the points stand at rest again. */
+export interface Flatten {
+  type: "flatten";
+  request: number;
+  item: number;
+}
+
+/** The whole recipe of a face. `what` goes into the history. */
+export interface SetFace {
+  type: "set_face";
+  request: number;
+  item: number;
+  recipe: FaceRecipe;
+  what: string;
+}
+
+/** One step back in the draft. */
+export interface Undo {
+  type: "undo";
+  request: number;
+  item: number;
+}
+
+/** One step forward again. */
+export interface Redo {
+  type: "redo";
+  request: number;
+  item: number;
+}
+
+/**
+ * Makes the draft a revision, which plays from now on, unless another editor saved meanwhile: then it is kept
+ * aside.
+ */
+export interface Save {
+  type: "save";
+  request: number;
+  item: number;
+  note: string;
+}
+
+/** Makes an old revision (one aside too) the newest step of the draft; saving it makes it play. */
+export interface BringBack {
+  type: "bring_back";
+  request: number;
+  item: number;
+  revision: number;
+}
+
+/** The label, tags and place of an item. */
+export interface Describe {
+  type: "describe";
+  request: number;
+  item: number;
+  label: string;
+  tags: string[];
+  place: number;
+}
+
+/** A new item with the newest revision of another, under another label. */
+export interface Duplicate {
+  type: "duplicate";
+  request: number;
+  item: number;
+  label: string;
+}
+
+/** Takes an item out of the cast; its revisions stay. Refused while it is on air. */
+export interface Delete {
+  type: "delete";
+  request: number;
+  item: number;
+}
+
+/** Undoes a deletion. */
+export interface Restore {
+  type: "restore";
+  request: number;
+  item: number;
+}
+
+/** Asks for the revisions of an item. */
+export interface AskHistory {
+  type: "ask_history";
+  request: number;
+  item: number;
+}
+
+/**
+ * An own item as lists show it; `content`: `#` and the key of what plays, "" before its first save; `editors`:
+ * names of those who have it open.
+ */
+export interface ItemDocument {
+  id: number;
+  kind: "expression" | "face";
+  name: string;
+  label: string;
+  tags: string[];
+  place: number;
+  head: number;
+  content: string;
+  deleted: boolean;
+  editors: string[];
+}
+
+/** A revision as the history shows it; `content`: `#` and a key: any face can be asked to wear it. */
+export interface RevisionDocument {
+  number: number;
+  parent: number;
+  content: string;
+  written: number;
+  editor: string;
+  note: string;
+  aside: boolean;
+}
+
+/**
+ * A muscle: its field at full contraction, little-endian f32 (V, 3): dtheta, dh, R - 1; its line on S as rows of
+ * the skin, from the bone to the skin (a sphincter: its ring).
+ */
+export interface MuscleDocument {
+  name: string;
+  label: string;
+  kind: "linear" | "sheet" | "sphincter";
+  line: number[];
+  field: Uint8Array;
+}
+
+/**
+ * A control net: `net` (n,) rows of the skin under its points; `triangles` (t, 3) u16 places, rings beyond n;
+ * `corners` (V, 3) u16 places and `weights` (V, 3) f32: the field at vertex v is the weighted sum of its corners'
+ * vectors (places from n on rest); off the sheet all weights are zero. All little-endian. `mirror`: for each point
+ * the place of its mirror image, its own on the midline, -1 for none.
+ */
+export interface NetDocument {
+  net: number[];
+  triangles: Uint8Array;
+  corners: Uint8Array;
+  weights: Uint8Array;
+  mirror: number[];
+}
+
+/**
+ * Answers greet: the muscles, the regions, `masks`: how much each region owns of each vertex of the skin,
+ * (regions, V) u8 little-endian, 255 all; `followers`, `anchors`, `shares`: the rows (skin, then parts, as in the
+ * manifest) that follow the sheet, (f,) u32, (f, k) u32, (f, k) f32; all items.
+ */
+export interface Greeted {
+  type: "greeted";
+  version: number;
+  digest: string;
+  muscles: MuscleDocument[];
+  regions: string[];
+  masks: Uint8Array;
+  followers: Uint8Array;
+  anchors: Uint8Array;
+  shares: Uint8Array;
+  items: ItemDocument[];
+}
+
+/** All items, whenever one has changed, and the digest of the cast that pages may load now. */
+export interface Items {
+  type: "items";
+  digest: string;
+  items: ItemDocument[];
+}
+
+/**
+ * The draft as it is after a request: its recipe, `content` (`#` and a key that `/compounds/` serves), how many
+ * steps can be undone and redone, whether it differs from revision `base`, what the last step was.
+ * `net` goes with the first draft of an expression and whenever the net changed. `miss`: how far the worst dragged
+ * point is from where it was put, metres. `others`: names of other editors at this item.
+ */
+export interface DraftState {
+  type: "draft";
+  request: number;
+  item: number;
+  recipe: Recipe | FaceRecipe;
+  content: string;
+  undo: number;
+  redo: number;
+  base: number;
+  dirty: boolean;
+  what: string;
+  net: NetDocument | null;
+  miss: number;
+  others: string[];
+}
+
+/** A draft became a revision; `aside`: another editor had saved meanwhile, and what plays is `head`, theirs. */
+export interface Saved {
+  type: "saved";
+  request: number;
+  item: number;
+  revision: number;
+  head: number;
+  aside: boolean;
+  sentence: string;
+}
+
+/** The revisions of an item, oldest first. */
+export interface History {
+  type: "history";
+  request: number;
+  item: number;
+  revisions: RevisionDocument[];
+}
+
+/** A request was carried out. */
+export interface Done {
+  type: "done";
+  request: number;
+}
+
+/** A request was rejected, and why, in one sentence; request -1: what came was no valid request. */
+export interface EditRefused {
+  type: "refused";
+  request: number;
+  reason: string;
+}
+
+/**
+ * The tangents of a face, its derivative by the field, `/tangents/FACE-CONTENT`: (3, V, 3) f32 little-endian,
+ * metres on the face per radian of dtheta, per metre of dh and per unit of R - 1, at each vertex of the sheet (zero
+ * off it).
+ */
+export interface TangentsAsset {
+  tangents: Uint8Array;
+}
+
+/** Handles of the face editor, `/handles`: rows of the skin, their labels, `mirror` places as in a net. */
+export interface HandlesAsset {
+  points: number[];
+  labels: string[];
+  mirror: number[];
+}
+
+export type FromEditor =
+  | Greet
+  | CreateExpression
+  | CreateFace
+  | OpenItem
+  | CloseItem
+  | DragPoints
+  | SetVectors
+  | SetNet
+  | SetLayers
+  | SetPulls
+  | SetEyes
+  | Flatten
+  | SetFace
+  | Undo
+  | Redo
+  | Save
+  | BringBack
+  | Describe
+  | Duplicate
+  | Delete
+  | Restore
+  | AskHistory;
+
+export type ToEditor = Greeted | Items | DraftState | Saved | History | Done | EditRefused;

@@ -1,0 +1,123 @@
+import { decode, encode } from "@msgpack/msgpack";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { ReconnectingSocket, type SocketOwner } from "./reconnecting_socket";
+
+/** A WebSocket that the test opens, feeds and closes. */
+class FakeSocket {
+  static readonly OPEN = 1;
+  static readonly made: FakeSocket[] = [];
+  readyState = 0;
+  readonly sent: unknown[] = [];
+  onopen: (() => void) | null = null;
+  onmessage: ((event: { data: Uint8Array }) => void) | null = null;
+  onclose: (() => void) | null = null;
+
+  constructor(readonly address: string) {
+    FakeSocket.made.push(this);
+  }
+
+  send(data: Uint8Array): void {
+    this.sent.push(decode(data));
+  }
+
+  close(): void {
+    this.readyState = 3;
+  }
+
+  open(): void {
+    this.readyState = FakeSocket.OPEN;
+    this.onopen?.();
+  }
+}
+
+const LONGEST_PAUSE = 751; // milliseconds, of `Backoff`
+const last = (): FakeSocket => FakeSocket.made.at(-1) as FakeSocket;
+
+describe("a reconnecting socket", () => {
+  let told: string[];
+  let expects: boolean;
+  let socket: ReconnectingSocket<string, string>;
+
+  beforeEach(() => {
+    vi.useFakeTimers({ toFake: ["setTimeout", "setInterval", "clearTimeout", "clearInterval", "performance"] });
+    vi.stubGlobal("WebSocket", FakeSocket);
+    vi.stubGlobal("location", { protocol: "https:", host: "show.example" });
+    FakeSocket.made.length = 0;
+    [told, expects] = [[], true];
+    const owner: SocketOwner<string> = {
+      silence: 2,
+      interval: 100,
+      opened: () => told.push("opened"),
+      received: (message) => told.push(message),
+      lost: (wasUp) => told.push(wasUp ? "lost" : "failed"),
+      expects: () => expects,
+    };
+    socket = new ReconnectingSocket("/link", owner);
+  });
+
+  afterEach(() => {
+    socket.close();
+    vi.useRealTimers();
+    vi.unstubAllGlobals();
+  });
+
+  it("asks the host of the page, and greets once the connection is open", () => {
+    expect(last().address).toBe("wss://show.example/link");
+    expect(socket.send("early")).toBe(false);
+    last().open();
+    expect(told).toEqual(["opened"]);
+    expect(socket.send("hello")).toBe(true);
+    expect(last().sent).toEqual(["hello"]);
+  });
+
+  it("is up from the answer to its greeting until the connection is lost", () => {
+    last().open();
+    expect(socket.up).toBe(false);
+    socket.accept();
+    expect(socket.up).toBe(true);
+    last().onclose?.();
+    expect(socket.up).toBe(false);
+    expect(told).toEqual(["opened", "lost"]);
+  });
+
+  it("opens another connection for every one that is lost, for ever", () => {
+    for (let times = 1; times <= 20; times++) {
+      last().onclose?.();
+      vi.advanceTimersByTime(LONGEST_PAUSE);
+      expect(FakeSocket.made.length).toBe(times + 1);
+    }
+    expect(told).toEqual(Array(20).fill("failed"));
+  });
+
+  it("gives up a connection that is silent while a message is due, and hears nothing more of it", () => {
+    const first = last();
+    first.open();
+    vi.advanceTimersByTime(1900);
+    first.onmessage?.({ data: encode("alive") });
+    vi.advanceTimersByTime(1900);
+    expect(FakeSocket.made.length).toBe(1);
+    vi.advanceTimersByTime(300 + LONGEST_PAUSE);
+    expect(FakeSocket.made.length).toBe(2);
+    expect([first.readyState, first.onmessage]).toEqual([3, null]);
+  });
+
+  it("bears silence while nothing is due", () => {
+    expects = false;
+    vi.advanceTimersByTime(60_000);
+    expect(FakeSocket.made.length).toBe(1);
+  });
+
+  it("ignores what cannot be read", () => {
+    last().open();
+    last().onmessage?.({ data: Uint8Array.of(0xc1) });
+    last().onmessage?.({ data: encode("whole") });
+    expect(told).toEqual(["opened", "whole"]);
+  });
+
+  it("opens nothing more once it is closed", () => {
+    socket.close();
+    vi.advanceTimersByTime(60_000);
+    expect(FakeSocket.made.length).toBe(1);
+    expect(told).toEqual(["failed"]);
+  });
+});

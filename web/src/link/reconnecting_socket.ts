@@ -1,0 +1,114 @@
+/** A WebSocket with msgpack messages that comes back: both links of the pages are built on it. */
+
+import { decode, encode } from "@msgpack/msgpack";
+import { Backoff } from "./backoff";
+import { now } from "./clock";
+
+/** What a link does with its socket. */
+export interface SocketOwner<Incoming> {
+  /** Seconds without a message after which the connection counts as dead. */
+  readonly silence: number;
+  /** Milliseconds between two looks at the silence. */
+  readonly interval: number;
+  /** The connection is open: the link greets. */
+  opened(): void;
+  received(message: Incoming): void;
+  /** The connection is gone; `wasUp`: the server had accepted it. Another one is opened after a pause. */
+  lost(wasUp: boolean): void;
+  /** Whether a message is due, so that silence means death. */
+  expects(): boolean;
+  /** Called at every look, after the silence was judged. */
+  looked?(): void;
+}
+
+/** The address of a path on the host that served this page. */
+const addressOf = (path: string, page: Location = location): string =>
+  `${page.protocol === "https:" ? "wss" : "ws"}://${page.host}${path}`;
+
+/** One connection at a time; a lost one is opened again, for ever, after the pauses of `Backoff`. */
+export class ReconnectingSocket<Incoming, Outgoing> {
+  /** When the last message came, or waiting for one began; seconds on the page's clock. */
+  heard = 0;
+  #socket: WebSocket | null = null;
+  #up = false;
+  #closed = false;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  readonly #backoff = new Backoff();
+  readonly #watch: ReturnType<typeof setInterval>;
+
+  constructor(
+    private readonly path: string,
+    private readonly owner: SocketOwner<Incoming>,
+  ) {
+    this.#watch = setInterval(() => this.#look(), owner.interval);
+    this.#open();
+  }
+
+  /** Whether the server has accepted the present connection. */
+  get up(): boolean {
+    return this.#up;
+  }
+
+  /** The server has answered the greeting. */
+  accept(): void {
+    this.#backoff.reset();
+    this.#up = true;
+  }
+
+  /** Sends a message; false where no connection is open (the message is not kept). */
+  send(message: Outgoing): boolean {
+    if (this.#socket?.readyState !== WebSocket.OPEN) return false;
+    this.#socket.send(encode(message));
+    return true;
+  }
+
+  /** Gives up the present connection; another one is opened after a pause. */
+  reconnect(): void {
+    if (this.#socket === null) return; // given up before
+    this.#drop();
+    if (!this.#closed) this.#timer = setTimeout(() => this.#open(), this.#backoff.next() * 1000);
+  }
+
+  /** Ends it for good. */
+  close(): void {
+    this.#closed = true;
+    clearInterval(this.#watch);
+    clearTimeout(this.#timer);
+    this.#drop();
+  }
+
+  #open(): void {
+    const socket = new WebSocket(addressOf(this.path));
+    socket.binaryType = "arraybuffer";
+    this.#socket = socket;
+    this.heard = now();
+    socket.onopen = () => this.owner.opened();
+    socket.onmessage = (event: MessageEvent<ArrayBuffer>) => this.#receive(event.data);
+    socket.onclose = () => this.reconnect();
+  }
+
+  #drop(): void {
+    const [socket, wasUp] = [this.#socket, this.#up];
+    [this.#socket, this.#up] = [null, false];
+    if (socket === null) return;
+    socket.onopen = socket.onmessage = socket.onclose = null;
+    socket.close();
+    this.owner.lost(wasUp);
+  }
+
+  #look(): void {
+    if (this.owner.expects() && now() - this.heard > this.owner.silence) this.reconnect();
+    this.owner.looked?.();
+  }
+
+  #receive(data: ArrayBuffer): void {
+    this.heard = now();
+    let message: Incoming;
+    try {
+      message = decode(data) as Incoming;
+    } catch {
+      return; // half a message from a dying server
+    }
+    this.owner.received(message);
+  }
+}

@@ -1,0 +1,123 @@
+/** The link of stages and consoles to the show. */
+
+import { now, ServerClock } from "./clock";
+import type { Crew, FromClient, FromServer, Hello, Kept, State, Welcome } from "./messages";
+import { LINK_PATH, PROTOCOL_VERSION } from "./messages";
+import { Newest } from "./newest";
+import { ReconnectingSocket } from "./reconnecting_socket";
+
+/** What a page wants to hear; every handler may be left out. */
+export interface LinkHandlers {
+  /** A newer state than any before; older ones never arrive here. */
+  state?: (state: State) => void;
+  welcome?: (welcome: Welcome) => void;
+  crew?: (crew: Crew) => void;
+  /** The cast has other names or contents now: fetch the manifest again (`Library.renew`). */
+  cast?: () => void;
+  /** What was asked to be kept is in the cast. */
+  kept?: (kept: Kept) => void;
+  /** A message of ours was not obeyed; the sentence is for the operator. */
+  refused?: (reason: string) => void;
+  /** A ping came back after so many seconds. */
+  trip?: (seconds: number) => void;
+  /** The link came up (true) or went down (false). */
+  connected?: (up: boolean) => void;
+}
+
+const SILENCE = 1.5; // seconds without any message after which a link counts as dead
+const PING_EVERY = 1.0;
+
+/** The link of a page to the show: says hello, keeps the server's clock, and lets only the newest state through. */
+export class ShowLink {
+  readonly clock = new ServerClock();
+  readonly newest = new Newest();
+  private readonly socket: ReconnectingSocket<FromServer, FromClient>;
+  private pinged = 0;
+  private epoch = -1;
+  private revision = -1;
+
+  constructor(
+    private readonly role: Hello["role"],
+    private readonly handlers: LinkHandlers = {},
+  ) {
+    this.socket = new ReconnectingSocket(LINK_PATH, {
+      silence: SILENCE,
+      interval: 250,
+      opened: () => this.send({ type: "hello", role: this.role, version: PROTOCOL_VERSION }),
+      received: (message) => this.obey(message),
+      lost: (wasUp) => wasUp && this.handlers.connected?.(false),
+      expects: () => true,
+      looked: () => this.socket.up && now() - this.pinged > PING_EVERY && this.ping(),
+    });
+  }
+
+  /** Whether the server has answered our hello. */
+  get connected(): boolean {
+    return this.socket.up;
+  }
+
+  /** Sends a message; false when the link is down (it is not kept: a late command is worse than none). */
+  send(message: FromClient): boolean {
+    return this.socket.send(message);
+  }
+
+  /** Ends the link for good. */
+  close(): void {
+    this.socket.close();
+  }
+
+  private ping(): void {
+    this.pinged = now();
+    this.send({ type: "ping", sent: this.pinged });
+  }
+
+  private obey(message: FromServer): void {
+    switch (message.type) {
+      case "welcome":
+        this.welcome(message);
+        break;
+      case "state":
+        this.state(message);
+        break;
+      case "pong":
+        this.handlers.trip?.(this.socket.heard - message.sent);
+        this.clock.measure(message.sent, message.time, this.socket.heard);
+        break;
+      case "crew":
+        this.handlers.crew?.(message);
+        break;
+      case "cast":
+        this.recast(message.revision);
+        break;
+      case "kept":
+        this.handlers.kept?.(message);
+        break;
+      case "refused":
+        this.handlers.refused?.(message.reason);
+        break;
+    }
+  }
+
+  private welcome(welcome: Welcome): void {
+    if (welcome.epoch !== this.epoch) this.clock.reset();
+    this.epoch = welcome.epoch;
+    this.revision = welcome.revision;
+    this.socket.accept();
+    this.ping();
+    this.handlers.welcome?.(welcome);
+    this.handlers.connected?.(true);
+  }
+
+  private recast(revision: number): void {
+    if (revision <= this.revision) return;
+    this.revision = revision;
+    this.handlers.cast?.();
+  }
+
+  private state(state: State): void {
+    if (!this.newest.accept(state)) return;
+    if (state.epoch === this.epoch) this.recast(state.revision); // the message may have been lost
+    this.clock.arrived(state.time, this.socket.heard);
+    this.handlers.state?.(state);
+  }
+}

@@ -1,0 +1,152 @@
+/** A hand on a control: drags by mouse, pen and several fingers at once, double taps, wheel and keys. */
+
+import { FINE } from "./travel";
+
+export interface Drag {
+  /** The pointer comes down at `x`, `y`: 0..1 across the element, from its left and from its bottom. */
+  start(x: number, y: number): void;
+  /** It moved by `dx`, `dy` (same units, to the right and up); a tenth of it while Shift is down. */
+  move(dx: number, dy: number): void;
+  end(): void;
+  /** Twice on the same place within a moment. */
+  double?(): void;
+}
+
+const DOUBLE_TIME = 350;
+const DOUBLE_REACH = 24;
+
+/** Listens to one pointer at a time on `element`; other pointers are free for other controls. */
+export function onDrag(element: HTMLElement, drag: Drag): void {
+  const hand = new Hand(element, drag);
+  element.addEventListener("pointerdown", (event) => hand.down(event));
+  element.addEventListener("pointermove", (event) => hand.move(event));
+  for (const end of ["pointerup", "pointercancel", "lostpointercapture"] as const)
+    element.addEventListener(end, (event) => hand.up(event));
+  element.addEventListener("contextmenu", (event) => event.preventDefault());
+}
+
+/** One pointer on one control, from its way down to its end. */
+class Hand {
+  #pointer: number | null = null;
+  #last: [number, number] = [0, 0];
+  #tap = { x: 0, y: 0, time: Number.NEGATIVE_INFINITY };
+
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly drag: Drag,
+  ) {}
+
+  down(event: PointerEvent): void {
+    if (this.#pointer !== null || event.button !== 0) return;
+    this.#pointer = event.pointerId;
+    this.element.setPointerCapture(this.#pointer);
+    this.element.focus({ preventScroll: true });
+    event.preventDefault();
+    const twice = this.#isSecond(event);
+    this.#last = this.#place(event);
+    this.drag.start(...this.#last);
+    if (twice) this.drag.double?.();
+  }
+
+  move(event: PointerEvent): void {
+    if (event.pointerId !== this.#pointer) return;
+    const [x, y] = this.#place(event);
+    const gain = event.shiftKey ? FINE : 1;
+    this.drag.move((x - this.#last[0]) * gain, (y - this.#last[1]) * gain);
+    this.#last = [x, y];
+  }
+
+  up(event: PointerEvent): void {
+    if (event.pointerId !== this.#pointer) return;
+    this.#pointer = null;
+    this.drag.end();
+  }
+
+  #place(event: PointerEvent): [number, number] {
+    const box = this.element.getBoundingClientRect();
+    return [(event.clientX - box.left) / box.width, (box.bottom - event.clientY) / box.height];
+  }
+
+  /** Whether this tap follows one on the same place; a third one then starts anew. */
+  #isSecond({ clientX: x, clientY: y, timeStamp: time }: PointerEvent): boolean {
+    const near = Math.hypot(x - this.#tap.x, y - this.#tap.y) < DOUBLE_REACH;
+    const twice = near && time - this.#tap.time < DOUBLE_TIME;
+    this.#tap = { x, y, time: twice ? Number.NEGATIVE_INFINITY : time };
+    return twice;
+  }
+}
+
+/** One notch of the wheel over `element`, up = +1, in tenths with Shift (which some systems turn sideways). */
+export function onWheel(element: HTMLElement, turn: (steps: number) => void): void {
+  element.addEventListener(
+    "wheel",
+    (event) => {
+      const delta = event.deltaY || event.deltaX;
+      if (delta === 0 || event.ctrlKey) return;
+      event.preventDefault();
+      turn(-Math.sign(delta) * (event.shiftKey ? FINE : 1));
+    },
+    { passive: false },
+  );
+}
+
+/** Arrow and page keys as steps to the right and up; `rest` for Home and 0. */
+export function onArrows(element: HTMLElement, step: (dx: number, dy: number) => void, rest: () => void): void {
+  element.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const arrow = ARROWS[event.key];
+    if (arrow) {
+      const gain = event.shiftKey ? FINE : 1;
+      step(arrow[0] * gain, arrow[1] * gain);
+    } else if (event.key === "Home" || event.key === "0") rest();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
+}
+
+/** Arrow keys move the focus to the nearest element of a group in that direction. */
+export function onRoam(group: HTMLElement, selector: string): void {
+  group.addEventListener("keydown", (event) => {
+    const arrow = event.key.startsWith("Arrow") ? ARROWS[event.key] : undefined;
+    const from = (event.target as Element).closest(selector);
+    if (arrow === undefined || from === null || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    const others = [...group.querySelectorAll<HTMLElement>(selector)].map(
+      (one) => [way(from, one, arrow), one] as const,
+    );
+    const [distance, nearest] = others.reduce((best, one) => (one[0] < best[0] ? one : best));
+    if (distance < Number.POSITIVE_INFINITY) nearest.focus();
+  });
+}
+
+/** How far it is from one element to another in a direction; steps aside count three times, back is infinitely far. */
+function way(from: Element, to: Element, [right, up]: readonly [number, number]): number {
+  const [dx, dy] = [middle(to)[0] - middle(from)[0], middle(from)[1] - middle(to)[1]];
+  const [along, aside] = [dx * right + dy * up, Math.abs(dx * up) + Math.abs(dy * right)];
+  return along > 1 ? along + 3 * aside : Number.POSITIVE_INFINITY;
+}
+
+function middle(element: Element): [number, number] {
+  const box = element.getBoundingClientRect();
+  return [box.left + box.width / 2, box.top + box.height / 2];
+}
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowRight: [1, 0],
+  ArrowLeft: [-1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+  PageUp: [0, 10],
+  PageDown: [0, -10],
+};
+
+/** What of a keyboard event the tables of keys read. */
+export interface KeyPress {
+  readonly key: string;
+  readonly code: string;
+  readonly ctrlKey: boolean;
+  readonly altKey: boolean;
+  readonly metaKey: boolean;
+  readonly repeat: boolean;
+}
