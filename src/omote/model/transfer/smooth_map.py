@@ -49,9 +49,9 @@ _prepared: WeakKeyDictionary[Face, tuple[ParameterSpace, SmoothMap]] = WeakKeyDi
 
 def prepare_smooth_map(space: ParameterSpace, face: Face, /) -> SmoothMap:
     """The smooth map to a face, solved at the first call and remembered as long as the face lives."""
-    known = _prepared.get(face)
+    fitted, known = fit(space, face), _prepared.get(face)  # fit first: it rejects what is no face of the space
     if known is None or known[0] is not space:
-        fitted, generic = fit(space, face), fit(space, generic_face(space))
+        generic = fit(space, generic_face(space))
         here, there = fitted.positions.astype(np.float64), generic.positions.astype(np.float64)
         eyeballs = tuple(zip(_eyeballs(space, generic), _eyeballs(space, fitted), strict=True))
         known = (space, build_smooth_map(there, here, space.sheet_triangles, space.lines, eyeballs))
