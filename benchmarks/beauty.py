@@ -30,7 +30,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.stage import CHANNELS, CHROMIUM, COMMAND, HEIGHT, READY, WIDTH, Player, during, intervals, read_address
 from omote.builtin import load_cast
-from omote.server.headless.picture_studio import serve_pages
+from omote.server.headless.picture_renderer import serve_pages
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.http.static_pages import Page, read_pages
 from omote.show.messages import LINK_PATH, PROTOCOL_VERSION, CallLight, Hello

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 import omote
-from omote.server.headless.picture_studio import draw_grid
+from omote.server.headless.picture_renderer import draw_grid
 from omote.stage_data.picture_grid import Setting, build_grid
 
 out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")

@@ -104,7 +104,7 @@ def drawn(small_cast: Cast, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Pictu
         asked.append((sheet, setting))
         return b"picture"
 
-    monkeypatch.setattr("omote.server.headless.picture_studio.draw_grid", draw)
+    monkeypatch.setattr("omote.server.headless.picture_renderer.draw_grid", draw)
     return asked
 
 
@@ -169,7 +169,7 @@ def test_a_browser_that_does_not_draw_is_one_sentence_and_no_file(
     def missing(sheet: PictureGrid, setting: Setting) -> bytes:
         raise BrowserError("the browser ended before it had drawn; try again")
 
-    monkeypatch.setattr("omote.server.headless.picture_studio.draw_grid", missing)
+    monkeypatch.setattr("omote.server.headless.picture_renderer.draw_grid", missing)
     done = runner.invoke(app, ["render", "-o", str(tmp_path / "a.png")])
     assert (done.exit_code, done.stderr) == (1, "omote: the browser ended before it had drawn; try again\n")
     assert list(tmp_path.iterdir()) == []

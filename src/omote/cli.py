@@ -180,7 +180,7 @@ def draw(output: Path, sheet_of: Callable[[Cast], PictureGrid], size: str, **set
     from omote.interchange.formats.atomic_file import check_writable, write_whole
     from omote.interchange.formats.picture_names import picture_kind
     from omote.server.headless.devtools import BrowserError
-    from omote.server.headless.picture_studio import draw_grid
+    from omote.server.headless.picture_renderer import draw_grid
     from omote.stage_data.picture_grid import Setting, read_size
 
     try:

@@ -272,7 +272,7 @@ def test_items_are_renamed_tagged_found_copied_deleted_and_brought_back(editor: 
     tags.fill("act two, angry")
     tags.press("Enter")
     wait_for(page, "bench.item.label === 'Grumpy' && bench.item.tags.length === 2")
-    own = page.locator("omote-library li.item")
+    own = page.locator("omote-item-list li.item")
     page.get_by_label("Search by name or tag").fill("act grum")
     expect(own).to_have_count(1)
     page.get_by_label("Duplicate: Grumpy").click()
@@ -434,7 +434,7 @@ def test_an_own_face_has_a_picture_as_soon_as_it_is_saved(editor: Editor) -> Non
     expect(page.locator("[data-kind=face]")).to_have_attribute("aria-selected", "true")
     save(page)
     source = bench(page, "item.content")
-    canvas = page.locator(f"omote-library canvas[data-source='{source}']").first
+    canvas = page.locator(f"omote-item-list canvas[data-source='{source}']").first
     expect(canvas).to_have_attribute("data-drawn", f"{source} neutral")
     level = canvas.evaluate(
         "one => one.getContext('2d').getImageData(one.width / 2, one.height / 2, 1, 1).data.slice(0, 3).join()"

@@ -11,7 +11,7 @@ from pathlib import Path
 from omote.interchange.formats.atomic_file import write_whole
 from omote.model.cast import Cast
 from omote.server.headless.chromium import open_chromium
-from omote.server.headless.picture_studio import open_picture_page, serve_pages
+from omote.server.headless.picture_renderer import open_picture_page, serve_pages
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.http.static_pages import read_pages
 from omote.stage_data.picture_grid import PictureGrid, Setting

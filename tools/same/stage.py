@@ -13,7 +13,7 @@ from omote.model.cast import Cast
 from omote.perform.frame import Frame
 from omote.server.headless.chromium import open_chromium
 from omote.server.headless.devtools import DevTools
-from omote.server.headless.picture_studio import OPENED, OPENING, query, serve_pages
+from omote.server.headless.picture_renderer import OPENED, OPENING, query, serve_pages
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.http.static_pages import read_pages
 from omote.show.state import state_of

@@ -10,15 +10,15 @@ import { EditorElement } from "./controls/editor_element";
 import { style } from "./editor_page_style";
 import type { Heading } from "./page/heading";
 import { hintOf } from "./page/hints";
+import type { ItemListPanel } from "./page/item_list";
 import { type Command, commandOf, type View } from "./page/keys";
-import type { LibraryPanel } from "./page/library";
 import type { Topic } from "./session/draft_store";
 import { type Kind, redo, undo } from "./session/item_commands";
 import "./page/heading";
 import "./page/help";
 import "./page/notices_view";
 import "./panels/item_panels";
-import "./page/library";
+import "./page/item_list";
 import "./page/tools";
 
 /** The editor: what there is on the left, the face under work and those beside it between, what it is made of on the right. */
@@ -26,7 +26,7 @@ import "./page/tools";
 export class EditorPage extends EditorElement {
   @state() private helping = false;
   @query("canvas") private canvas!: HTMLCanvasElement;
-  @query("omote-library") private library!: LibraryPanel;
+  @query("omote-item-list") private library!: ItemListPanel;
   @query("omote-heading") private heading!: Heading;
   #view: EditorCanvas | null = null;
   /** The item that was open when the page was last drawn. */
@@ -64,7 +64,7 @@ export class EditorPage extends EditorElement {
     const { store, context } = this;
     return html`
       <omote-heading class="panel" .context=${context} @help=${this.#toggleHelp}></omote-heading>
-      <omote-library class="panel" .context=${context}></omote-library>
+      <omote-item-list class="panel" .context=${context}></omote-item-list>
       <main class="panel">
         <omote-tools .context=${context} @view=${(event: CustomEvent<View>) => this.#view?.view(event.detail)}></omote-tools>
         <div class="work">

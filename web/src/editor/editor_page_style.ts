@@ -16,7 +16,7 @@ export const style = css`
   omote-heading {
     grid-area: heading;
   }
-  omote-library {
+  omote-item-list {
     grid-area: library;
   }
   main {
@@ -118,7 +118,7 @@ export const style = css`
         "panels" auto
         "library" auto / minmax(0, 1fr);
     }
-    omote-library {
+    omote-item-list {
       max-height: 520px;
     }
   }

@@ -21,7 +21,7 @@ import {
   restore,
 } from "../session/item_commands";
 import { grouped, type Source, sourcesOf } from "../session/sources";
-import { style } from "./library_style";
+import { style } from "./item_list_style";
 import "./new_item";
 
 const TABS: readonly (readonly [Kind, string])[] = [
@@ -38,8 +38,8 @@ const COPY = html`<svg width="13" height="13" viewBox="0 0 13 13" fill="none" st
 </svg>`;
 
 /** Own expressions and faces, and all that they can begin from. */
-@customElement("omote-library")
-export class LibraryPanel extends EditorElement {
+@customElement("omote-item-list")
+export class ItemListPanel extends EditorElement {
   @state() private kind: Kind = "expression";
   @state() private search = "";
   @state() private deleted = false;

@@ -8,7 +8,7 @@ import pytest
 from omote.model.cast import Cast
 from omote.server.headless.chromium import open_chromium
 from omote.server.headless.devtools import BrowserError
-from omote.server.headless.picture_studio import draw_grid, open_picture_page, query, serve_pages
+from omote.server.headless.picture_renderer import draw_grid, open_picture_page, query, serve_pages
 from omote.server.http.cast_documents import CastDocuments
 from omote.stage_data.picture_grid import PictureGrid, Setting
 from tests.server.false_browser import ANSWERS, false_browser
@@ -61,7 +61,7 @@ async def test_a_page_that_does_not_open_says_why(tmp_path: Path) -> None:
 
 @pytest.mark.asyncio
 async def test_a_page_that_never_opens_is_not_waited_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("omote.server.headless.picture_studio.OPENING", 0.01)
+    monkeypatch.setattr("omote.server.headless.picture_renderer.OPENING", 0.01)
     silent = ANSWERS.replace('return {"result": {"value": True}}', "sys.stdin.read(); os.read(3, 1)")
     async with open_chromium(false_browser(tmp_path, silent)) as tools:
         with pytest.raises(BrowserError, match="did not open within"):
@@ -70,6 +70,6 @@ async def test_a_page_that_never_opens_is_not_waited_for(tmp_path: Path, monkeyp
 
 def test_one_call_draws_a_grid(cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("OMOTE_BROWSER", str(false_browser(tmp_path)))
-    monkeypatch.setattr("omote.server.headless.picture_studio.built_in_documents", lambda: documents(cast))
-    monkeypatch.setattr("omote.server.headless.picture_studio.read_pages", lambda: PAGES)
+    monkeypatch.setattr("omote.server.headless.picture_renderer.built_in_documents", lambda: documents(cast))
+    monkeypatch.setattr("omote.server.headless.picture_renderer.read_pages", lambda: PAGES)
     assert draw_grid(SHEET, Setting()) == b"picture"
