@@ -73,8 +73,6 @@ COMMANDS = {"set", "put", "cut", "shut", "spread"}
 """Verbs whose participle is the same word."""
 PARTICIPLE_ENDINGS = re.compile(r"[a-z]{2,}[^e]ed")
 """Regular participles; `feed`, `need` and `speed` are none."""
-OF_OTHERS = ("omote.model.transfer", "omote.perform.blending.correctives", "omote.perform.blending.orientation")
-"""Packages that are renamed apart."""
 
 
 def is_participle(name: str) -> bool:
@@ -234,7 +232,7 @@ def test_functions_are_verbs_or_nouns() -> None:
     assert not any(map(is_participle, ("feed", "need", "speed", "fit", "compile", "blend", "weights", "set")))
     allowed = {(module, name) for module, names in PARTICIPLES.items() for name in names}
     found = {(module, name) for module, name in defined_functions() if is_participle(name)}
-    free = {each for each in found if each[1] in PUBLIC_PARTICIPLES | NOUNS or each[0].startswith(OF_OTHERS)}
+    free = {each for each in found if each[1] in PUBLIC_PARTICIPLES | NOUNS}
     assert found - free == allowed
 
 

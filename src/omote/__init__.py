@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
     from omote.model.cast import Cast as Cast
     from omote.model.controls.control_net import ControlNet as ControlNet
-    from omote.model.sculpting.regions import caricature as caricature
+    from omote.model.sculpting.caricature import caricature as caricature
     from omote.model.sculpting.regions import regional as regional
     from omote.model.sculpting.sculpt import Sculpt as Sculpt
     from omote.model.sculpting.sculpt import sculpted as sculpted
@@ -35,7 +35,7 @@ _HOMES = {
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
     "Sculpt": "omote.model.sculpting.sculpt",
-    "caricature": "omote.model.sculpting.regions",
+    "caricature": "omote.model.sculpting.caricature",
     "compound": "omote.model.transfer.compound",
     "evaluate": "omote.perform.blending.evaluate",
     "evaluate_parts": "omote.perform.blending.evaluate",

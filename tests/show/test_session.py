@@ -159,6 +159,14 @@ def test_a_refused_message_changes_nothing_and_says_why(
     assert session.refused == len(bad)
 
 
+@pytest.mark.parametrize("call", [wire.CallFace, wire.CallExpression, wire.CallLight])
+def test_an_infinite_call_is_refused_since_nil_calls_by_hand(cast: Cast, call: type[wire.CallFace]) -> None:
+    session = opened(cast, "a")
+    (sentence,) = reasons(session.receive("a", call("1", "generic", math.inf, "smooth"), 0.0))
+    assert "inf" in sentence
+    assert session.snapshot().calls == []
+
+
 @given(data=st.binary(max_size=100))
 def test_noise_is_refused_and_counted(cast: Cast, data: bytes) -> None:
     session = opened(cast, "a")

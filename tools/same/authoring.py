@@ -22,7 +22,8 @@ from omote.model.recipes.compose_expression import change_net, compose_expressio
 from omote.model.recipes.compose_face import FaceWithLook, compose_face
 from omote.model.recipes.face_handles import default_handles, drag_handles, handle_basis
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
-from omote.model.sculpting.regions import REGIONS, caricature, region_weights, regional
+from omote.model.sculpting.caricature import caricature
+from omote.model.sculpting.regions import REGIONS, region_weights, regional
 from omote.model.sculpting.sculpt import sculpted
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face

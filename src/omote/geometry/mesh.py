@@ -1,4 +1,4 @@
-"""Triangle meshes: validation, adjacency, boundary loops, connected components, normals, subdivision, welding."""
+"""Triangle meshes: validation, adjacency, boundary loops, connected components, normals, welding."""
 
 from __future__ import annotations
 
@@ -233,17 +233,3 @@ def components(triangles: Triangles, vertex_count: int, /) -> NDArray[np.int32]:
     rank[order] = np.arange(count, dtype=np.int32)
     result: NDArray[np.int32] = rank[label]
     return result
-
-
-def subdivide(triangles: Triangles, vertex_count: int, /) -> tuple[Triangles, NDArray[np.int32]]:
-    """Subdivides each triangle into four at its edge midpoints.
-
-    Returns the new triangles (4F, 3) and the edges (E, 2) whose midpoints are the new vertices, from vertex_count on.
-    """
-    edges = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
-    unique, inverse = np.unique(edges, axis=0, return_inverse=True)
-    middle = (inverse.reshape(-1, 3) + vertex_count).astype(np.int32)
-    a, b, c = triangles.T
-    ab, bc, ca = middle.T
-    parts = [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
-    return np.concatenate([np.stack(part, axis=1) for part in parts]).astype(np.int32), unique.astype(np.int32)

@@ -211,38 +211,28 @@ def _call_expression(performer: Performer, call: wire.CallExpression) -> None:
 
 
 def _call_light(performer: Performer, call: wire.CallLight) -> None:
-    performer.call_light(call.name, seconds=validate_number(call.seconds, validation.SECONDS), easing=call.easing)
-
-
-def _set_head(performer: Performer, head: wire.SetHead) -> None:
-    performer.set_head(
-        validate_number(head.yaw, validation.HEAD),
-        validate_number(head.pitch, validation.HEAD),
-        validate_number(head.roll, validation.HEAD),
-    )
-
-
-def _set_gaze(performer: Performer, gaze: wire.SetGaze) -> None:
-    performer.set_gaze(validate_number(gaze.yaw, validation.GAZE), validate_number(gaze.pitch, validation.GAZE))
+    performer.call_light(call.name, seconds=_seconds(call.seconds), easing=call.easing)
 
 
 def _seconds(seconds: float | None) -> float:
-    return math.inf if seconds is None else validate_number(seconds, validation.SECONDS)
+    if seconds is None:
+        return math.inf  # by hand: the performer's own word for a call that waits for its T-bar
+    if seconds == math.inf:
+        raise Refusal("the time of a call (seconds) is inf; give a number of seconds, or nil for a call by hand.")
+    return seconds
 
 
 OBEY: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
     wire.CallFace: _call_face,
     wire.CallExpression: _call_expression,
     wire.CallLight: _call_light,
-    wire.FadeFace: lambda performer, bar: performer.fade_face(validate_number(bar.value, validation.FADER)),
+    wire.FadeFace: lambda performer, bar: performer.fade_face(bar.value),
     wire.ReleaseFace: lambda performer, _: performer.release_face(),
-    wire.FadeExpression: lambda performer, bar: performer.fade_expression(validate_number(bar.value, validation.FADER)),
+    wire.FadeExpression: lambda performer, bar: performer.fade_expression(bar.value),
     wire.ReleaseExpression: lambda performer, _: performer.release_expression(),
-    wire.SetChannel: lambda performer, fader: performer.set_channel(
-        fader.name, validate_number(fader.value, validation.CHANNEL)
-    ),
-    wire.SetHead: _set_head,
-    wire.SetGaze: _set_gaze,
+    wire.SetChannel: lambda performer, fader: performer.set_channel(fader.name, fader.value),
+    wire.SetHead: lambda performer, head: performer.set_head(head.yaw, head.pitch, head.roll),
+    wire.SetGaze: lambda performer, gaze: performer.set_gaze(gaze.yaw, gaze.pitch),
     wire.Panic: lambda performer, _: performer.panic(),
 }
-"""The action of each command on the performer, which itself rejects names that the cast lacks."""
+"""The action of each command on the performer, which alone validates names and numbers (`perform/limits.py`)."""

@@ -1,10 +1,10 @@
-"""Validates numbers from outside: each passes unchanged or is rejected with an error message, never clamped."""
+"""Validates numbers of messages that no performer checks: each passes unchanged or is rejected, never clamped."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMIT, HEAD_LIMIT, LONGEST_CALL, check_within
+from omote.perform.limits import check_within
 
 
 class Refusal(ValueError):  # noqa: N818  (what an operator reads, not a fault)
@@ -20,11 +20,6 @@ class Quantity:
     high: float
 
 
-SECONDS = Quantity("the length of a call (seconds)", 0.0, LONGEST_CALL)
-FADER = Quantity("a T-bar", 0.0, 1.0)
-CHANNEL = Quantity("a channel", CHANNEL_LOWEST, CHANNEL_HIGHEST)
-HEAD = Quantity("an angle of the head (radians)", -HEAD_LIMIT, HEAD_LIMIT)
-GAZE = Quantity("an angle of the gaze (radians)", -GAZE_LIMIT, GAZE_LIMIT)
 SENT = Quantity("the time a ping was sent", -1e15, 1e15)
 FPS = Quantity("the rate of drawn frames", 0.0, 1000.0)
 

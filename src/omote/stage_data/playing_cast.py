@@ -99,10 +99,6 @@ class PlayingCast:
         """The digest of this cast: the built-in cast's where there are no own items."""
         return digest_of(self.base.digest, self.own)
 
-    def find(self, kind: Kind, name: str) -> Own | None:
-        """The own item of this name."""
-        return next((each for each in self.own if (each.kind, each.name) == (kind, name)), None)
-
 
 def digest_of(base: str, own: tuple[Own, ...]) -> str:
     """The digest of a cast with own items, hexadecimal; the built-in cast's where there are none."""

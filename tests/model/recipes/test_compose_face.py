@@ -14,8 +14,9 @@ from omote.model.cast import Look
 from omote.model.recipes.compose_face import MOST_AMOUNT, FaceWithLook, compose_face, mix_faces, mix_looks
 from omote.model.recipes.face_handles import default_handles, drag_handles
 from omote.model.recipes.recipe import FaceRecipe
+from omote.model.sculpting.caricature import caricature
 from omote.model.sculpting.extrapolation import find_folds
-from omote.model.sculpting.regions import REGIONS, caricature, regional
+from omote.model.sculpting.regions import REGIONS, regional
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.perform.blending.evaluate import evaluate

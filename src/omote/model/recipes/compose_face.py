@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from omote.model.cast import TRAITS, Look
 from omote.model.recipes.face_handles import drag_handles
 from omote.model.recipes.recipe import FaceRecipe
-from omote.model.sculpting.regions import REGIONS, Region, caricature, regional
+from omote.model.sculpting.caricature import caricature
+from omote.model.sculpting.regions import REGIONS, Region, regional
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace

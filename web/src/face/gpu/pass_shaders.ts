@@ -19,7 +19,7 @@ void main() {
 }
 `;
 
-/** P = sum of weight x layer (docs/architecture.md, section 2); the eyeballs' rows turn about their centres. */
+/** P = sum of weight x layer (docs/method.md, "The mix"); the eyeballs' rows turn about their centres. */
 export const BLEND_FRAGMENT = `${HEAD}
 layout(std140) uniform Mix { vec4 entries[512]; };
 uniform sampler2DArray layers;

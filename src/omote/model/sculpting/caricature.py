@@ -1,0 +1,94 @@
+"""Caricature: what distinguishes a face from the generic one, drawn less or more than it is."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.distance import cdist
+
+from omote.model.sculpting.extrapolation import extrapolate, repair_folds
+from omote.model.sculpting.regions import eye_frame, fit_with_lids, vertex_areas
+from omote.model.space.eye_socket import ball_heights, radius_of, set_ball_heights
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.space.parameter_space import ParameterSpace
+
+Values = NDArray[np.float64]
+
+_BELL = 0.3
+
+
+def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
+    """What distinguishes a face from the generic one, times amount: 0 the generic face, 1 the face, 2 twice itself.
+
+    Up to one it is the linear mix; beyond, only the smooth form grows, by its turns and stretches, so that wrinkles and
+    lids stay what they are and nothing folds.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        The space of the face.
+    face : Face
+        Who is drawn.
+    amount : float
+        How much of it.
+
+    Returns
+    -------
+    Face
+        Named after face and amount: "kaori_150".
+
+    Raises
+    ------
+    ValueError
+        On an amount that is not finite or that tears the face.
+
+    Examples
+    --------
+    >>> omote.caricature(cast.space, cast.faces["kaori"], 1.5).name
+    'kaori_150'
+
+    References
+    ----------
+    docs/sculpts.md, "Mixes and caricature".
+    """
+    if not np.isfinite(amount):
+        raise ValueError(f"a caricature's amount is {amount!r}; expected a finite number such as 1.5")
+    fitted = fit(space, face)
+    within, beyond = min(amount, 1.0), max(amount - 1.0, 0.0)
+    name = f"{face.name}_{100 * amount:.0f}"
+    skin = space.points + within * (fitted.positions - space.points)
+    parts = {name: part.points + within * (fitted.parts[name] - part.points) for name, part in space.parts.items()}
+    if beyond == 0.0:
+        return fit_with_lids(space, name, skin, parts, {})
+    further = extrapolate(space.points, skin, space.triangles, beyond, _BELL * eye_frame(space)[1])
+    for part in space.parts.values():
+        moves = _bell(space, further - skin, part.points)
+        parts[part.name] = (
+            _extrapolate_ball(parts[part.name], moves, part.points, beyond) if part.eye else parts[part.name] + moves
+        )
+    eyes = [name for name, part in space.parts.items() if part.eye]
+    lidded = set_ball_heights(
+        further,
+        {eye: parts[eye] for eye in eyes},
+        {eye: ball_heights(fitted.positions, fitted.parts[eye]) for eye in eyes},
+    )
+    return fit_with_lids(space, name, repair_folds(skin, lidded, space.skin_triangles), parts, {})
+
+
+def _extrapolate_ball(ball: Values, moves: Values, generic: Values, beyond: float) -> Values:
+    """An eyeball (n, 3) that goes with its surroundings and grows once more as it did from the generic one."""
+    size = (radius_of(ball) / radius_of(generic)) ** beyond
+    middle = ball.mean(axis=0)
+    result: Values = middle + moves.mean(axis=0) + size * (ball - middle)
+    return result
+
+
+def _bell(space: ParameterSpace, difference: Values, where: Values) -> Values:
+    """The sheet's difference (V, 3), each point's the mean under a bell around it."""
+    width = _BELL * eye_frame(space)[1]
+    sheet = np.unique(space.skin_triangles)
+    square = cdist(where, space.points[sheet], "sqeuclidean") / (2.0 * width * width)
+    bell = vertex_areas(space)[sheet] * np.exp(square.min(axis=1, keepdims=True) - square)
+    result: Values = bell @ difference[sheet] / bell.sum(axis=1, keepdims=True)
+    return result
