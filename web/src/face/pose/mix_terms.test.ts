@@ -4,7 +4,7 @@ import { mixPoses, restPose } from "./pose";
 
 const all = (): number => 1;
 
-/** The mix by its definition (docs/architecture.md, section 2), for numbers instead of positions. */
+/** The mix by its definition (docs/method.md, "The mix"), for numbers instead of positions. */
 function byDefinition(pose: ReturnType<typeof restPose>, at: (face: string, expression?: string) => number): number {
   let sum = 0;
   const channels = { ...pose.channels };

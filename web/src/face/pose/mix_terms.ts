@@ -34,7 +34,7 @@ export function faceWeights(pose: Pose, share: Share): Map<string, number> {
 }
 
 /**
- * The bilinear mix as one flat sum (docs/architecture.md, section 2): with `D_ij = P_ij - M_i`,
+ * The bilinear mix as one flat sum (docs/method.md, "The mix"): with `D_ij = P_ij - M_i`,
  * `P = sum_i s_i (sum_j t_j) M_i + sum_i sum_j s_i (t_j + c_j) D_ij`.
  */
 export function terms(pose: Pose, share: Share): Term[] {

@@ -1,7 +1,8 @@
 /** The camera that goes around a head: where it stands, what a pixel sees. */
 
+import { Matrix4, Vector3 } from "three";
 import type { Box } from "./boxes";
-import { add, cross, minus, type Pair, product, rowOf, type Triple, times, unit } from "./vectors";
+import { add, cross, minus, type Pair, rowOf, type Triple, times, unit } from "./vectors";
 
 /** Where the camera stands: yaw (+: over the character's left) and pitch (+: from above) in radians, `zoom` 1 shows the
  * whole head, `pan` metres to the right and up. */
@@ -86,7 +87,7 @@ export class Camera {
     this.far = (1.06 * bounds.radius) / (LENS * Math.min(1, aspect * 1.12) * view.zoom) + 0.4 * bounds.radius;
     this.middle = add(bounds.centre, add(times(this.right, view.pan[0]), times(this.up, view.pan[1])));
     this.eye = add(this.middle, times(this.back, this.far));
-    this.matrix = product(this.projection(aspect, bounds.radius), this.placement());
+    this.matrix = Float32Array.from(this.projection(aspect, bounds.radius).multiply(this.viewMatrix()).elements);
   }
 
   /** Where a point is on the canvas, CSS pixels, and how far in front of the camera, metres. */
@@ -130,24 +131,16 @@ export class Camera {
     return (2 * LENS * this.project(point)[2]) / this.box.height;
   }
 
-  private placement(): Float32Array {
-    const off = (axis: Triple) => -(axis[0] * this.eye[0] + axis[1] * this.eye[1] + axis[2] * this.eye[2]);
-    const [r, u, b] = [this.right, this.up, this.back];
-    return Float32Array.from([
-      r[0], u[0], b[0], 0, r[1], u[1], b[1], 0, r[2], u[2], b[2], 0, off(r), off(u), off(b), 1,
-    ]); // biome-ignore format: rows of a matrix
+  private viewMatrix(): Matrix4 {
+    const [right, up, back] = [this.right, this.up, this.back].map((axis) => new Vector3(...axis));
+    const world = new Matrix4().makeBasis(right as Vector3, up as Vector3, back as Vector3);
+    return world.setPosition(...this.eye).invert();
   }
 
-  private projection(aspect: number, radius: number): Float32Array {
+  private projection(aspect: number, radius: number): Matrix4 {
     const near = Math.max(0.02 * radius, this.far - 3 * radius);
-    const far = this.far + 3 * radius;
-    const out = new Float32Array(16);
-    out[0] = 1 / (LENS * aspect);
-    out[5] = 1 / LENS;
-    out[10] = (far + near) / (near - far);
-    out[11] = -1;
-    out[14] = (2 * far * near) / (near - far);
-    return out;
+    const top = LENS * near;
+    return new Matrix4().makePerspective(-top * aspect, top * aspect, top, -top, near, this.far + 3 * radius);
   }
 }
 

@@ -1,4 +1,4 @@
-/** Points and directions in space, and 4x4 matrices column by column, as the GPU wants them. */
+/** Points and directions in space as plain tuples, which are never changed in place; matrices are three's (`camera.ts`). */
 
 export type Triple = [number, number, number];
 export type Pair = [number, number];
@@ -21,17 +21,6 @@ export const rowOf = (points: ArrayLike<number>, row: number): Triple => [
   points[3 * row + 1] as number,
   points[3 * row + 2] as number,
 ];
-
-/** a @ b, both (4, 4) column by column. */
-export function product(a: Float32Array, b: Float32Array): Float32Array {
-  const out = new Float32Array(16);
-  for (let column = 0; column < 4; column++)
-    for (let row = 0; row < 4; row++)
-      for (let inner = 0; inner < 4; inner++)
-        out[4 * column + row] =
-          (out[4 * column + row] as number) + (a[4 * inner + row] as number) * (b[4 * column + inner] as number);
-  return out;
-}
 
 /** The solution x of x[0] a + x[1] b + x[2] c = goal; undefined where a, b and c lie (nearly) in one plane. */
 export function solved(
