@@ -32,7 +32,7 @@ class Inspection:
 
 
 def inspect_show(path: Path, /) -> Inspection:
-    """All of a show file; ShowFileError with a sentence where there is none, or it is damaged."""
+    """All of a show file; ShowFileError with an error message where there is none, or it is damaged."""
     version = verify_integrity(path)
     if version == 0:
         raise ShowFileError(f"there is no show file {path}; omote show makes one.")
@@ -62,7 +62,7 @@ def revisions_of(stored: Stored, item: Item, /) -> list[Revision]:
 
 
 def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
-    """Yields the result of each integrity check with a sentence; the first failure may be the last."""
+    """Yields the result of each integrity check with a message; the first failure may be the last."""
     try:
         found = inspect_show(path)
     except ShowFileError as error:

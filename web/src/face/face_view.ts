@@ -98,7 +98,7 @@ export class FaceView {
     canvas.addEventListener("webglcontextrestored", this.contextRestored);
   }
 
-  /** A view of a library's cast; an Error with a sentence when the browser gives no WebGL2. */
+  /** A view of a library's cast; an Error with a message when the browser gives no WebGL2. */
   static async load(
     canvas: HTMLCanvasElement | OffscreenCanvas,
     library: Library,

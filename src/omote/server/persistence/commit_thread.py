@@ -14,7 +14,7 @@ from omote.showfile.changes import Change
 from omote.showfile.show_file import ShowFile
 
 RETRY_SECONDS = 1.0
-"""How long the scribe waits for a disk that failed."""
+"""Seconds between two tries to write to a disk that failed."""
 
 
 @dataclass(frozen=True)
@@ -41,8 +41,8 @@ class _Job:
 class CommitThread:
     """A thread that commits lists of changes one after the other.
 
-    show: the scribe's own (`ShowFile.again`); it closes it. backup: of the same file; nothing is committed to a file
-    that it found damaged. Fates are told on the scribe's thread.
+    show: the thread's own connection (`ShowFile.again`); it closes it. backup: of the same file; nothing is committed to a file
+    that it found damaged. Outcomes are told on this thread.
     """
 
     def __init__(
@@ -58,7 +58,7 @@ class CommitThread:
         self._queue: deque[_Job] = deque()
         self._waiting = threading.Condition()
         self._closing = self._failing = False
-        self._thread = threading.Thread(target=self._run, name="scribe", daemon=True)
+        self._thread = threading.Thread(target=self._run, name="commits", daemon=True)
         self._thread.start()
 
     def commit(self, changes: Sequence[Change], told: OnOutcome) -> None:

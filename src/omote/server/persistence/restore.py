@@ -31,7 +31,7 @@ def open_journal(path: Path, report: Report) -> ShowFile | None:
 def open_newest(path: Path, report: Report) -> ShowFile:
     """The show file, made when there is none; a corrupt or lost one is kept and its newest whole backup opened.
 
-    ShowFileError with a sentence where it cannot be used; then it is untouched.
+    ShowFileError with an error message where it cannot be used; then it is untouched.
     """
     try:
         try:
