@@ -41,8 +41,8 @@ class _Job:
 class CommitThread:
     """A thread that commits lists of changes one after the other.
 
-    show: the thread's own connection (`ShowFile.again`); it closes it. backup: of the same file; nothing is committed to a file
-    that it found damaged. Outcomes are told on this thread.
+    show: the thread's own connection (`ShowFile.again`), which it closes. backup: of the same file; nothing is
+    committed to a file that it found damaged. Outcomes are told on this thread.
     """
 
     def __init__(
