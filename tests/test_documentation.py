@@ -21,7 +21,9 @@ from omote.cli import app
 from tools.website.pages import GENERATED, ROOT
 
 DOCS = ROOT / "docs"
-WRITTEN = [*sorted(ROOT.glob("*.md")), ROOT / "examples" / "README.md", *sorted(DOCS.rglob("*.md"))]
+SOURCES = ("src/omote", "web/src", "tools", "benchmarks", "examples")
+READMES = [page for folder in SOURCES for page in sorted((ROOT / folder).rglob("README.md"))]
+WRITTEN = [*sorted(ROOT.glob("*.md")), *READMES, *sorted(DOCS.rglob("*.md"))]
 FRAGMENT, RUNS = "<!-- fragment", "<!-- runs -->"
 TEACHING = [page for folder in ("tutorials", "howto") for page in sorted((DOCS / folder).glob("*.md"))]
 LARGEST_PICTURE = 200_000
@@ -91,6 +93,12 @@ def promised(code: str) -> list[str]:
     """What a snippet says that its prints give: the comment behind them, up to a colon or dots."""
     lines = [line for line in code.splitlines() if line.lstrip().startswith("print(")]
     return [re.split(r": |\.\.\.", line.split(")  # ", 1)[1])[0] if ")  # " in line else "" for line in lines]
+
+
+def test_headings_become_anchors(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text("# One: two `three`\n\n```sh\n# none\n```\n\n### Eq. 3\n")
+    assert anchors(page) == {"one-two-three", "eq-3"}
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name_of)
