@@ -1,4 +1,4 @@
-"""The shape of the web's code: folders, direction of imports, sizes. Biome checks cycles and the length of bodies."""
+"""The web's code: direction of imports, short modules. Biome checks cycles and bodies, `test_folders.py` sizes."""
 
 import json
 import re
@@ -10,9 +10,6 @@ ROOT = Path(__file__).parent.parent
 WEB = ROOT / "web"
 SOURCE = WEB / "src"
 
-MOST_MODULES = 12
-# Folders that hold more, and why.
-LARGE_FOLDERS: dict[str, str] = {}
 SHORT_MODULE = 30
 # Modules below that length with one importer and no test of their own, and why they stand apart.
 LONELY_MODULES: dict[str, str] = {}
@@ -146,11 +143,6 @@ def test_imports_are_those_of_the_table(folder: str) -> None:
     leaving = {(module, to) for module, to in found if folder_of(to) != folder}
     assert {pair for pair in leaving if folder_of(pair[1]) not in ALLOWED[folder]} == set()
     assert {folder_of(to) for _, to in leaving} == ALLOWED[folder], "the table allows what nobody uses"
-
-
-def test_folders_are_small_or_say_why() -> None:
-    sizes = {folder: sum(folder_of(module) == folder for module in MODULES) for folder in FOLDERS}
-    assert {folder for folder, size in sizes.items() if size > MOST_MODULES} == set(LARGE_FOLDERS)
 
 
 def test_a_short_module_with_one_importer_lives_in_it() -> None:
