@@ -36,7 +36,9 @@ demo: setup
 
 # ---- set-up
 
-setup: $(PACKAGES) $(PAGES) $(CAST)
+# The pages are built beside the cast: neither needs the other.
+setup: $(PACKAGES)
+	@$(MAKE) --jobs=2 $(PAGES) $(CAST)
 
 bake: $(CAST)
 

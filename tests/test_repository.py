@@ -6,6 +6,8 @@ import json
 import re
 import subprocess
 import tomllib
+from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -99,9 +101,15 @@ def test_every_python_package_is_pinned_at_the_version_that_is_tested() -> None:
     assert {name: pinned.get(name) for name in installed} == installed
 
 
+@cache
+def package_owners() -> Mapping[str, list[str]]:
+    """Which installed distributions each top name comes from; it reads the list of files of each of them."""
+    return importlib.metadata.packages_distributions()
+
+
 def imported_packages(*folders: str) -> set[str]:
     """The installed packages that the Python files of some folders import, wherever in a file."""
-    owners = importlib.metadata.packages_distributions()
+    owners = package_owners()
     trees = [ast.parse(path.read_text()) for folder in folders for path in (ROOT / folder).rglob("*.py")]
     imported = {name for tree in trees for node in ast.walk(tree) for name in imported_names(node)}
     return {canonicalize_name(owner) for name in imported for owner in owners.get(name, [])}

