@@ -18,7 +18,7 @@ CAST := src/omote/builtin/cast.npz
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
 CAST_FROM := tools/bake.py src/omote/interchange/formats/sculpt_toml.py $(shell find tools/baking src/omote/geometry src/omote/model src/omote/builtin -name "*.py" -o -name "*.toml")
 
-.PHONY: help demo test setup bake web check check-python check-web tests browser-tests wheel-test format bench gallery docs wheel clean
+.PHONY: help demo test setup bake web check check-python check-web tests tests-and-wheel browser-tests wheel-test format bench gallery docs wheel clean
 .DELETE_ON_ERROR:
 
 help:
@@ -68,7 +68,7 @@ $(CAST): $(CAST_FROM) | $(PACKAGES)
 
 test: setup
 	@$(MAKE) --jobs=2 check
-	@$(MAKE) tests browser-tests wheel-test
+	@$(MAKE) tests-and-wheel browser-tests
 	@echo "== All checks and tests passed"
 
 check: check-python check-web
@@ -88,6 +88,11 @@ check-web: $(MODULES)
 tests: setup
 	@echo "== Tests"
 	@$(PYTEST)
+
+# The wheel's tests wait for pip: other tests run beside them.
+tests-and-wheel: setup
+	@echo "== Tests, those of the wheel among them"
+	@$(PYTEST) --override-ini="addopts=--import-mode=importlib --ignore=tests/browser"
 
 browser-tests: setup
 	@echo "== Tests in a browser"

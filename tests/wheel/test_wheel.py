@@ -1,6 +1,7 @@
 """A wheel built here plays a show in an empty environment: no Node, no PyTorch, no repository.
 
-Run by itself (`pytest tests/wheel`, a part of `make test`): it builds, installs and starts a server.
+A bare `pytest` leaves it out (`make wheel-test` runs it alone, `make test` with all others): it builds, installs and
+starts a server.
 """
 
 import asyncio
@@ -23,6 +24,8 @@ import numpy as np
 import pytest
 
 import hatch_build
+
+pytestmark = pytest.mark.long
 
 ROOT = Path(__file__).parent.parent.parent
 SKIN_VERTICES = 4278  # of the CC0 head above the neck
