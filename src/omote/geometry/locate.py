@@ -118,6 +118,13 @@ def _scan_flat(frames: Values, theta: float, h: float, b: Values) -> int:
     return -1
 
 
+@njit(cache=True, inline="always")
+def _copy(b: Values, out: Values) -> None:
+    """Copies three weights; an array assignment takes numba seconds to compile."""
+    for k in range(3):
+        out[k] = b[k]
+
+
 @njit(cache=True)
 def _rein_in(weights: Values) -> None:
     """Pulls the weights (3,) of a missed triangle toward its centroid until none is below -FARTHEST: slivers shoot
@@ -155,7 +162,7 @@ def walk_strip(
                 _flat(frames, t, theta[i], h[i], b)
         triangles[i] = t
         inside[i] = found
-        weights[i] = b
+        _copy(b, weights[i])
         if not found:
             _rein_in(weights[i])
 
@@ -178,8 +185,9 @@ def _hit_by_ray(points: Values, corners: Indices, ray: Values, b: Values) -> boo
     total = b[0] + b[1] + b[2]
     if abs(total) < 1e-30:
         return False
-    b /= total
-    return bool((b * depth).sum() > 0.0)
+    for k in range(3):
+        b[k] /= total
+    return bool(b[0] * depth[0] + b[1] * depth[1] + b[2] * depth[2] > 0.0)
 
 
 @njit(cache=True, inline="always")
@@ -208,7 +216,7 @@ def _walk_by_ray(
         ahead = _hit_by_ray(points, triangles[t], ray, b)
         if ahead and _lowest(b) > miss:
             nearest, miss = t, _lowest(b)
-            best[:] = b
+            _copy(b, best)
         if ahead and miss >= -SLACK:
             return t, True
         onward = _way_on(neighbours, t, before, b)
@@ -232,7 +240,7 @@ def _search_by_ray(
         head += 1
         if _hit_by_ray(points, triangles[t], ray, b) and _lowest(b) > miss:
             nearest, miss = t, _lowest(b)
-            best[:] = b
+            _copy(b, best)
         for k in range(3):
             other = neighbours[t, k]
             if other >= 0 and seen[other] != stamp and tail < len(queue):
@@ -265,8 +273,8 @@ def walk_face(
             t, found = _search_by_ray(points, corners, neighbours, ray, start[i], i, seen, queue, best)
         if t < 0:
             t = start[i]
-            best[:] = 1.0 / 3.0
+            best[0] = best[1] = best[2] = 1.0 / 3.0
         triangles[i], inside[i] = t, found
-        weights[i] = best
+        _copy(best, weights[i])
         if not found:
             _rein_in(weights[i])

@@ -13,6 +13,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from omote.geometry.conjugate_gradients import solve_conjugate_gradients
+
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 Mask = NDArray[np.bool_]
@@ -23,7 +25,6 @@ FOLDED = 3.0
 # to move, and the weight of the anchor that keeps vertices where they are.
 HELD_ROUNDS, NEAR_RINGS, NEAR = 6, 2, 0.1
 FREE_ROUNDS, FAR_RINGS, FAR = 8, 3, 0.02
-_ITERATIONS = 80
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,10 +101,15 @@ def relax_patches(
 
     Folded triangles take the source's gradients, those around keep theirs; vertices that are held (V,) stay.
     """
-    _relax(
-        positions, source, folded, held, rings, anchor, geometry.triangles, geometry.starts, geometry.fans,
+    place, pull, diagonal, corners, slopes, weights, mean = _gather_system(
+        positions, source, folded, held, rings, geometry.triangles, geometry.starts, geometry.fans,
         geometry.gradients, geometry.plane, geometry.rotations, geometry.inverse_frames,
     )  # fmt: skip
+    if len(pull) == 0:
+        return
+    step = solve_conjugate_gradients(pull, diagonal + anchor * mean, anchor * mean, corners, slopes, weights)
+    inside = place >= 0
+    positions[inside] += step[place[inside]]
 
 
 def triangle_frames(positions: Values, triangles: Indices, /) -> Values:
@@ -202,16 +208,17 @@ def _target_gradient(
 
 
 @njit(cache=True)
-def _relax(
-    positions: Values, moved: Values, folded: Mask, held: Mask, rings: int, anchor: float, triangles: Indices,
-    starts: Indices, fans: Indices, gradients: Values, plane: Values, rotations: Values, inverse_frames: Values,
-) -> None:  # fmt: skip
-    """Kernel of `relax_patches`; moved (V, 3): the source."""
+def _gather_system(
+    positions: Values, moved: Values, folded: Mask, held: Mask, rings: int, triangles: Indices, starts: Indices,
+    fans: Indices, gradients: Values, plane: Values, rotations: Values, inverse_frames: Values,
+) -> tuple[Indices, Values, Values, Indices, Values, Values, float]:  # fmt: skip
+    """The least squares of `relax_patches`: each vertex's unknown (V,), right side and diagonal, the patch's triangles.
+
+    moved (V, 3): the source; of the triangles: their unknowns (P, 3), gradients (P, 3, 2) and weights (P,).
+    """
     patch = np.flatnonzero(_grow_patch(folded, rings, triangles, starts, fans))
     place = _number_unknowns(patch, len(triangles), triangles, starts, fans, held)
     pull, diagonal = np.zeros((place.max() + 1, 3)), np.zeros(place.max() + 1)
-    if len(pull) == 0:
-        return
     corners, slopes, weights = np.empty((len(patch), 3), np.int32), gradients[patch], np.ones(len(patch))
     target = np.empty((2, 3))
     for n in range(len(patch)):
@@ -224,11 +231,7 @@ def _relax(
             _target_gradient(t, rotations, inverse_frames, plane, moved, triangles[t], target)
             _add_residual(target, slopes[n], positions, triangles[t], corners[n], pull)
         _add_diagonal(weights[n], slopes[n], corners[n], diagonal)
-    shift = anchor * diagonal.mean()
-    step = _solve_conjugate_gradients(pull, diagonal + shift, shift, corners, slopes, weights)
-    for v in range(len(place)):
-        if place[v] >= 0:
-            positions[v] += step[place[v]]
+    return place, pull, diagonal, corners, slopes, weights, diagonal.sum() / max(len(diagonal), 1)
 
 
 @njit(cache=True)
@@ -248,51 +251,3 @@ def _add_diagonal(weight: float, slopes: Values, corners: Indices, diagonal: Val
     for k in range(3):
         if corners[k] >= 0:
             diagonal[corners[k]] += weight * (slopes[k] ** 2).sum()
-
-
-@njit(cache=True)
-def _apply_matrix(x: Values, shift: float, corners: Indices, slopes: Values, weights: Values, out: Values) -> None:
-    out[:] = shift * x
-    slope = np.empty(3)
-    for n in range(len(corners)):
-        for d in range(2):
-            slope[:] = 0.0
-            for k in range(3):
-                p = corners[n, k]
-                if p >= 0:
-                    for c in range(3):
-                        slope[c] += slopes[n, k, d] * x[p, c]
-            _scatter(weights[n], slopes[n, :, d], slope, corners[n], out)
-
-
-@njit(cache=True, inline="always")
-def _scatter(weight: float, slopes: Values, slope: Values, corners: Indices, out: Values) -> None:
-    for k in range(3):
-        p = corners[k]
-        if p >= 0:
-            for c in range(3):
-                out[p, c] += weight * slopes[k] * slope[c]
-
-
-@njit(cache=True)
-def _solve_conjugate_gradients(
-    pull: Values, diagonal: Values, shift: float, corners: Indices, slopes: Values, weights: Values
-) -> Values:  # fmt: skip
-    """Conjugate gradients, preconditioned by the diagonal."""
-    x, applied, rest = np.zeros_like(pull), np.empty_like(pull), pull.copy()
-    scale = np.expand_dims(1.0 / diagonal, 1)
-    scaled = rest * scale
-    direction, energy = scaled.copy(), (rest * scaled).sum()
-    goal = 1e-10 * energy
-    for _ in range(_ITERATIONS):
-        if energy <= goal:
-            break
-        _apply_matrix(direction, shift, corners, slopes, weights, applied)
-        share = energy / (direction * applied).sum()
-        x += share * direction
-        rest -= share * applied
-        scaled = rest * scale
-        after = (rest * scaled).sum()
-        direction = scaled + (after / energy) * direction
-        energy = after
-    return x
