@@ -17,7 +17,8 @@ def test_it_solves_the_normal_equations(seed: int, unknowns: int, triangles: int
     matrix: NDArray[np.float64] = shift * np.eye(unknowns)
     for corner, slope, weight in zip(corners, slopes, weights, strict=True):
         gradient = np.zeros((2, unknowns + 1))  # the last column takes the vertices that are held
-        np.add.at(gradient, (slice(None), corner), slope.T)
+        for k in range(3):
+            gradient[:, corner[k]] += slope[k]
         matrix += weight * gradient[:, :-1].T @ gradient[:, :-1]
     pull = rng.normal(size=(unknowns, 3))
     found = solve_conjugate_gradients(pull, np.diagonal(matrix).copy(), shift, corners, slopes, weights)
