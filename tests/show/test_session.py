@@ -1,8 +1,10 @@
 """A whole show without a socket: messages and times in, messages and states out."""
 
 import math
+from dataclasses import replace
 
 import msgspec
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -12,6 +14,7 @@ from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
 from omote.show import messages as wire
 from omote.show.session import REMEMBERED_CALLS, SILENCE, KeepRequest, Outgoing, SessionSnapshot, ShowSession
+from omote.show.state import EYE_SECONDS
 from omote.show.wire import encode
 from tests import synthetic
 
@@ -308,6 +311,33 @@ def test_a_recast_without_what_is_held_is_refused_and_with_it_alone_is_not(
     session.recast(Recast(cast, [*faces], [*expressions, *rest]))
     after = session.tick(pause)
     assert (after.faces, after.expressions, after.channels) == (before.faces, before.expressions, before.channels)
+
+
+@given(
+    weight=st.floats(0.1, 1.0), angles=st.lists(st.floats(-0.4, 0.4), min_size=4, max_size=4), times=st.integers(1, 3)
+)
+def test_eyes_of_an_expression_that_changes_on_air_ease(
+    cast: Cast, weight: float, angles: list[float], times: int
+) -> None:
+    """However often it changes: no jump, no way back, and after a quarter of a second where the last one has them."""
+    session, now = opened(cast, "a"), 0.0
+    session.receive("a", wire.CallExpression("1", "smile", 0.0, "smooth"), now)
+    session.receive("a", wire.SetChannel("smile", weight), now)
+    for turn in range(1, times + 1):
+        before = np.array(session.tick(now).eyes)
+        other = Recast(cast, [*cast.faces], [*cast.expressions])
+        turned = turn * np.array(angles).reshape(2, 2)
+        other.expressions["smile"] = replace(cast.expressions["smile"], eyes=turned)
+        session.recast(other)
+        assert session.tick(now).eyes == pytest.approx(before, abs=1e-12)
+        now += EYE_SECONDS / 3
+        session.tick(now)
+    way = np.array([session.tick(now + step * FRAME).eyes for step in range(20)])
+    wanted = (1.0 + weight) * turned.ravel()
+    assert way[-1] == pytest.approx(wanted, abs=1e-9)
+    left = np.abs(way - wanted)
+    assert (np.diff(left, axis=0) <= 1e-12).all()
+    assert (np.abs(np.diff(way, axis=0)) <= 2.0 * FRAME / EYE_SECONDS * np.abs(before - wanted) + 1e-12).all()
 
 
 def test_own_names_can_be_called_once_they_are_there(cast: Cast) -> None:

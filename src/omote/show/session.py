@@ -13,7 +13,7 @@ from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, names_held
 from omote.show import messages as wire
 from omote.show import validation
-from omote.show.state import state_of
+from omote.show.state import EyeOffset, offset_between, state_of
 from omote.show.validation import Refusal, validate_number
 from omote.show.wire import decode
 
@@ -70,6 +70,7 @@ class ShowSession:
         self._calls: dict[str, None] = {}
         self._now: float | None = None
         self._time = performer.snapshot().time
+        self._eye_offset = EyeOffset()
 
     @classmethod
     def restored(cls, cast: Playable, snapshot: SessionSnapshot, *, epoch: int, revision: int = 1) -> ShowSession:
@@ -102,15 +103,24 @@ class ShowSession:
         elapsed = 0.0 if self._now is None else max(0.0, now - self._now)
         self._now = now
         self.number += 1
+        return self._state(elapsed)
+
+    def _state(self, elapsed: float) -> wire.State:
         frame = self.performer.advance(elapsed)
         self._time = frame.time
-        return state_of(self.cast, frame, epoch=self.epoch, number=self.number, revision=self.revision)
+        state = state_of(self.cast, frame, epoch=self.epoch, number=self.number, revision=self.revision)
+        return msgspec.structs.replace(state, eyes=self._eye_offset.add_to(state.eyes, state.time))
 
     def recast(self, cast: Playable) -> wire.CastChanged:
         """Plays another cast from now on; returns the message for all pages. ValueError where it lacks what is on
-        air."""
+        air.
+
+        Stages ease what the skin does; the eyes, whose angles the state holds, ease here.
+        """
+        shown = self._state(0.0)
         self.performer.recast(cast)
-        self.cast = cast
+        self.cast, self._eye_offset = cast, EyeOffset()
+        self._eye_offset = offset_between(shown.eyes, self._state(0.0).eyes, shown.time)
         self.revision += 1
         return wire.CastChanged(self.revision, cast.digest)
 

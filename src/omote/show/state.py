@@ -3,14 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from omote.perform.channels import effective_channels, eye_angles
+from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import CallStatus, Frame
 from omote.show.messages import CallState, State
 
 if TYPE_CHECKING:
     from omote.perform.snapshot import Playable
+
+
+EYE_SECONDS = 0.25
+"""Eyes of an expression that changes on air take as long as its skin does on a stage (`source_crossfade.ts`)."""
+
+Angles = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True)
+class EyeOffset:
+    """How far the eyes were from where a changed cast has them (radians, as `State.eyes`), at `start`; it eases out."""
+
+    angles: Angles = (0.0, 0.0, 0.0, 0.0)
+    start: float = -EYE_SECONDS
+
+    def add_to(self, eyes: Angles, time: float) -> Angles:
+        """The angles that show at `time`, seconds of the show."""
+        part = min(1.0, max(0.0, (time - self.start) / EYE_SECONDS))
+        if part == 1.0:
+            return eyes
+        rest = 1.0 - EASINGS[DEFAULT_EASING].value(part)
+        left_yaw, left_pitch, right_yaw, right_pitch = (
+            eye + rest * offset for eye, offset in zip(eyes, self.angles, strict=True)
+        )
+        return left_yaw, left_pitch, right_yaw, right_pitch
+
+
+def offset_between(shown: Angles, wanted: Angles, time: float) -> EyeOffset:
+    """What keeps the eyes where they show, from `time` (seconds of the show) on."""
+    left_yaw, left_pitch, right_yaw, right_pitch = (before - after for before, after in zip(shown, wanted, strict=True))
+    return EyeOffset((left_yaw, left_pitch, right_yaw, right_pitch), time)
 
 
 def state_of(cast: Playable, frame: Frame, *, epoch: int, number: int, revision: int) -> State:
