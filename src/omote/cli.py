@@ -53,20 +53,29 @@ def show(
     from omote.server.http.static_pages import read_pages
     from omote.server.persistence.lock import ShowLockedError, lock_show
     from omote.server.persistence.restore import open_newest
+    from omote.server.process.notice_board import NoticeBoard
     from omote.server.supervision.supervisor import Supervisor, listen_on
     from omote.showfile.identification import locate_show
     from omote.showfile.show_file import ShowFileError, default_path
 
+    board = NoticeBoard()
     try:
         path = locate_show(file or default_path())
         read_pages()
         lock = lock_show(path)
         listening = listen_on(host, port)  # before the file is made: a refused port leaves none
-        open_newest(path, say).close()
+        open_newest(path, board.with_report(say)).close()
     except (OSError, ShowFileError, ShowLockedError) as error:
         fail_with(error)
     port = listening.getsockname()[1]
-    supervisor = Supervisor(listening, lock, path, report=say, opened=lambda: announce(host, port, browser=browser))
+    supervisor = Supervisor(
+        listening,
+        lock,
+        path,
+        report=say,
+        opened=lambda: announce(host, port, browser=browser),
+        notices=board.notices,
+    )
     say("the faces are getting ready ...")
     raise typer.Exit(supervisor.run())
 

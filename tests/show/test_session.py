@@ -76,6 +76,17 @@ def test_hello_is_answered_with_who_we_are(cast: Cast) -> None:
     assert session.receive("a", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0) == [Outgoing("a", welcome)]
 
 
+def test_consoles_are_told_what_the_crew_must_know_and_stages_are_not(cast: Cast) -> None:
+    session = ShowSession(cast, Performer(cast))
+    session.notices = [wire.Notice("1", 1.7e9, "The show's process ended.")]
+    told = [
+        session.receive(role, wire.Hello(role, wire.PROTOCOL_VERSION), 0.0)[1:]
+        for role in ("console", "stage")  # type: ignore[arg-type]
+    ]
+    assert told == [[Outgoing("console", wire.Notices(session.notices))], []]
+    assert session.notices_for("console") == told[0]
+
+
 def test_a_page_of_another_version_is_told_to_reload(cast: Cast) -> None:
     session = opened(cast)
     assert "reload the page" in reasons(session.receive("a", wire.Hello("console", 99), 0.0))[0]

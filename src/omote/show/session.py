@@ -67,6 +67,7 @@ class ShowSession:
         self.commands = 0
         self.crew: dict[str, Member] = {}
         self.wishes: list[KeepRequest] = []
+        self.notices: list[wire.Notice] = []
         self._calls: dict[str, None] = {}
         self._now: float | None = None
         self._time = performer.snapshot().time
@@ -137,10 +138,15 @@ class ShowSession:
         stages = [m.report if now - m.heard <= SILENCE else None for m in members if m.role == "stage"]
         return wire.Crew(stages=stages, consoles=sum(m.role == "console" for m in members))
 
+    def notices_for(self, who: str) -> list[Outgoing]:
+        """All notices for a console; nothing where there are none, or for a stage."""
+        wanted = self.notices and self._member(who).role == "console"
+        return [Outgoing(who, wire.Notices(list(self.notices)))] if wanted else []
+
     def _answer(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
         match message:
             case wire.Hello():
-                return [Outgoing(who, self._welcome(who, message))]
+                return [Outgoing(who, self._welcome(who, message)), *self.notices_for(who)]
             case wire.Ping():
                 return [
                     Outgoing(who, wire.Pong(sent=validate_number(message.sent, validation.SENT), time=self.clock(now)))

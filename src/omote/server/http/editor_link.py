@@ -16,7 +16,7 @@ from functools import partial
 import msgspec
 from aiohttp import WSMsgType, web
 
-from omote.edit.protocol.messages import EDITING_LIMIT, EditRefused, ToEditor
+from omote.edit.protocol.messages import EDITING_LIMIT, EditRefused, Greeted, ToEditor
 from omote.edit.protocol.orders import EditOrder
 from omote.edit.protocol.wire import encode
 from omote.edit.session.edit_session import EditSession, Outcome
@@ -67,7 +67,7 @@ class EditorLinks:
     """Connects all editors with the edit session, the workshop, the show file and the playing cast.
 
     authored_work: None when nothing can be stored; reopen: reads it again from the file; on_air: what is seen now;
-    tell: sends a message to one console, announce: to every page of the show.
+    tell: sends a message to one console, announce: to every page of the show; notices: what the crew must know.
     """
 
     def __init__(
@@ -81,11 +81,13 @@ class EditorLinks:
         tell: Tell,
         announce: Callable[[wire.FromServer], None],
         report: Callable[[str], None],
+        notices: Callable[[], list[wire.Notice]] = list,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.authored_work, self.links = authored_work, Links()
         self._reopen, self._documents, self._cast_reload, self._on_air = reopen, documents, cast_reload, on_air
         self._tell, self._announce, self._report, self._clock = tell, announce, report, clock
+        self._notices = notices
         self._pages: dict[str, EditorPage] = {}
         self._consequences: asyncio.Queue[Consequence] = asyncio.Queue()
         self._tasks: set[asyncio.Task[None]] = set()
@@ -128,6 +130,12 @@ class EditorLinks:
     def layout(self, name: str) -> bytes | None:
         """A page's stored layout (JSON), None where there is none."""
         return None if self.authored_work is None else self.authored_work.layouts.get(name)
+
+    def send_notices(self, notices: list[wire.Notice]) -> None:
+        """Sends what the crew must know to every editor that reads."""
+        for who, page in self._pages.items():
+            if page.unsent.empty():  # it comes again; more than one that waits helps nobody
+                self._send(who, wire.Notices(notices))
 
     async def close(self) -> None:
         """Closes all links and stops; what was not acknowledged may be lost."""
@@ -191,6 +199,8 @@ class EditorLinks:
             self._announce(await self._cast_reload.recast(authored_work.session.own(), authored_work.session.contents))
         for reply in outcome.replies:
             self._send(reply.who, reply.message)
+            if isinstance(reply.message, Greeted) and self._notices():
+                self._send(reply.who, wire.Notices(self._notices()))
         for kept in outcome.kept:
             self._tell_kept(kept)
 

@@ -12,7 +12,7 @@ import msgspec
 from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Playable
-from omote.server.process.process_messages import Order
+from omote.server.process.process_messages import Failover, Order
 from omote.show.session import SessionSnapshot, ShowSession
 from omote.showfile.backup import backup_paths
 from omote.showfile.database_errors import explain_database_error
@@ -79,12 +79,33 @@ def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report)
     last = _last_entry(show, report)
     epoch = next_epoch(last.epoch, order.epoch)
     session = None if order.neutral else _try_restore(cast, last, epoch, report)
+    if order.failover is not None:
+        report(_failover_sentence(order, order.failover, resumed=session is not None, now=time.monotonic()))
     if session is not None:
         _record(show, session, None, report)
         return session
     session = ShowSession(cast, Performer(cast), epoch=epoch)
     _record(show, session, last, report)
     return session
+
+
+def _failover_sentence(order: Order, failover: Failover, *, resumed: bool, now: float) -> str:
+    """When the process before ended, how long nothing was sent, and what is on air now."""
+    seconds = now - failover.ended
+    wall = time.time() - seconds  # noqa: TID251  (for people to read; drives nothing)
+    how = "stopped answering" if failover.hung else "ended"
+    at = time.strftime("%H:%M:%S", time.localtime(wall))
+    pause = "less than 0.1 s" if seconds < 0.1 else f"{seconds:.1f} s"
+    neutral = "the show starts neutral" + (", because processes kept ending on its last state" if order.neutral else "")
+    what = "what was on air goes on" if resumed else neutral
+    times = f" This was the {ordinal(failover.count)} time in this show." if failover.count > 1 else ""
+    return f"the show's process {how} at {at} and was started again after {pause}; {what}.{times}"
+
+
+def ordinal(number: int) -> str:
+    """`3` as "3rd"."""
+    ending = "th" if number % 100 in (11, 12, 13) else {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th")
+    return f"{number}{ending}"
 
 
 def journal_entry(session: ShowSession) -> JournalEntry:
