@@ -79,10 +79,7 @@ def test_hello_is_answered_with_who_we_are(cast: Cast) -> None:
 def test_consoles_are_told_what_the_crew_must_know_and_stages_are_not(cast: Cast) -> None:
     session = ShowSession(cast, Performer(cast))
     session.notices = [wire.Notice("1", 1.7e9, "The show's process ended.")]
-    told = [
-        session.receive(role, wire.Hello(role, wire.PROTOCOL_VERSION), 0.0)[1:]
-        for role in ("console", "stage")  # type: ignore[arg-type]
-    ]
+    told = [session.receive(role, wire.Hello(role, wire.PROTOCOL_VERSION), 0.0)[1:] for role in ("console", "stage")]
     assert told == [[Outgoing("console", wire.Notices(session.notices))], []]
     assert session.notices_for("console") == told[0]
 

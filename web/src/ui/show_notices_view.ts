@@ -1,9 +1,7 @@
-/** The notices of the show over a page: each stays until it is dismissed, and takes no key and no focus. */
+/** The notices of the show over a page, the newest first: each stays until it is dismissed, and takes no key. */
 
-import { css, html, LitElement } from "lit";
+import { css, html, LitElement, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import { repeat } from "lit/directives/repeat.js";
-import type { Notice } from "../link/messages";
 import { ShowNotices } from "./show_notices";
 import { base, palette } from "./theme";
 
@@ -29,10 +27,8 @@ export class ShowNoticesView extends LitElement {
         z-index: 6;
         top: 58px;
         left: 50%;
-        width: min(440px, 100vw - 16px);
+        width: min(400px, 100vw - 16px);
         transform: translateX(-50%);
-        display: grid;
-        gap: 6px;
         pointer-events: none;
       }
       [role] {
@@ -53,6 +49,10 @@ export class ShowNoticesView extends LitElement {
         user-select: text;
         -webkit-user-select: text;
       }
+      small {
+        color: var(--dim);
+        white-space: nowrap;
+      }
       button {
         width: 44px;
         height: 44px;
@@ -65,17 +65,12 @@ export class ShowNoticesView extends LitElement {
   ];
 
   override render() {
-    return repeat(
-      this.notices.open,
-      ({ id }) => id,
-      (notice) => this.#notice(notice),
-    );
-  }
-
-  #notice({ id, text }: Notice) {
-    return html`<div role="alert" data-notice=${id}>
-      <span>${text}</span>
-      <button title="I have read it" aria-label="Dismiss" @click=${() => this.notices.dismiss(id)}>✕</button>
+    const newest = this.notices.open.at(-1);
+    if (newest === undefined) return nothing;
+    const more = this.notices.open.length - 1;
+    return html`<div role="alert">
+      <span>${newest.text} ${more > 0 ? html`<small>${more} more</small>` : nothing}</span>
+      <button title="I have read it" aria-label="Dismiss" @click=${() => this.notices.dismiss(newest.id)}>✕</button>
     </div>`;
   }
 }
