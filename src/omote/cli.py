@@ -6,6 +6,7 @@ import os
 import sys
 import webbrowser
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -68,14 +69,8 @@ def show(
     except (OSError, ShowFileError, ShowLockedError) as error:
         fail_with(error)
     port = listening.getsockname()[1]
-    supervisor = Supervisor(
-        listening,
-        lock,
-        path,
-        report=say,
-        opened=lambda: announce(host, port, browser=browser),
-        notices=board.notices,
-    )
+    opened = partial(announce, host, port, browser=browser)
+    supervisor = Supervisor(listening, lock, path, report=say, opened=opened, notices=board.notices)
     say("the faces are getting ready ...")
     raise typer.Exit(supervisor.run())
 

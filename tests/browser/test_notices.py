@@ -70,9 +70,7 @@ def test_a_recovered_file_and_a_killed_process_are_told_until_they_are_dismissed
     open_page: OpenPage, file: Path
 ) -> None:
     page, other = opened(open_page("/console", width=1440, height=900)), opened(open_page("/console"))
-    damaged = (
-        f"{file} is damaged: its beginning is lost or overwritten. It is kept as {file}.corrupt-1; opened instead: "
-    )
+    damaged = f"{file} is damaged: its beginning is lost or overwritten. It is kept as {file}.corrupt-1; opened "
     expect(notice(page)).to_contain_text(damaged + "instead: its good copy of ")
     expect(notice(page).locator("small")).to_have_count(0)
 

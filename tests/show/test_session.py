@@ -340,3 +340,14 @@ def test_keep_requests_are_taken_once_and_only_of_consoles(cast: Cast) -> None:
     assert session.take_keep_requests() == [KeepRequest("a", message) for message in said[1:]]
     assert session.take_keep_requests() == []
     assert "k" in session.snapshot().calls
+
+
+def test_a_number_that_no_hand_can_have_set_is_named_with_what_to_do(cast: Cast) -> None:
+    session = opened(cast, "a")
+    (sentence,) = reasons(session.receive("a", wire.SetChannel("jawOpen", math.nan), 0.0))
+    assert sentence == (
+        "the channel jawOpen is no number (NaN); give a number from -0.5 to 1.5. Nothing has changed. "
+        "Reload the page that sent it."
+    )
+    (sentence,) = reasons(session.receive("a", wire.SetChannel("jawOpen", 2.0), 0.0))
+    assert sentence.endswith("from -0.5 to 1.5. Nothing has changed.")

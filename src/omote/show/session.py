@@ -186,7 +186,7 @@ class ShowSession:
         except Refusal:
             raise
         except (ValueError, TypeError) as error:
-            raise Refusal(f"{error}.") from error
+            raise Refusal(f"{error}. Nothing has changed.{_reload_hint(message)}") from error
         self.commands += 1
         if isinstance(message, wire.CallFace | wire.CallExpression | wire.CallLight):
             self._remember(message.id)
@@ -206,6 +206,13 @@ class ShowSession:
     def _refuse(self, who: str, refusal: Refusal) -> list[Outgoing]:
         self.refused += 1
         return [Outgoing(who, wire.Refused(reason=str(refusal)))]
+
+
+def _reload_hint(message: wire.FromClient) -> str:
+    """What to do about a number that no hand can have set: the page that sent it has gone wrong."""
+    values = msgspec.structs.astuple(message)
+    wrong = any(isinstance(value, float) and not math.isfinite(value) for value in values)
+    return " Reload the page that sent it." if wrong else ""
 
 
 def _call_face(performer: Performer, call: wire.CallFace) -> None:

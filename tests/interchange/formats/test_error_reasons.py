@@ -78,6 +78,7 @@ def test_a_rare_error_of_the_system_has_its_own_words() -> None:
 def test_our_own_sentences_come_through() -> None:
     for error in (OSError("the port is taken"), ValueError("a face is missing")):
         assert explain_error(error) == str(error)
+    assert explain_error(KeyError("kaori")) == "kaori is missing"
     with pytest.raises(UnicodeDecodeError) as raised:
         b"\xff".decode()
     assert explain_error(raised.value) == "its text is not UTF-8"

@@ -30,7 +30,7 @@ SYSTEM_REASONS: Mapping[int, str] = {
     errno.ENOMEM: "there is not enough memory",
     errno.EAGAIN: "this system is busy",
     errno.EBUSY: "another program uses it",
-    errno.EADDRINUSE: "another program uses it",
+    errno.EADDRINUSE: "it is in use by another program",
     errno.EADDRNOTAVAIL: "this machine has no such address",
 }
 """What a system error says of the file or the port that its sentence is about."""
@@ -63,6 +63,8 @@ def explain_error(error: BaseException, /) -> str:
     match error:
         case OSError(errno=int()):
             return SYSTEM_REASONS.get(error.errno or 0) or os.strerror(error.errno or 0).lower()
+        case KeyError():
+            return f"{error.args[0] if error.args else 'a part of it'} is missing"
         case msgspec.ValidationError():
             return _explain_validation(str(error))
         case UnicodeDecodeError():

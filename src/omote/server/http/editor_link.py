@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import sys
 import time
+import traceback
 from collections.abc import Awaitable, Callable, Coroutine
 from dataclasses import dataclass, field
 from functools import partial
@@ -22,6 +24,7 @@ from omote.edit.protocol.wire import encode
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.session.plan import KeepOutcome
 from omote.edit.store.on_air_recipes import OnAir
+from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
 from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
@@ -158,8 +161,8 @@ class EditorLinks:
         """Starts the orders of an outcome and queues its other consequences."""
         try:
             outcome = happens(authored_work.session)
-        except Exception as error:
-            self._restart(f"an edit could not be understood ({error!r})")
+        except Exception:
+            self._restart("an edit could not be understood, by a fault of Omote", traceback.format_exc())
             return
         for number, order in outcome.orders:
             self._begin(self._work(authored_work, number, order))
@@ -180,7 +183,9 @@ class EditorLinks:
         try:
             msgspec.json.decode(document)
         except (msgspec.DecodeError, RecursionError) as error:
-            self._tell(who, wire.Refused(f"the layout {asked.name!r} is no JSON ({error}): send it again."))
+            self._tell(
+                who, wire.Refused(f"the layout {asked.name!r} is no JSON ({explain_error(error)}): send it again.")
+            )
             return
         if asked.name not in authored_work.layouts and len(authored_work.layouts) >= MOST_LAYOUTS:
             self._tell(who, wire.Refused(f"there are {MOST_LAYOUTS} layouts already: use the name of one of them."))
@@ -219,8 +224,12 @@ class EditorLinks:
                 self._send(who, EditRefused(-1, outcome.sentence))
         return None if outcome.state == "committed" else outcome.sentence
 
-    def _restart(self, why: str) -> None:
-        """Reads the authored work from the file again, for the session is ahead of it; every page reconnects."""
+    def _restart(self, why: str, technical: str = "") -> None:
+        """Reads the authored work from the file again, for the session is ahead of it; every page reconnects.
+
+        technical: for the terminal alone, where whoever mends Omote finds it.
+        """
+        sys.stderr.write(technical)
         self._report(f"{why}; the editors' pages begin again from what the show file has.")
         self.authored_work = self._reopen()
         if self.authored_work is not None:
@@ -237,7 +246,7 @@ class EditorLinks:
                 await self._cast_reload.recast(self.authored_work.session.own(), self.authored_work.session.contents)
             )
         except (ValueError, KeyError) as error:
-            self._report(f"the cast stays as it is ({error}).")
+            self._report(f"the cast stays as it is ({explain_error(error)}).")
 
     def _tell_kept(self, kept: KeepOutcome) -> None:
         who, _, call = kept.ticket.partition(" ")
@@ -262,8 +271,8 @@ class EditorLinks:
             consequence = await self._consequences.get()
             try:
                 await consequence()
-            except Exception as error:
-                self._restart(f"an edit could not be carried out ({error!r})")
+            except Exception:
+                self._restart("an edit could not be carried out, by a fault of Omote", traceback.format_exc())
 
     def _begin(self, work: Coroutine[object, object, None]) -> asyncio.Task[None]:
         task = asyncio.get_running_loop().create_task(work)

@@ -20,6 +20,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from omote.interchange.formats.error_reasons import explain_error
 from omote.server.process.notice_board import MOST_NOTICES
 from omote.server.process.priority import raise_priority
 from omote.server.process.process_messages import (
@@ -291,7 +292,7 @@ def listen_on(host: str, port: int) -> socket.socket:
         return socket.create_server((host, port), family=family, backlog=512)
     except (OSError, UnicodeError) as error:
         number = error.errno if isinstance(error, OSError) and error.errno else 0
-        reason = os.strerror(number) if number > 0 else str(error).split(" (while")[0]
+        reason = explain_error(error) if number > 0 else str(error).split(" (while")[0]
         if number <= 0:  # not even looked up
             raise OSError(f"{host} is no address of this machine ({reason}): name another with --host.") from error
         raise OSError(f"port {port} on {host} cannot be opened ({reason}): name another with --port.") from error
