@@ -66,9 +66,9 @@ def reject_foreign(path: Path, /) -> Identity:
     """What the file at a path is; ForeignFileError, with what it is instead, where it was never a show."""
     found = identify(path)
     if found.kind == "foreign":
-        inside = path if path.is_dir() else path.parent
+        example = path / "show.omote" if path.is_dir() else "show.omote"
         raise ForeignFileError(
-            f"{path} is {found.noun}, not a show; it stays as it is. Name a show file, such as {inside / 'show.omote'}."
+            f"{path} is {found.noun}, not a show; it stays as it is. Name a show file, such as {example}."
         )
     return found
 
