@@ -1,10 +1,14 @@
 """The commands, as they are typed."""
 
 import json
+import os
 import signal
 import socket
+import sqlite3
+import stat
 import subprocess
 import sys
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -17,6 +21,7 @@ from omote.model.cast import Cast
 from omote.server.headless.devtools import BrowserError
 from omote.server.persistence.lock import lock_show
 from omote.server.supervision.supervisor import Supervisor
+from omote.showfile.show_file import open_show
 from omote.stage_data.picture_grid import PictureGrid, Setting
 
 runner = CliRunner()
@@ -131,6 +136,7 @@ def test_a_morph_is_two_faces(tmp_path: Path, small_cast: Cast, drawn: list[tupl
 def test_a_grid_has_names_or_none(tmp_path: Path, small_cast: Cast, drawn: list[tuple[PictureGrid, Setting]]) -> None:
     words = ["grid", "-o", str(tmp_path / "a.jpg"), "--faces", ",".join(small_cast.faces), "--expressions", "smile"]
     assert runner.invoke(app, words).exit_code == 0
+    (tmp_path / "a.jpg").unlink()  # what the browser here draws is no JPEG
     assert runner.invoke(app, [*words, "--no-labels"]).exit_code == 0
     assert [list(sheet.rows) for sheet, _ in drawn] == [list(small_cast.faces), []]
     assert {sheet.kind for sheet, _ in drawn} == {"image/jpeg"}
@@ -222,8 +228,116 @@ def test_a_show_that_is_played_already_is_one_sentence(tmp_path: Path) -> None:
 
 @pytest.mark.usefixtures("no_show")
 def test_a_corrupt_show_file_does_not_keep_the_show_from_opening(tmp_path: Path) -> None:
-    (tmp_path / "a.omote").write_bytes(b"noise" * 1000)
-    assert runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"]).exit_code == 0
+    open_show(tmp_path / "a.omote").close()
+    damaged = (tmp_path / "a.omote").read_bytes()[:5000]
+    (tmp_path / "a.omote").write_bytes(damaged)
+    done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
+    assert done.exit_code == 0
+    assert (tmp_path / "a.omote.corrupt-1").read_bytes() == damaged
+    assert "a.omote is damaged" in done.stderr
+    assert "it is kept as" in done.stderr.lower()
+
+
+def fill_theirs(folder: Path) -> dict[str, bytes]:
+    """Files that are no shows, under names that say so and names that do not; gives all of them."""
+    with closing(sqlite3.connect(folder / "places.sqlite")) as connection:
+        connection.execute("CREATE TABLE theirs (x)")
+    for name in ("notes.txt", "notes.omote", "notes"):
+        (folder / name).write_text("milk and eggs\n")
+    (folder / "picture.png").write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 40)
+    (folder / "disk.img").write_bytes(bytes(100_000))
+    (folder / "__init__.py").touch()
+    (folder / "theirs.omote").write_bytes((folder / "places.sqlite").read_bytes())
+    (folder / "link.omote").symlink_to(folder / "notes.txt")
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+SHOW_FILE_COMMANDS = [
+    ["show", "{}", "--port", "0", "--no-open"],
+    ["export", "kaori", "-o", "new.glb", "--show", "{}"],
+    ["file", "list", "{}"],
+    ["file", "check", "{}"],
+    ["file", "history", "{}", "smile"],
+    ["file", "import", "{}", "smile.json"],
+    ["file", "export", "{}", "smile", "-o", "new.json"],
+]
+"""Every command that takes a show file."""
+
+
+@pytest.mark.usefixtures("no_show")
+@pytest.mark.parametrize("words", SHOW_FILE_COMMANDS, ids=" ".join)
+def test_what_was_never_a_show_is_rejected_untouched(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: list[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    before = fill_theirs(tmp_path)
+    for name in before:
+        done = runner.invoke(app, [word.format(name) for word in words])
+        assert done.exit_code == 1, (name, done.output)
+        assert done.stderr.startswith("omote: "), name
+        assert not any(word in done.output for word in ("Errno", "Traceback", "database is", "error code")), done.output
+        assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
+
+
+@pytest.mark.usefixtures("no_show")
+@pytest.mark.parametrize("words", SHOW_FILE_COMMANDS, ids=" ".join)
+def test_a_folder_or_a_device_is_rejected_untouched(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: list[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    os.mkfifo("pipe")
+    (tmp_path / "folder").mkdir()
+    for name, noun in (("pipe", "a pipe"), ("folder", "a folder"), (os.devnull, "a device")):
+        done = runner.invoke(app, [word.format(name) for word in words])
+        assert (done.exit_code, noun in done.output) == (1, True), done.output
+        assert sorted(path.name for path in tmp_path.iterdir()) == ["folder", "pipe"]
+    assert stat.S_ISCHR(Path(os.devnull).stat().st_mode)
+
+
+@pytest.mark.parametrize(
+    ("words", "target"),
+    [
+        ("render -o {}", "picture.png"),
+        ("grid --faces kaori -o {}", "picture.png"),
+        ("export kaori -o {}", "head.glb"),
+        ("file export a.omote smile -o {}", "package.json"),
+        ("file export a.omote smile -o {}", "notes.txt"),
+        ("file export a.omote smile -o {}", "a.omote"),
+        ("file export a.omote smile -o {}", os.devnull),
+    ],
+)
+def test_an_output_never_takes_the_place_of_another_kind_of_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: str, target: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    open_show(tmp_path / "a.omote").close()
+    for name in ("picture.png", "head.glb", "package.json", "notes.txt"):
+        (tmp_path / name).write_text('{"name": "theirs"}\n')
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    done = runner.invoke(app, words.format(target).split())
+    assert done.exit_code == 1
+    assert f"{target} is " in done.stderr
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
+    assert stat.S_ISCHR(Path(os.devnull).stat().st_mode)
+
+
+@pytest.mark.usefixtures("no_show")
+def test_a_good_copy_is_not_opened_in_place(tmp_path: Path) -> None:
+    open_show(tmp_path / "a.omote.good").close()
+    done = runner.invoke(app, ["show", str(tmp_path / "a.omote.good"), "--port", "0", "--no-open"])
+    assert (done.exit_code, "copy it under a name of its own" in done.stderr) == (1, True)
+    assert [path.name for path in tmp_path.iterdir()] == ["a.omote.good"]
+
+
+@pytest.mark.usefixtures("no_show")
+def test_a_link_and_its_file_are_one_show(tmp_path: Path) -> None:
+    (tmp_path / "link.omote").symlink_to(tmp_path / "real.omote")
+    lock_show(tmp_path / "real.omote")
+    done = runner.invoke(app, ["show", str(tmp_path / "link.omote"), "--port", "0", "--no-open"])
+    assert (done.exit_code, "another Omote plays" in done.stderr) == (1, True)
+    (tmp_path / "loop").symlink_to(tmp_path / "loop")
+    done = runner.invoke(app, ["show", str(tmp_path / "loop"), "--port", "0", "--no-open"])
+    assert (done.exit_code, done.stderr.count("\n")) == (1, 1)
 
 
 @pytest.mark.usefixtures("no_show")

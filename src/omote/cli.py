@@ -6,6 +6,7 @@ import os
 import sys
 import webbrowser
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -53,19 +54,23 @@ def show(
     from omote.server.http.static_pages import read_pages
     from omote.server.persistence.lock import ShowLockedError, lock_show
     from omote.server.persistence.restore import open_newest
+    from omote.server.process.notice_board import NoticeBoard
     from omote.server.supervision.supervisor import Supervisor, listen_on
+    from omote.showfile.identification import locate_show
     from omote.showfile.show_file import ShowFileError, default_path
 
-    path = (file or default_path()).absolute()
+    board = NoticeBoard()
     try:
+        path = locate_show(file or default_path())
         read_pages()
         lock = lock_show(path)
         listening = listen_on(host, port)  # before the file is made: a refused port leaves none
-        open_newest(path, say).close()
+        open_newest(path, board.with_report(say)).close()
     except (OSError, ShowFileError, ShowLockedError) as error:
-        fail(str(error))
+        fail_with(error)
     port = listening.getsockname()[1]
-    supervisor = Supervisor(listening, lock, path, report=say, opened=lambda: announce(host, port, browser=browser))
+    opened = partial(announce, host, port, browser=browser)
+    supervisor = Supervisor(listening, lock, path, report=say, opened=opened, notices=board.notices)
     say("the faces are getting ready ...")
     raise typer.Exit(supervisor.run())
 
@@ -158,7 +163,7 @@ def export(
             output, glb_bytes(build_scene(ExportContext(cast, load_meshes(), load_mask()), face, poses, hair=hair))
         )
     except (OSError, ValueError, RuntimeError) as error:
-        fail(str(error))
+        fail_with(error)
     say(f"{output}: {face}, morph targets: {len(names)}, {output.stat().st_size / 1e6:.1f} MB")
 
 
@@ -190,7 +195,7 @@ def draw(output: Path, sheet_of: Callable[[Cast], PictureGrid], size: str, **set
         chosen = Setting(width, height, **setting)
         write_whole(output, draw_grid(sheet_of(load_cast()).on_paper(chosen, kind), chosen))
     except (OSError, ValueError, BrowserError) as error:
-        fail(str(error))
+        fail_with(error)
 
 
 def announce(host: str, port: int, *, browser: bool) -> None:
@@ -219,7 +224,7 @@ def load_cast() -> Cast:
     try:
         return builtin.load_cast()
     except (OSError, ValueError) as error:
-        fail(str(error))
+        fail_with(error)
 
 
 def load_full_cast(path: Path) -> Cast:
@@ -258,6 +263,13 @@ def print_table(cast: Cast) -> None:
 def say(sentence: str) -> None:
     """Prints a sentence on the operator's terminal."""
     typer.echo(f"omote: {sentence}", err=True)
+
+
+def fail_with(error: Exception) -> NoReturn:
+    """Ends the command with what an error means, in words."""
+    from omote.showfile.database_errors import describe_error
+
+    fail(describe_error(error))
 
 
 def fail(sentence: str) -> NoReturn:

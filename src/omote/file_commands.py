@@ -159,12 +159,13 @@ def exit_on_refusal() -> Iterator[None]:
     import sqlite3
 
     from omote.server.persistence.lock import ShowLockedError
+    from omote.showfile.database_errors import describe_error
     from omote.showfile.schema import ShowFileError
 
     try:
         yield
     except (ShowFileError, ShowLockedError, OSError, ValueError, OverflowError, sqlite3.Error) as error:
-        typer.echo(f"omote: {escape_controls(str(error))}", err=True)
+        typer.echo(f"omote: {escape_controls(describe_error(error))}", err=True)
         raise typer.Exit(1) from error
 
 

@@ -49,10 +49,10 @@ def with_face(**changes: Any) -> Callable[[Snapshot], Snapshot]:
 
 BROKEN: dict[str, Callable[[Snapshot], Snapshot]] = {
     "there is no face 'gone'": with_face(on_air="gone"),
-    "the face T-bar is nan": with_face(hand=math.nan),
+    r"the face T-bar is no number \(NaN\)": with_face(hand=math.nan),
     "there is no face 'nobody'": with_call(target="nobody"),
     "there is no face 'someone'": with_call(start={"someone": 1.0}),
-    "the weight of a face is 1.5": with_call(start={"broad": 1.5, "long": -0.5}),
+    "the weight of the face broad is 1.5": with_call(start={"broad": 1.5, "long": -0.5}),
     "the weights of the faces in the snapshot sum to 0.5": with_call(start={"broad": 0.5}),
     "the velocities of the faces in the snapshot sum to 3.0": with_call(velocity={"broad": 3.0}),
     "velocities of the faces in the snapshot sum to nan": with_call(velocity={"broad": math.nan}),
@@ -62,12 +62,12 @@ BROKEN: dict[str, Callable[[Snapshot], Snapshot]] = {
     r"the time of a call \(seconds\) is 0.0": with_call(seconds=0.0),
     "the origin of a T-bar's way is 3.0": with_call(way=Glide(3.0, 0.0, 1.0, 0.1)),
     "the goal of a T-bar's way is inf": with_call(way=Glide(0.0, 0.0, math.inf, 0.1)),
-    r"the rate of a T-bar \(per second\) is nan": with_call(way=Glide(0.0, math.nan, 1.0, 0.1)),
+    r"the rate of a T-bar \(per second\) is no number": with_call(way=Glide(0.0, math.nan, 1.0, 0.1)),
     r"the time of a T-bar's way \(seconds\) is -1.0": with_call(way=Glide(0.0, 0.0, 1.0, -1.0)),
     "the channel jawOpen is 2.0": lambda snapshot: replace(snapshot, channels={"jawOpen": 2.0}),
     "there is no channel 'tail'": lambda snapshot: replace(snapshot, channels={"tail": 0.5}),
     "there is no light 'candle'": lambda snapshot: replace(snapshot, light=Axis("candle")),
-    r"the snapshot's time \(seconds\) is nan": lambda snapshot: replace(snapshot, time=math.nan),
+    r"the snapshot's time \(seconds\) is no number": lambda snapshot: replace(snapshot, time=math.nan),
 }
 
 

@@ -79,6 +79,14 @@ def test_hello_is_answered_with_who_we_are(cast: Cast) -> None:
     assert session.receive("a", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0) == [Outgoing("a", welcome)]
 
 
+def test_consoles_are_told_what_the_crew_must_know_and_stages_are_not(cast: Cast) -> None:
+    session = ShowSession(cast, Performer(cast))
+    session.notices = [wire.Notice("1", 1.7e9, "The show's process ended.")]
+    told = [session.receive(role, wire.Hello(role, wire.PROTOCOL_VERSION), 0.0)[1:] for role in ("console", "stage")]
+    assert told == [[Outgoing("console", wire.Notices(session.notices))], []]
+    assert session.notices_for("console") == told[0]
+
+
 def test_a_page_of_another_version_is_told_to_reload(cast: Cast) -> None:
     session = opened(cast)
     assert "reload the page" in reasons(session.receive("a", wire.Hello("console", 99), 0.0))[0]
@@ -362,3 +370,14 @@ def test_keep_requests_are_taken_once_and_only_of_consoles(cast: Cast) -> None:
     assert session.take_keep_requests() == [KeepRequest("a", message) for message in said[1:]]
     assert session.take_keep_requests() == []
     assert "k" in session.snapshot().calls
+
+
+def test_a_number_that_no_hand_can_have_set_is_named_with_what_to_do(cast: Cast) -> None:
+    session = opened(cast, "a")
+    (sentence,) = reasons(session.receive("a", wire.SetChannel("jawOpen", math.nan), 0.0))
+    assert sentence == (
+        "the channel jawOpen is no number (NaN); give a number from -0.5 to 1.5. Nothing has changed. "
+        "Reload the page that sent it."
+    )
+    (sentence,) = reasons(session.receive("a", wire.SetChannel("jawOpen", 2.0), 0.0))
+    assert sentence.endswith("from -0.5 to 1.5. Nothing has changed.")

@@ -13,6 +13,7 @@ import pytest
 from omote.showfile.backup import back_up, backup_paths, put_in_place
 from omote.showfile.changes import PutContent, PutLayout
 from omote.showfile.contents import content_key
+from omote.showfile.identification import MAGIC, ForeignFileError
 from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.schema import CorruptShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
@@ -46,7 +47,7 @@ def test_the_backup_that_another_process_is_making_is_left_alone(tmp_path: Path)
     unfinished = tmp_path / "a.omote.good-new"
     with hands_on(show.path, unfinished) as other:
         assert not back_up(show)
-        assert unfinished.read_bytes() == b"theirs"
+        assert unfinished.read_bytes() == MAGIC + b"theirs"
         other.kill()
     assert back_up(show)  # what a killed one left is in nobody's way
     assert not unfinished.exists()
@@ -62,7 +63,7 @@ from pathlib import Path
 from omote.showfile.backup import _alone
 with _alone(Path({str(path)!r})) as alone:
     assert alone
-    Path({str(unfinished)!r}).write_bytes(b"theirs")
+    Path({str(unfinished)!r}).write_bytes({MAGIC!r} + b"theirs")
     print(flush=True)
     input()
 """
@@ -150,7 +151,7 @@ def test_a_damaged_file_leaves_the_copy_of_before(tmp_path: Path, statement: str
     with sqlite3.connect(show.path) as other:
         other.execute(statement)
     other.close()
-    with pytest.raises(CorruptShowFileError, match=r"a\.omote is damaged \((its|no such)"):
+    with pytest.raises(CorruptShowFileError, match=r"a\.omote is damaged: its (content|layout|tables)"):
         back_up(show)
     assert backup_paths(show.path)[0].read_bytes() == before
     assert not show.path.with_name("a.omote.good-new").exists()
@@ -164,7 +165,7 @@ def test_a_file_without_its_first_page_is_damaged_and_leaves_the_backup_of_befor
     show.close()
     again = ShowFile(sqlite3.connect(show.path), show.path)
     show.path.write_bytes(bytes(4096) + show.path.read_bytes()[4096:])
-    with pytest.raises(CorruptShowFileError, match=r"a\.omote is damaged \(file is not a database\)"):
+    with pytest.raises(CorruptShowFileError, match=r"a\.omote is damaged: its beginning is lost or overwritten\."):
         back_up(again)
     assert backup_paths(show.path)[0].read_bytes() == before
     again.close()
@@ -187,7 +188,7 @@ def test_a_disk_that_fails_while_it_copies_damages_nothing(tmp_path: Path, monke
 def test_what_a_killed_writer_left_of_a_copy_does_not_touch_the_next(tmp_path: Path) -> None:
     show = filled(tmp_path / "a.omote")
     for suffix in ("", "-journal", "-wal", "-shm"):
-        (tmp_path / f"a.omote.good-new{suffix}").write_bytes(b"left" * 1000)
+        (tmp_path / f"a.omote.good-new{suffix}").write_bytes(MAGIC + b"left" * 10)
     back_up(show)
     verify_integrity(backup_paths(show.path)[0])
     assert {file.name for file in tmp_path.iterdir() if "good" in file.name} == {"a.omote.good"}
@@ -199,7 +200,7 @@ def test_a_folder_that_takes_no_copy_says_so_and_keeps_the_one_of_before(tmp_pat
     back_up(show)
     before = backup_paths(show.path)[0].read_bytes()
     (tmp_path / "a.omote.good-new").mkdir()
-    with pytest.raises(OSError, match="good-new"):
+    with pytest.raises(ForeignFileError, match="good-new is a folder, where a good copy of"):
         back_up(show)
     (tmp_path / "a.omote.good-new").rmdir()
     assert backup_paths(show.path)[0].read_bytes() == before

@@ -149,10 +149,11 @@ def test_a_corrupt_file_and_what_lies_beside_it_is_named(show: ShowFile) -> None
     connection.close()
     shutil.copyfile(show.path, show.path.with_name("a.omote.corrupt-1"))
     said = list(verdicts(show.path))
-    assert [right for right, _ in said] == [False, True, True]
+    assert [right for right, _ in said] == [False, False, True, True]
     assert "layout console is damaged" in said[0][1]
-    assert "a.omote.corrupt-1" in said[2][1]
+    assert "for whoever repairs it: its layout console is damaged" in said[1][1]
+    assert "a.omote.corrupt-1" in said[3][1]
     backup_paths(show.path)[0].write_bytes(b"bad" * 3000)
-    assert "its good copy is none" in bad(show.path)[1]
+    assert "its good copy is none" in bad(show.path)[2]
     backup_paths(show.path)[1].write_bytes(b"")
-    assert "a.omote.good-1 is empty" in bad(show.path)[2]
+    assert "a.omote.good-1 is empty" in bad(show.path)[3]

@@ -60,9 +60,10 @@ def held(path: Path) -> Held:
     return everything
 
 
-def damage(path: Path) -> bytes:
-    """Writes over the first page; gives what the file then is."""
-    damaged = bytes(4096) + path.read_bytes()[4096:]
+def damage(path: Path, start: int = 0) -> bytes:
+    """Writes over the first page from a byte on; gives what the file then is."""
+    whole = path.read_bytes()
+    damaged = whole[:start] + bytes(4096 - start) + whole[4096:]
     path.write_bytes(damaged)
     return damaged
 
@@ -108,7 +109,7 @@ def test_without_a_whole_backup_nothing_is_left_but_what_is_kept(
         backup.unlink()
     if left is not None:
         backup_paths(path)[1].write_bytes(left)
-    damaged = damage(path)
+    damaged = damage(path, start=100)  # its header still says that it is a show
     recovery = recover_show(path)
     assert recovery.copied is None
     assert recovery.kept is not None
@@ -125,7 +126,7 @@ def test_a_backup_of_a_newer_omote_is_not_taken_and_nothing_is_touched(path: Pat
     with sqlite3.connect(backup_paths(path)[1]) as connection:
         connection.execute(f"PRAGMA user_version = {SCHEMA_VERSION + 1}")
     connection.close()
-    path.write_bytes(b"corrupt" * 1000)
+    damage(path)
     before = {file.name: file.read_bytes() for file in path.parent.iterdir()}
     with pytest.raises(ShowFileError, match="newer Omote"):
         recover_show(path)

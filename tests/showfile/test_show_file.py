@@ -87,7 +87,7 @@ def test_a_database_of_others_is_refused_untouched(tmp_path: Path) -> None:
     connection.execute("CREATE TABLE theirs (x)")
     connection.close()
     before = path.read_bytes()
-    with pytest.raises(ShowFileError, match="not of Omote"):
+    with pytest.raises(ShowFileError, match="is a database of another program, not a show; it stays as it is"):
         open_show(path)
     assert path.read_bytes() == before
 
@@ -112,13 +112,15 @@ def test_a_damaged_file_opens_or_is_refused_and_is_never_changed_into_a_blank_on
 
 def test_corrupt_files_are_kept_one_beside_the_other(tmp_path: Path) -> None:
     path = tmp_path / "a.omote"
+    open_show(path).close()
+    header = path.read_bytes()[:100]
     for content in (b"first", b"second"):
-        path.write_bytes(content * 1000)
-        with pytest.raises(CorruptShowFileError, match="no readable show file"):
+        path.write_bytes(header + content * 1000)
+        with pytest.raises(CorruptShowFileError, match="is damaged"):
             open_show(path)
         move_aside(path)
-    assert (tmp_path / "a.omote.corrupt-1").read_bytes() == b"first" * 1000
-    assert (tmp_path / "a.omote.corrupt-2").read_bytes() == b"second" * 1000
+    assert (tmp_path / "a.omote.corrupt-1").read_bytes() == header + b"first" * 1000
+    assert (tmp_path / "a.omote.corrupt-2").read_bytes() == header + b"second" * 1000
     assert not path.exists()
 
 
@@ -155,7 +157,7 @@ def test_a_show_file_without_its_tables_is_corrupt(tmp_path: Path, tables: str) 
     with sqlite3.connect(tmp_path / "a.omote") as connection:
         connection.executescript(f"DROP TABLE journal; DROP TABLE journal_aside; {tables}")
     connection.close()
-    with pytest.raises(CorruptShowFileError, match=r"a\.omote is no readable show file \(no such"):
+    with pytest.raises(CorruptShowFileError, match=r"a\.omote is damaged: its tables are not those of"):
         open_show(tmp_path / "a.omote")
 
 

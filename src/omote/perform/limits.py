@@ -42,6 +42,7 @@ def check_known(name: object, names: Iterable[str], what: str) -> str:
 
 def _format(value: Real) -> str:
     try:
-        return repr(float(value))
+        number = float(value)
+        return "no number (NaN)" if math.isnan(number) else "infinite" if math.isinf(number) else repr(number)
     except OverflowError:  # an integer of more digits than a message wants
         return "far too large"

@@ -82,8 +82,8 @@ def _check_call(call: Call, names: Mapping[str, object], what: str) -> None:
     for name in (call.target, *call.start, *call.velocity):
         check_known(name, names, what)
     find_easing(call.easing)
-    for weight in call.start.values():
-        check_within(weight, LOWEST - ROUNDING, HIGHEST + ROUNDING, f"the weight of a {what}")
+    for name, weight in call.start.items():
+        check_within(weight, LOWEST - ROUNDING, HIGHEST + ROUNDING, f"the weight of the {what} {name}")
     _check_sum(call.start, 1.0, f"the weights of the {what}s")
     _check_sum(call.velocity, 0.0, f"the velocities of the {what}s")
     check_within(call.decay, 0.0, DECAY_SECONDS, "the decay of a call (seconds)")

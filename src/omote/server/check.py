@@ -28,7 +28,9 @@ def run_check(check: Callable[[], Verdict]) -> Verdict:
     try:
         return check()
     except (OSError, ValueError, ImportError) as error:
-        return False, str(error)
+        from omote.showfile.database_errors import describe_error
+
+        return False, describe_error(error)
 
 
 def check_pages() -> Verdict:

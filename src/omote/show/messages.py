@@ -11,7 +11,7 @@ from typing import Annotated, Literal, get_args
 
 import msgspec
 
-PROTOCOL_VERSION = 1
+PROTOCOL_VERSION = 2
 LINK_PATH = "/link"
 MESSAGE_LIMIT = 4096
 """Bytes; no message of a client is longer."""
@@ -233,6 +233,21 @@ class Refused(Message, frozen=True):
     reason: str
 
 
+class Notice(msgspec.Struct, frozen=True):
+    """What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970."""
+
+    id: str
+    time: float
+    text: str
+
+
+class Notices(Message, frozen=True):
+    """All notices of this show, oldest first: complete, so any may be lost. Consoles and editors get them after the
+    welcome, with each new one, and once a second while there are any."""
+
+    notices: list[Notice]
+
+
 class StageReport(msgspec.Struct, frozen=True):
     """The last report of a stage: frames per second, and the level of quality."""
 
@@ -266,7 +281,7 @@ FromClient = (
     | Ping
     | Drawing
 )
-FromServer = Welcome | CastChanged | State | Pong | Kept | Refused | Crew
+FromServer = Welcome | CastChanged | State | Pong | Kept | Refused | Notices | Crew
 
 
 # --- documents over HTTP ----------------------------------------------------------------------------------------------

@@ -67,6 +67,7 @@ class ShowSession:
         self.commands = 0
         self.crew: dict[str, Member] = {}
         self.wishes: list[KeepRequest] = []
+        self.notices: list[wire.Notice] = []
         self._calls: dict[str, None] = {}
         self._now: float | None = None
         self._time = performer.snapshot().time
@@ -147,10 +148,15 @@ class ShowSession:
         stages = [m.report if now - m.heard <= SILENCE else None for m in members if m.role == "stage"]
         return wire.Crew(stages=stages, consoles=sum(m.role == "console" for m in members))
 
+    def notices_for(self, who: str) -> list[Outgoing]:
+        """All notices for a console; nothing where there are none, or for a stage."""
+        wanted = self.notices and self._member(who).role == "console"
+        return [Outgoing(who, wire.Notices(list(self.notices)))] if wanted else []
+
     def _answer(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
         match message:
             case wire.Hello():
-                return [Outgoing(who, self._welcome(who, message))]
+                return [Outgoing(who, self._welcome(who, message)), *self.notices_for(who)]
             case wire.Ping():
                 return [
                     Outgoing(who, wire.Pong(sent=validate_number(message.sent, validation.SENT), time=self.clock(now)))
@@ -190,7 +196,7 @@ class ShowSession:
         except Refusal:
             raise
         except (ValueError, TypeError) as error:
-            raise Refusal(f"{error}.") from error
+            raise Refusal(f"{error}. Nothing has changed.{_reload_hint(message)}") from error
         self.commands += 1
         if isinstance(message, wire.CallFace | wire.CallExpression | wire.CallLight):
             self._remember(message.id)
@@ -210,6 +216,13 @@ class ShowSession:
     def _refuse(self, who: str, refusal: Refusal) -> list[Outgoing]:
         self.refused += 1
         return [Outgoing(who, wire.Refused(reason=str(refusal)))]
+
+
+def _reload_hint(message: wire.FromClient) -> str:
+    """What to do about a number that no hand can have set: the page that sent it has gone wrong."""
+    values = msgspec.structs.astuple(message)
+    wrong = any(isinstance(value, float) and not math.isfinite(value) for value in values)
+    return " Reload the page that sent it." if wrong else ""
 
 
 def _call_face(performer: Performer, call: wire.CallFace) -> None:

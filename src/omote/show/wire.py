@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.interchange.formats.error_reasons import explain_error
 from omote.show.messages import MESSAGE_LIMIT, FromClient, FromServer
 from omote.show.validation import Refusal
 
@@ -35,7 +36,9 @@ def message_in(data: bytes, decoder: msgspec.msgpack.Decoder[Said], limit: int) 
     try:
         return decoder.decode(data)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError, OverflowError) as error:
-        raise Refusal(f"the message cannot be read: {str(error)[:200]}.") from error
+        raise Refusal(
+            f"the message cannot be read: {explain_error(error)[:200]}. Reload the page that sent it."
+        ) from error
 
 
 def decode_answer(data: bytes) -> FromServer:

@@ -31,6 +31,7 @@ from omote.showfile.changes import (
     Stored,
 )
 from omote.showfile.contents import content_key
+from omote.showfile.database_errors import DamageError, WrongRowError
 
 
 class Layout(msgspec.Struct, frozen=True):
@@ -95,7 +96,7 @@ def read_contents(connection: sqlite3.Connection) -> Iterator[tuple[str, bytes]]
     """Every content, proved by its key; sqlite3.DatabaseError names the first that is not what was written."""
     for key, data in connection.execute("SELECT key, data FROM content ORDER BY key"):
         if not isinstance(data, bytes) or content_key(data) != key:
-            raise sqlite3.DatabaseError(f"its content {key} is damaged")
+            raise DamageError(f"its content {key} is damaged")
         yield key, data
 
 
@@ -116,7 +117,7 @@ def _prove_row(table: Table, columns: Sequence[Any]) -> Any:
         if row_checksum(values) == sealed:
             return _row(table, values)
     place = ", ".join(map(str, columns[: len(table.key)]))
-    raise sqlite3.DatabaseError(f"its {table.name} {place} is damaged")
+    raise DamageError(f"its {table.name} {place} is damaged")
 
 
 def _row(table: Table, values: Sequence[Any]) -> Any:
@@ -154,7 +155,7 @@ def _add_revision(connection: sqlite3.Connection, revision: Revision) -> None:
     if found is None:
         _put(connection, REVISIONS, revision)
     elif _prove_row(REVISIONS, found) != revision:
-        raise sqlite3.IntegrityError(
+        raise WrongRowError(
             f"revision {revision.number} of item {revision.item} is there and is another; revisions are never changed"
         )
 

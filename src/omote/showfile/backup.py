@@ -12,25 +12,33 @@ import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
 
+from omote.showfile.database_errors import explain_database_error
+from omote.showfile.identification import ForeignFileError, identify
 from omote.showfile.integrity import is_damage, verify_integrity
 from omote.showfile.schema import CorruptShowFileError
 from omote.showfile.show_file import ShowFile
 
+BACKUP_SUFFIXES = (".good", ".good-1", ".good-2")
+"""What the names of backups end with, the newest first."""
+
 
 def backup_paths(path: Path, /) -> tuple[Path, ...]:
     """Where the backups of a show file lie, the newest first."""
-    return tuple(path.with_name(path.name + suffix) for suffix in (".good", ".good-1", ".good-2"))
+    return tuple(path.with_name(path.name + suffix) for suffix in BACKUP_SUFFIXES)
 
 
 def back_up(show: ShowFile, /) -> bool:
     """Makes a backup of a show file as it is now; others may write it meanwhile.
 
     False: another process is making one, as where a server ends late; try again. CorruptShowFileError where the file is
-    damaged, sqlite3.Error and OSError where the disk fails: the backups of before stay.
+    damaged, ForeignFileError where somebody else's file is in a backup's place, sqlite3.Error and OSError where the
+    disk fails: the backups of before stay.
     """
     draft = show.path.with_name(show.path.name + ".good-new")
     with _alone(show.path) as alone:
         if alone:
+            for each in (draft, *backup_paths(show.path)):
+                refuse_foreign(each, show.path)
             try:
                 remove(draft)
                 _copy_verified(show, draft)
@@ -45,11 +53,20 @@ def _copy_verified(show: ShowFile, draft: Path) -> None:
         show.copy_into(draft)
         verify_integrity(draft)
     except CorruptShowFileError as error:
-        raise CorruptShowFileError(f"{show.path} is damaged ({error.__cause__}).") from error
+        raise CorruptShowFileError(str(error).replace(str(draft), str(show.path))) from error
     except sqlite3.DatabaseError as error:
         if is_damage(error):
-            raise CorruptShowFileError(f"{show.path} is damaged ({error}).") from error
+            raise CorruptShowFileError(f"{show.path} is damaged: {explain_database_error(error)}.") from error
         raise
+
+
+def refuse_foreign(path: Path, show: Path, /) -> None:
+    """ForeignFileError where somebody else's file stands in the place of a copy of ours."""
+    found = identify(path)
+    if found.kind == "foreign":
+        raise ForeignFileError(
+            f"{path} is {found.noun}, where a good copy of {show.name} belongs; it stays as it is: move it away."
+        )
 
 
 def _rotate(draft: Path, path: Path) -> None:

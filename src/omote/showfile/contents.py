@@ -15,6 +15,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.interchange.formats.error_reasons import explain_error
 from omote.model.cast import Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -162,7 +163,9 @@ def _decompress(data: bytes) -> _Content:
     try:
         content: _Content = msgspec.msgpack.decode(_inflate(data[len(MAGIC) + 1 :]), type=_Content)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise ContentError(f"this content cannot be read ({error}); expected one that Omote packed") from error
+        raise ContentError(
+            f"this content cannot be read ({explain_error(error)}); expected one that Omote packed"
+        ) from error
     return content
 
 
@@ -171,7 +174,7 @@ def _inflate(packed: bytes) -> bytes:
     try:
         plain = inflater.decompress(packed, MOST_BYTES)
     except zlib.error as error:
-        raise ContentError(f"this content is damaged ({error}); take it from another copy") from error
+        raise ContentError(f"this content is damaged ({explain_error(error)}); take it from another copy") from error
     if inflater.unconsumed_tail:
         raise ContentError(f"this content unpacks to more than {MOST_BYTES} bytes; expected less")
     if not inflater.eof or inflater.unused_data:

@@ -9,11 +9,14 @@ from pathlib import Path
 
 import msgspec
 
+from omote.interchange.formats.error_reasons import explain_error
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.showfile.authored_rows import read_all, read_contents
 from omote.showfile.backup import backup_paths
 from omote.showfile.changes import Draft, Item, Kind, Revision, Stored
 from omote.showfile.contents import ContentError, content_kind
+from omote.showfile.database_errors import technical_texts
+from omote.showfile.identification import locate_show
 from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.schema import SCHEMA_VERSION, ShowFileError
 
@@ -33,6 +36,7 @@ class Inspection:
 
 def inspect_show(path: Path, /) -> Inspection:
     """All of a show file; ShowFileError with an error message where there is none, or it is damaged."""
+    path = locate_show(path) if path.is_symlink() else path
     version = verify_integrity(path)
     if version == 0:
         raise ShowFileError(f"there is no show file {path}; omote show makes one.")
@@ -67,6 +71,8 @@ def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
         found = inspect_show(path)
     except ShowFileError as error:
         yield False, str(error)
+        for text in technical_texts(error):
+            yield False, f"for whoever repairs it: {text}"
         yield from _copies(path)
         return
     newest = "" if found.version == SCHEMA_VERSION else f", which omote show brings to {SCHEMA_VERSION}"
@@ -126,7 +132,7 @@ def _wrong_recipe(data: bytes, what: str, contents: Mapping[str, bytes]) -> Iter
     try:
         recipe: Recipe | FaceRecipe = msgspec.json.decode(data, type=Recipe | FaceRecipe)
     except msgspec.DecodeError as error:
-        yield f"the recipe of {what} cannot be read ({error})"
+        yield f"the recipe of {what} cannot be read: {explain_error(error)}"
         return
     for source in sorted(sources(recipe)):
         if source.startswith(KEY) and source[len(KEY) :] not in contents:

@@ -7,6 +7,8 @@ import sqlite3
 from pathlib import Path
 
 from omote.showfile.authored_rows import read_all, read_contents, row_checksum
+from omote.showfile.database_errors import DATABASE_REASONS, DamageError, explain_database_error
+from omote.showfile.identification import reject_foreign
 from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError, version_of
 
 SHORTEST = 512
@@ -24,20 +26,22 @@ def open_read_only(path: Path, /) -> sqlite3.Connection:
 def verify_integrity(path: Path, /) -> int:
     """The version of a show file's schema, 0 where it is new or empty, once all in it is proved.
 
-    CorruptShowFileError where it is damaged, ShowFileError where it cannot be used. The file stays as it is: a
-    connection that may write would merge its log on leaving, into a corrupt file too.
+    CorruptShowFileError where it is damaged, ForeignFileError where it was never one, ShowFileError where it cannot be
+    used. The file stays as it is: a connection that may write would merge its log on leaving, into a corrupt file too.
     """
-    if not path.exists() or path.stat().st_size == 0:
+    if reject_foreign(path).kind == "missing" or path.stat().st_size == 0:
         return 0
     try:
         with contextlib.closing(open_read_only(path)) as connection:
             return _verified_version(connection, path)
     except sqlite3.DatabaseError as error:
         if not is_damage(error):
-            raise ShowFileError(f"{path} cannot be read ({error}); name another file or make it readable.") from error
-        raise CorruptShowFileError(f"{path} is no readable show file ({error}).") from error
+            raise ShowFileError(
+                f"{path} cannot be read ({explain_database_error(error)}): mend that, or name another file."
+            ) from error
+        raise CorruptShowFileError(f"{path} is damaged: {explain_database_error(error)}.") from error
     except UnicodeDecodeError as error:  # SQLite's sentence quotes what should be a table's name
-        raise CorruptShowFileError(f"{path} is no readable show file (its tables are damaged).") from error
+        raise CorruptShowFileError(f"{path} is damaged: parts of it are lost or overwritten.") from error
 
 
 def is_damage(error: sqlite3.DatabaseError, /) -> bool:
@@ -51,12 +55,13 @@ def is_damage(error: sqlite3.DatabaseError, /) -> bool:
 
 def _verified_version(connection: sqlite3.Connection, path: Path) -> int:
     if path.stat().st_size < SHORTEST:
-        raise sqlite3.DatabaseError("it is cut off")
+        raise DamageError("it is cut off")
     version = version_of(connection, path)
     if version:
         (verdict,) = connection.execute("PRAGMA integrity_check(1)").fetchone()
         if verdict != "ok":
-            raise sqlite3.DatabaseError(verdict.splitlines()[-1])  # SQLite's heading stands on a line above it
+            found = sqlite3.DatabaseError(verdict.splitlines()[-1])  # SQLite's heading stands on a line above it
+            raise DamageError(DATABASE_REASONS[sqlite3.SQLITE_CORRUPT]) from found
     if version == SCHEMA_VERSION:
         _verify_rows(connection)
     return version
@@ -69,11 +74,11 @@ def _verify_rows(connection: sqlite3.Connection) -> None:
     """
     stray = connection.execute("PRAGMA foreign_key_check").fetchone()
     if stray is not None:
-        raise sqlite3.DatabaseError(f"row {stray[1]} of {stray[0]} belongs to no {stray[2]}")
+        raise DamageError(f"row {stray[1]} of {stray[0]} belongs to no {stray[2]}")
     connection.execute("SELECT epoch, reason, snapshot FROM journal_aside LIMIT 0")
     for epoch, snapshot, sealed, *_ in connection.execute("SELECT epoch, snapshot, sum, slot, written FROM journal"):
         if sealed is not None and row_checksum([epoch, snapshot]) != sealed:  # None: as the first schema left it
-            raise sqlite3.DatabaseError("its last state is damaged")
+            raise DamageError("its last state is damaged")
     read_all(connection)
     for _ in read_contents(connection):
         pass

@@ -10,9 +10,10 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
-from omote.showfile.backup import backup_paths, put_in_place, remove
+from omote.showfile.backup import backup_paths, put_in_place, refuse_foreign, remove
+from omote.showfile.identification import identify, is_own_log, reject_foreign, require_show
 from omote.showfile.integrity import verify_integrity
-from omote.showfile.schema import CorruptShowFileError
+from omote.showfile.schema import CorruptShowFileError, ShowFileError
 
 
 @dataclass(frozen=True)
@@ -35,15 +36,28 @@ def is_lost(path: Path, /) -> bool:
     return any(backup.exists() for backup in backup_paths(path)) or (log.exists() and log.stat().st_size > 0)
 
 
+def reject_unproven(path: Path, /) -> None:
+    """ShowFileError where no show is, was or may be begun at a path; only reads, and makes nothing beside it."""
+    if reject_foreign(path).kind != "missing" and not is_lost(path):
+        require_show(path)
+    if not any(backup.exists() for backup in backup_paths(path)):
+        _require_proof(path)
+
+
 def recover_show(path: Path, /) -> Recovery:
     """Puts the newest whole backup in the place of a corrupt or lost show file; no file is removed.
 
-    Where no backup is whole there is no show file afterwards. ShowFileError where a backup is of a newer Omote, OSError
-    where the disk fails: all is as it was, or another call does the rest.
+    Where no backup is whole there is no show file afterwards. ShowFileError where nothing proves that it was a show
+    (its header, a whole backup beside it) or a backup is of a newer Omote, OSError where the disk fails: all is as it
+    was, or another call does the rest.
     """
     draft = path.with_name(path.name + ".recovered")
+    reject_foreign(path)
+    refuse_foreign(draft, path)
     try:
         backup, broken = _copy_newest(path, draft)
+        if backup is None:
+            _require_proof(path)
         for each in broken:
             move_aside(each)  # later backups would take its place
         kept = move_aside(path)
@@ -59,7 +73,7 @@ def _copy_newest(path: Path, draft: Path) -> tuple[Path | None, list[Path]]:
     """Copies the newest backup that is whole, if any; also those before it, which are not."""
     broken: list[Path] = []
     for backup in backup_paths(path):
-        if not backup.exists():
+        if identify(backup).kind in ("missing", "foreign"):
             continue
         remove(draft)
         shutil.copyfile(backup, draft)
@@ -70,6 +84,21 @@ def _copy_newest(path: Path, draft: Path) -> tuple[Path | None, list[Path]]:
             pass
         broken.append(backup)
     return None, broken
+
+
+def _require_proof(path: Path) -> None:
+    """ShowFileError where nothing but a backup could tell that a file, or a log alone, is what is left of a show."""
+    if identify(path).kind == "remains":
+        raise ShowFileError(
+            f"{path} is damaged so far that nothing tells what it was, and no whole copy of it lies beside it; it "
+            "stays as it is. Move it away to begin a new show under this name, or name another file."
+        )
+    log = path.with_name(path.name + "-wal")
+    if log.exists() and not path.exists() and not is_own_log(path):
+        raise ShowFileError(
+            f"{log} lies where the log of a show belongs, and was written by another program; it stays as it is. Move "
+            "it away, or name another file."
+        )
 
 
 def move_aside(path: Path, /) -> Path | None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import sqlite3
 from pathlib import Path
 
+from omote.showfile.database_errors import DamageError
+
 APPLICATION_ID = 0x4F4D4F54  # "OMOT"
 _JOURNAL = """
 CREATE TABLE journal (
@@ -112,7 +114,7 @@ def version_of(connection: sqlite3.Connection, path: Path) -> int:
             "update Omote."
         )
     if version < 1:
-        raise sqlite3.DatabaseError(f"its schema {version} was written by no Omote")
+        raise DamageError(f"its schema {version} was written by no Omote")
     return int(version)
 
 
@@ -129,5 +131,5 @@ def migrate(connection: sqlite3.Connection, version: int) -> None:
     except sqlite3.OperationalError as error:
         connection.rollback()
         if "no such" in str(error) or "already exists" in str(error):  # its tables are not those of its version
-            raise sqlite3.DatabaseError(str(error)) from error
+            raise DamageError("its tables are not those of its version") from error
         raise

@@ -15,6 +15,8 @@ from pathlib import Path
 
 from omote.showfile.authored_rows import apply_changes, read_all, read_contents, row_checksum
 from omote.showfile.changes import Change, Stored
+from omote.showfile.database_errors import DamageError, explain_database_error
+from omote.showfile.identification import require_show
 from omote.showfile.integrity import verify_integrity
 from omote.showfile.schema import CorruptShowFileError, ShowFileError, migrate
 
@@ -69,7 +71,7 @@ class ShowFile:
         row = self._connection.execute("SELECT epoch, written, snapshot FROM journal").fetchone()
         entry = JournalEntry(*row) if row else JournalEntry(epoch=0, written=0.0, snapshot=None)
         if not isinstance(entry.epoch, int) or not 0 <= entry.epoch <= HIGHEST_EPOCH:
-            raise sqlite3.DatabaseError(f"its epoch {entry.epoch} was written by no server")
+            raise DamageError(f"its epoch {entry.epoch} was written by no server")
         return entry
 
     def write_journal(self, entry: JournalEntry) -> None:
@@ -136,22 +138,25 @@ class ShowFile:
 
 def open_show(path: Path) -> ShowFile:
     """Opens the show file at `path`, or makes it; ShowFileError when it cannot be used."""
+    require_show(path)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         version = verify_integrity(path)
         connection = _connect(path)
     except (OSError, sqlite3.Error) as error:
-        raise ShowFileError(f"{path} cannot be opened ({error}); name another file.") from error
+        raise ShowFileError(f"{path} cannot be opened ({explain_database_error(error)}); name another file.") from error
     try:
         connection.execute("PRAGMA journal_mode = WAL").fetchone()
         _configure(connection)
         migrate(connection, version)
     except sqlite3.OperationalError as error:
         connection.close()
-        raise ShowFileError(f"{path} cannot be written ({error}); name another file or make it writable.") from error
+        raise ShowFileError(
+            f"{path} cannot be written ({explain_database_error(error)}): mend that, or name another file."
+        ) from error
     except sqlite3.DatabaseError as error:
         connection.close()
-        raise CorruptShowFileError(f"{path} is no readable show file ({error}).") from error
+        raise CorruptShowFileError(f"{path} is damaged: {explain_database_error(error)}.") from error
     return ShowFile(connection, path)
 
 

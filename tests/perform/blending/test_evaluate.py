@@ -115,7 +115,7 @@ def test_the_lower_teeth_go_with_the_jaw_in_both_modes(cast: Cast) -> None:
         (Frame({"nobody": 1.0}, {"neutral": 1.0}), "there is no face 'nobody'"),
         (Frame({"generic": 1.0}, {"sulk": 1.0}), "there is no expression 'sulk'"),
         (Frame({"generic": 1.0}, {"neutral": 1.0}, {"tail": 1.0}), "there is no channel 'tail'"),
-        (Frame({"generic": math.nan}, {"neutral": 1.0}), "the weight of the face generic is nan"),
+        (Frame({"generic": math.nan}, {"neutral": 1.0}), "the weight of the face generic is no number"),
         (Frame({"generic": 1.0}, {"neutral": 1.0}, {"smile": math.inf}), "the channel smile is inf"),
         (Frame({}, {"neutral": 1.0}), "faces sum to 0; expected one"),
         (Frame({"generic": 1.0}, {}), "expressions sum to 0; expected one"),

@@ -196,3 +196,18 @@ async def test_bad_requests_fill_no_terminal(show_harness: ShowHarness, caplog: 
         assert (await reader.readline()).startswith(b"HTTP/1.0 400")
         writer.close()
     assert caplog.records == []
+
+
+async def test_a_notice_reaches_consoles_at_once_and_again_and_late_ones_with_their_welcome(
+    show_harness: ShowHarness,
+) -> None:
+    first, stage = await show_harness.link(), await show_harness.link("stage")
+    notices = [wire.Notice("1", 1.7e9, "The show's process ended.")]
+    show_harness.show.post(notices)
+    assert await answer(first) == wire.Notices(notices)
+    late = await show_harness.link()
+    assert await answer(late) == wire.Notices(notices)
+    show_harness.show.broadcast_notices()
+    assert [await answer(first), await answer(late)] == [wire.Notices(notices)] * 2
+    show_harness.tick()
+    assert isinstance(await answer(stage), wire.State)  # and nothing else

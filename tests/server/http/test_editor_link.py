@@ -284,7 +284,9 @@ async def test_while_the_disk_fails_editors_are_told_and_nothing_is_acknowledged
     def fail_once(self: ShowFile, changes: tuple[Change, ...]) -> None:
         if left[0]:
             left[0] -= 1
-            raise sqlite3.OperationalError("disk I/O error")
+            error = sqlite3.OperationalError("disk I/O error")
+            error.sqlite_errorcode = sqlite3.SQLITE_IOERR
+            raise error
         apply(self, changes)
 
     monkeypatch.setattr(ShowFile, "apply", fail_once)
@@ -294,7 +296,7 @@ async def test_while_the_disk_fails_editors_are_told_and_nothing_is_acknowledged
     assert isinstance(state, editing.DraftState)
     told = [each for each in page.heard if isinstance(each, editing.EditRefused)]
     assert [each.request for each in told] == [-1]
-    assert "disk I/O error" in told[0].reason
+    assert "show.omote cannot be written (the disk fails): your work is kept" in told[0].reason
 
 
 async def test_what_was_called_since_the_last_tick_cannot_be_deleted(edit_harness: EditHarness) -> None:
@@ -306,3 +308,12 @@ async def test_what_was_called_since_the_last_tick_cannot_be_deleted(edit_harnes
     refused = await page.ask(editing.Delete, draft.item)
     assert isinstance(refused, editing.EditRefused)
     assert "is on air or coming" in refused.reason
+
+
+async def test_editors_are_told_what_the_crew_must_know(edit_harness: EditHarness) -> None:
+    early = await edit_harness.editor("a", "Ann")
+    notices = [wire.Notice("1", 1.7e9, "The show file was recovered.")]
+    edit_harness.show.post(notices)
+    assert await early.next(wire.Notices) == wire.Notices(notices)
+    late = await edit_harness.editor("b", "Bob")
+    assert await late.next(wire.Notices) == wire.Notices(notices)

@@ -1,6 +1,5 @@
 """The authored work of a show file: opened as an edit session, or reported as unreadable."""
 
-import sqlite3
 from pathlib import Path
 
 import pytest
@@ -10,6 +9,7 @@ from omote.server.persistence.authored_work import open_authored_work
 from omote.server.workers.order_worker import OrderWorker
 from omote.showfile.changes import Item, PutContent, PutItem, PutLayout, PutRevision, Revision
 from omote.showfile.contents import content_key, pack_expression
+from omote.showfile.database_errors import DamageError
 from omote.showfile.show_file import ShowFile, open_show
 
 
@@ -43,11 +43,11 @@ def test_work_that_cannot_be_read_does_not_stop_the_show(
     cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def damaged(self: ShowFile) -> None:
-        raise sqlite3.DatabaseError("its item 1 is damaged")
+        raise DamageError("its item 1 is damaged")
 
     show = open_show(tmp_path / "a.omote")
     monkeypatch.setattr(ShowFile, "stored", damaged)
     said: list[str] = []
     assert open_authored_work(show, FakeCommitter(), OrderWorker(cast), said.append) is None
-    assert "its item 1 is damaged); the show goes on without it" in said[0]
+    assert "its item 1 is damaged); the show goes on without them" in said[0]
     show.close()

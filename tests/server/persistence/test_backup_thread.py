@@ -144,7 +144,7 @@ def test_a_damaged_file_is_said_once_and_its_backup_stays(tmp_path: Path, said: 
     until(lambda: bool(said))
     for number in range(3):
         commit(show, number)
-    assert thread.damage.endswith("a.omote is damaged (its layout early is damaged).")
+    assert thread.damage.endswith("a.omote is damaged: its layout early is damaged.")
     with closing(sqlite3.connect(show.path)) as other:
         other.execute("DELETE FROM layout WHERE name = 'early'")
         other.commit()
@@ -153,7 +153,7 @@ def test_a_damaged_file_is_said_once_and_its_backup_stays(tmp_path: Path, said: 
     show.close()
     assert layouts_in(newest) == {"0", "1", "2"}
     assert said == [
-        f"{show.path} is damaged (its layout early is damaged). "
+        f"{show.path} is damaged: its layout early is damaged. "
         "The show goes on, but edits are not kept: start it again to open its good copy."
     ]
 
@@ -173,7 +173,7 @@ def test_a_disk_that_takes_no_backup_is_said_once(
     until(lambda: len(tries) > 2)
     thread.close()
     show.close()
-    assert said == [f"no good copy of {show.path} could be made (No space left on device); the one of before stays."]
+    assert said == [f"no good copy of {show.path} could be made: No space left on device. The ones of before stay."]
     assert thread.damage == ""
 
 

@@ -12,6 +12,7 @@ from benchmarks.saving import Reference, check, kill_writer
 from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitOutcome, CommitThread
 from omote.showfile.changes import Change, PutLayout
+from omote.showfile.database_errors import WrongRowError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
 COMMITTED = CommitOutcome("committed")
@@ -90,12 +91,13 @@ def test_nobody_waits_for_a_stuck_disk_and_the_order_is_kept() -> None:
 def test_a_failing_disk_is_told_once_and_tried_again_in_order() -> None:
     disk = Disk()
     disk.broken = sqlite3.OperationalError("database or disk is full")
+    disk.broken.sqlite_errorcode = sqlite3.SQLITE_FULL
     author = Author(disk, retry_seconds=1e-3)
     author.commit("a")
     author.commit("b")
     name, fate = author.next()
     assert (name, fate.state) == ("a", "waiting")
-    assert "show.omote cannot be written (database or disk is full); your work is kept in memory" in fate.sentence
+    assert "show.omote cannot be written (the disk is full): your work is kept in memory" in fate.sentence
     for _ in range(3):
         disk.reached.clear()
         assert disk.reached.wait(60.0)
@@ -119,7 +121,7 @@ def test_a_disk_that_fails_to_the_end_loses_nothing_without_a_word() -> None:
     assert disk.written == ["closed"]
 
 
-@pytest.mark.parametrize("error", [sqlite3.IntegrityError("no"), ValueError("no"), OverflowError("no")])
+@pytest.mark.parametrize("error", [WrongRowError("no"), ValueError("no"), OverflowError("no")])
 def test_what_can_never_be_made_is_refused_and_stops_nothing(error: Exception) -> None:
     disk = Disk()
     disk.broken = error
@@ -156,7 +158,7 @@ def test_whoever_no_longer_listens_stops_nothing() -> None:
     assert author.next() == ("c", COMMITTED)
     author.scribe.close()
     assert disk.written == ["a", "b", "c", "closed"]
-    assert author.said[-1] == "what became of a change (committed) could not be told: BrokenPipeError('nobody')."
+    assert author.said[-1] == "what became of a change (committed) could not be told (BrokenPipeError)."
 
 
 def test_nothing_is_committed_to_a_file_that_a_backup_found_damaged(tmp_path: Path) -> None:
@@ -174,7 +176,7 @@ def test_nothing_is_committed_to_a_file_that_a_backup_found_damaged(tmp_path: Pa
     name, fate = author.next()
     assert (name, fate.state) == ("b", "refused")
     assert fate.sentence.endswith(
-        "a.omote is damaged (its layout early is damaged). This is not kept: start the show again, and repeat it."
+        "a.omote is damaged: its layout early is damaged. This is not kept: start the show again, and repeat it."
     )
     author.scribe.close()
     show.close()

@@ -27,7 +27,9 @@ class Disk:
         self.reached.set()
         self.free.wait()
         if self.broken:
-            raise sqlite3.OperationalError("disk I/O error")
+            error = sqlite3.OperationalError("disk I/O error")
+            error.sqlite_errorcode = sqlite3.SQLITE_IOERR
+            raise error
         self.written.append(entry.epoch)
 
     def again(self) -> "Flusher":
@@ -101,7 +103,7 @@ def test_a_broken_disk_is_reported_once_and_tried_again() -> None:
     journal.close()
     assert disk.written[-1] == 3
     assert len(said) == 1
-    assert "the journal show.omote cannot be written (disk I/O error); the show goes on" in said[0]
+    assert "show.omote cannot be written (the disk fails): the show goes on" in said[0]
 
 
 def test_a_disk_that_syncs_for_ever_holds_up_no_state() -> None:

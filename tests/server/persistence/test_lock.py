@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from omote.server.persistence.lock import ShowLockedError, lock_show
+from omote.showfile.schema import ShowFileError
 
 
 def test_a_second_server_is_refused_and_the_next_is_not(tmp_path: Path) -> None:
@@ -39,10 +40,10 @@ def test_who_inherits_the_lock_holds_it(tmp_path: Path) -> None:
 
 
 def test_what_is_no_file_is_refused_untouched(tmp_path: Path) -> None:
-    with pytest.raises(OSError, match=r"is a folder, not a show file: name a file, such as .*show\.omote"):
+    with pytest.raises(ShowFileError, match=r"is a folder, not a show; it stays as it is\. .*show\.omote"):
         lock_show(tmp_path)
     os.mkfifo(tmp_path / "pipe")
-    with pytest.raises(OSError, match=r"pipe is a device, not a show file: name a file"):
+    with pytest.raises(ShowFileError, match=r"pipe is a pipe, not a show; it stays as it is"):
         lock_show(tmp_path / "pipe")
     assert [entry.name for entry in tmp_path.iterdir()] == ["pipe"]
     assert not tmp_path.with_name(tmp_path.name + ".lock").exists()
@@ -51,5 +52,5 @@ def test_what_is_no_file_is_refused_untouched(tmp_path: Path) -> None:
 def test_a_place_where_no_file_can_be_is_refused_in_a_sentence(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     for path in (tmp_path / "file" / "a.omote", tmp_path / ("x" * 300)):
-        with pytest.raises(OSError, match=rf"{path.name} cannot be opened \(.*\); name another file\.$"):
+        with pytest.raises(ShowFileError, match=rf"{path.name} cannot be (opened|read) \(.*\): name another file"):
             lock_show(path)

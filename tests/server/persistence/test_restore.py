@@ -1,6 +1,7 @@
 """Whatever the show file holds, the show starts."""
 
 import os
+import re
 import shutil
 import sqlite3
 import time
@@ -14,12 +15,13 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
-from omote.server.persistence.restore import journal_entry, next_epoch, open_journal, open_newest, restore
-from omote.server.process.process_messages import Order
+from omote.server.persistence.restore import journal_entry, next_epoch, open_journal, open_newest, ordinal, restore
+from omote.server.process.process_messages import Failover, Order
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from omote.showfile.backup import back_up, backup_paths
 from omote.showfile.changes import PutLayout
+from omote.showfile.identification import ForeignFileError
 from omote.showfile.schema import SCHEMA_VERSION
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
@@ -109,10 +111,12 @@ def test_a_face_that_is_gone_from_the_cast_does_not_stop_the_show(tmp_path: Path
 
 
 def test_a_corrupt_file_is_kept_and_a_new_one_made(tmp_path: Path, report: Terminal) -> None:
-    (tmp_path / "a.omote").write_bytes(b"not a database" * 100)
+    open_show(tmp_path / "a.omote").close()
+    damaged = (tmp_path / "a.omote").read_bytes()[:5000]
+    (tmp_path / "a.omote").write_bytes(damaged)
     show = open_journal(tmp_path / "a.omote", report)
     assert show is not None
-    assert (tmp_path / "a.omote.corrupt-1").read_bytes() == b"not a database" * 100
+    assert (tmp_path / "a.omote.corrupt-1").read_bytes() == damaged
     assert str(tmp_path / "a.omote.corrupt-1") in report.said[0]
     show.close()
 
@@ -228,11 +232,11 @@ def test_a_disk_that_takes_no_recovery_leaves_the_corrupt_file(
         raise OSError("No space left on device")
 
     open_show(backup_paths(tmp_path / "a.omote")[0]).close()
-    (tmp_path / "a.omote").write_bytes(b"not a database" * 100)
+    (tmp_path / "a.omote").write_bytes(bytes(5000))
     monkeypatch.setattr("omote.showfile.recovery.shutil.copyfile", full)
     assert open_journal(tmp_path / "a.omote", report) is None
     assert "No space left on device" in report.said[-1]
-    assert (tmp_path / "a.omote").read_bytes() == b"not a database" * 100
+    assert (tmp_path / "a.omote").read_bytes() == bytes(5000)
 
 
 def test_a_file_of_a_newer_version_is_left_alone(tmp_path: Path, cast: Cast, report: Terminal) -> None:
@@ -242,7 +246,7 @@ def test_a_file_of_a_newer_version_is_left_alone(tmp_path: Path, cast: Cast, rep
     connection.close()
     before = (tmp_path / "a.omote").read_bytes()
     assert open_journal(tmp_path / "a.omote", report) is None
-    assert "without a journal" in report.said[0]
+    assert "update Omote. The show goes on, but nothing of it is kept." in report.said[0]
     assert (tmp_path / "a.omote").read_bytes() == before
     assert restore(cast, None, ORDER, report).tick(0.0).number == 1
 
@@ -275,3 +279,57 @@ def aside(path: Path) -> list[tuple[int, bytes]]:
     rows: list[tuple[int, bytes]] = connection.execute("SELECT epoch, snapshot FROM journal_aside").fetchall()
     connection.close()
     return rows
+
+
+@pytest.mark.parametrize("hung", [True, False])
+@pytest.mark.parametrize("count", [1, 2])
+def test_after_a_failover_it_is_said_when_for_how_long_and_what_is_on_air(
+    tmp_path: Path, cast: Cast, report: Terminal, hung: bool, count: int
+) -> None:
+    show = kept(tmp_path / "a.omote", cast)
+    ended = time.monotonic() - 2.0
+    before = time.time_ns() / 1e9 - 2.0
+    restore(cast, show, Order(1, neutral=False, failover=Failover(count, ended, hung)), report)
+    (said,) = report.said
+    assert f"the show's process {'stopped answering' if hung else 'ended'} at " in said
+    at = re.search(r" at (\d\d:\d\d:\d\d) and was started again after (\d+\.\d) s; what was on air goes on\.", said)
+    assert at is not None
+    assert float(at[2]) >= 2.0
+    assert at[1] in {time.strftime("%H:%M:%S", time.localtime(before + late)) for late in range(60)}
+    assert ("2nd time in this show" in said) == (count == 2)
+    show.close()
+
+
+def test_after_a_failover_without_a_state_it_is_said_that_the_show_starts_neutral(
+    tmp_path: Path, cast: Cast, report: Terminal
+) -> None:
+    show = kept(tmp_path / "a.omote", cast)
+    failover = Failover(3, time.monotonic(), hung=False)
+    restore(cast, show, Order(1, neutral=True, failover=failover), report)
+    restore(cast, None, Order(1, neutral=False, failover=failover), report)
+    assert "the show starts neutral, because processes kept ending on its last state. This" in report.said[0]
+    assert "; the show starts neutral. This was the 3rd" in report.said[1]
+    show.close()
+
+
+@pytest.mark.parametrize(
+    ("number", "word"), [(1, "1st"), (2, "2nd"), (3, "3rd"), (4, "4th"), (11, "11th"), (112, "112th"), (23, "23rd")]
+)
+def test_ordinals(number: int, word: str) -> None:
+    assert ordinal(number) == word
+
+
+def test_somebody_else_s_file_in_a_show_s_place_stays_and_its_backup_is_named(tmp_path: Path, report: Terminal) -> None:
+    path = tmp_path / "a.omote"
+    show = open_show(path)
+    show.apply([PutLayout("early", b"{}")])
+    back_up(show)
+    show.close()
+    path.write_text("milk and eggs")
+    with pytest.raises(ForeignFileError, match=r"lies beside it, a\.omote\.good: move a\.omote away"):
+        open_newest(path, report)
+    assert path.read_text() == "milk and eggs"
+    path.rename(tmp_path / "notes.txt")
+    opened = open_newest(path, report)
+    assert set(opened.stored().layouts) == {"early"}
+    opened.close()

@@ -5,18 +5,28 @@ import socket
 
 import msgspec
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
+from omote.server.process.notice_board import MOST_NOTICES
 from omote.server.process.process_messages import (
+    TICK,
     Ended,
+    Failover,
     News,
     Order,
     Ready,
     Started,
     read_news,
+    read_pulse,
     receive_order,
     send_news,
     send_order,
+    write_notice,
 )
+from omote.show.messages import Notice
+
+NOTICES = st.lists(st.builds(Notice, st.text(), st.floats(0, 4e9), st.text(max_size=400)), max_size=5)
 
 
 def test_an_order_arrives_with_its_pipes() -> None:
@@ -65,3 +75,38 @@ def test_news_to_nobody_are_no_fault() -> None:
     theirs.close()
     with ours:
         send_news(ours, Ready())
+
+
+def test_an_order_brings_what_the_crew_was_told() -> None:
+    notices = [Notice(str(number), 1.7e9, "n" * 400) for number in range(MOST_NOTICES)]
+    order = Order(epoch=3, neutral=False, failover=Failover(2, 5.5, hung=True), notices=notices)
+    ours, theirs = socket.socketpair()
+    control, end = os.pipe()
+    with ours, theirs:
+        send_order(ours, order, control, end)
+        taken = receive_order(theirs)
+    assert taken is not None
+    assert taken[0] == order
+    for descriptor in (control, end, *taken[1:]):
+        os.close(descriptor)
+
+
+@given(notices=NOTICES, ticks=st.lists(st.integers(0, 3), min_size=6, max_size=6), size=st.integers(1, 50))
+def test_notices_come_through_a_pulse_between_ticks_however_it_is_cut(
+    notices: list[Notice], ticks: list[int], size: int
+) -> None:
+    stream = TICK * ticks[5] + b"".join(
+        TICK * count + write_notice(notice) for count, notice in zip(ticks, notices, strict=False)
+    )
+    found, rest = list[Notice](), b""
+    for start in range(0, len(stream), size):
+        new, rest = read_pulse(rest + stream[start : start + size])
+        found += new
+    assert found == notices
+    assert rest == b""
+
+
+def test_half_a_notice_of_a_dying_process_is_passed_over() -> None:
+    whole = write_notice(Notice("1", 1.0, "whole"))
+    assert read_pulse(b'tt{"id": "0", "ti\ntt' + whole + b"tt") == ([Notice("1", 1.0, "whole")], b"")
+    assert read_pulse(b"t" + whole[:9]) == ([], whole[:9])

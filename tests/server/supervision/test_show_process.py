@@ -10,6 +10,7 @@ import aiohttp
 import pytest
 
 from omote.server.http.static_pages import FOLDER
+from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import TICK, Order
 from omote.server.supervision.show_process import Pipes, load_material, play, report, run_until_ended
 from omote.show import messages as wire
@@ -43,7 +44,7 @@ def test_a_server_plays_and_leaves_its_last_state(tmp_path: Path) -> None:
 
     async def show() -> wire.State:
         playing = asyncio.create_task(
-            play(material(), Order(epoch=3, neutral=False), show=tmp_path / "a.omote", pipes=pipes)
+            play(material(), Order(epoch=3, neutral=False), show=tmp_path / "a.omote", pipes=pipes, board=NoticeBoard())
         )
         seen = await visit(port, far)
         os.close(ours)

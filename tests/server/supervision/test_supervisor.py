@@ -128,6 +128,41 @@ def test_a_killed_server_is_replaced_and_the_fade_goes_on(show: Show) -> None:
         before = after
 
 
+def notices(show: Show, count: int) -> list[wire.Notice]:
+    """What a console is told once there are so many notices."""
+
+    async def asked() -> list[wire.Notice]:
+        async with aiohttp.ClientSession() as http:
+            while True:
+                with contextlib.suppress(aiohttp.ClientError, OSError):
+                    async with http.ws_connect(show.url + wire.LINK_PATH) as link:
+                        await link.send_bytes(encode(wire.Hello("console", wire.PROTOCOL_VERSION)))
+                        while (received := await link.receive()).type is aiohttp.WSMsgType.BINARY:
+                            answer = decode_answer(received.data)
+                            if isinstance(answer, wire.Notices) and len(answer.notices) >= count:
+                                return answer.notices
+
+    return asyncio.run(asyncio.wait_for(asked(), LIMIT))
+
+
+def test_consoles_are_told_of_each_life_that_was_spent(show: Show) -> None:
+    """Also those that come later, and from servers that came after the next."""
+    spent = 0
+    for spent in range(1, 4):
+        before = ask(show)
+        while not journalled(show, b"performer"):
+            before = ask(show)
+        os.kill(show.server(), signal.SIGKILL)
+        ask(show, above=before.epoch)
+        told = notices(show, spent)
+        assert len(told) == spent
+        assert "The show's process ended at " in told[-1].text
+        assert "what was on air goes on." in told[-1].text
+    assert ["time in this show" in notice.text for notice in told] == [False, True, True]
+    assert "3rd time" in told[-1].text
+    assert len({notice.id for notice in told}) == spent
+
+
 def test_a_killed_server_is_replaced_by_one_that_has_the_own_face_on_air(show: Show) -> None:
     async def authored() -> None:
         async with aiohttp.ClientSession() as http, http.ws_connect(show.url + EDITING_PATH, max_msg_size=0) as link:
@@ -166,6 +201,7 @@ def test_a_server_that_hangs_is_replaced(impatient: Show) -> None:
     os.kill(hanging, signal.SIGSTOP)
     show.heard("the server hangs; another one takes over")
     assert ask(show, above=before.epoch).number > 0
+    assert "stopped answering at " in notices(show, 1)[0].text
     assert not Path(f"/proc/{hanging}").exists() or hanging not in children(show.standby())
 
 

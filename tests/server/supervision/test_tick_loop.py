@@ -9,7 +9,8 @@ import pytest
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
 from omote.server.http.app import ShowServer
-from omote.server.process.process_messages import PULSE_TICKS, TICK
+from omote.server.process.notice_board import NoticeBoard
+from omote.server.process.process_messages import PULSE_TICKS, TICK, read_pulse
 from omote.server.supervision.tick_loop import LATE_TICKS, RESTING_TICKS, ShowTick, run_ticks, send_pulse
 from omote.show import messages as wire
 from omote.show.session import ShowSession
@@ -88,7 +89,7 @@ def played(cast: Cast) -> tuple[ShowServer, Kept, ShowTick, int]:
     os.set_blocking(far, False)
     os.set_blocking(near, False)
     journal = Kept()
-    return show, journal, ShowTick(show, journal, near), far  # type: ignore[arg-type]
+    return show, journal, ShowTick(show, journal, near, NoticeBoard()), far  # type: ignore[arg-type]
 
 
 @pytest.mark.asyncio
@@ -144,7 +145,21 @@ async def test_a_show_without_a_journal_plays(cast: Cast) -> None:
     far, near = os.pipe()
     show = ShowServer(session, material().documents, PAGES)
     for number in range(5):
-        ShowTick(show, None, near).tick(number)
+        ShowTick(show, None, near, NoticeBoard()).tick(number)
     assert session.number == 5
     os.close(far)
     os.close(near)
+
+
+@pytest.mark.asyncio
+async def test_notices_go_to_the_session_and_to_the_supervisor(cast: Cast) -> None:
+    board = NoticeBoard()
+    far, near = os.pipe()
+    show = ShowServer(ShowSession(cast, Performer(cast)), material().documents, PAGES)
+    playing = ShowTick(show, None, near, board)
+    playing.tick(1)
+    board.post("the disk is full.")
+    playing.tick(2)
+    playing.tick(3)
+    assert show.session.notices == board.notices
+    assert read_pulse(os.read(far, 4096)) == (board.notices, b"")  # once, for the next server

@@ -6,6 +6,7 @@ import { restPose } from "../face/pose/pose";
 import { Library } from "../link/assets";
 import { ShowLink } from "../link/show_link";
 import { FramePainter } from "../ui/frame_painter";
+import { ShowNoticesView } from "../ui/show_notices_view";
 import { type DrawThumbnail, THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
 import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
@@ -29,7 +30,7 @@ async function recast(store: ConsoleStore): Promise<void> {
   else if (library.manifest !== store.manifest) store.setManifest(library.manifest);
 }
 
-function connect(): { store: ConsoleStore; link: ShowLink } {
+function connect(shown: ShowNoticesView): { store: ConsoleStore; link: ShowLink } {
   const store: ConsoleStore = new ConsoleStore(
     (message) => link.send(message),
     () => performance.now(),
@@ -44,6 +45,7 @@ function connect(): { store: ConsoleStore; link: ShowLink } {
     crew: (crew) => store.receiveCrew(crew),
     kept: (kept) => store.receiveKept(kept),
     refused: (reason) => store.say(reason),
+    notices: (all) => shown.notices.receive(all),
     connected: (up) => store.setOnline(up),
     trip: (seconds) => store.receiveTrip(seconds * 1000),
   });
@@ -71,12 +73,13 @@ function stayAwake(): void {
 }
 
 async function start(): Promise<void> {
-  const { store, link } = connect();
+  const shown = new ShowNoticesView();
+  const { store, link } = connect(shown);
   const context: ConsoleContext = { store, painter: new FramePainter(), thumbnails: new Thumbnails() };
   context.painter.add({ paint: () => context.store.flush() }); // first in each frame, so that what was drawn is what was sent
   const page = new ConsolePage();
   page.context = context;
-  document.body.append(page);
+  document.body.append(page, shown);
   context.painter.start();
   stayAwake();
   library = await Library.open();

@@ -2,6 +2,7 @@
 
 import { Library } from "../link/assets";
 import { askedItem, editorAddress } from "../link/editor_address";
+import { ShowNoticesView } from "../ui/show_notices_view";
 import { THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
 import type { EditorContext } from "./controls/editor_element";
 import { EditorPage } from "./editor_page";
@@ -72,13 +73,16 @@ function followAddress(store: DraftStore): void {
   });
 }
 
-function connect(): { store: DraftStore; link: EditorLink; name: () => string } {
+function connect(shown: ShowNoticesView): { store: DraftStore; link: EditorLink; name: () => string } {
   const who = readIdentity();
   let { name } = who;
   const store: DraftStore = new DraftStore((request) => link.ask(request));
   const link = new EditorLink(who, {
     greeted: (greeted) => store.receive(greeted),
-    message: (message) => store.receive(message),
+    message: (message) => {
+      if (message.type === "notices") shown.notices.receive(message.notices);
+      else store.receive(message);
+    },
     connected: (up) => store.setOnline(up),
   });
   const rename = link.rename.bind(link);
@@ -91,7 +95,8 @@ function connect(): { store: DraftStore; link: EditorLink; name: () => string } 
 }
 
 async function start(): Promise<void> {
-  const { store, link, name } = connect();
+  const shown = new ShowNoticesView();
+  const { store, link, name } = connect(shown);
   keepViewSettings(store);
   followCast(store);
   followAddress(store);
@@ -106,7 +111,7 @@ async function start(): Promise<void> {
   };
   const page = new EditorPage();
   page.context = context;
-  document.body.append(page);
+  document.body.append(page, shown);
   store.setCast(await Library.open());
   thumbnailRenderer = await ThumbnailRenderer.open(store.library as Library);
   thumbnails.open((sitting) => (thumbnailRenderer as ThumbnailRenderer).picture(sitting, SMALL.width, SMALL.height));

@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const EDITING_VERSION = 1;
+export const EDITING_VERSION = 2;
 export const EDITING_PATH = "/editing";
 /** Bytes; no message of an editor is longer. */
 export const EDITING_LIMIT = 65536;
@@ -54,6 +54,22 @@ export interface Recipe {
   pulls: Pull[];
   eyes: [number, number, number, number];
   pupil: number;
+}
+
+/** What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970. */
+export interface Notice {
+  id: string;
+  time: number;
+  text: string;
+}
+
+/**
+ * All notices of this show, oldest first: complete, so any may be lost. Consoles and editors get them after the
+ * welcome, with each new one, and once a second while there are any.
+ */
+export interface Notices {
+  type: "notices";
+  notices: Notice[];
 }
 
 /**
@@ -419,4 +435,4 @@ export type FromEditor =
   | Restore
   | AskHistory;
 
-export type ToEditor = Greeted | Items | DraftState | Saved | History | Done | EditRefused;
+export type ToEditor = Greeted | Items | DraftState | Saved | History | Done | EditRefused | Notices;

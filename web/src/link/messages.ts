@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 1;
+export const PROTOCOL_VERSION = 2;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
@@ -198,6 +198,22 @@ export interface Pong {
 export interface Refused {
   type: "refused";
   reason: string;
+}
+
+/** What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970. */
+export interface Notice {
+  id: string;
+  time: number;
+  text: string;
+}
+
+/**
+ * All notices of this show, oldest first: complete, so any may be lost. Consoles and editors get them after the
+ * welcome, with each new one, and once a second while there are any.
+ */
+export interface Notices {
+  type: "notices";
+  notices: Notice[];
 }
 
 /** The last report of a stage: frames per second, and the level of quality. */
@@ -430,4 +446,4 @@ export type FromClient =
   | Ping
   | Drawing;
 
-export type FromServer = Welcome | CastChanged | State | Pong | Kept | Refused | Crew;
+export type FromServer = Welcome | CastChanged | State | Pong | Kept | Refused | Notices | Crew;

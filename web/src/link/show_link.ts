@@ -1,7 +1,7 @@
 /** The link of stages and consoles to the show. */
 
 import { now, ServerClock } from "./clock";
-import type { Crew, FromClient, FromServer, Hello, Kept, State, Welcome } from "./messages";
+import type { Crew, FromClient, FromServer, Hello, Kept, Notice, Pong, State, Welcome } from "./messages";
 import { LINK_PATH, PROTOCOL_VERSION } from "./messages";
 import { Newest } from "./newest";
 import { ReconnectingSocket } from "./reconnecting_socket";
@@ -16,6 +16,8 @@ export interface LinkHandlers {
   cast?: () => void;
   /** What was asked to be kept is in the cast. */
   kept?: (kept: Kept) => void;
+  /** Everything that the crew must know: all of it, each time. */
+  notices?: (notices: readonly Notice[]) => void;
   /** A message of ours was not obeyed; the sentence is for the operator. */
   refused?: (reason: string) => void;
   /** A ping came back after so many seconds. */
@@ -80,8 +82,7 @@ export class ShowLink {
         this.state(message);
         break;
       case "pong":
-        this.handlers.trip?.(this.socket.heard - message.sent);
-        this.clock.measure(message.sent, message.time, this.socket.heard);
+        this.pong(message);
         break;
       case "crew":
         this.handlers.crew?.(message);
@@ -91,6 +92,9 @@ export class ShowLink {
         break;
       case "kept":
         this.handlers.kept?.(message);
+        break;
+      case "notices":
+        this.handlers.notices?.(message.notices);
         break;
       case "refused":
         this.handlers.refused?.(message.reason);
@@ -106,6 +110,11 @@ export class ShowLink {
     this.ping();
     this.handlers.welcome?.(welcome);
     this.handlers.connected?.(true);
+  }
+
+  private pong({ sent, time }: Pong): void {
+    this.handlers.trip?.(this.socket.heard - sent);
+    this.clock.measure(sent, time, this.socket.heard);
   }
 
   private recast(revision: number): void {

@@ -12,10 +12,10 @@ from typing import Annotated, Literal, get_args
 import msgspec
 
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
-from omote.show.messages import Message, Name
+from omote.show.messages import Message, Name, Notice, Notices  # noqa: F401  (the mirror has every struct)
 from omote.showfile.changes import Kind
 
-EDITING_VERSION = 1
+EDITING_VERSION = 2
 EDITING_PATH = "/editing"
 EDITING_LIMIT = 65536
 """Bytes; no message of an editor is longer."""
@@ -370,7 +370,7 @@ FromEditor = (
     | Restore
     | AskHistory
 )
-ToEditor = Greeted | Items | DraftState | Saved | History | Done | EditRefused
+ToEditor = Greeted | Items | DraftState | Saved | History | Done | EditRefused | Notices
 
 EDITOR_MESSAGES: tuple[type[Message], ...] = get_args(FromEditor)
 ANSWERS: tuple[type[Message], ...] = get_args(ToEditor)

@@ -6,6 +6,7 @@ import msgspec
 
 from omote.edit.protocol.messages import EDITING_LIMIT, FromEditor, HandlesAsset, TangentsAsset, ToEditor
 from omote.edit.protocol.orders import Baked
+from omote.interchange.formats.error_reasons import explain_error
 from omote.model.recipes.recipe import FaceRecipe, Recipe
 from omote.show.validation import Refusal
 from omote.show.wire import message_in
@@ -38,7 +39,7 @@ def decode_baked(data: bytes) -> Baked:
     try:
         return _baked.decode(data)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError, OverflowError) as error:
-        raise Refusal(f"the workshop's answer cannot be read ({str(error)[:200]}): try again.") from error
+        raise Refusal(f"the workshop's answer cannot be read ({_reason(error)}): try again.") from error
 
 
 def write_recipe(recipe: Recipe | FaceRecipe) -> bytes:
@@ -51,4 +52,8 @@ def read_recipe(data: bytes) -> Recipe | FaceRecipe:
     try:
         return _recipe.decode(data)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise Refusal(f"the recipe that is kept cannot be read ({str(error)[:200]}): open another revision.") from error
+        raise Refusal(f"the recipe that is kept cannot be read ({_reason(error)}): open another revision.") from error
+
+
+def _reason(error: Exception) -> str:
+    return explain_error(error)[:200]

@@ -13,6 +13,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.interchange.formats.error_reasons import explain_error
 from omote.model.space.expression import Expression
 from omote.model.space.parameter_space import ParameterSpace
 
@@ -145,7 +146,9 @@ def decode(data: bytes, /) -> ExpressionFile:
     try:
         return msgspec.json.decode(data, type=ExpressionFile)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise ValueError(f"this is no expression of Omote as docs/exchange.md has it ({error})") from error
+        raise ValueError(
+            f"this is no expression of Omote as docs/exchange.md has it ({explain_error(error)})"
+        ) from error
 
 
 def schema() -> bytes:

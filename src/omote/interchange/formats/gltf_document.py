@@ -6,6 +6,8 @@ from typing import Annotated
 
 import msgspec
 
+from omote.interchange.formats.error_reasons import explain_error
+
 Whole = Annotated[int, msgspec.Meta(ge=0, le=2**31)]
 Quad = tuple[float, float, float, float]
 Triple = tuple[float, float, float]
@@ -116,4 +118,4 @@ def parse_document(text: bytes, /) -> Document:
     try:
         return msgspec.json.decode(text, type=Document)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise ValueError(f"the file's JSON is no glTF document ({error}); export it anew") from error
+        raise ValueError(f"the file's JSON is no glTF document ({explain_error(error)}); export it anew") from error

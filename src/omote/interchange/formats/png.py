@@ -34,7 +34,7 @@ def read_png(data: bytes, /) -> Picture:
         channels = {kind: count for count, kind in _COLOURS.items()}[colour]
         lines = np.frombuffer(zlib.decompress(parts[b"IDAT"]), np.uint8).reshape(rows, 1 + channels * columns)
     except (struct.error, KeyError, ValueError, zlib.error) as error:
-        raise ValueError(f"a picture is no PNG of 8 bits and 3 or 4 channels ({error})") from error
+        raise ValueError("a picture is no PNG of 8 bits and 3 or 4 channels") from error
     if depth != 8 or any(rest) or (lines[:, 0] != _UP).any():
         raise ValueError("a picture is a PNG of another kind; expected the one that `make bake` writes")
     return np.cumsum(lines[:, 1:], axis=0, dtype=np.uint64).astype(np.uint8).reshape(rows, columns, channels)

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.interchange.formats.error_reasons import explain_error
 from omote.model.cast import Look
 from omote.model.sculpting.sculpt import KERNELS, Sculpt
 from omote.model.sculpting.smoothing_brush import Brush
@@ -59,7 +60,9 @@ def read_sculpt(path: Path) -> Sculpt:
     try:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        raise SculptFileError(f"{path} cannot be read ({error}); expected a text file with a sculpt") from error
+        raise SculptFileError(
+            f"{path} cannot be read ({explain_error(error)}); expected a text file with a sculpt"
+        ) from error
     try:
         return parse_sculpt(text)
     except ValueError as error:

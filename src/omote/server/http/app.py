@@ -19,7 +19,7 @@ from omote.server.http.security import add_headers, guard, silence_bad_requests
 from omote.server.http.static_pages import PAGES, Page
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
-from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Refused, State
+from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Notice, Refused, State
 from omote.show.session import KeepRequest, Outgoing, ShowSession
 from omote.show.wire import encode
 
@@ -62,6 +62,7 @@ class ShowServer:
             tell=lambda who, message: self.links.answer(who, encode(message)),
             announce=self.announce,
             report=report,
+            notices=lambda: self.session.notices,
             clock=self.clock,
         )
 
@@ -100,6 +101,18 @@ class ShowServer:
         """Broadcasts who is connected."""
         now = self.clock()
         self.announce(self.session.crew_now(now))
+
+    def post(self, notices: list[Notice]) -> None:
+        """Sends all notices to consoles and editors; later ones get them with their welcome."""
+        self.session.notices = notices
+        self.broadcast_notices()
+
+    def broadcast_notices(self) -> None:
+        """Broadcasts the notices to consoles and editors, where there are any."""
+        for who in self.session.crew:
+            self._deliver(self.session.notices_for(who))
+        if self.editing is not None and self.session.notices:
+            self.editing.send_notices(self.session.notices)
 
     def announce(self, message: FromServer) -> None:
         """Sends one message to every link."""

@@ -12,6 +12,7 @@ import msgspec
 
 from omote.builtin import BakedMesh, load_cast, load_mask, load_meshes
 from omote.edit.protocol.orders import EditOrder
+from omote.interchange.formats.error_reasons import explain_error
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY
 from omote.server.workers.order_scheduler import OrderScheduler
@@ -70,7 +71,9 @@ class CastDocuments:
             try:
                 data = await self.face(own.content)
             except (KeyError, FailedOrderError, RefusedOrderError) as error:
-                self._report(f"the own face {own.label!r} cannot be shown ({error}); pages do not get it.")
+                self._report(
+                    f"the own face {own.label!r} cannot be shown ({explain_error(error)}); pages do not get it."
+                )
             else:
                 found[own.content] = msgspec.msgpack.decode(data, type=ContentAsset).face
         loop = asyncio.get_running_loop()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from omote.interchange.formats.error_reasons import explain_error
 from omote.model.cast import Cast
 from omote.server.http.cast_documents import CastDocuments
 from omote.show.messages import CastChanged
@@ -70,5 +71,5 @@ def gather_cast(
             try:
                 playing = build_playing_cast(base, (*playing.own, each), contents, before=playing)
             except (ValueError, KeyError) as error:
-                report(f"the own {each.kind} {each.label!r} cannot play ({error}); it is left out.")
+                report(f"the own {each.kind} {each.label!r} cannot play ({explain_error(error)}); it is left out.")
         return playing

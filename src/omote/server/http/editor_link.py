@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import sys
 import time
+import traceback
 from collections.abc import Awaitable, Callable, Coroutine
 from dataclasses import dataclass, field
 from functools import partial
@@ -16,12 +18,13 @@ from functools import partial
 import msgspec
 from aiohttp import WSMsgType, web
 
-from omote.edit.protocol.messages import EDITING_LIMIT, EditRefused, ToEditor
+from omote.edit.protocol.messages import EDITING_LIMIT, EditRefused, Greeted, ToEditor
 from omote.edit.protocol.orders import EditOrder
 from omote.edit.protocol.wire import encode
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.session.plan import KeepOutcome
 from omote.edit.store.on_air_recipes import OnAir
+from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
 from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
@@ -67,7 +70,7 @@ class EditorLinks:
     """Connects all editors with the edit session, the workshop, the show file and the playing cast.
 
     authored_work: None when nothing can be stored; reopen: reads it again from the file; on_air: what is seen now;
-    tell: sends a message to one console, announce: to every page of the show.
+    tell: sends a message to one console, announce: to every page of the show; notices: what the crew must know.
     """
 
     def __init__(
@@ -81,11 +84,13 @@ class EditorLinks:
         tell: Tell,
         announce: Callable[[wire.FromServer], None],
         report: Callable[[str], None],
+        notices: Callable[[], list[wire.Notice]] = list,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.authored_work, self.links = authored_work, Links()
         self._reopen, self._documents, self._cast_reload, self._on_air = reopen, documents, cast_reload, on_air
         self._tell, self._announce, self._report, self._clock = tell, announce, report, clock
+        self._notices = notices
         self._pages: dict[str, EditorPage] = {}
         self._consequences: asyncio.Queue[Consequence] = asyncio.Queue()
         self._tasks: set[asyncio.Task[None]] = set()
@@ -129,6 +134,12 @@ class EditorLinks:
         """A page's stored layout (JSON), None where there is none."""
         return None if self.authored_work is None else self.authored_work.layouts.get(name)
 
+    def send_notices(self, notices: list[wire.Notice]) -> None:
+        """Sends what the crew must know to every editor that reads."""
+        for who, page in self._pages.items():
+            if page.unsent.empty():  # it comes again; more than one that waits helps nobody
+                self._send(who, wire.Notices(notices))
+
     async def close(self) -> None:
         """Closes all links and stops; what was not acknowledged may be lost."""
         await self.links.close_all()
@@ -150,8 +161,8 @@ class EditorLinks:
         """Starts the orders of an outcome and queues its other consequences."""
         try:
             outcome = happens(authored_work.session)
-        except Exception as error:
-            self._restart(f"an edit could not be understood ({error!r})")
+        except Exception:
+            self._restart("an edit could not be understood, by a fault of Omote", traceback.format_exc())
             return
         for number, order in outcome.orders:
             self._begin(self._work(authored_work, number, order))
@@ -172,7 +183,9 @@ class EditorLinks:
         try:
             msgspec.json.decode(document)
         except (msgspec.DecodeError, RecursionError) as error:
-            self._tell(who, wire.Refused(f"the layout {asked.name!r} is no JSON ({error}): send it again."))
+            self._tell(
+                who, wire.Refused(f"the layout {asked.name!r} is no JSON ({explain_error(error)}): send it again.")
+            )
             return
         if asked.name not in authored_work.layouts and len(authored_work.layouts) >= MOST_LAYOUTS:
             self._tell(who, wire.Refused(f"there are {MOST_LAYOUTS} layouts already: use the name of one of them."))
@@ -191,6 +204,8 @@ class EditorLinks:
             self._announce(await self._cast_reload.recast(authored_work.session.own(), authored_work.session.contents))
         for reply in outcome.replies:
             self._send(reply.who, reply.message)
+            if isinstance(reply.message, Greeted) and self._notices():
+                self._send(reply.who, wire.Notices(self._notices()))
         for kept in outcome.kept:
             self._tell_kept(kept)
 
@@ -209,8 +224,12 @@ class EditorLinks:
                 self._send(who, EditRefused(-1, outcome.sentence))
         return None if outcome.state == "committed" else outcome.sentence
 
-    def _restart(self, why: str) -> None:
-        """Reads the authored work from the file again, for the session is ahead of it; every page reconnects."""
+    def _restart(self, why: str, technical: str = "") -> None:
+        """Reads the authored work from the file again, for the session is ahead of it; every page reconnects.
+
+        technical: for the terminal alone, where whoever mends Omote finds it.
+        """
+        sys.stderr.write(technical)
         self._report(f"{why}; the editors' pages begin again from what the show file has.")
         self.authored_work = self._reopen()
         if self.authored_work is not None:
@@ -227,7 +246,7 @@ class EditorLinks:
                 await self._cast_reload.recast(self.authored_work.session.own(), self.authored_work.session.contents)
             )
         except (ValueError, KeyError) as error:
-            self._report(f"the cast stays as it is ({error}).")
+            self._report(f"the cast stays as it is ({explain_error(error)}).")
 
     def _tell_kept(self, kept: KeepOutcome) -> None:
         who, _, call = kept.ticket.partition(" ")
@@ -252,8 +271,8 @@ class EditorLinks:
             consequence = await self._consequences.get()
             try:
                 await consequence()
-            except Exception as error:
-                self._restart(f"an edit could not be carried out ({error!r})")
+            except Exception:
+                self._restart("an edit could not be carried out, by a fault of Omote", traceback.format_exc())
 
     def _begin(self, work: Coroutine[object, object, None]) -> asyncio.Task[None]:
         task = asyncio.get_running_loop().create_task(work)

@@ -11,6 +11,7 @@ from omote.edit.session.edit_session import EditSession
 from omote.server.persistence.commit_thread import CommitOutcome
 from omote.server.workers.order_worker import OrderWorker
 from omote.showfile.changes import Change
+from omote.showfile.database_errors import explain_database_error
 from omote.showfile.show_file import ShowFile
 
 
@@ -40,7 +41,10 @@ def open_authored_work(
     try:
         stored, contents = show.stored(), show.contents()
     except sqlite3.Error as error:
-        report(f"the authored work in {show.path} cannot be read ({error}); the show goes on without it.")
+        report(
+            f"the own faces and expressions in {show.path} cannot be read ({explain_database_error(error)}); the show "
+            "goes on without them."
+        )
         return None
     session = EditSession(worker.cast, stored, contents, net=worker.net, welcome=worker.welcome)
     return AuthoredWork(session, committer, dict(stored.layouts))

@@ -7,6 +7,7 @@ import threading
 from collections.abc import Callable
 
 from omote.showfile.backup import back_up
+from omote.showfile.database_errors import explain_database_error
 from omote.showfile.schema import CorruptShowFileError, ShowFileError
 from omote.showfile.show_file import ShowFile
 
@@ -60,7 +61,8 @@ class BackupThread:
             self.damage = str(error)
             self._say(f"{error} The show goes on, but edits are not kept: start it again to open its good copy.")
         except (sqlite3.Error, OSError, ShowFileError) as error:
-            self._say(f"no good copy of {self._show.path} could be made ({error}); the one of before stays.")
+            reason = explain_database_error(error).rstrip(".")
+            self._say(f"no good copy of {self._show.path} could be made: {reason}. The ones of before stay.")
 
     def _back_up_changes(self) -> None:
         version = self._show.data_version()

@@ -11,6 +11,7 @@ from typing import Literal
 
 from omote.server.persistence.backup_thread import BackupThread
 from omote.showfile.changes import Change
+from omote.showfile.database_errors import explain_database_error
 from omote.showfile.show_file import ShowFile
 
 RETRY_SECONDS = 1.0
@@ -108,13 +109,17 @@ class CommitThread:
         try:
             self._show.apply(job.changes)
         except sqlite3.OperationalError as error:
-            sentence = f"{self._show.path} cannot be written ({error}); your work is kept in memory and tried again."
+            sentence = (
+                f"{self._show.path} cannot be written ({explain_database_error(error)}): your work is kept in memory "
+                "and tried again."
+            )
             if not self._failing:
                 self._report(sentence)
             self._failing = True
             return CommitOutcome("waiting", sentence)
         except (sqlite3.Error, ValueError, TypeError, OverflowError) as error:
-            return CommitOutcome("refused", f"{self._show.path} cannot keep this ({error}); undo it, or do it again.")
+            reason = explain_database_error(error)
+            return CommitOutcome("refused", f"{self._show.path} cannot keep this ({reason}): undo it, or do it again.")
         self._failing = False
         return CommitOutcome("committed")
 
@@ -124,4 +129,4 @@ class CommitThread:
         except RuntimeError:
             pass  # a loop that has ended hears nothing any more
         except Exception as error:  # whatever it is, later changes are still to be kept
-            self._report(f"what became of a change ({outcome.state}) could not be told: {error!r}.")
+            self._report(f"what became of a change ({outcome.state}) could not be told ({type(error).__name__}).")

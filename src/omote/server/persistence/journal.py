@@ -7,6 +7,7 @@ import threading
 from collections.abc import Callable
 from functools import partial
 
+from omote.showfile.database_errors import explain_database_error
 from omote.showfile.show_file import JournalEntry, ShowFile
 
 FLUSH_SECONDS = 1.0
@@ -67,6 +68,9 @@ class JournalWriter:
             work()
         except sqlite3.Error as error:
             if not self._failing:
-                self._report(f"the journal {self._show.path} cannot be written ({error}); the show goes on without it.")
+                self._report(
+                    f"{self._show.path} cannot be written ({explain_database_error(error)}): the show goes on, but if "
+                    "its process ends, what has changed since is not restored. Mend that soon."
+                )
             return False
         return True

@@ -6,6 +6,11 @@ import fcntl
 import os
 from pathlib import Path
 
+from omote.interchange.formats.error_reasons import explain_error
+from omote.showfile.backup import BACKUP_SUFFIXES
+from omote.showfile.recovery import reject_unproven
+from omote.showfile.schema import ShowFileError
+
 
 class ShowLockedError(RuntimeError):
     """Another server plays this show file."""
@@ -15,19 +20,17 @@ def lock_show(path: Path) -> int:
     """Locks a show file; returns the descriptor that holds the lock, in children too. ShowLockedError when it is taken.
 
     The lock is on a file beside the show file, so that it stays where it is when a corrupt show file is moved aside. It
-    ends with the last process that holds the descriptor, however that process ends. OSError with a message where no
-    show file can be.
+    ends with the last process that holds the descriptor, however that process ends. ShowFileError where no show file
+    can be; then nothing is made beside what is there.
     """
+    if path.name.endswith(BACKUP_SUFFIXES):
+        raise ShowFileError(f"{path} is the good copy of another show: copy it under a name of its own, and open that.")
+    reject_unproven(path)
     try:
-        if path.exists() and not path.is_file():
-            kind = "folder" if path.is_dir() else "device"
-            raise OSError(f"{path} is a {kind}, not a show file: name a file, such as {path.parent / 'show.omote'}.")
         path.parent.mkdir(parents=True, exist_ok=True)
         descriptor = os.open(path.with_name(path.name + ".lock"), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
     except OSError as error:
-        if error.errno is None:
-            raise
-        raise OSError(f"{path} cannot be opened ({os.strerror(error.errno)}); name another file.") from error
+        raise ShowFileError(f"{path} cannot be opened ({explain_error(error)}): name another file.") from error
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError as error:

@@ -11,6 +11,8 @@ from pathlib import Path
 
 from omote.server.persistence.lock import lock_show
 from omote.showfile.backup import back_up
+from omote.showfile.identification import locate_show
+from omote.showfile.recovery import is_lost
 from omote.showfile.show_file import ShowFile, ShowFileError, open_show
 
 
@@ -20,11 +22,17 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
 
     FileNotFoundError where there is none, ShowLockedError where a show plays it, ShowFileError where it cannot be used.
     """
-    if not new and not path.is_file():
+    path = locate_show(path)
+    if not new and not path.exists():
         raise FileNotFoundError(f"there is no show file {path}; `omote show {path}` makes one")
-    lock = lock_show(path.absolute())
+    if is_lost(path):  # a new one in its place would push its backups out
+        raise ShowFileError(
+            f"{path} is not there or empty, but its good copies are: open it with `omote show {path}`, which brings "
+            "them back, then repeat this."
+        )
+    lock = lock_show(path)
     try:
-        file = open_show(path.absolute())
+        file = open_show(path)
         try:
             yield file
             if new:

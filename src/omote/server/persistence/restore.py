@@ -9,10 +9,14 @@ from pathlib import Path
 
 import msgspec
 
+from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Playable
-from omote.server.process.process_messages import Order
+from omote.server.process.process_messages import Failover, Order
 from omote.show.session import SessionSnapshot, ShowSession
+from omote.showfile.backup import backup_paths
+from omote.showfile.database_errors import explain_database_error
+from omote.showfile.identification import ForeignFileError, identify, locate_show
 from omote.showfile.recovery import Recovery, is_lost, recover_show
 from omote.showfile.show_file import CorruptShowFileError, JournalEntry, ShowFile, ShowFileError, open_show
 
@@ -24,7 +28,7 @@ def open_journal(path: Path, report: Report) -> ShowFile | None:
     try:
         return open_newest(path, report)
     except (ShowFileError, OSError) as error:
-        report(f"{error} The show goes on without a journal.")
+        report(f"{explain_database_error(error)} The show goes on, but nothing of it is kept.")
         return None
 
 
@@ -33,6 +37,7 @@ def open_newest(path: Path, report: Report) -> ShowFile:
 
     ShowFileError with an error message where it cannot be used; then it is untouched.
     """
+    path = locate_show(path)
     try:
         try:
             if is_lost(path):
@@ -41,8 +46,20 @@ def open_newest(path: Path, report: Report) -> ShowFile:
         except CorruptShowFileError as error:
             report(f"{error} {_sentence_of(recover_show(path))}")
             return open_show(path)
+    except ForeignFileError as error:
+        raise ForeignFileError(f"{error}{_backup_beside(path)}") from error
     except (sqlite3.Error, OSError) as error:
-        raise ShowFileError(f"{path} cannot be used ({error}); free the disk or name another file.") from error
+        raise ShowFileError(
+            f"{path} cannot be used ({explain_database_error(error)}): mend that, or name another file."
+        ) from error
+
+
+def _backup_beside(path: Path) -> str:
+    """What to do where somebody else's file has the name of a show whose backups are still there."""
+    backups = [backup for backup in backup_paths(path) if backup.is_file() and identify(backup).kind == "show"]
+    if not backups:
+        return ""
+    return f" A good copy of a show lies beside it, {backups[0].name}: move {path.name} away, and its copy is opened."
 
 
 def _sentence_of(recovery: Recovery) -> str:
@@ -62,12 +79,33 @@ def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report)
     last = _last_entry(show, report)
     epoch = next_epoch(last.epoch, order.epoch)
     session = None if order.neutral else _try_restore(cast, last, epoch, report)
+    if order.failover is not None:
+        report(_failover_sentence(order, order.failover, resumed=session is not None, now=time.monotonic()))
     if session is not None:
         _record(show, session, None, report)
         return session
     session = ShowSession(cast, Performer(cast), epoch=epoch)
     _record(show, session, last, report)
     return session
+
+
+def _failover_sentence(order: Order, failover: Failover, *, resumed: bool, now: float) -> str:
+    """When the process before ended, how long nothing was sent, and what is on air now."""
+    seconds = now - failover.ended
+    wall = time.time() - seconds  # noqa: TID251  (for people to read; drives nothing)
+    how = "stopped answering" if failover.hung else "ended"
+    at = time.strftime("%H:%M:%S", time.localtime(wall))
+    pause = "less than 0.1 s" if seconds < 0.1 else f"{seconds:.1f} s"
+    neutral = "the show starts neutral" + (", because processes kept ending on its last state" if order.neutral else "")
+    what = "what was on air goes on" if resumed else neutral
+    times = f" This was the {ordinal(failover.count)} time in this show." if failover.count > 1 else ""
+    return f"the show's process {how} at {at} and was started again after {pause}; {what}.{times}"
+
+
+def ordinal(number: int) -> str:
+    """`3` as "3rd"."""
+    ending = "th" if number % 100 in (11, 12, 13) else {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th")
+    return f"{number}{ending}"
 
 
 def journal_entry(session: ShowSession) -> JournalEntry:
@@ -84,7 +122,10 @@ def _last_entry(show: ShowFile | None, report: Report) -> JournalEntry:
     try:
         return show.journal() if show else JournalEntry(0, 0.0, None)
     except sqlite3.Error as error:
-        report(f"the journal cannot be read ({error}); the show starts neutral.")
+        report(
+            f"the last state cannot be read from the show file ({explain_database_error(error)}); the show starts "
+            "neutral."
+        )
         return JournalEntry(0, 0.0, None)
 
 
@@ -97,7 +138,7 @@ def _record(show: ShowFile | None, session: ShowSession, aside: JournalEntry | N
             show.set_aside(aside, "not played on: it could not be, or the servers that started from it died")
         show.write_journal(journal_entry(session))
     except sqlite3.Error as error:
-        report(f"the journal cannot be written ({error}); the show goes on.")
+        report(f"the state cannot be written to the show file ({explain_database_error(error)}); the show goes on.")
 
 
 def _try_restore(cast: Playable, entry: JournalEntry, epoch: int, report: Report) -> ShowSession | None:
@@ -107,5 +148,7 @@ def _try_restore(cast: Playable, entry: JournalEntry, epoch: int, report: Report
         snapshot = msgspec.msgpack.decode(entry.snapshot, type=SessionSnapshot)
         return ShowSession.restored(cast, snapshot, epoch=epoch)
     except (ValueError, TypeError, RecursionError) as error:
-        report(f"the last state cannot be played ({error}); it is kept aside and the show starts neutral.")
+        report(
+            f"the last state cannot be played ({explain_error(error)}); it is kept aside and the show starts neutral."
+        )
         return None

@@ -8,17 +8,35 @@ import socket
 
 import msgspec
 
+from omote.show.messages import Notice
+
 TICK = b"t"
 """A server's pulse, on a pipe to the supervisor: it plays."""
 PULSE_TICKS = 6
 """Ticks between two pulses: ten pulses a second."""
 
 
+LONGEST_ORDER = 65536
+"""Bytes of an order with all its notices."""
+
+
+class Failover(msgspec.Struct, frozen=True):
+    """How the show process before ended: the `count`-th of this show, at `ended` seconds of the monotonic clock, which
+    all processes share; `hung`: it had stopped answering, and `ended` is when it last did."""
+
+    count: int
+    ended: float
+    hung: bool
+
+
 class Order(msgspec.Struct, frozen=True):
-    """Supervisor to standby, with two pipes: play, at least under this epoch; `neutral`: not from the journal."""
+    """Supervisor to standby, with two pipes: play, at least under this epoch; `neutral`: not from the journal;
+    `failover`: in whose place; `notices`: what the crew was told so far."""
 
     epoch: int
     neutral: bool
+    failover: Failover | None = None
+    notices: list[Notice] = []
 
 
 class Ready(msgspec.Struct, frozen=True, tag="ready"):
@@ -41,6 +59,7 @@ class Ended(msgspec.Struct, frozen=True, tag="ended"):
 News = Ready | Started | Ended
 
 _news: msgspec.json.Decoder[News] = msgspec.json.Decoder(News)
+_notice: msgspec.json.Decoder[Notice] = msgspec.json.Decoder(Notice)
 _order: msgspec.json.Decoder[Order] = msgspec.json.Decoder(Order)
 
 
@@ -52,7 +71,7 @@ def send_order(line: socket.socket, order: Order, control: int, pulse: int) -> N
 def receive_order(line: socket.socket) -> tuple[Order, int, int] | None:
     """Receives the next order and its pipes; None when the supervisor is gone."""
     try:
-        data, descriptors, _, _ = socket.recv_fds(line, 4096, 2)
+        data, descriptors, _, _ = socket.recv_fds(line, LONGEST_ORDER, 2)
     except ConnectionError:  # it went without reading our last news
         return None
     if not data or len(descriptors) != 2:
@@ -71,3 +90,18 @@ def send_news(line: socket.socket, news: News) -> None:
 def read_news(lines: bytes) -> list[News]:
     """Decodes the news in whole lines."""
     return [_news.decode(line) for line in lines.splitlines()]
+
+
+def write_notice(notice: Notice) -> bytes:
+    """A notice as a show process writes it into its pulse, between two ticks."""
+    return msgspec.json.encode(notice) + b"\n"
+
+
+def read_pulse(data: bytes) -> tuple[list[Notice], bytes]:
+    """The notices in what came through a pulse, and the beginning of one whose rest is still to come."""
+    *lines, rest = (line[line.find(b"{") :] if b"{" in line else b"" for line in data.split(b"\n"))
+    found = []
+    for line in filter(None, lines):
+        with contextlib.suppress(msgspec.DecodeError, UnicodeDecodeError):  # a process may die while it writes
+            found.append(_notice.decode(line))
+    return found, rest

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 import signal
 import socket
 import sys
@@ -13,6 +14,7 @@ from pathlib import Path
 
 from aiohttp import web
 
+from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
@@ -23,6 +25,7 @@ from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitThread
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry, open_journal, restore
+from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import Order
 from omote.server.supervision.tick_loop import ShowTick, run_ticks
 from omote.server.workers.workshop import open_workshop
@@ -58,8 +61,10 @@ def report(sentence: str) -> None:
 
 def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
     """Plays the show to its end, on uvloop where it is available."""
-    start_workshop(material.documents)  # while there is neither thread nor loop, which no copy may have
-    playing = play(material, order, show=show, pipes=pipes)
+    board = NoticeBoard(order.notices)
+    tell = board.with_report(report)
+    start_workshop(material.documents, tell)  # while there is neither thread nor loop, which no copy may have
+    playing = play(material, order, show=show, pipes=pipes, board=board)
     try:
         import uvloop
     except ImportError:  # not made for this platform: the stock loop is slower and does the same
@@ -68,27 +73,30 @@ def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> No
         uvloop.run(playing)
 
 
-def start_workshop(documents: CastDocuments) -> None:
+def start_workshop(documents: CastDocuments, tell: Callable[[str], None]) -> None:
     """Starts the workshop process that computes orders; where that fails, a thread of the server computes them."""
     try:
-        documents.use_workshop(open_workshop(documents.compute), report)
+        documents.use_workshop(open_workshop(documents.compute), tell)
     except OSError as error:
-        report(f"no process can be made that computes ({error}); the server computes by itself.")
+        tell(f"no process can be made that computes ({explain_error(error)}); the server computes by itself.")
 
 
-async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
+async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes, board: NoticeBoard) -> None:
     """Plays until the control pipe ends or SIGTERM comes; raises what a tick raises."""
-    file, documents = open_journal(show, report), material.documents
-    backup = BackupThread(file.again(), report) if file else None
-    authored_work, reopen = open_reopenable_work(file, documents, report, backup)
-    server = ShowServer(restore(documents.playing, file, order, report), documents, material.pages)
-    server.enable_editing(authored_work, reopen, report)
-    journal = JournalWriter(file, report) if file else None
+    os.set_blocking(pipes.pulse, False)  # a supervisor that does not read holds up no tick
+    tell = board.with_report(report)
+    file, documents = open_journal(show, tell), material.documents
+    backup = BackupThread(file.again(), tell) if file else None
+    authored_work, reopen = open_reopenable_work(file, documents, tell, backup)
+    server = ShowServer(restore(documents.playing, file, order, tell), documents, material.pages)
+    server.post(board.notices)
+    server.enable_editing(authored_work, reopen, tell)
+    journal = JournalWriter(file, tell) if file else None
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()
     await web.SockSite(runner, socket.socket(fileno=pipes.listen)).start()
     try:
-        await run_until_ended(run_ticks(ShowTick(server, journal, pipes.pulse).tick), pipes.control)
+        await run_until_ended(run_ticks(ShowTick(server, journal, pipes.pulse, board).tick), pipes.control)
     finally:
         await server.close_all()
         await runner.cleanup()

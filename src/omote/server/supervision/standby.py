@@ -26,6 +26,7 @@ from omote.server.process.priority import raise_priority
 from omote.server.process.process_messages import Ended, Order, Ready, Started, receive_order, send_news
 from omote.server.supervision.show_process import Pipes, ShowMaterial, load_material, report, run
 from omote.show.messages import STATE_RATE
+from omote.showfile.database_errors import describe_error
 from omote.stage_data.assets import compound_asset
 
 END_SECONDS = 3.0
@@ -42,7 +43,7 @@ def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = 
         material = load()
         warm(material.documents)
     except (OSError, ValueError) as error:
-        report(str(error))
+        report(describe_error(error))
         return 1
     with socket.socket(fileno=options.line) as line:
 

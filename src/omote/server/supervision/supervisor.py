@@ -20,9 +20,22 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from omote.interchange.formats.error_reasons import explain_error
+from omote.server.process.notice_board import MOST_NOTICES
 from omote.server.process.priority import raise_priority
-from omote.server.process.process_messages import Ended, News, Order, Ready, Started, read_news, send_order
+from omote.server.process.process_messages import (
+    Ended,
+    Failover,
+    News,
+    Order,
+    Ready,
+    Started,
+    read_news,
+    read_pulse,
+    send_order,
+)
 from omote.server.supervision.crash_loop import CrashLoop
+from omote.show.messages import Notice
 
 PROGRAM = (sys.executable, "-m", "omote.server.supervision.standby")
 HANG_SECONDS = 1.0
@@ -57,6 +70,7 @@ class Server:
     pulse: int
     pid: int | None = None
     playing: bool = False
+    rest: bytes = b""
     heard: float = field(default_factory=time.monotonic)
 
     def hangs(self, now: float) -> bool:
@@ -65,7 +79,10 @@ class Server:
 
 
 class Supervisor:
-    """Starts, watches and replaces the servers of one show; `opened` is called when the first of them plays."""
+    """Starts, watches and replaces the servers of one show; `opened` is called when the first of them plays.
+
+    notices: what the crew is to know from the start; what servers tell it is kept here for those after them.
+    """
 
     def __init__(
         self,
@@ -76,6 +93,7 @@ class Supervisor:
         report: Report,
         opened: Callable[[], None],
         program: Sequence[str] = PROGRAM,
+        notices: Sequence[Notice] = (),
     ) -> None:
         self._listen, self._lock, self._show, self._program = listen, lock, show, tuple(program)
         self._report, self._opened = report, opened
@@ -83,6 +101,8 @@ class Supervisor:
         self._server: Server | None = None
         self._crash_loop = CrashLoop()
         self._epoch = self._failures = 0
+        self._failover: Failover | None = None
+        self._notices = list(notices)
         self._not_before = self._checked = 0.0
         self._played = self._ending = False
         self._selector = selectors.DefaultSelector()
@@ -117,6 +137,7 @@ class Supervisor:
         self._checked = now
         if self._server is not None and self._server.hangs(now):
             self._report("the server hangs; another one takes over.")
+            self._note_failover(self._server, self._server.heard, hung=True)
             if not self._server.playing:
                 self._crash_loop.record_hang(now)
             self._drop_server(self._server)
@@ -152,7 +173,8 @@ class Supervisor:
         control, ours = os.pipe()
         theirs, pulse = os.pipe()
         try:
-            send_order(standby.line, Order(epoch=self._epoch, neutral=neutral), control, pulse)
+            order = Order(self._epoch, neutral, self._failover, self._notices)
+            send_order(standby.line, order, control, pulse)
         except OSError:
             os.close(ours)
             os.close(theirs)
@@ -191,11 +213,15 @@ class Supervisor:
                 self._crash_loop.record_end(time.monotonic(), code)
 
     def _read_pulse(self, server: Server) -> None:
-        if not os.read(server.pulse, 4096):
+        data = os.read(server.pulse, 4096)
+        if not data:
             self._report("the server is gone; another one takes over.")
+            self._note_failover(server, time.monotonic(), hung=False)
             self._drop_server(server)
             return
         server.heard = time.monotonic()
+        new, server.rest = read_pulse(server.rest + data)
+        self._notices = [*self._notices, *new][-MOST_NOTICES:]
         if not server.playing:
             server.playing = True
             self._failures = 0
@@ -203,6 +229,12 @@ class Supervisor:
             if not self._played:
                 self._played = True
                 self._opened()
+
+    def _note_failover(self, server: Server, ended: float, *, hung: bool) -> None:
+        """Remembers how a server ended, for the crew; one that never played only makes the pause longer."""
+        if server.playing:
+            count = self._failover.count + 1 if self._failover else 1
+            self._failover = Failover(count, ended, hung)
 
     def _drop_server(self, server: Server) -> None:
         if server.pid is not None:
@@ -260,7 +292,7 @@ def listen_on(host: str, port: int) -> socket.socket:
         return socket.create_server((host, port), family=family, backlog=512)
     except (OSError, UnicodeError) as error:
         number = error.errno if isinstance(error, OSError) and error.errno else 0
-        reason = os.strerror(number) if number > 0 else str(error).split(" (while")[0]
+        reason = explain_error(error) if number > 0 else str(error).split(" (while")[0]
         if number <= 0:  # not even looked up
             raise OSError(f"{host} is no address of this machine ({reason}): name another with --host.") from error
         raise OSError(f"port {port} on {host} cannot be opened ({reason}): name another with --port.") from error

@@ -13,7 +13,8 @@ from omote.perform.snapshot import Snapshot
 from omote.server.http.app import ShowServer
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry
-from omote.server.process.process_messages import PULSE_TICKS, TICK
+from omote.server.process.notice_board import NoticeBoard
+from omote.server.process.process_messages import PULSE_TICKS, TICK, write_notice
 from omote.show.messages import STATE_RATE
 
 LATE_TICKS = 6
@@ -42,19 +43,23 @@ async def run_ticks(tick: Tick, *, rate: float = STATE_RATE, clock: Callable[[],
 class ShowTick:
     """One tick of a playing server: its state, its heartbeat and its journal."""
 
-    def __init__(self, server: ShowServer, journal: JournalWriter | None, pulse: int) -> None:
-        self._server, self._journal, self._pulse = server, journal, pulse
+    def __init__(self, server: ShowServer, journal: JournalWriter | None, pulse: int, board: NoticeBoard) -> None:
+        self._server, self._journal, self._pulse, self._board = server, journal, pulse, board
         self._kept: Snapshot | None = None
 
     def tick(self, number: int) -> None:
-        """Broadcasts the state, sends the heartbeat, writes the journal and broadcasts who is connected."""
+        """Broadcasts the state, sends the heartbeat, writes the journal, broadcasts notices and who is connected."""
         self._server.tick()
+        for notice in self._board.take_new():
+            self._server.post(self._board.notices)
+            send_pulse(self._pulse, write_notice(notice))  # so that the next server knows it too
         if number % PULSE_TICKS == 0:
             send_pulse(self._pulse, TICK)
         if self._journal and number % JOURNAL_TICKS == 0:
             self._keep(self._journal, even_resting=number % RESTING_TICKS == 0)
         if number % RESTING_TICKS == 0:
             self._server.broadcast_crew()
+            self._server.broadcast_notices()
 
     def _keep(self, journal: JournalWriter, *, even_resting: bool) -> None:
         session = self._server.session

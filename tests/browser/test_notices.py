@@ -1,0 +1,118 @@
+"""What the crew must know stands on consoles and editors until each has dismissed it: after a real `kill -9` too."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from omote.showfile.backup import back_up
+from omote.showfile.changes import PutLayout
+from omote.showfile.show_file import open_show
+from tests.browser.conftest import playing
+from tests.browser.waiting import wait_until
+
+OpenPage = Callable[..., Page]
+STORE = "document.querySelector('omote-console')?.context.store"
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A show file whose first page is lost, with a whole backup beside it."""
+    path = tmp_path_factory.mktemp("notices") / "premiere.omote"
+    show = open_show(path)
+    show.apply([PutLayout("console-2", b"{}")])
+    back_up(show)
+    show.close()
+    path.write_bytes(bytes(4096) + path.read_bytes()[4096:])
+    return path
+
+
+@pytest.fixture(scope="module")
+def show(file: Path) -> Iterator[str]:
+    """A show of this module alone, for its process is killed."""
+    yield from playing(file)
+
+
+def notice(page: Page) -> Locator:
+    """The notice that a page shows: the newest, with how many more there are."""
+    return page.locator("omote-show-notices [role=alert]")
+
+
+def opened(page: Page) -> Page:
+    """A console that has heard from the show."""
+    wait_until(page, f"{STORE}?.online && {STORE}.state !== null && {STORE}.faces.length > 0")
+    return page
+
+
+def process_of(file: Path) -> int:
+    """The process id of the server that plays: the child of its standby, which is named by the show file."""
+    named, parents = set[int](), dict[int, int]()
+    for entry in Path("/proc").iterdir():
+        if not entry.name.isdecimal():
+            continue
+        try:
+            words = (entry / "cmdline").read_bytes().split(b"\0")
+            parents[int(entry.name)] = int((entry / "stat").read_text().rsplit(")", 1)[1].split()[1])
+        except OSError:  # it has ended meanwhile
+            continue
+        if str(file).encode() in words and b"omote.server.supervision.standby" in words:
+            named.add(int(entry.name))
+    (standby,) = (pid for pid in named if parents[pid] not in named)
+    return max(pid for pid in named if parents[pid] == standby)
+
+
+def test_a_recovered_file_and_a_killed_process_are_told_until_they_are_dismissed(
+    open_page: OpenPage, file: Path
+) -> None:
+    page, other = opened(open_page("/console", width=1440, height=900)), opened(open_page("/console"))
+    damaged = f"{file} is damaged: its beginning is lost or overwritten. It is kept as {file}.corrupt-1; opened "
+    expect(notice(page)).to_contain_text(damaged + "instead: its good copy of ")
+    expect(notice(page).locator("small")).to_have_count(0)
+
+    call = f"if ({STORE}.state.expression_call === null) {STORE}.call('expression', 'smile'); {STORE}.flush()"
+    wait_until(page, f"{STORE}.state.expressions.smile === 1", given=call)  # again where the link was lost meanwhile
+    epoch = page.evaluate(f"{STORE}.state.epoch")
+    os.kill(process_of(file), signal.SIGKILL)
+    wait_until(page, f"{STORE}.online && {epoch} < {STORE}.state.epoch && {STORE}.state.expressions.smile === 1")
+    expect(notice(page)).to_contain_text("The show's process ended at ")
+    expect(notice(page)).to_contain_text("what was on air goes on.")
+    expect(notice(page).locator("small")).to_have_text("1 more")
+
+    page.reload()
+    opened(page)
+    expect(notice(page).locator("small")).to_have_text("1 more")
+    page.keyboard.press("?")
+    page.keyboard.press("Escape")  # closes help and nothing else
+    expect(notice(page).locator("small")).to_have_text("1 more")
+    notice(page).get_by_role("button", name="Dismiss").click()
+    expect(notice(page)).to_contain_text(damaged)
+    notice(page).get_by_role("button", name="Dismiss").click()
+    expect(notice(page)).to_have_count(0)
+    page.reload()
+    opened(page)
+    wait_until(page, f"{STORE}.crew !== null")  # it came after the notices
+    expect(notice(page)).to_have_count(0)
+
+    expect(notice(other).locator("small")).to_have_text("1 more")  # somebody else has not read them
+    expect(notice(open_page("/editor")).locator("small")).to_have_text("1 more")
+
+
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1024, 768), (768, 1024), (390, 844)])
+def test_a_notice_is_whole_on_every_screen_and_can_be_dismissed_by_a_finger(
+    open_page: OpenPage, width: int, height: int
+) -> None:
+    page = opened(open_page("/console", width=width, height=height))
+    expect(notice(page)).to_be_visible()
+    box = notice(page).bounding_box()
+    assert box is not None
+    assert box["x"] >= 0
+    assert box["x"] + box["width"] <= width
+    assert box["y"] + box["height"] <= height
+    button = notice(page).get_by_role("button", name="Dismiss").bounding_box()
+    assert button is not None
+    assert min(button["width"], button["height"]) >= 44
