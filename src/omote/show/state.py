@@ -35,6 +35,10 @@ def state_of(cast: Playable, frame: Frame, *, epoch: int, number: int, revision:
         expression_fader=frame.expression_fader,
         light=dict(frame.light),
         light_call=call_state(frame.light_call),
+        panics=frame.panics,
+        home_face=frame.home.face,
+        home_seconds=frame.home.seconds,
+        home_next=frame.home_next,
     )
 
 
@@ -49,6 +53,7 @@ def call_state(status: CallStatus | None) -> CallState | None:
         by_hand=status.by_hand,
         fader=status.fader,
         pickup=status.pickup,
+        start=dict(status.start),
     )
 
 
