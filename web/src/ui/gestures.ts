@@ -63,8 +63,7 @@ class Hand {
   }
 
   #place(event: PointerEvent): [number, number] {
-    const box = this.element.getBoundingClientRect();
-    return [(event.clientX - box.left) / box.width, (box.bottom - event.clientY) / box.height];
+    return placeIn(this.element.getBoundingClientRect(), event.clientX, event.clientY);
   }
 
   /** Whether this tap follows one on the same place; a third one then starts anew. */
@@ -74,6 +73,18 @@ class Hand {
     this.#tap = { x, y, time: twice ? Number.NEGATIVE_INFINITY : time };
     return twice;
   }
+}
+
+/**
+ * Where a pointer is across a box: 0..1 from its left and from its bottom. A side without a length has no places: the
+ * pointer is at 0 of it and stays there, so a control that is folded away never moves.
+ */
+export function placeIn(
+  box: Pick<DOMRect, "left" | "bottom" | "width" | "height">,
+  x: number,
+  y: number,
+): [number, number] {
+  return [box.width > 0 ? (x - box.left) / box.width : 0, box.height > 0 ? (box.bottom - y) / box.height : 0];
 }
 
 /** One notch of the wheel over `element`, up = +1, in tenths with Shift (which some systems turn sideways). */
@@ -148,5 +159,6 @@ export interface KeyPress {
   readonly ctrlKey: boolean;
   readonly altKey: boolean;
   readonly metaKey: boolean;
+  readonly shiftKey: boolean;
   readonly repeat: boolean;
 }

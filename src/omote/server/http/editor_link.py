@@ -129,6 +129,10 @@ class EditorLinks:
         """A page's stored layout (JSON), None where there is none."""
         return None if self.authored_work is None else self.authored_work.layouts.get(name)
 
+    def layout_names(self) -> list[str]:
+        """The names under which pages have stored a layout."""
+        return [] if self.authored_work is None else sorted(self.authored_work.layouts)
+
     async def close(self) -> None:
         """Closes all links and stops; what was not acknowledged may be lost."""
         await self.links.close_all()
