@@ -145,10 +145,10 @@ export const style = css`
     :host {
       grid-template:
         "status status status status" 52px
-        "facebar air air exprbar" minmax(0, 38fr)
+        "facebar air air exprbar" minmax(0, 42fr)
         "lights lights lights lights" auto
         "views views views views" 44px
-        "faces faces expressions expressions" minmax(0, 62fr) / 72px minmax(0, 1fr) minmax(0, 1fr) 72px;
+        "faces faces expressions expressions" minmax(0, 58fr) / 72px minmax(0, 1fr) minmax(0, 1fr) 72px;
     }
     .air {
       grid-template: minmax(0, 1fr) auto / repeat(2, minmax(0, 1fr));

@@ -9,6 +9,7 @@ import { base } from "../ui/theme";
 import { ConsoleElement, chosenIn } from "./controls/console_element";
 import type { Axis } from "./store/axis";
 import type { Topic } from "./store/console_store";
+import { DEFAULT_LAYOUT } from "./store/layout_storage";
 import { MANY_CHOICES, secondsLabel } from "./store/timing";
 
 const AXES: readonly Axis[] = ["face", "expression"];
@@ -53,6 +54,17 @@ export class Setup extends ConsoleElement {
       input {
         flex: 1 1 140px;
       }
+      input {
+        font: inherit;
+        min-height: 26px;
+        padding: 0 8px;
+        color: var(--text);
+        background: #000;
+        border: 1px solid var(--line);
+        border-radius: 4px;
+        user-select: text;
+        -webkit-user-select: text;
+      }
       .names button {
         overflow-wrap: anywhere;
       }
@@ -89,8 +101,9 @@ export class Setup extends ConsoleElement {
             html`<button data-layout=${name} aria-pressed=${name === chosen} @click=${() => this.#choose(name)}>${name}</button>`,
         )}
       </div>
+      <p>Saved as ${DEFAULT_LAYOUT} it is what a fresh console opens with.</p>
       <form class="row" @submit=${this.#save}>
-        <input aria-label="Name of the layout" maxlength=${LONGEST_NAME} placeholder="name" .value=${chosen} />
+        <input aria-label="Name of the layout" maxlength=${LONGEST_NAME} placeholder="name of a layout" .value=${chosen === DEFAULT_LAYOUT ? "" : chosen} />
         <button type="submit">Save as</button>
       </form>
       <div class="row"><button class="close" @click=${() => this.#close()}>Close</button></div>

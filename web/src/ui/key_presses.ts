@@ -16,14 +16,13 @@ export type KeyOwner = "layer" | "field" | "page";
 
 /** What a page does with keys. */
 export interface KeyUse {
-  /** A key that is heard everywhere but in a field that is typed in; true where it was that key. */
+  /** A key that is heard everywhere but in a field for text; true where it was that key. */
   everywhere?(event: KeyboardEvent): boolean;
   /** A key that no open layer has; `typing`: it was pressed in a field. */
   page(event: KeyboardEvent, typing: boolean): void;
 }
 
 const layers: Layer[] = [];
-const MARKED = "data-above-layers";
 
 /** Puts a layer over those that are open; gives what takes it away again. */
 export function openLayer(layer: Layer): () => void {
@@ -56,11 +55,13 @@ export function isTyping(event: Event): boolean {
 }
 
 /** A choice has letters, digits and arrows of its own, but nothing to undo. */
-function isField(element: HTMLElement, chord: boolean): boolean {
-  if (element instanceof HTMLInputElement)
-    return !["range", "checkbox", "radio", "button", "submit"].includes(element.type);
-  if (element instanceof HTMLSelectElement) return !chord;
-  return element instanceof HTMLTextAreaElement || element.isContentEditable;
+const isField = (element: HTMLElement, chord: boolean): boolean =>
+  element instanceof HTMLSelectElement ? !chord : isTextField(element);
+
+function isTextField(target: EventTarget): boolean {
+  if (target instanceof HTMLInputElement)
+    return !["range", "checkbox", "radio", "button", "submit"].includes(target.type);
+  return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
 }
 
 /** Whom a press is for. */
@@ -80,14 +81,15 @@ export function listenToKeys(use: KeyUse): () => void {
   const { signal } = ending;
   window.addEventListener("keydown", (event) => claim(event, use), { signal, capture: true });
   window.addEventListener("keydown", (event) => pass(event, use), { signal });
-  window.addEventListener("focusin", keepFocus, { signal });
+  window.addEventListener("pointerdown", forget, { signal, capture: true });
   return () => ending.abort();
 }
 
 /** Before any control hears it. */
 function claim(event: KeyboardEvent, use: KeyUse): void {
   if (event.isComposing) return;
-  if (!isTyping(event) && use.everywhere?.(event) === true) {
+  remember(event);
+  if (!event.composedPath().some(isTextField) && use.everywhere?.(event) === true) {
     stop(event);
     return;
   }
@@ -97,6 +99,7 @@ function claim(event: KeyboardEvent, use: KeyUse): void {
     stop(event);
     layer.close();
   } else if (!event.composedPath().includes(layer.element)) withhold(event, layer);
+  else if (event.key === "Tab" && layer.kind === "dialog") goRound(event, layer);
 }
 
 /** A key pressed behind an open dialog or menu does nothing there; the browser's own keys stay the browser's. */
@@ -104,7 +107,7 @@ function withhold(event: KeyboardEvent, layer: Layer): void {
   event.stopImmediatePropagation();
   if (event.ctrlKey || event.altKey || event.metaKey || /^F\d+$/.test(event.key)) return;
   event.preventDefault();
-  if (event.key === "Tab") focusFirst(layer);
+  if (event.key === "Tab") stopsOf(layer)[0]?.focus();
 }
 
 /** After all controls: what is left is the page's. */
@@ -119,25 +122,40 @@ function pass(event: KeyboardEvent, use: KeyUse): void {
 function leaveField(event: KeyboardEvent): void {
   const [field] = event.composedPath();
   if (!(field instanceof HTMLElement)) return;
-  if (field instanceof HTMLInputElement && field.type !== "search") field.value = entered.get(field) ?? field.value;
+  if (field instanceof HTMLInputElement && field.type !== "search" && field === edited?.field)
+    field.value = edited.before;
+  edited = null;
   field.blur();
 }
 
-/** What fields held when they were entered. */
-const entered = new WeakMap<EventTarget, string>();
+/** The field that is typed in, and what it held before. */
+let edited: { readonly field: EventTarget; readonly before: string } | null = null;
 
-function keepFocus(event: FocusEvent): void {
-  const path = event.composedPath();
-  const [target] = path;
-  if (target instanceof HTMLInputElement) entered.set(target, target.value);
-  const top = layers.findLast(({ kind }) => kind === "dialog");
-  if (top === undefined || path.includes(top.element)) return;
-  if (!path.some((one) => one instanceof HTMLElement && one.hasAttribute(MARKED))) focusFirst(top);
+function remember(event: KeyboardEvent): void {
+  const [field] = event.composedPath();
+  if (field instanceof HTMLInputElement && field !== edited?.field) edited = { field, before: field.value };
+  if (event.key === "Enter" || event.key === "Tab" || !(field instanceof HTMLInputElement)) edited = null;
 }
 
-function focusFirst({ element }: Layer): void {
-  const root = element.shadowRoot ?? element;
-  root.querySelector<HTMLElement>("button, input, select, a[href]")?.focus();
+/** Whoever goes on elsewhere has left the field as it is. */
+function forget(event: Event): void {
+  if (event.composedPath()[0] !== edited?.field) edited = null;
+}
+
+/** What can have the focus in a layer, in order. */
+function stopsOf({ element }: Layer): HTMLElement[] {
+  const all = (element.shadowRoot ?? element).querySelectorAll<HTMLElement>("button, input, select, a[href]");
+  return [...all].filter((one) => one.offsetParent !== null);
+}
+
+/** Tab goes round in a dialog: it never leads behind it. */
+function goRound(event: KeyboardEvent, layer: Layer): void {
+  const stops = stopsOf(layer);
+  const at = stops.findIndex((one) => event.composedPath().includes(one));
+  const edge = event.shiftKey ? 0 : stops.length - 1;
+  if (at >= 0 && at !== edge) return;
+  event.preventDefault();
+  stops.at(event.shiftKey ? -1 : 0)?.focus();
 }
 
 function stop(event: KeyboardEvent): void {

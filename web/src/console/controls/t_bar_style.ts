@@ -165,8 +165,15 @@ export const style = css`
       gap: 2px;
       padding: 4px;
     }
+    .track {
+      margin: 15px 0;
+      min-height: 60px;
+    }
     .mode {
-      min-height: 14px;
+      min-height: 0;
+    }
+    .mode:not(.attention) {
+      display: none; /* the call beside the picture says it */
     }
     .percent {
       font-size: 16px;

@@ -69,8 +69,12 @@ export const style = css`
       h2 {
         display: none;
       }
+      .kinds {
+        flex: 0 1 100px;
+      }
       input {
-        flex-basis: 40px;
+        flex-basis: 60px;
+        padding: 0 6px;
       }
     }
     .tile {

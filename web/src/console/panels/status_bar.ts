@@ -79,7 +79,7 @@ export class StatusBar extends ConsoleElement {
     const [title, says] = again
       ? ["HOME FACE", `${this.store.label("face", state.home_face)} ${way}`]
       : ["PANIC", "neutral, hold still"];
-    return html`<button class="panic ${this.panicked ? "done" : ""} ${again ? "again" : ""}" data-above-layers
+    return html`<button class="panic ${this.panicked ? "done" : ""} ${again ? "again" : ""}"
       title="${again ? "Panic again" : "Panic"} (Shift Backspace)" @pointerdown=${this.#press} @click=${this.#click}>
       ${title}<small>${says}<i> · ⇧⌫</i></small>
     </button>`;
