@@ -57,7 +57,7 @@ def overlap(one: dict[str, Any], other: dict[str, Any]) -> bool:
     """Whether two boxes share more than a border."""
     across = min(one["right"], other["right"]) - max(one["left"], other["left"])
     down = min(one["bottom"], other["bottom"]) - max(one["top"], other["top"])
-    return across > 1.5 and down > 1.5
+    return bool(across > 1.5 and down > 1.5)
 
 
 def check_surface(page: Page, width: int, height: int) -> None:
