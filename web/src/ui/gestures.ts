@@ -63,7 +63,7 @@ class Hand {
   }
 
   #place(event: PointerEvent): [number, number] {
-    return placeIn(this.element.getBoundingClientRect(), event.clientX, event.clientY);
+    return placeIn(this.element.getBoundingClientRect(), event.clientX, event.clientY, this.#last);
   }
 
   /** Whether this tap follows one on the same place; a third one then starts anew. */
@@ -77,14 +77,18 @@ class Hand {
 
 /**
  * Where a pointer is across a box: 0..1 from its left and from its bottom. A side without a length has no places: the
- * pointer is at 0 of it and stays there, so a control that is folded away never moves.
+ * pointer stays at its last one, so a control that is folded away, or is folded away under a hand, never moves.
  */
 export function placeIn(
   box: Pick<DOMRect, "left" | "bottom" | "width" | "height">,
   x: number,
   y: number,
+  last: readonly [number, number],
 ): [number, number] {
-  return [box.width > 0 ? (x - box.left) / box.width : 0, box.height > 0 ? (box.bottom - y) / box.height : 0];
+  return [
+    box.width > 0 ? (x - box.left) / box.width : last[0],
+    box.height > 0 ? (box.bottom - y) / box.height : last[1],
+  ];
 }
 
 /** One notch of the wheel over `element`, up = +1, in tenths with Shift (which some systems turn sideways). */
