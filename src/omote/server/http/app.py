@@ -179,7 +179,7 @@ class ShowServer:
             raise web.HTTPServiceUnavailable(text=f"{error}.") from error
         return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": keep})
 
-    async def layout_names(self, request: web.Request) -> web.Response:
+    async def layout_names(self, _: web.Request) -> web.Response:
         """Responds with the names of the stored layouts (JSON)."""
         return web.json_response([] if self.editing is None else self.editing.layout_names())
 
