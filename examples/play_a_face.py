@@ -27,7 +27,7 @@ COMMANDS = {  # frame: what the operator does then
     0: lambda: performer.call_face("old", seconds=1.5),
     15: lambda: performer.call_expression("surprise", seconds=0.5),
     30: lambda: performer.call_face("child", seconds=1.0),  # the first call is still under way: nothing jumps
-    60: performer.panic,  # neutral now; the face stays
+    60: performer.panic,  # neutral and still within a quarter of a second; the face stays
 }
 
 rows = []

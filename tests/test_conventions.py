@@ -56,7 +56,7 @@ def moved(cast: omote.Cast, name: str) -> NDArray[np.float64]:
 
 
 PARTICIPLES = {
-    "omote.perform.axis": {"called", "faded", "released", "advanced"},
+    "omote.perform.axis": {"called", "faded", "released", "advanced", "halted"},
 }
 """Participles allowed: each returns a changed copy of its first argument."""
 PUBLIC_PARTICIPLES = {"sculpted", "restored"}

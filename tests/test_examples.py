@@ -88,7 +88,7 @@ def test_playing_a_face_never_jumps_and_ends_at_rest(folder: Path) -> None:
     openings = np.array([float(row["mouth_mm"]) for row in rows])
     assert len(said.splitlines()) == len(rows) == 75
     assert openings.max() > 20
-    assert np.abs(np.diff(openings[:60])).max() < 0.2 * np.ptp(openings)  # nothing jumps; panic at 60 does
+    assert np.abs(np.diff(openings[:60])).max() < 0.2 * np.ptp(openings)  # nothing jumps
     assert openings[-1] < 1
     mixes = [dict(pair.split("=") for pair in row["faces"].split()) for row in rows]
     assert max(len(mix) for mix in mixes) == 3  # the second call began in the middle of the first
@@ -192,7 +192,8 @@ def test_a_replayed_log_gives_the_same_bytes_and_the_calls_of_the_log(folder: Pa
     assert states.count(b"epoch") == 121
     last = unpacker.decode(states[states.rindex(b"\xa4type\xa5state") - 3 :])
     assert last["expressions"] == {"neutral": 1.0}
-    assert last["face_call"]["target"] == "noh"
+    assert last["face_call"] is None  # panic stopped it on its way
+    assert 0 < last["faces"]["noh"] < 1
 
 
 def test_a_console_hears_its_call_arrive(folder: Path) -> None:

@@ -46,7 +46,7 @@ USED: dict[str, str] = {
     ),
     "editor/canvas/scene": "link face/anatomy editor/session editor/canvas/math editor/canvas/model editor/canvas/draw",
     "editor/canvas/input": (
-        "face/anatomy editor/session editor/canvas/math editor/canvas/model editor/canvas/draw editor/canvas/scene"
+        "ui face/anatomy editor/session editor/canvas/math editor/canvas/model editor/canvas/draw editor/canvas/scene"
     ),
     "editor/canvas": (
         "link face/quality face/anatomy face/gpu editor/session editor/canvas/math editor/canvas/model "

@@ -1,5 +1,4 @@
-"""Keeping what is on air from the console: one press makes a face or an expression that plays at once, and a layout
-that another tablet opens the same from."""
+"""Keeping what is on air from the console: one press makes a face or an expression that plays at once."""
 
 from __future__ import annotations
 
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page, expect
 
 from tests.browser.pictures import picture
-from tests.browser.test_console import DESK, choose, console, fader, region, tile, wait_for
+from tests.browser.test_console import DESK, choose, console, region, tile, wait_for
 from tests.browser.waiting import draw_on_demand, floats, wait_until
 
 __all__ = ["console"]
@@ -147,25 +146,6 @@ def test_own_faces_are_at_hand_and_hot_keys_stay_where_they_are(console: Console
     expect(tile(page, "kaori").locator(".key")).to_have_text("2")
 
 
-def test_a_fresh_console_asks_for_nothing_that_is_not_there(open_page: OpenPage) -> None:
-    page = open_page("/console?layout=new")
-    answers: list[int] = []
-    page.on("response", lambda answer: answers.append(answer.status))
-    page.reload()
-    wait_for(page, "desk.online && desk.faces.length > 0")
-    assert 204 in answers
-    assert [status for status in answers if status >= 400] == []
-
-
-@pytest.mark.parametrize(("width", "height"), [(1024, 768), (1440, 900)])
-def test_no_word_of_the_console_is_cut_off(open_page: OpenPage, width: int, height: int) -> None:
-    page = open_page("/console", width=width, height=height)
-    wait_for(page, "desk.online && desk.faces.length > 0")
-    for part in ("omote-timing", "omote-mix header", "omote-lights", "omote-palette header"):
-        for button in page.locator(f"{part} button").all():
-            assert button.evaluate("button => button.scrollWidth <= button.clientWidth"), button.inner_text()
-
-
 def test_own_things_are_found_by_word_and_named_apart(console: Console) -> None:
     page = console()
     kept = keep(page, "face")
@@ -174,35 +154,3 @@ def test_own_things_are_found_by_word_and_named_apart(console: Console) -> None:
     expect(tile(page, "dog")).to_have_count(0)
     canvas = tile(page, kept["name"]).locator("canvas")
     expect(canvas).to_have_attribute("data-drawn", f"{kept['source']} neutral")
-
-
-def test_another_tablet_opens_with_the_same_layout(console: Console) -> None:
-    page = console()
-    choose(page, "face", "4")
-    region(page, "mouth")
-    page.locator("[data-kind='arkit']").click()
-    page.get_by_role("button", name="Link R L").click()
-    arranged = page.evaluate(f"{DESK}.layout")
-    page.evaluate(f"""async () => {{
-        for (;;) {{
-            const answer = await fetch("/layouts/console");
-            const {{ version, ...found }} = answer.status === 200 ? await answer.json() : {{}};
-            if (JSON.stringify(found) === JSON.stringify({DESK}.layout)) return;
-            await new Promise(requestAnimationFrame);
-        }}
-    }}""")
-    other = console()
-    assert other.evaluate(f"{DESK}.layout") == arranged
-    expect(other.locator("[data-kind='arkit']")).to_have_attribute("aria-selected", "true")
-    expect(fader(other, "mouthFunnel")).to_be_visible()
-
-
-def test_a_layout_that_cannot_be_read_is_told_and_ignored(open_page: OpenPage) -> None:
-    page = open_page("/console?layout=broken")
-    wait_for(page, "desk.online && desk.faces.length > 0")
-    first = page.evaluate(f"{DESK}.layout")
-    page.route("**/layouts/broken", lambda route: route.fulfill(status=200, body="{not json"))
-    page.reload()
-    wait_for(page, "desk.online && desk.faces.length > 0")
-    expect(page.locator(".notice")).to_contain_text("cannot be read")
-    assert page.evaluate(f"{DESK}.layout") == first

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from omote.perform.axis import Axis, advanced, called, faded, rates, released, slots, status, weights
+from omote.perform.axis import Axis, advanced, called, faded, halted, rates, released, slots, status, weights
 from omote.perform.easing import EASINGS
 from omote.perform.mix import HIGHEST, LOWEST
 
@@ -188,3 +188,18 @@ def test_a_slam_of_the_t_bar_after_an_interruption_stays_in_range() -> None:
     axis = faded(called(fast, "b", 1.0, "smooth"), 1.0)
     tops = [weights(advanced(axis, 0.002 * step)).get("b", 0.0) for step in range(200)]
     assert max(tops) <= HIGHEST + 1e-9
+
+
+@given(histories, st.floats(0.05, 0.5))
+def test_an_axis_comes_to_a_stand_without_a_jump_and_no_t_bar_moves_it(history: list[Move], seconds: float) -> None:
+    axis = after(history)
+    halting = halted(axis, seconds)
+    assert weights(halting) == pytest.approx(weights(axis), abs=1e-9)
+    assert (halting.hand, status(halting)) == (0.0, None)
+    assert faded(halting, 0.9).call == halting.call
+    assert halted(halting, seconds) == halting
+    still = advanced(halting, seconds)
+    assert still.call is None
+    assert weights(still) == pytest.approx(weights(advanced(still, 100.0)), abs=0.0)
+    assert all(0.0 < weight <= 1.0 for weight in weights(still).values())
+    assert called(still, "b", 0.0, "smooth") == replace(still, on_air="b", stands=None)

@@ -65,7 +65,7 @@ def test_the_planned_decay_keeps_a_weight_in_range(
     start: float, velocity: float, is_target: bool, seconds: float, easing: str
 ) -> None:
     target = "a" if is_target else "b"
-    decay = decay_seconds({"a": start}, {"a": velocity}, target, seconds, EASINGS[easing])
+    decay = decay_seconds({"a": start}, {"a": velocity}, {target: 1.0}, seconds, EASINGS[easing])
     assert 0.0 <= decay <= min(seconds, DECAY_SECONDS)
     assume(decay > 0.0)
     times = np.linspace(0.0, seconds, 400)
@@ -78,13 +78,15 @@ def test_the_planned_decay_keeps_a_weight_in_range(
 
 
 def test_a_slow_move_decays_over_the_whole_third_of_a_second() -> None:
-    assert decay_seconds({"a": 0.5, "b": 0.5}, {"a": -1.0, "b": 1.0}, "c", 2.0, EASINGS["smooth"]) == DECAY_SECONDS
-    assert decay_seconds({"a": 0.5, "b": 0.5}, {"a": -1.0, "b": 1.0}, "c", 0.2, EASINGS["smooth"]) == 0.2
+    assert (
+        decay_seconds({"a": 0.5, "b": 0.5}, {"a": -1.0, "b": 1.0}, {"c": 1.0}, 2.0, EASINGS["smooth"]) == DECAY_SECONDS
+    )
+    assert decay_seconds({"a": 0.5, "b": 0.5}, {"a": -1.0, "b": 1.0}, {"c": 1.0}, 0.2, EASINGS["smooth"]) == 0.2
 
 
 def test_rest_needs_no_decay() -> None:
     for rate in (0.0, 5e-324, -1e-300):
-        assert decay_seconds({"a": 1.0}, {"a": rate}, "b", 2.0, EASINGS["smooth"]) == 0.0
+        assert decay_seconds({"a": 1.0}, {"a": rate}, {"b": 1.0}, 2.0, EASINGS["smooth"]) == 0.0
 
 
 origins = st.floats(0.0, 1.0)

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.mix import HIGHEST, LOWEST, Weights, combine, mix_of_one, share_in_range
+from omote.perform.mix import HIGHEST, LOWEST, Weights, combine, mix_of_one, normalise, share_in_range
 
 weights = st.dictionaries(st.sampled_from("abcd"), st.floats(-2.0, 2.0))
 bases = st.dictionaries(st.sampled_from("abcd"), st.floats(LOWEST, HIGHEST))
@@ -33,3 +33,7 @@ def test_the_share_keeps_all_in_range_and_is_the_largest_that_does(base: Weights
     if share < 1.0:
         ends = [(HIGHEST if change > 0 else LOWEST) for change in offset.values()]
         assert any(math.isclose(weight, end, abs_tol=1e-9) for weight, end in zip(moved.values(), ends, strict=True))
+
+
+def test_a_mix_is_normalised_in_its_own_proportions() -> None:
+    assert normalise({"a": 0.3, "b": 0.1}) == pytest.approx({"a": 0.75, "b": 0.25})

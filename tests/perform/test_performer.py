@@ -1,6 +1,7 @@
 """The performer as its callers see it: commands, frames, refusals, panic, snapshots."""
 
 import math
+from itertools import pairwise
 from typing import Any
 
 import msgspec
@@ -9,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
-from omote.perform.frame import Frame, Gaze, Head
+from omote.perform.frame import Frame, Gaze, Head, Home
+from omote.perform.panic import PANIC_SECONDS, SAME_PRESS
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot
 from tests.conftest import Command, commands, shows
@@ -138,16 +140,127 @@ def test_channels_head_and_gaze_are_shown_exactly_and_at_once(cast: Cast) -> Non
 
 
 @given(shows)
-def test_panic_leaves_nothing_but_the_face(cast: Cast, show: list[Command]) -> None:
-    calm, panicked = played(cast, show), played(cast, show)
-    calm.release_face()
-    panicked.panic()
-    frame = panicked.advance(0.2)
-    assert frame.faces == calm.advance(0.2).faces
+def test_after_panic_the_face_is_neutral_and_nothing_moves_until_somebody_plays(
+    cast: Cast, show: list[Command]
+) -> None:
+    performer = played(cast, show)
+    performer.panic()
+    frame = performer.advance(PANIC_SECONDS)
     assert frame.expressions == {"neutral": 1.0}
-    assert (frame.channels, frame.head, frame.gaze, frame.expression_call) == ({}, Head(), Gaze(), None)
-    face = panicked.snapshot().face.call
-    assert face is None or not face.held
+    assert (frame.channels, frame.head, frame.gaze) == ({}, Head(), Gaze())
+    assert (frame.face_call, frame.expression_call, frame.face_fader, frame.expression_fader) == (None, None, 0.0, 0.0)
+    later = performer.advance(100.0)
+    assert (later.faces, later.expressions, later.channels) == (frame.faces, frame.expressions, {})
+    assert math.fsum(later.faces.values()) == pytest.approx(1.0)
+    assert all(0.0 < weight <= 1.0 for weight in later.faces.values())
+
+
+@given(shows)
+def test_panic_does_not_pop(cast: Cast, show: list[Command]) -> None:
+    performer = played(cast, show)
+    before = performer.advance(0.0)
+    performer.panic()
+    steps = [before, *(performer.advance(PANIC_SECONDS / 1000) for _ in range(1000))]
+    for one, other in pairwise(steps):
+        for mix, following in (
+            (one.faces, other.faces),
+            (one.expressions, other.expressions),
+            (one.channels, other.channels),
+        ):
+            moved = [abs(following.get(name, 0.0) - mix.get(name, 0.0)) for name in {*mix, *following}]
+            assert max(moved, default=0.0) < 0.02
+    assert steps[1].faces == pytest.approx(before.faces, abs=0.02)
+
+
+def test_panic_stops_a_call_of_a_face_half_way_without_turning_back(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.call_face("broad", seconds=2.0)
+    at_press = performer.advance(1.0).faces["broad"]
+    performer.panic()
+    way = [performer.advance(0.01).faces["broad"] for _ in range(40)]
+    assert performer.advance(0.0).face_call is None
+    assert all(one <= other for one, other in pairwise([at_press, *way]))
+    assert at_press < way[-1] < at_press + 0.2
+    assert way[-1] == way[-2]
+    performer.call_face("generic", seconds=0.5)
+    start = performer.advance(0.0).face_call
+    assert start is not None
+    assert start.start == pytest.approx({"broad": way[-1], "generic": 1 - way[-1]})
+    assert performer.advance(0.5).faces == {"generic": 1.0}
+
+
+def test_a_hand_is_free_at_once_after_panic(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.set_channel("jawOpen", 1.0)
+    performer.set_head(0.5, 0.0, 0.0)
+    performer.set_gaze(0.3, 0.0)
+    performer.panic()
+    half = performer.advance(PANIC_SECONDS / 2)
+    assert 0.0 < half.channels["jawOpen"] < 0.5
+    assert 0.0 < half.head.yaw < 0.25
+    performer.set_channel("jawOpen", 0.7)
+    performer.set_head(0.1, 0.0, 0.0)
+    frame = performer.advance(0.01)
+    assert (frame.channels["jawOpen"], frame.head.yaw) == (0.7, 0.1)
+    assert 0.0 < frame.gaze.yaw < 0.15
+
+
+def test_a_second_panic_brings_the_home_face_in_its_time(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.set_home("long", seconds=3.0)
+    performer.call_face("broad", seconds=2.0)
+    performer.advance(1.0)
+    performer.panic()
+    assert not performer.advance(0.1).home_next
+    performer.panic()  # hammering is one press
+    standing = performer.advance(SAME_PRESS)
+    assert (standing.home_next, standing.face_call, standing.panics) == (True, None, 2)
+    performer.panic()
+    frame = performer.advance(1.5)
+    assert frame.face_call is not None
+    assert frame.face_call.remaining == pytest.approx(1.5)
+    assert (frame.face_call.target, frame.home_next) == ("long", False)
+    performer.panic()  # a third one does not stop it
+    assert performer.advance(1.5).faces == {"long": 1.0}
+    assert not performer.advance(10.0).home_next
+
+
+@pytest.mark.parametrize(
+    "play",
+    [
+        Command("call_expression", ("smile",)),
+        Command("fade_face", (0.5,)),
+        Command("set_channel", ("jawOpen", 0.1)),
+        Command("set_gaze", (0.1, 0.0)),
+    ],
+    ids=lambda play: play.name,
+)
+def test_whoever_plays_after_panic_makes_the_next_one_a_first(cast: Cast, play: Command) -> None:
+    performer = Performer(cast)
+    performer.call_face("broad", seconds=0)
+    performer.panic()
+    assert performer.advance(1.0).home_next
+    play.play(performer)
+    assert not performer.advance(1.0).home_next
+    performer.panic()
+    assert performer.advance(1.0).faces == {"broad": 1.0}
+
+
+def test_the_home_face_is_chosen_and_kept(cast: Cast) -> None:
+    performer = Performer(cast)
+    with pytest.raises(ValueError, match="no face 'brod' in this cast; near are broad"):
+        performer.set_home("brod")
+    for seconds in (math.nan, -1.0, math.inf, 1e9):
+        with pytest.raises(ValueError, match=r"the time to the home face \(seconds\) is"):
+            performer.set_home("broad", seconds=seconds)
+    performer.set_home("broad", seconds=0)
+    assert Performer.restored(cast, performer.snapshot()).advance(0.0).home == Home("broad", 0.0)
+    with pytest.raises(ValueError, match="there is no face 'broad'"):
+        performer.recast(Cast(cast.space, {"generic": cast.faces["generic"]}, cast.expressions))
+    performer.panic()
+    performer.advance(1.0)
+    performer.panic()
+    assert performer.advance(0.0).faces == {"broad": 1.0}
 
 
 BAD_NUMBERS = [math.nan, -math.inf, -1.0, 1e300]

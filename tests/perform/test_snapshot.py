@@ -11,7 +11,9 @@ import pytest
 from omote.model.cast import Cast
 from omote.perform.axis import Axis, Call
 from omote.perform.easing import Glide
+from omote.perform.frame import Home
 from omote.perform.lights import FIRST_LIGHT
+from omote.perform.panic import Settling
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, check_snapshot
 
@@ -67,6 +69,14 @@ BROKEN: dict[str, Callable[[Snapshot], Snapshot]] = {
     "the channel jawOpen is 2.0": lambda snapshot: replace(snapshot, channels={"jawOpen": 2.0}),
     "there is no channel 'tail'": lambda snapshot: replace(snapshot, channels={"tail": 0.5}),
     "there is no light 'candle'": lambda snapshot: replace(snapshot, light=Axis("candle")),
+    "there is no face 'nowhere'": lambda snapshot: replace(snapshot, home=Home("nowhere")),
+    "there is no channel 'ear'": lambda snapshot: replace(snapshot, settling=Settling({"ear": 0.5})),
+    r"the elapsed time of a panic \(seconds\) is 9.0": lambda snapshot: replace(
+        snapshot, settling=Settling(elapsed=9.0)
+    ),
+    r"the time of the last panic \(seconds\) is 1000.0": lambda snapshot: replace(snapshot, panicked=1000.0),
+    "the weights of the faces in the snapshot sum to 0.25": with_face(stands={"broad": 0.25}),
+    "there is no face 'half'": with_call(goal={"half": 1.0}),
     r"the snapshot's time \(seconds\) is no number": lambda snapshot: replace(snapshot, time=math.nan),
 }
 
@@ -80,7 +90,8 @@ def test_what_no_performer_has_written_is_refused(cast: Cast, sentence: str) -> 
 
 def test_a_show_of_before_there_were_lights_begins_with_the_first(cast: Cast) -> None:
     written = msgspec.to_builtins(running(cast))
-    del written["light"]
+    for added in ("light", "settling", "home", "panicked", "panics"):
+        del written[added]
     read = msgspec.convert(written, Snapshot)
     assert Performer.restored(cast, read).advance(0.0).light == {FIRST_LIGHT: 1.0}
 

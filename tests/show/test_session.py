@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.perform.lights import LIGHTS
+from omote.perform.panic import PANIC_SECONDS
 from omote.perform.performer import Performer
 from omote.show import messages as wire
 from omote.show.session import REMEMBERED_CALLS, SILENCE, KeepRequest, Outgoing, SessionSnapshot, ShowSession
@@ -41,7 +42,7 @@ command = st.one_of(
     st.builds(wire.SetChannel, st.sampled_from(synthetic.EXPRESSIONS[1:]), st.floats(-0.5, 1.5)),
     st.builds(wire.SetHead, *[st.floats(-1.0, 1.0)] * 3),
     st.builds(wire.SetGaze, *[st.floats(-1.0, 1.0)] * 2),
-    st.sampled_from([wire.ReleaseFace(), wire.ReleaseExpression(), wire.Panic()]),
+    st.sampled_from([wire.ReleaseFace(), wire.ReleaseExpression(), wire.Panic(), wire.SetHome("broad", 1.0)]),
 )
 wrong = st.one_of(
     st.builds(
@@ -55,6 +56,7 @@ wrong = st.one_of(
     ),
     st.builds(wire.CallFace, st.just("x"), st.just("generic"), st.just(1.0), st.just("jerky")),
     st.builds(wire.CallLight, st.just("x"), st.sampled_from(["candle", "flat"]), st.just(-1.0), st.just("smooth")),
+    st.builds(wire.SetHome, st.sampled_from(["nobody", "broad"]), st.sampled_from([math.nan, math.inf, -1.0])),
     st.builds(wire.Ping, st.sampled_from([math.nan, math.inf])),
 )
 
@@ -381,3 +383,41 @@ def test_a_number_that_no_hand_can_have_set_is_named_with_what_to_do(cast: Cast)
     )
     (sentence,) = reasons(session.receive("a", wire.SetChannel("jawOpen", 2.0), 0.0))
     assert sentence.endswith("from -0.5 to 1.5. Nothing has changed.")
+
+
+def test_panic_stops_everything_and_a_second_one_brings_the_home_face(cast: Cast) -> None:
+    session = opened(cast, "a", "b")
+    session.receive("b", wire.SetHome("long", 2.0), 0.0)
+    session.receive("a", wire.CallFace("1", "broad", None, "smooth"), 0.0)
+    session.receive("a", wire.FadeFace(0.0), 0.0)
+    session.receive("a", wire.FadeFace(0.48), 0.0)
+    session.tick(1.0)
+    session.receive("a", wire.CallExpression("2", "smile", 0.0, "smooth"), 1.0)
+    session.receive("a", wire.Panic(), 1.0)
+    state = session.tick(2.0)
+    assert state.faces == pytest.approx({"generic": 0.52, "broad": 0.48})
+    assert state.expressions == {"neutral": 1.0}
+    assert (state.face_call, state.expression_call, state.face_fader, state.panics) == (None, None, 0.0, 1)
+    assert (state.home_face, state.home_seconds, state.home_next) == ("long", 2.0, True)
+    session.receive("b", wire.Panic(), 2.0)
+    coming = session.tick(3.0)
+    assert coming.face_call is not None
+    assert (coming.face_call.target, coming.panics, coming.home_next) == ("long", 2, False)
+    assert coming.face_call.start == state.faces
+    assert session.tick(4.0).faces == {"long": 1.0}
+
+
+@pytest.mark.parametrize(
+    "hand", [wire.FadeFace(0.5), wire.FadeExpression(0.5), wire.SetChannel("jawOpen", 0.9), wire.SetGaze(0.2, 0.0)]
+)
+def test_a_hand_at_another_console_does_not_undo_a_panic_that_it_cannot_know_of(
+    cast: Cast, hand: wire.FromClient
+) -> None:
+    session = opened(cast, "a", "b")
+    session.receive("a", wire.Panic(), 0.0)
+    (sentence,) = reasons(session.receive("b", hand, PANIC_SECONDS / 2))
+    assert "hands are off" in sentence
+    assert session.tick(PANIC_SECONDS / 2).panics == 1
+    assert session.receive("a", hand, PANIC_SECONDS / 2) == []
+    assert session.receive("b", hand, PANIC_SECONDS * 2) == []
+    assert session.receive("b", wire.CallFace("1", "broad", 1.0, "smooth"), 0.0) == []

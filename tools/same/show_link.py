@@ -104,6 +104,7 @@ MESSAGES: dict[str, Callable[[Script], wire.Message]] = {
     "set_head": lambda s: wire.SetHead(s.number(-1.5, 1.5), s.number(-1.5, 1.5), s.number(-1.5, 1.5)),
     "set_gaze": lambda s: wire.SetGaze(s.number(-1.5, 1.5), s.number(-1.5, 1.5)),
     "panic": lambda _: wire.Panic(),
+    "set_home": lambda s: wire.SetHome(s.face(), s.number(0.0, 5.0)),
     "keep_face": lambda s: wire.KeepFace(s.call()),
     "keep_expression": lambda s: wire.KeepExpression(s.call()),
     "set_layout": lambda s: wire.SetLayout("console", f'{{"columns": {s.rng.integers(9)}}}'),

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from omote.perform.easing import (
+    DEFAULT_EASING,
     HAND_SECONDS,
     Glide,
     bump,
@@ -23,7 +24,10 @@ from omote.perform.easing import (
     plan_glide,
 )
 from omote.perform.frame import CallStatus
-from omote.perform.mix import combine, mix_of_one, share_in_range
+from omote.perform.mix import combine, mix_of_one, normalise, share_in_range
+
+LEAST_STANDING = 1e-3
+"""What weighs less when a mix comes to a stand goes: nobody sees it, and nobody would find it."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +36,8 @@ class Call:
     alone.
 
     `seconds` None: only the T-bar moves it. `way` is the way of the T-bar, or the rest of the way after its release;
-    without it the easing decides. `held`: the T-bar has picked it up.
+    without it the easing decides. `held`: the T-bar has picked it up. `goal`: the mix to come to a stand at, where that
+    is not the target alone (`halted`).
     """
 
     target: str
@@ -44,16 +49,19 @@ class Call:
     elapsed: float = 0.0
     way: Glide | None = None
     held: bool = False
+    goal: Mapping[str, float] | None = None
 
 
 @dataclass(frozen=True)
 class Axis:
-    """The state of one axis: `on_air` alone, or a call running from there; `hand` is its T-bar's position, 0..1."""
+    """The state of one axis: `on_air` alone, or the mix `stands`, or a call running from there; `hand` is its T-bar's
+    position, 0..1."""
 
     on_air: str
     call: Call | None = None
     hand: float = 0.0
     flipped: bool = field(default=False)
+    stands: Mapping[str, float] | None = None
 
 
 class Slots(NamedTuple):
@@ -98,7 +106,9 @@ def slot_rates(axis: Axis) -> Slots:
 
 def weights(axis: Axis) -> dict[str, float]:
     """The mix on air; it sums to one."""
-    return mix_of_one(axis.on_air) if axis.call is None else _mix_at(axis.call, slots(axis))
+    if axis.call is not None:
+        return _mix_at(axis.call, slots(axis))
+    return mix_of_one(axis.on_air) if axis.stands is None else dict(axis.stands)
 
 
 def rates(axis: Axis) -> dict[str, float]:
@@ -111,21 +121,37 @@ def called(axis: Axis, target: str, seconds: float | None, easing: str) -> Axis:
 
     The end nearest to the hand becomes the start of the call, so a T-bar left at either end picks up at once.
     """
-    if axis.call is None and axis.on_air == target:
+    if axis.call is None and axis.stands is None and axis.on_air == target:
         return axis
     if seconds == 0.0:
-        return replace(axis, on_air=target, call=None)
+        return replace(axis, on_air=target, call=None, stands=None)
     start, velocity = weights(axis), rates(axis)
-    decay = decay_seconds(start, velocity, target, seconds, find_easing(easing))
+    decay = decay_seconds(start, velocity, mix_of_one(target), seconds, find_easing(easing))
     call = Call(target, start, velocity, decay, easing, seconds)
     return replace(axis, call=call, flipped=axis.hand > 0.5)
+
+
+def halted(axis: Axis, seconds: float) -> Axis:
+    """The axis that comes to a stand within `seconds`, where its speed carries it, with its T-bar at rest and no call.
+
+    Half of speed times seconds is where a brake that eases leaves a mix; it never goes back.
+    """
+    axis = replace(axis, hand=0.0, flipped=False)
+    if axis.call is None or axis.call.goal is not None:
+        return axis
+    start, velocity, easing = weights(axis), rates(axis), DEFAULT_EASING
+    carried = combine(((1.0, start), (seconds / 2.0, velocity)))
+    goal = normalise({name: weight for name, weight in carried.items() if weight >= LEAST_STANDING})
+    decay = decay_seconds(start, velocity, goal, seconds, find_easing(easing))
+    heaviest = max(goal, key=lambda name: (goal[name], name))
+    return replace(axis, call=Call(heaviest, start, velocity, decay, easing, seconds, goal=goal))
 
 
 def faded(axis: Axis, hand: float) -> Axis:
     """The axis with its T-bar moved to `hand`, 0..1: a call follows once the hand has passed its progress."""
     moved = replace(axis, hand=hand)
     call = axis.call
-    if call is None:
+    if call is None or call.goal is not None:
         return moved
     y, rate = progress(call)
     before, now = _along(axis, axis.hand), _along(axis, hand)
@@ -152,30 +178,36 @@ def advanced(axis: Axis, dt: float) -> Axis:
         return axis
     way = None if axis.call.way is None else glide_after(axis.call.way, dt)
     call = replace(axis.call, elapsed=axis.call.elapsed + dt, way=way)
-    return replace(axis, on_air=call.target, call=None) if _has_arrived(call) else replace(axis, call=call)
+    if not _has_arrived(call):
+        return replace(axis, call=call)
+    stands = call.goal if call.goal is not None and len(call.goal) > 1 else None
+    return replace(axis, on_air=call.target, call=None, stands=stands)
 
 
 def status(axis: Axis) -> CallStatus | None:
-    """The status of the running call, for the operator; None at rest."""
+    """The status of the running call, for the operator; None at rest and on the way to a stand."""
     call = axis.call
-    if call is None:
+    if call is None or call.goal is not None:
         return None
     y, _ = progress(call)
     by_hand = call.held or call.seconds is None
-    return CallStatus(call.target, y, None if by_hand else _remaining(call), by_hand, axis.hand, _along(axis, y))
+    remaining = None if by_hand else _remaining(call)
+    return CallStatus(call.target, y, remaining, by_hand, axis.hand, _along(axis, y), call.start)
 
 
 def _mix_at(call: Call, share: Slots) -> dict[str, float]:
-    return combine(
-        ((share.start, call.start), (share.target, mix_of_one(call.target)), (share.velocity, call.velocity))
-    )
+    return combine(((share.start, call.start), (share.target, _goal(call)), (share.velocity, call.velocity)))
+
+
+def _goal(call: Call) -> Mapping[str, float]:
+    return mix_of_one(call.target) if call.goal is None else call.goal
 
 
 def _share(call: Call) -> float:
     """Limits the velocity's share: a T-bar pushed at once after an interruption may outrun the decay that was
     planned."""
     y, _ = progress(call)
-    base = combine(((1.0 - y, call.start), (y, mix_of_one(call.target))))
+    base = combine(((1.0 - y, call.start), (y, _goal(call))))
     return share_in_range(base, combine(((call.decay * bump(call.elapsed / call.decay), call.velocity),)))
 
 

@@ -87,7 +87,7 @@ def bump_rate(u: float) -> float:
     return 1.0 - u * u * (18.0 - u * (32.0 - 15.0 * u)) if u < 1.0 else 0.0
 
 
-def decay_seconds(start: Weights, velocity: Weights, target: str, seconds: float | None, easing: Easing) -> float:
+def decay_seconds(start: Weights, velocity: Weights, goal: Weights, seconds: float | None, easing: Easing) -> float:
     """The one time in which all velocities of an axis die out: short enough that no weight leaves its range.
 
     A weight is at most base + velocity * decay * bump, and its base goes the way of the easing (by hand, `seconds`
@@ -99,7 +99,7 @@ def decay_seconds(start: Weights, velocity: Weights, target: str, seconds: float
         return 0.0
     rates = np.array([velocity[name] for name in names])[:, None]
     starts = np.array([start.get(name, 0.0) for name in names])[:, None]
-    goals = np.array([float(name == target) for name in names])[:, None]
+    goals = np.array([goal.get(name, 0.0) for name in names])[:, None]
     towards = (goals - starts) * rates > 0.0
     base = starts + np.where(towards, goals - starts, 0.0) * (1.0 if seconds is None else _sample_easing(easing))
     room = np.where(rates > 0.0, HIGHEST - base, base - LOWEST)

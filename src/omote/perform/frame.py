@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from omote.model.cast import GENERIC
 from omote.perform.lights import FIRST_LIGHT
-from omote.perform.limits import GAZE_LIMIT, HEAD_LIMIT, check_within
+from omote.perform.limits import GAZE_LIMIT, HEAD_LIMIT, LONGEST_CALL, check_within
 
 
 @dataclass(frozen=True)
@@ -39,10 +40,24 @@ class Gaze:
 
 
 @dataclass(frozen=True)
+class Home:
+    """The face that a second panic brings on air, and the seconds that it takes."""
+
+    face: str = GENERIC
+    seconds: float = 2.0
+
+    def __post_init__(self) -> None:
+        """Rejects a time that no call can take."""
+        what = "the time to the home face (seconds)"
+        object.__setattr__(self, "seconds", check_within(self.seconds, 0.0, LONGEST_CALL, what))
+
+
+@dataclass(frozen=True)
 class CallStatus:
     """A running call: its target, its progress 0..1, the seconds that remain (None: the T-bar decides).
 
-    `by_hand`: only the T-bar moves it. `fader`: where the T-bar stands; `pickup`: where it takes over.
+    `by_hand`: only the T-bar moves it. `fader`: where the T-bar stands; `pickup`: where it takes over. `start`: the mix
+    that it left.
     """
 
     target: str
@@ -51,13 +66,15 @@ class CallStatus:
     by_hand: bool
     fader: float
     pickup: float
+    start: Mapping[str, float]
 
 
 @dataclass(frozen=True)
 class Frame:
     """The mixes of faces, expressions and lights (each sums to one), the channels, head and gaze, at `time` seconds.
 
-    Names that weigh nothing are absent. `face_fader`, `expression_fader`: where the T-bars stand, 0..1.
+    Names that weigh nothing are absent. `face_fader`, `expression_fader`: where the T-bars stand, 0..1. `panics` counts
+    them; `home_next`: the next one brings the face of `home`.
     """
 
     faces: Mapping[str, float]
@@ -72,3 +89,6 @@ class Frame:
     expression_fader: float = 0.0
     light: Mapping[str, float] = field(default_factory=lambda: {FIRST_LIGHT: 1.0})
     light_call: CallStatus | None = None
+    home: Home = field(default_factory=Home)
+    home_next: bool = False
+    panics: int = 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 
 Weights = Mapping[str, float]
@@ -23,6 +24,12 @@ def combine(terms: Iterable[tuple[float, Weights]]) -> dict[str, float]:
             for name, weight in weights.items():
                 total[name] = total.get(name, 0.0) + factor * weight
     return {name: weight for name, weight in total.items() if weight}
+
+
+def normalise(weights: Weights) -> dict[str, float]:
+    """The mix in the same proportions that sums to one."""
+    total = math.fsum(weights.values())
+    return {name: weight / total for name, weight in weights.items()}
 
 
 def share_in_range(base: Weights, offset: Weights) -> float:

@@ -11,10 +11,20 @@ from omote.perform import axis
 from omote.perform.axis import Axis
 from omote.perform.channels import with_channel
 from omote.perform.easing import DEFAULT_EASING, find_easing
-from omote.perform.frame import Frame, Gaze, Head
+from omote.perform.frame import Frame, Gaze, Head, Home
 from omote.perform.lights import check_light
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, check_known, check_within
-from omote.perform.snapshot import Playable, Snapshot, check_snapshot
+from omote.perform.panic import (
+    PANIC_EASING,
+    PANIC_SECONDS,
+    Settling,
+    settled_later,
+    with_settling_channels,
+    with_settling_gaze,
+    with_settling_head,
+    without_channel,
+)
+from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next
 
 
 class Performer:
@@ -146,9 +156,7 @@ class Performer:
         >>> dict(performer.advance(0.0).faces)
         {'old': 1.0}
         """
-        self._now = replace(
-            self._now, face=_start_call(self._now.face, self._cast.faces, name, "face", seconds, easing)
-        )
+        self._play(face=_start_call(self._now.face, self._cast.faces, name, "face", seconds, easing))
 
     def call_expression(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings an expression on air from whatever is showing.
@@ -177,7 +185,7 @@ class Performer:
         {'smile': 1.0}
         """
         called = _start_call(self._now.expression, self._cast.expressions, name, "expression", seconds, easing)
-        self._now = replace(self._now, expression=called)
+        self._play(expression=called)
 
     def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings a light on air from whatever light shows.
@@ -207,7 +215,7 @@ class Performer:
         """
         check_light(name)
         find_easing(easing)
-        self._now = replace(self._now, light=axis.called(self._now.light, name, _length(seconds), easing))
+        self._play(light=axis.called(self._now.light, name, _length(seconds), easing))
 
     def fade_face(self, x: float) -> None:
         """Moves the T-bar of the faces; it takes over the call once it has passed its progress (pick-up).
@@ -232,7 +240,7 @@ class Performer:
         >>> round(performer.advance(1.0).faces["old"], 3)
         0.5
         """
-        self._now = replace(self._now, face=axis.faded(self._now.face, check_within(x, 0.0, 1.0, "the face T-bar")))
+        self._play(face=axis.faded(self._now.face, check_within(x, 0.0, 1.0, "the face T-bar")))
 
     def fade_expression(self, x: float) -> None:
         """Moves the T-bar of the expressions; it takes over the call once it has passed its progress (pick-up).
@@ -258,7 +266,7 @@ class Performer:
         0.5
         """
         hand = check_within(x, 0.0, 1.0, "the expression T-bar")
-        self._now = replace(self._now, expression=axis.faded(self._now.expression, hand))
+        self._play(expression=axis.faded(self._now.expression, hand))
 
     def release_face(self) -> None:
         """Lets go of the T-bar of the faces: a timed call goes on from where it is, a call by hand stays.
@@ -271,7 +279,7 @@ class Performer:
         >>> performer.advance(1.0).faces["old"]
         1.0
         """
-        self._now = replace(self._now, face=axis.released(self._now.face))
+        self._play(face=axis.released(self._now.face))
 
     def release_expression(self) -> None:
         """Lets go of the T-bar of the expressions: a timed call goes on from where it is, a call by hand stays.
@@ -284,7 +292,7 @@ class Performer:
         >>> performer.advance(1.0).expressions["smile"]
         1.0
         """
-        self._now = replace(self._now, expression=axis.released(self._now.expression))
+        self._play(expression=axis.released(self._now.expression))
 
     def set_channel(self, name: str, value: float) -> None:
         """Adds an expression to the mix at once, beside the calls.
@@ -310,7 +318,8 @@ class Performer:
         >>> dict(performer.advance(0.0).channels)
         {'jawOpen': 0.4}
         """
-        self._now = replace(self._now, channels=with_channel(self._now.channels, self._cast.expressions, name, value))
+        channels = with_channel(self._now.channels, self._cast.expressions, name, value)
+        self._play(channels=channels, settling=without_channel(self._now.settling, name))
 
     def set_head(self, yaw: float, pitch: float, roll: float) -> None:
         """Turns the head.
@@ -334,7 +343,8 @@ class Performer:
         >>> performer.advance(0.0).head.yaw
         0.2
         """
-        self._now = replace(self._now, head=Head(yaw, pitch, roll))
+        head, settling = Head(yaw, pitch, roll), self._now.settling
+        self._play(head=head, settling=None if settling is None else replace(settling, head=Head()))
 
     def set_gaze(self, yaw: float, pitch: float) -> None:
         """Turns the eyes relative to the head.
@@ -358,10 +368,41 @@ class Performer:
         >>> performer.advance(0.0).gaze.pitch
         -0.1
         """
-        self._now = replace(self._now, gaze=Gaze(yaw, pitch))
+        gaze, settling = Gaze(yaw, pitch), self._now.settling
+        self._play(gaze=gaze, settling=None if settling is None else replace(settling, gaze=Gaze()))
+
+    def set_home(self, face: str, *, seconds: float = 2.0) -> None:
+        """Chooses the face that a second panic brings on air.
+
+        Parameters
+        ----------
+        face : str
+            One of the cast's faces; "generic" until one is chosen.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+
+        Raises
+        ------
+        ValueError
+            On a name that there is not and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.set_home("old", seconds=3)
+        >>> performer.advance(0.0).home.face
+        'old'
+        """
+        self._now = replace(self._now, home=Home(check_known(face, self._cast.faces, "face"), seconds))
 
     def panic(self) -> None:
-        """Neutral, now: no expression, channel, head turn, gaze or T-bar is left; face and light stay.
+        """The face on air goes neutral and holds still: in a quarter of a second nothing moves, and nothing goes on.
+
+        Expression, channels, head and gaze ease to rest, a call of a face stops where it is, both T-bars stand at 0;
+        the light is left alone. Panic again brings the home face (`set_home`), where nothing has been played in
+        between; within 0.7 s it is the same press.
 
         Examples
         --------
@@ -369,13 +410,19 @@ class Performer:
         >>> performer.call_face("dog", seconds=0)
         >>> performer.set_channel("jawOpen", 1.0)
         >>> performer.panic()
-        >>> frame = performer.advance(0.0)
+        >>> frame = performer.advance(1.0)
         >>> dict(frame.faces), dict(frame.channels)
         ({'dog': 1.0}, {})
+        >>> performer.panic()
+        >>> dict(performer.advance(2.0).faces)
+        {'generic': 1.0}
         """
-        expression = Axis(NEUTRAL, hand=self._now.expression.hand)
         now = self._now
-        self._now = Snapshot(axis.released(now.face), expression, time=now.time, light=now.light)
+        if now.panicked is None:
+            now = _at_rest(now)
+        elif is_home_next(now):
+            now = replace(now, face=axis.called(now.face, now.home.face, _length(now.home.seconds), DEFAULT_EASING))
+        self._now = replace(now, panicked=now.time, panics=now.panics + 1)
 
     def advance(self, dt: float) -> Frame:
         """What is on air some time later; one long step lands where many short ones do.
@@ -409,9 +456,14 @@ class Performer:
             face=axis.advanced(now.face, dt),
             expression=axis.advanced(now.expression, dt),
             light=axis.advanced(now.light, dt),
+            settling=settled_later(now.settling, dt),
             time=now.time + dt,
         )
         return _frame(self._now)
+
+    def _play(self, **changes: object) -> None:
+        """What an operator does: the next panic is a first one again."""
+        self._now = replace(self._now, panicked=None, **changes)  # type: ignore[arg-type]
 
 
 def _start_call(on: Axis, names: Mapping[str, object], name: str, what: str, seconds: float, easing: str) -> Axis:
@@ -427,13 +479,30 @@ def _length(seconds: float) -> float:
     return seconds if seconds >= SHORTEST_CALL else 0.0
 
 
+def _at_rest(now: Snapshot) -> Snapshot:
+    settling = Settling(
+        with_settling_channels(now.channels, now.settling),
+        with_settling_head(now.head, now.settling),
+        with_settling_gaze(now.gaze, now.settling),
+    )
+    return replace(
+        now,
+        face=axis.halted(now.face, PANIC_SECONDS),
+        expression=axis.called(replace(now.expression, hand=0.0), NEUTRAL, PANIC_SECONDS, PANIC_EASING),
+        channels={},
+        head=Head(),
+        gaze=Gaze(),
+        settling=settling,
+    )
+
+
 def _frame(now: Snapshot) -> Frame:
     return Frame(
         faces=axis.weights(now.face),
         expressions=axis.weights(now.expression),
-        channels=now.channels,
-        head=now.head,
-        gaze=now.gaze,
+        channels=with_settling_channels(now.channels, now.settling),
+        head=with_settling_head(now.head, now.settling),
+        gaze=with_settling_gaze(now.gaze, now.settling),
         time=now.time,
         face_call=axis.status(now.face),
         expression_call=axis.status(now.expression),
@@ -441,4 +510,7 @@ def _frame(now: Snapshot) -> Frame:
         expression_fader=now.expression.hand,
         light=axis.weights(now.light),
         light_call=axis.status(now.light),
+        home=now.home,
+        home_next=is_home_next(now),
+        panics=now.panics,
     )

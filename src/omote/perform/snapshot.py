@@ -11,10 +11,11 @@ from omote.model.space.expression import Expression
 from omote.perform.axis import Axis, Call
 from omote.perform.channels import with_channel
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
-from omote.perform.frame import Gaze, Head
+from omote.perform.frame import Gaze, Head, Home
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, check_known, check_within
 from omote.perform.mix import HIGHEST, LOWEST, Weights
+from omote.perform.panic import PANIC_SECONDS, SAME_PRESS, Settling
 
 
 class Playable(Protocol):
@@ -39,7 +40,10 @@ ROUNDING = 1e-6
 
 @dataclass(frozen=True)
 class Snapshot:
-    """The state of a performer: plain values, so msgspec writes and reads it exactly."""
+    """The state of a performer: plain values, so msgspec writes and reads it exactly.
+
+    `panicked`: the time of the last panic, None once something has been played after it; `panics` counts all of them.
+    """
 
     face: Axis
     expression: Axis
@@ -47,7 +51,23 @@ class Snapshot:
     head: Head = field(default_factory=Head)
     gaze: Gaze = field(default_factory=Gaze)
     time: float = 0.0
-    light: Axis = field(default_factory=lambda: Axis(FIRST_LIGHT))  # older snapshots have no light
+    light: Axis = field(default_factory=lambda: Axis(FIRST_LIGHT))  # older snapshots have no light, nor what follows
+    settling: Settling | None = None
+    home: Home = field(default_factory=Home)
+    panicked: float | None = None
+    panics: int = 0
+
+
+def is_home_next(snapshot: Snapshot) -> bool:
+    """Whether the next panic brings the home face: nothing has been played since the last, which was another press."""
+    if snapshot.panicked is None or snapshot.time - snapshot.panicked < SAME_PRESS:
+        return False
+    axis = snapshot.face
+    return (axis.on_air if axis.call is None else axis.call.target) != snapshot.home.face or _mixes(axis)
+
+
+def _mixes(axis: Axis) -> bool:
+    return axis.stands is not None if axis.call is None else axis.call.goal is not None
 
 
 def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
@@ -55,25 +75,38 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     _check_axis(snapshot.face, cast.faces, "face")
     _check_axis(snapshot.expression, cast.expressions, "expression")
     _check_axis(snapshot.light, LIGHTS, "light")
-    for name, value in snapshot.channels.items():
+    settling = {} if snapshot.settling is None else snapshot.settling.channels
+    for name, value in (*snapshot.channels.items(), *settling.items()):
         with_channel({}, cast.expressions, name, value)
+    check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
+    if snapshot.settling is not None:
+        check_within(snapshot.settling.elapsed, 0.0, PANIC_SECONDS, "the elapsed time of a panic (seconds)")
+    if snapshot.panicked is not None:
+        check_within(snapshot.panicked, 0.0, snapshot.time, "the time of the last panic (seconds)")
     return snapshot
 
 
 def names_held(snapshot: Snapshot) -> tuple[frozenset[str], frozenset[str]]:
     """The faces and the expressions (channels are expressions too) that a snapshot cannot be played without."""
-    return _names_of(snapshot.face), _names_of(snapshot.expression) | frozenset(snapshot.channels)
+    channels = frozenset(snapshot.channels)
+    if snapshot.settling is not None:
+        channels |= frozenset(snapshot.settling.channels)
+    return _names_of(snapshot.face) | {snapshot.home.face}, _names_of(snapshot.expression) | channels
 
 
 def _names_of(axis: Axis) -> frozenset[str]:
-    call = axis.call
-    return frozenset((axis.on_air,) if call is None else (axis.on_air, call.target, *call.start, *call.velocity))
+    call, stands = axis.call, axis.stands or ()
+    if call is None:
+        return frozenset((axis.on_air, *stands))
+    return frozenset((axis.on_air, *stands, call.target, *call.start, *call.velocity, *(call.goal or ())))
 
 
 def _check_axis(axis: Axis, names: Mapping[str, object], what: str) -> None:
     check_known(axis.on_air, names, what)
     check_within(axis.hand, 0.0, 1.0, f"the {what} T-bar")
+    if axis.stands is not None:
+        _check_mix(axis.stands, names, what)
     if axis.call is not None:
         _check_call(axis.call, names, what)
 
@@ -82,9 +115,8 @@ def _check_call(call: Call, names: Mapping[str, object], what: str) -> None:
     for name in (call.target, *call.start, *call.velocity):
         check_known(name, names, what)
     find_easing(call.easing)
-    for name, weight in call.start.items():
-        check_within(weight, LOWEST - ROUNDING, HIGHEST + ROUNDING, f"the weight of the {what} {name}")
-    _check_sum(call.start, 1.0, f"the weights of the {what}s")
+    for mix in (call.start, *([] if call.goal is None else [call.goal])):
+        _check_mix(mix, names, what)
     _check_sum(call.velocity, 0.0, f"the velocities of the {what}s")
     check_within(call.decay, 0.0, DECAY_SECONDS, "the decay of a call (seconds)")
     check_within(call.elapsed, 0.0, FOREVER, "the elapsed time of a call (seconds)")
@@ -92,6 +124,13 @@ def _check_call(call: Call, names: Mapping[str, object], what: str) -> None:
         check_within(call.seconds, SHORTEST_CALL, LONGEST_CALL, "the time of a call (seconds)")
     if call.way is not None:
         _check_way(call.way)
+
+
+def _check_mix(mix: Weights, names: Mapping[str, object], what: str) -> None:
+    for name, weight in mix.items():
+        check_known(name, names, what)
+        check_within(weight, LOWEST - ROUNDING, HIGHEST + ROUNDING, f"the weight of the {what} {name}")
+    _check_sum(mix, 1.0, f"the weights of the {what}s")
 
 
 def _check_way(way: Glide) -> None:

@@ -116,7 +116,14 @@ class SetGaze(Message, frozen=True):
 
 
 class Panic(Message, frozen=True):
-    """Neutral, now."""
+    """The face on air goes neutral and holds still, now; while `State.home_next` is true it brings the home face."""
+
+
+class SetHome(Message, frozen=True):
+    """The face that a second panic brings on air, and the seconds that it takes; it stays with the show."""
+
+    face: Name
+    seconds: float
 
 
 class KeepFace(Message, frozen=True):
@@ -182,7 +189,7 @@ class Kept(Message, frozen=True):
 class CallState(msgspec.Struct, frozen=True):
     """A running call: `progress` 0..1, `remaining` seconds (`None`: the T-bar decides).
 
-    `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1.
+    `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1. `start`: the mix that it left.
     """
 
     target: str
@@ -191,6 +198,7 @@ class CallState(msgspec.Struct, frozen=True):
     by_hand: bool
     fader: float
     pickup: float
+    start: dict[str, float]
 
 
 class State(Message, frozen=True):
@@ -199,6 +207,7 @@ class State(Message, frozen=True):
     `time`: the show's clock, seconds. `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw,
     pitch (radians), as the eyeballs stand. `lids`: what the gaze adds to the channels.
     `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call. `light`: sums to one.
+    `panics` counts them: when it rises, hands are off. `home_next`: the next one brings `home_face` in `home_seconds`.
     """
 
     epoch: int
@@ -218,6 +227,10 @@ class State(Message, frozen=True):
     expression_fader: float
     light: dict[str, float]
     light_call: CallState | None
+    panics: int
+    home_face: str
+    home_seconds: float
+    home_next: bool
 
 
 class Pong(Message, frozen=True):
@@ -275,6 +288,7 @@ FromClient = (
     | SetHead
     | SetGaze
     | Panic
+    | SetHome
     | KeepFace
     | KeepExpression
     | SetLayout

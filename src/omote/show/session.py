@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
+from omote.perform.panic import PANIC_SECONDS
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, names_held
 from omote.show import messages as wire
@@ -72,6 +73,7 @@ class ShowSession:
         self._now: float | None = None
         self._time = performer.snapshot().time
         self._eye_offset = EyeOffset()
+        self._panicked: tuple[str, float] | None = None  # who pressed last, and when
 
     @classmethod
     def restored(cls, cast: Playable, snapshot: SessionSnapshot, *, epoch: int, revision: int = 1) -> ShowSession:
@@ -171,7 +173,7 @@ class ShowSession:
             case wire.KeepFace() | wire.KeepExpression() | wire.SetLayout():
                 self._add_keep_request(KeepRequest(who, message))
             case _:
-                self._obey(who, message)
+                self._obey(who, message, now)
         return []
 
     def _add_keep_request(self, request: KeepRequest) -> None:
@@ -184,13 +186,22 @@ class ShowSession:
         if self._member(who).role != "console":
             raise Refusal(f"{type(message).__struct_config__.tag} came from a stage, but only a console plays.")
 
+    def _refuse_a_late_hand(self, who: str, message: wire.FromClient, now: float) -> None:
+        """Rejects what a hand at another console sent before that page could know of a panic: it would undo it."""
+        if self._panicked is None or not isinstance(message, HANDS):
+            return
+        presser, pressed = self._panicked
+        if who != presser and now - pressed < PANIC_SECONDS:
+            raise Refusal("panic was pressed at another console: all hands are off; take the control again.")
+
     def _remember(self, call: str) -> None:
         self._calls[call] = None
         if len(self._calls) > REMEMBERED_CALLS:
             del self._calls[next(iter(self._calls))]
 
-    def _obey(self, who: str, message: wire.FromClient) -> None:
+    def _obey(self, who: str, message: wire.FromClient, now: float) -> None:
         self._refuse_a_stage(who, message)
+        self._refuse_a_late_hand(who, message, now)
         try:
             OBEY[type(message)](self.performer, message)
         except Refusal:
@@ -198,6 +209,8 @@ class ShowSession:
         except (ValueError, TypeError) as error:
             raise Refusal(f"{error}. Nothing has changed.{_reload_hint(message)}") from error
         self.commands += 1
+        if isinstance(message, wire.Panic):
+            self._panicked = who, now
         if isinstance(message, wire.CallFace | wire.CallExpression | wire.CallLight):
             self._remember(message.id)
 
@@ -257,5 +270,8 @@ OBEY: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
     wire.SetHead: lambda performer, head: performer.set_head(head.yaw, head.pitch, head.roll),
     wire.SetGaze: lambda performer, gaze: performer.set_gaze(gaze.yaw, gaze.pitch),
     wire.Panic: lambda performer, _: performer.panic(),
+    wire.SetHome: lambda performer, home: performer.set_home(home.face, seconds=home.seconds),
 }
 """The action of each command on the performer, which alone validates names and numbers (`perform/limits.py`)."""
+HANDS = (wire.FadeFace, wire.FadeExpression, wire.SetChannel, wire.SetHead, wire.SetGaze)
+"""What a hand sends on and on while it holds a control."""

@@ -30,8 +30,8 @@ class EyeOffset:
 
     def add_to(self, eyes: Angles, time: float) -> Angles:
         """The angles that show at `time`, seconds of the show."""
-        part = min(1.0, max(0.0, (time - self.start) / EYE_SECONDS))
-        if part == 1.0:
+        part = (time - self.start) / EYE_SECONDS
+        if part >= 1.0:
             return eyes
         rest = 1.0 - EASINGS[DEFAULT_EASING].value(part)
         left_yaw, left_pitch, right_yaw, right_pitch = (
@@ -68,6 +68,10 @@ def state_of(cast: Playable, frame: Frame, *, epoch: int, number: int, revision:
         expression_fader=frame.expression_fader,
         light=dict(frame.light),
         light_call=call_state(frame.light_call),
+        panics=frame.panics,
+        home_face=frame.home.face,
+        home_seconds=frame.home.seconds,
+        home_next=frame.home_next,
     )
 
 
@@ -82,6 +86,7 @@ def call_state(status: CallStatus | None) -> CallState | None:
         by_hand=status.by_hand,
         fader=status.fader,
         pickup=status.pickup,
+        start=dict(status.start),
     )
 
 

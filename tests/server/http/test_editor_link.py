@@ -207,6 +207,7 @@ async def test_only_our_own_pages_may_edit(edit_harness: EditHarness, origin: st
 
 async def test_without_a_file_an_editor_is_told_that_nothing_can_be_kept(show_harness: ShowHarness) -> None:
     assert (await show_harness.client.get("/layouts/desk")).status == 204
+    assert await (await show_harness.client.get("/layouts")).json() == []
     console = await show_harness.link()
     await console.send_bytes(encode(wire.KeepFace("k")))
     said = await answer(console)
@@ -240,6 +241,7 @@ async def test_a_page_finds_its_layout_again(edit_harness: EditHarness) -> None:
     response = await edit_harness.client.get("/layouts/desk")
     assert (response.content_type, await response.text()) == ("application/json", '{"order": ["smile"]}')
     assert (await edit_harness.client.get("/layouts/desk%202")).status == 204
+    assert await (await edit_harness.client.get("/layouts")).json() == ["desk"]
     for number in range(MOST_LAYOUTS):
         await console.send_bytes(encode(wire.SetLayout(f"page {number}", "1")))
     said = await answer(console)

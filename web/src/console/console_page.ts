@@ -3,6 +3,7 @@
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";
+import { listenToKeys } from "../ui/key_presses";
 import { base, palette } from "../ui/theme";
 import { style } from "./console_page_style";
 import { ConsoleElement } from "./controls/console_element";
@@ -11,11 +12,13 @@ import type { Pad } from "./controls/pad";
 import type { TBar } from "./controls/t_bar";
 import type { Monitor } from "./panels/monitor";
 import type { Palette } from "./panels/palette";
+import { VIEWS, type View } from "./store/console_layout";
 import type { Topic } from "./store/console_store";
-import { type Command, commandOf } from "./store/keys";
+import { type Command, commandOf, isPanic } from "./store/keys";
 import { neighbour } from "./store/timing";
 import "./panels/bank";
 import "./help";
+import "./setup";
 import "./controls/light_row";
 import "./panels/on_air_mix";
 import "./panels/monitor";
@@ -27,23 +30,26 @@ import "./controls/t_bar";
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")
 export class ConsolePage extends ConsoleElement {
-  @state() private helping = false;
+  @state() private dialog: "help" | "setup" | null = null;
+  #deaf: () => void = () => undefined;
   @query("omote-monitor") private monitor!: Monitor;
 
   static override styles = [palette, base, style];
 
   protected override topics(): readonly Topic[] {
-    return ["link", "call"];
+    return ["link", "call", "layout"];
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    window.addEventListener("keydown", this.#key);
+    this.#deaf = listenToKeys({ everywhere: this.#panicKey, page: this.#key });
+    PHONE.addEventListener("change", this.#resized);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    window.removeEventListener("keydown", this.#key);
+    this.#deaf();
+    PHONE.removeEventListener("change", this.#resized);
   }
 
   /** Gives the monitor the cast to draw. */
@@ -55,12 +61,13 @@ export class ConsolePage extends ConsoleElement {
   override render() {
     this.classList.toggle("lost", !this.store.online);
     const context = this.context;
+    const shown = this.#view;
+    this.dataset.view = shown;
     return html`
       <omote-status
         .context=${context}
-        @help=${() => {
-          this.helping = true;
-        }}
+        @help=${() => this.#show("help")}
+        @setup=${() => this.#show("setup")}
       ></omote-status>
       <omote-palette class="panel faces live" .context=${context} .axis=${"face"}></omote-palette>
       <omote-tbar class="panel facebar live" .context=${context} .axis=${"face"}></omote-tbar>
@@ -70,8 +77,8 @@ export class ConsolePage extends ConsoleElement {
           <omote-mix .context=${context} .axis=${"face"}></omote-mix>
           <omote-mix .context=${context} .axis=${"expression"}></omote-mix>
         </div>
-        <omote-lights .context=${context}></omote-lights>
       </section>
+      <omote-lights class="panel live" .context=${context}></omote-lights>
       <omote-tbar class="panel exprbar live" .context=${context} .axis=${"expression"}></omote-tbar>
       <omote-palette class="panel expressions live" .context=${context} .axis=${"expression"}></omote-palette>
       <section class="hands live" aria-label="Head and gaze">
@@ -79,26 +86,48 @@ export class ConsolePage extends ConsoleElement {
         <omote-pad class="panel" .context=${context} .what=${"gaze"}></omote-pad>
       </section>
       <omote-bank class="panel live" .context=${context}></omote-bank>
-      ${this.helping ? html`<omote-help .context=${context} @close=${this.#closeHelp}></omote-help>` : nothing}
+      <nav class="views live" role="tablist" aria-label="What is shown below">
+        ${VIEWS.map(
+          (view) => html`<button role="tab" data-view=${view} aria-selected=${view === shown}
+            @click=${() => this.store.arrange({ view })}>${VIEW_LABELS[view]}</button>`,
+        )}
+      </nav>
+      ${this.dialog === "help" ? html`<omote-help .context=${context} @close=${this.#close}></omote-help>` : nothing}
+      ${this.dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close}></omote-setup>` : nothing}
     `;
   }
 
-  readonly #closeHelp = (): void => {
-    this.helping = false;
+  /** On a phone one thing at a time stands below; elsewhere the palettes always have their place. */
+  get #view(): View {
+    const { view } = this.store.layout;
+    return PHONE.matches || view !== "palettes" ? view : "faders";
+  }
+
+  readonly #resized = (): void => this.requestUpdate();
+
+  #show(dialog: "help" | "setup"): void {
+    this.dialog = dialog;
+  }
+
+  readonly #close = (): void => {
+    this.dialog = null;
   };
 
-  readonly #key = (event: KeyboardEvent): void => {
-    const command = commandOf(event, isTyping(event));
+  readonly #panicKey = (event: KeyboardEvent): boolean => {
+    if (!isPanic(event)) return false;
+    if (!event.repeat) this.store.panic(); // held down it is one press
+    return true;
+  };
+
+  readonly #key = (event: KeyboardEvent, typing: boolean): void => {
+    const command = commandOf(event, typing);
     if (command === null) return;
     event.preventDefault();
     this.#obey(command);
   };
 
   #obey(command: Command): void {
-    if (command.do === "panic") {
-      this.helping = false;
-      this.store.panic();
-    } else if (command.do === "help") this.helping = !this.helping;
+    if (command.do === "help") this.#show("help");
     else if (command.do === "centre") this.store.centre();
     else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.state?.channels ?? {}));
     else if (command.do === "focus") this.#at<LightRow | Palette | Pad | TBar>(PLACES[command.place])?.focus();
@@ -107,18 +136,20 @@ export class ConsolePage extends ConsoleElement {
 
   #obeyAxis(command: Extract<Command, { axis: unknown }>): void {
     const { axis } = command;
-    const { seconds } = this.store.timing[axis];
+    const timing = this.store.timing[axis];
     if (command.do === "call") this.#at<Palette>(axis === "face" ? ".faces" : ".expressions")?.callIndex(command.index);
     else if (command.do === "release") this.store.release(axis);
     else if (command.do === "keep") this.store.keep(axis);
-    else if (command.do === "hand") this.store.setTiming(axis, { seconds: seconds === null ? 1 : null });
-    else this.store.setTiming(axis, { seconds: neighbour(seconds, command.direction) });
+    else if (command.do === "hand") this.store.setTiming(axis, { byHand: !timing.byHand });
+    else this.store.setTiming(axis, { seconds: neighbour(timing, command.direction) });
   }
 
   #at<Found extends Element>(selector: string): Found | null {
     return this.renderRoot.querySelector<Found>(selector);
   }
 }
+
+const PHONE = matchMedia("(max-width: 599px)");
 
 const PLACES = {
   face: ".facebar",
@@ -129,9 +160,8 @@ const PLACES = {
   light: "omote-lights",
 } as const;
 
-/** True while a key press belongs to a field for text. */
-function isTyping(event: KeyboardEvent): boolean {
-  return event
-    .composedPath()
-    .some((target) => target instanceof HTMLInputElement || target instanceof HTMLTextAreaElement);
-}
+const VIEW_LABELS: Readonly<Record<View, string>> = {
+  palettes: "Faces, expressions",
+  faders: "Faders",
+  pads: "Head, gaze",
+};

@@ -11,7 +11,7 @@ import { type DrawThumbnail, THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails
 import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
 import { ConsoleStore } from "./store/console_store";
-import { LayoutSync, layoutName } from "./store/layout_sync";
+import { LayoutStorage, layoutName } from "./store/layout_storage";
 
 /** A name for this console, so that its calls have their own ids; `randomUUID` is not there on a LAN without https. */
 const consoleId = (): string =>
@@ -75,7 +75,8 @@ function stayAwake(): void {
 async function start(): Promise<void> {
   const shown = new ShowNoticesView();
   const { store, link } = connect(shown);
-  const context: ConsoleContext = { store, painter: new FramePainter(), thumbnails: new Thumbnails() };
+  const layouts = new LayoutStorage(store, layoutName(location.search), (message) => link.send(message));
+  const context: ConsoleContext = { store, painter: new FramePainter(), thumbnails: new Thumbnails(), layouts };
   context.painter.add({ paint: () => context.store.flush() }); // first in each frame, so that what was drawn is what was sent
   const page = new ConsolePage();
   page.context = context;
@@ -83,7 +84,7 @@ async function start(): Promise<void> {
   context.painter.start();
   stayAwake();
   library = await Library.open();
-  await new LayoutSync(store, layoutName(location.search), (message) => link.send(message)).open();
+  await layouts.open();
   store.setManifest(library.manifest);
   if (stale) void recast(context.store);
   await page.open(library);

@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
+import { listenToKeys } from "../ui/key_presses";
 import { base, palette } from "../ui/theme";
 import { exposeProbe } from "./canvas/canvas_probe";
 import { EditorCanvas } from "./canvas/editor_canvas";
@@ -29,6 +30,7 @@ export class EditorPage extends EditorElement {
   @query("omote-item-list") private library!: ItemListPanel;
   @query("omote-heading") private heading!: Heading;
   #view: EditorCanvas | null = null;
+  #deaf: () => void = () => undefined;
   /** The item that was open when the page was last drawn. */
   #open = -1;
 
@@ -40,12 +42,12 @@ export class EditorPage extends EditorElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    window.addEventListener("keydown", this.#key);
+    this.#deaf = listenToKeys({ page: this.#key });
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    window.removeEventListener("keydown", this.#key);
+    this.#deaf();
     this.#view?.dispose();
   }
 
@@ -91,8 +93,8 @@ export class EditorPage extends EditorElement {
     this.helping = !this.helping;
   };
 
-  readonly #key = (event: KeyboardEvent): void => {
-    const command = commandOf(event, isTyping(event));
+  readonly #key = (event: KeyboardEvent, typing: boolean): void => {
+    const command = commandOf(event, typing);
     if (command === null) return;
     if (command.do !== "leave") event.preventDefault();
     this.#obey(command);
@@ -117,20 +119,11 @@ export class EditorPage extends EditorElement {
     if (this.store.draft !== null) this.heading.save();
   }
 
-  /** One step out: of the help, a drag, the old revision, the selection. */
+  /** One step out: of a drag, the old revision, the selection. */
   #leave(): void {
     const { store } = this;
-    if (this.helping) this.helping = false;
-    else if (store.dragging) store.cancel();
+    if (store.dragging) store.cancel();
     else if (store.look !== null) store.setLook(null);
     else if (store.selection.size > 0) store.select([]);
   }
-}
-
-/** True while a key press belongs to a field for text. */
-function isTyping(event: KeyboardEvent): boolean {
-  const typed = (target: EventTarget): boolean =>
-    target instanceof HTMLTextAreaElement ||
-    (target instanceof HTMLInputElement && !["range", "checkbox", "radio"].includes(target.type));
-  return event.composedPath().some(typed);
 }

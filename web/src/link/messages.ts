@@ -83,9 +83,16 @@ export interface SetGaze {
   pitch: number;
 }
 
-/** Neutral, now. */
+/** The face on air goes neutral and holds still, now; while `State.home_next` is true it brings the home face. */
 export interface Panic {
   type: "panic";
+}
+
+/** The face that a second panic brings on air, and the seconds that it takes; it stays with the show. */
+export interface SetHome {
+  type: "set_home";
+  face: string;
+  seconds: number;
 }
 
 /** Keeps the mix of faces on air as a new own face. An `id` executes once; answered with `kept`. */
@@ -149,7 +156,7 @@ export interface Kept {
 
 /**
  * A running call: `progress` 0..1, `remaining` seconds (`None`: the T-bar decides).
- * `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1.
+ * `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1. `start`: the mix that it left.
  */
 export interface CallState {
   target: string;
@@ -158,6 +165,7 @@ export interface CallState {
   by_hand: boolean;
   fader: number;
   pickup: number;
+  start: Record<string, number>;
 }
 
 /**
@@ -165,6 +173,7 @@ export interface CallState {
  * `time`: the show's clock, seconds. `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw,
  * pitch (radians), as the eyeballs stand. `lids`: what the gaze adds to the channels.
  * `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call. `light`: sums to one.
+ * `panics` counts them: when it rises, hands are off. `home_next`: the next one brings `home_face` in `home_seconds`.
  */
 export interface State {
   type: "state";
@@ -185,6 +194,10 @@ export interface State {
   expression_fader: number;
   light: Record<string, number>;
   light_call: CallState | null;
+  panics: number;
+  home_face: string;
+  home_seconds: number;
+  home_next: boolean;
 }
 
 /** Answers ping: `time` is the show's clock at that moment, as in `State.time`. */
@@ -440,6 +453,7 @@ export type FromClient =
   | SetHead
   | SetGaze
   | Panic
+  | SetHome
   | KeepFace
   | KeepExpression
   | SetLayout

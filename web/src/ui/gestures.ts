@@ -63,8 +63,7 @@ class Hand {
   }
 
   #place(event: PointerEvent): [number, number] {
-    const box = this.element.getBoundingClientRect();
-    return [(event.clientX - box.left) / box.width, (box.bottom - event.clientY) / box.height];
+    return placeIn(this.element.getBoundingClientRect(), event.clientX, event.clientY, this.#last);
   }
 
   /** Whether this tap follows one on the same place; a third one then starts anew. */
@@ -74,6 +73,22 @@ class Hand {
     this.#tap = { x, y, time: twice ? Number.NEGATIVE_INFINITY : time };
     return twice;
   }
+}
+
+/**
+ * Where a pointer is across a box: 0..1 from its left and from its bottom. A side without a length has no places: the
+ * pointer stays at its last one, so a control that is folded away, or is folded away under a hand, never moves.
+ */
+export function placeIn(
+  box: Pick<DOMRect, "left" | "bottom" | "width" | "height">,
+  x: number,
+  y: number,
+  last: readonly [number, number],
+): [number, number] {
+  return [
+    box.width > 0 ? (x - box.left) / box.width : last[0],
+    box.height > 0 ? (box.bottom - y) / box.height : last[1],
+  ];
 }
 
 /** One notch of the wheel over `element`, up = +1, in tenths with Shift (which some systems turn sideways). */
@@ -148,5 +163,6 @@ export interface KeyPress {
   readonly ctrlKey: boolean;
   readonly altKey: boolean;
   readonly metaKey: boolean;
+  readonly shiftKey: boolean;
   readonly repeat: boolean;
 }

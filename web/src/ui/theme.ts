@@ -99,9 +99,21 @@ export const base = css`
     opacity: 0.35;
     cursor: default;
   }
+  select {
+    font: inherit;
+    color: var(--text);
+    background: #000;
+    border: 1px solid var(--line);
+    border-radius: 4px;
+    padding: 0 4px;
+    min-height: 26px;
+  }
   @media (pointer: coarse) {
-    button {
-      min-height: 34px;
+    button,
+    select,
+    input:not([type="checkbox"], [type="radio"], [type="range"]) {
+      min-height: var(--finger, 34px);
+      min-width: var(--finger, 0);
     }
   }
   .panel {

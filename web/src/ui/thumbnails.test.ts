@@ -5,13 +5,24 @@ import { type ThumbnailSubject, Thumbnails } from "./thumbnails";
 function canvas(isConnected = true) {
   const drawn: unknown[] = [];
   const context = { clearRect: () => {}, drawImage: (picture: unknown) => drawn.push(picture) };
-  const element = { isConnected, dataset: {}, width: 10, height: 12, getContext: () => context };
+  const element = {
+    isConnected,
+    dataset: {},
+    style: { opacity: "" },
+    width: 10,
+    height: 12,
+    getContext: () => context,
+  };
   return { drawn, element: element as unknown as HTMLCanvasElement };
 }
 
 const sitting = (expression: string): ThumbnailSubject => ({ face: "generic", expression });
 const nextTurn = () => new Promise((done) => setTimeout(done));
-const portraits = () => new Thumbnails(() => Promise.resolve());
+const portraits = () =>
+  new Thumbnails(
+    () => Promise.resolve(),
+    () => Promise.resolve(),
+  );
 const drawer = (asked: string[]) => (wish: ThumbnailSubject) => {
   asked.push(wish.expression);
   return Promise.resolve(wish as unknown as CanvasImageSource);
@@ -66,4 +77,54 @@ it("goes on after a picture that cannot be drawn", async () => {
   console.warn = warn;
   expect(one.drawn).toEqual([]);
   expect(two.drawn).toHaveLength(1);
+});
+
+it("never hangs a picture that was asked for before the last one, however late it comes", async () => {
+  const [one, other, all] = [canvas(), canvas(), portraits()];
+  const late = new Map<string, () => void>();
+  all.open(
+    (wish) =>
+      new Promise((done) => {
+        const give = () => done(wish as unknown as CanvasImageSource);
+        if (wish.expression === "slow") late.set("slow", give);
+        else give();
+      }),
+  );
+  all.ask(other.element, sitting("smile"));
+  await nextTurn();
+  all.ask(one.element, sitting("slow")); // is being drawn
+  await nextTurn();
+  all.ask(one.element, sitting("smile")); // is known, and hangs at once
+  late.get("slow")?.();
+  await nextTurn();
+  expect(one.drawn).toEqual([sitting("smile")]);
+});
+
+it("fades the picture of what a canvas no longer stands for until the new one comes", async () => {
+  const [one, all] = [canvas(), portraits()];
+  const gates: (() => void)[] = [];
+  all.open((wish) => new Promise((done) => gates.push(() => done(wish as unknown as CanvasImageSource))));
+  all.ask(one.element, sitting("smile"));
+  await nextTurn();
+  gates[0]?.();
+  await nextTurn();
+  expect(one.element.style.opacity).toBe("");
+  all.ask(one.element, sitting("sad"));
+  expect(one.element.style.opacity).toBe("0.25");
+  await nextTurn();
+  gates[1]?.();
+  await nextTurn();
+  expect([one.element.style.opacity, one.drawn.at(-1)]).toEqual(["", sitting("sad")]);
+});
+
+it("tries again where a picture could not be drawn for a moment", async () => {
+  const [one, all] = [canvas(), portraits()];
+  let lost = 2;
+  all.open((wish) => {
+    lost -= 1;
+    return lost >= 0 ? Promise.reject(new Error("lost")) : Promise.resolve(wish as unknown as CanvasImageSource);
+  });
+  all.ask(one.element, sitting("smile"));
+  for (let turn = 0; turn < 5; turn += 1) await nextTurn();
+  expect(one.drawn).toEqual([sitting("smile")]);
 });

@@ -14,17 +14,29 @@ export type DrawThumbnail = (subject: ThumbnailSubject) => Promise<CanvasImageSo
 
 /** Milliseconds between two pictures: the show goes first. */
 const PAUSE = 40;
+/** Attempts at one picture: a graphics context that is lost for a moment is there again soon. */
+const TRIES = 5;
+/** Milliseconds, doubled with each attempt that failed. */
+const REST = 250;
+const after = (milliseconds: number): Promise<void> => new Promise((done) => setTimeout(done, milliseconds));
 /** Pictures kept, so that a palette opens at once the second time. */
 const KEPT = 500;
 
 export class Thumbnails {
   readonly #waiting = new Map<HTMLCanvasElement, ThumbnailSubject>();
+  /** What was asked for last, by canvas: a picture of anything else comes too late. */
+  readonly #wanted = new WeakMap<HTMLCanvasElement, string>();
+  readonly #failures = new Map<string, number>();
   readonly #done = new WeakMap<HTMLCanvasElement, string>();
   readonly #cache = new Map<string, CanvasImageSource>();
   #drawer: DrawThumbnail | null = null;
   #working = false;
 
-  constructor(private readonly pause: () => Promise<void> = () => new Promise((done) => setTimeout(done, PAUSE))) {}
+  /** `pause`: between two pictures; `rest`: before an attempt after so many that failed. */
+  constructor(
+    private readonly pause: () => Promise<void> = () => after(PAUSE),
+    private readonly rest: (failures: number) => Promise<void> = (failures) => after(REST * 2 ** failures),
+  ) {}
 
   /** Pictures can be drawn from now on; what was asked for before is drawn now. */
   open(draw: DrawThumbnail): void {
@@ -32,8 +44,10 @@ export class Thumbnails {
     void this.#work();
   }
 
-  /** Asks for a picture on `canvas`; a newer wish for the same canvas replaces an older. */
+  /** Asks for a picture on `canvas`; a newer wish for the same canvas replaces an older, whose picture fades at once. */
   ask(canvas: HTMLCanvasElement, subject: ThumbnailSubject): void {
+    this.#wanted.set(canvas, keyOf(subject));
+    this.#fade(canvas);
     if (this.#done.get(canvas) === keyOf(subject)) {
       this.#waiting.delete(canvas);
       return;
@@ -72,10 +86,28 @@ export class Thumbnails {
     try {
       const picture = this.#cache.get(keyOf(subject)) ?? (await draw(subject));
       this.#keep(subject, picture);
-      if (!this.#waiting.has(canvas)) this.#show(canvas, subject, picture); // else something newer is wished for
+      if (this.#wanted.get(canvas) === keyOf(subject)) this.#show(canvas, subject, picture);
     } catch (error) {
-      console.warn(`No portrait of ${keyOf(subject)}:`, error); // the tile keeps its name, which is enough to play
+      this.#retry(canvas, subject, error);
     }
+  }
+
+  /** Asks once more, later and later; what fails for good leaves a name, which is enough to play. */
+  #retry(canvas: HTMLCanvasElement, subject: ThumbnailSubject, error: unknown): void {
+    const key = keyOf(subject);
+    const failures = (this.#failures.get(key) ?? 0) + 1;
+    this.#failures.set(key, failures);
+    if (failures >= TRIES) console.warn(`No thumbnail of ${key}:`, error);
+    else
+      void this.rest(failures).then(() => {
+        if (this.#wanted.get(canvas) === key) this.ask(canvas, subject);
+      });
+  }
+
+  /** A picture of what the canvas no longer stands for is seen to be old until the new one comes. */
+  #fade(canvas: HTMLCanvasElement): void {
+    const drawn = this.#done.get(canvas);
+    canvas.style.opacity = drawn === undefined || drawn === this.#wanted.get(canvas) ? "" : "0.25";
   }
 
   #keep(subject: ThumbnailSubject, picture: CanvasImageSource): void {
@@ -91,6 +123,8 @@ export class Thumbnails {
     context.drawImage(picture, 0, 0, canvas.width, canvas.height);
     canvas.dataset.drawn = keyOf(subject);
     this.#done.set(canvas, keyOf(subject));
+    this.#failures.delete(keyOf(subject));
+    this.#fade(canvas);
   }
 }
 

@@ -79,6 +79,7 @@ class ShowServer:
         application.router.add_get(LINK_PATH, self.link)
         if self.editing is not None:
             application.router.add_get(EDITING_PATH, self.editing.link)
+        application.router.add_get("/layouts", self.layout_names)
         application.router.add_get("/layouts/{name}", self.layout)
         application.router.add_get("/manifest", self.manifest)
         application.router.add_get("/assets/{name}", self.asset)
@@ -190,6 +191,10 @@ class ShowServer:
         except FailedOrderError as error:
             raise web.HTTPServiceUnavailable(text=f"{error}.") from error
         return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": keep})
+
+    async def layout_names(self, _: web.Request) -> web.Response:
+        """Responds with the names of the stored layouts (JSON)."""
+        return web.json_response([] if self.editing is None else self.editing.layout_names())
 
     async def layout(self, request: web.Request) -> web.Response:
         """Responds with a page's stored layout; 204 where there is none, for browsers log a 404 as an error."""

@@ -134,6 +134,10 @@ class EditorLinks:
         """A page's stored layout (JSON), None where there is none."""
         return None if self.authored_work is None else self.authored_work.layouts.get(name)
 
+    def layout_names(self) -> list[str]:
+        """The names under which pages have stored a layout."""
+        return [] if self.authored_work is None else sorted(self.authored_work.layouts)
+
     def send_notices(self, notices: list[wire.Notice]) -> None:
         """Sends what the crew must know to every editor that reads."""
         for who, page in self._pages.items():

@@ -5,11 +5,13 @@ import { property } from "lit/decorators.js";
 import type { FramePainter, Paintable } from "../../ui/frame_painter";
 import type { Thumbnails } from "../../ui/thumbnails";
 import type { ConsoleStore, Topic } from "../store/console_store";
+import type { LayoutStorage } from "../store/layout_storage";
 
 export interface ConsoleContext {
   readonly store: ConsoleStore;
   readonly painter: FramePainter;
   readonly thumbnails: Thumbnails;
+  readonly layouts: LayoutStorage;
 }
 
 export abstract class ConsoleElement extends LitElement {
@@ -80,3 +82,6 @@ export class StyleWriter {
     if (this.#new(element, "text", text)) element.textContent = text;
   }
 }
+
+/** What was chosen in the list that an event comes from. */
+export const chosenIn = (event: Event): string => (event.target as HTMLSelectElement).value;

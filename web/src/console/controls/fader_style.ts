@@ -7,6 +7,11 @@ export const style = css`
     min-width: 34px;
     min-height: 0;
   }
+  @media (pointer: coarse) {
+    :host {
+      min-width: 42px;
+    }
+  }
   .number {
     font-size: 11px;
     line-height: 14px;

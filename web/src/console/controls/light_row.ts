@@ -20,7 +20,6 @@ export class LightRow extends AnimatedElement {
         align-items: center;
         gap: 4px;
         padding: 4px 10px;
-        border-top: 1px solid var(--line);
       }
       .row > span {
         color: var(--dim);

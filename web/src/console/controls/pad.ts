@@ -197,7 +197,7 @@ export class Pad extends AnimatedElement {
 
   #let(...knobs: Knob[]): void {
     for (const knob of knobs) knob.leave();
-    if (this.springs) this.#returning = knobs;
+    if (this.springs && this.#era === this.store.era) this.#returning = knobs;
     this.#left = performance.now();
   }
 
@@ -212,6 +212,7 @@ export class Pad extends AnimatedElement {
 
   /** What was let go comes back to the centre. */
   #spring(elapsed: number, now: number): void {
+    if (this.#era !== this.store.era) this.#returning = []; // after a panic nothing is left to bring back
     this.#returning = this.#returning.filter((knob) => {
       const rest = sprung(knob.value(now), elapsed);
       knob.nudge(rest);

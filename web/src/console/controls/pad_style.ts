@@ -17,9 +17,13 @@ export const style = css`
     flex: 1;
   }
   header button {
-    min-height: 22px;
     padding: 0 6px;
     font-size: 11px;
+  }
+  @media (pointer: fine) {
+    header button {
+      min-height: 22px;
+    }
   }
   .well {
     flex: 1;
@@ -121,6 +125,17 @@ export const style = css`
     font-size: 11px;
     color: var(--dim);
     pointer-events: none;
+  }
+  @media (pointer: coarse) {
+    .tilt {
+      height: 40px;
+    }
+    .tilt::before {
+      top: 17px;
+    }
+    .knob::after {
+      top: 12px;
+    }
   }
   @media (max-width: 1100px) {
     header {

@@ -5,7 +5,7 @@ import { customElement, property, query } from "lit/decorators.js";
 import { type Drag, onArrows, onDrag, onWheel } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { UNIT, within } from "../../ui/travel";
-import { type Axis, onAir } from "../store/axis";
+import { type Axis, mixLabel } from "../store/axis";
 import { remainingLabel } from "../store/timing";
 import { AnimatedElement, StyleWriter } from "./console_element";
 import { style } from "./t_bar_style";
@@ -27,7 +27,6 @@ export class TBar extends AnimatedElement {
   @query(".release") private release!: HTMLButtonElement;
   readonly #written = new StyleWriter();
   #view: BarView | null = null;
-  #from = "";
   #position = 0;
   #touched = false;
   #era = 0;
@@ -110,7 +109,6 @@ export class TBar extends AnimatedElement {
   paint(now: number): void {
     const position = this.store.bar(this.axis).value(now);
     const view = barView(this.store.callOf(this.axis), position, this.#touched, this.#view);
-    if (view.target !== this.#view?.target) this.#from = this.#strongest(view.target);
     this.#view = view;
     this.#paintTrack(view, position);
     this.#paintWords(view);
@@ -138,7 +136,7 @@ export class TBar extends AnimatedElement {
     const [start, goal] = view.flipped ? [this.top, this.bottom] : [this.bottom, this.top];
     const label = (name: string) => this.store.label(this.axis, name);
     write.text(goal, call === null ? "" : label(call.target));
-    write.text(start, label(call === null ? this.#strongest(null) : this.#from));
+    write.text(start, mixLabel(call?.start ?? this.#mix, label));
     for (const end of [this.top, this.bottom]) {
       write.flag(end, "air", end === start);
       write.flag(end, "coming", end === goal && call !== null);
@@ -147,14 +145,15 @@ export class TBar extends AnimatedElement {
     write.text(this.mode, MODES[view.mode](call?.remaining ?? null, view.gap));
     write.flag(this.mode, "attention", view.mode === "waiting");
     write.flag(this.release, "lit", view.mode === "held");
-    const spoken = call === null ? "no call" : `${label(call.target)} ${Math.round(call.progress * 100)} per cent`;
+    const from = call === null ? "" : mixLabel(call.start, label).replaceAll("\n", ", ");
+    const spoken =
+      call === null ? "no call" : `from ${from} to ${label(call.target)}, ${Math.round(call.progress * 100)} per cent`;
     write.attribute(this.track, "aria-valuetext", spoken);
   }
 
-  #strongest(besides: string | null): string {
-    const state = this.store.state;
-    const names = onAir((this.axis === "face" ? state?.faces : state?.expressions) ?? {});
-    return names.find(([name]) => name !== besides)?.[0] ?? "";
+  get #mix(): Readonly<Record<string, number>> {
+    const { state } = this.store;
+    return (this.axis === "face" ? state?.faces : state?.expressions) ?? {};
   }
 }
 

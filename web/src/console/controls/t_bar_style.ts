@@ -13,12 +13,11 @@ export const style = css`
     letter-spacing: 0.08em;
   }
   .end {
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
+    white-space: pre-line;
+    overflow-wrap: anywhere;
     font-size: 12px;
     font-weight: 600;
-    line-height: 18px;
+    line-height: 15px;
     min-height: 18px;
     color: var(--faint);
     border-radius: 3px;
@@ -31,7 +30,7 @@ export const style = css`
   }
   .track {
     position: relative;
-    min-height: 120px;
+    min-height: 80px;
     margin: 16px 0;
     touch-action: none;
     cursor: grab;
@@ -160,5 +159,25 @@ export const style = css`
   .release.lit {
     color: var(--hand);
     border-color: var(--hand);
+  }
+  @media (max-width: 599px) {
+    :host {
+      gap: 2px;
+      padding: 4px;
+    }
+    .track {
+      margin: 15px 0;
+      min-height: 60px;
+    }
+    .mode {
+      min-height: 0;
+    }
+    .mode:not(.attention) {
+      display: none; /* the call beside the picture says it */
+    }
+    .percent {
+      font-size: 16px;
+      line-height: 18px;
+    }
   }
 `;

@@ -8,6 +8,7 @@ const call = (change: Partial<CallState>): CallState => ({
   remaining: 1.2,
   by_hand: false,
   fader: 0,
+  start: { old: 1 },
   pickup: 0.4,
   ...change,
 });

@@ -1,13 +1,13 @@
 /** The seconds and the easing of the next call. */
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { EASING_NAMES } from "../../link/constants";
 import { base } from "../../ui/theme";
 import type { Axis } from "../store/axis";
 import type { Topic } from "../store/console_store";
-import { CHOICES, EASING_CURVES, type EasingName, parseSeconds, type Seconds, secondsLabel } from "../store/timing";
-import { ConsoleElement } from "./console_element";
+import { CHOICES, EASING_CURVES, type EasingName, MANY_CHOICES, parseSeconds, secondsLabel } from "../store/timing";
+import { ConsoleElement, chosenIn } from "./console_element";
 
 /** The seconds and the easing of an axis's next call. */
 @customElement("omote-timing")
@@ -22,6 +22,7 @@ export class TimingRow extends ConsoleElement {
         display: flex;
         flex-wrap: wrap;
         gap: 4px;
+        container-type: inline-size;
       }
       .row {
         display: flex;
@@ -59,6 +60,31 @@ export class TimingRow extends ConsoleElement {
         border-color: var(--attention);
         color: var(--attention);
       }
+      .lists {
+        display: none;
+      }
+      select {
+        flex: 1 1 0;
+        min-width: 0;
+      }
+      select.resting {
+        color: var(--faint);
+      }
+      @media (pointer: coarse) {
+        .lists {
+          display: flex;
+          gap: 4px;
+        }
+        .chips,
+        .curves {
+          display: none;
+        }
+        @container (max-width: 200px) {
+          .lists .easing {
+            display: none; /* it is in the set-up */
+          }
+        }
+      }
       svg {
         width: 20px;
         height: 12px;
@@ -75,7 +101,7 @@ export class TimingRow extends ConsoleElement {
     return ["timing"];
   }
 
-  #choose(seconds: Seconds): void {
+  #choose(seconds: number): void {
     this.wrong = null;
     this.store.setTiming(this.axis, { seconds });
   }
@@ -92,34 +118,61 @@ export class TimingRow extends ConsoleElement {
   }
 
   override render() {
-    const { seconds, easing } = this.store.timing[this.axis];
-    const free = seconds !== null && !CHOICES.includes(seconds);
-    return html`
-      <div class="row" role="radiogroup" aria-label="Seconds of a call (${this.axis})">
-        ${CHOICES.map((choice) => this.#choice(choice, seconds))}
-        <input
-          class="${free ? "chosen" : ""} ${this.wrong === null ? "" : "wrong"}"
-          aria-label="Other seconds (${this.axis})"
-          inputmode="decimal"
-          placeholder="s"
-          .value=${free ? secondsLabel(seconds) : ""}
-          @change=${this.#type}
-        />
-        <button role="radio" aria-checked=${seconds === null} data-seconds="hand" title="By hand: the T-bar moves it" @click=${() => this.#choose(null)}>
-          hand
-        </button>
-      </div>
-      <div class="row" role="radiogroup" aria-label="Easing of a call (${this.axis})">
-        ${EASING_NAMES.map((name) => this.#easing(name, easing === name))}
-      </div>
-    `;
+    return html`${this.#chips()} ${this.#easings()} ${this.#lists()}`;
   }
 
-  #choice(choice: number, seconds: Seconds) {
+  #chips() {
+    const { seconds, byHand } = this.store.timing[this.axis];
+    const free = !byHand && !CHOICES.includes(seconds);
+    return html`<div class="row chips" role="radiogroup" aria-label="Seconds of a call (${this.axis})">
+      ${CHOICES.map((choice) => this.#choice(choice, !byHand && seconds === choice))}
+      <input
+        class="${free ? "chosen" : ""} ${this.wrong === null ? "" : "wrong"}"
+        aria-label="Other seconds (${this.axis})"
+        inputmode="decimal"
+        placeholder="s"
+        .value=${free ? secondsLabel(seconds) : ""}
+        @change=${this.#type}
+      />
+      ${this.#hand(byHand, "radio")}
+    </div>`;
+  }
+
+  #easings() {
+    const { easing } = this.store.timing[this.axis];
+    return html`<div class="row curves" role="radiogroup" aria-label="Easing of a call (${this.axis})">
+      ${EASING_NAMES.map((name) => this.#easing(name, easing === name))}
+    </div>`;
+  }
+
+  /** For fingers: two lists and a switch, each as large as a finger. */
+  #lists() {
+    const { seconds, easing, byHand } = this.store.timing[this.axis];
+    const times = MANY_CHOICES.includes(seconds) ? MANY_CHOICES : [...MANY_CHOICES, seconds];
+    return html`<div class="row lists">
+      <select aria-label="Seconds (${this.axis})" class=${byHand ? "resting" : ""} @change=${(event: Event) => this.#choose(Number(chosenIn(event)))}>
+        ${times.map((one) => html`<option value=${one} .selected=${one === seconds}>${one === 0 ? "cut" : `${secondsLabel(one)} s`}</option>`)}
+      </select>
+      <select class="easing" aria-label="Easing (${this.axis})" @change=${(event: Event) => this.store.setTiming(this.axis, { easing: chosenIn(event) })}>
+        ${EASING_NAMES.map((name) => html`<option value=${name} .selected=${name === easing}>${name}</option>`)}
+      </select>
+      ${this.#hand(byHand, "button")}
+    </div>`;
+  }
+
+  #hand(byHand: boolean, role: "radio" | "button") {
+    const [checked, pressed] = role === "radio" ? [String(byHand), nothing] : [nothing, String(byHand)];
+    return html`<button role=${role} aria-checked=${checked} aria-pressed=${pressed} data-seconds="hand"
+      title="By hand: the T-bar moves it" @click=${() => this.store.setTiming(this.axis, { byHand: !byHand })}>
+      hand
+    </button>`;
+  }
+
+  #choice(choice: number, chosen: boolean) {
     return html`<button
       role="radio"
       data-seconds=${choice}
-      aria-checked=${seconds === choice}
+      aria-checked=${chosen}
       @click=${() => this.#choose(choice)}
     >
       ${secondsLabel(choice)}

@@ -3,7 +3,7 @@ import { css } from "lit";
 export const style = css`
   :host {
     display: grid;
-    grid-template-rows: auto 1fr;
+    grid-template: auto minmax(0, 1fr) / minmax(0, 1fr);
     min-height: 0;
     min-width: 0;
   }
@@ -103,9 +103,43 @@ export const style = css`
       font-size: 11.5px;
     }
   }
-  @media (max-width: 700px) {
-    .strips {
-      height: 190px;
+  @media (pointer: coarse) {
+    nav {
+      flex-wrap: nowrap;
+      min-width: 0;
+      overflow: auto hidden;
+      scrollbar-width: none;
+    }
+    nav {
+      gap: 0;
+    }
+    nav button {
+      flex: none;
+      padding: 0 4px;
+    }
+    header {
+      flex-wrap: nowrap;
+    }
+    header > button {
+      flex: none;
+      padding: 0 6px;
+    }
+    .strip {
+      min-width: 52px;
+    }
+    omote-fader {
+      flex-basis: 42px;
+    }
+  }
+  @media (max-width: 599px) {
+    header {
+      flex-wrap: wrap;
+    }
+    nav {
+      flex: 1 0 100%;
+    }
+    header > button {
+      flex: 1;
     }
   }
 `;

@@ -38,13 +38,12 @@ export class Mix extends AnimatedElement {
         min-width: 0;
       }
       header button {
-        height: 20px;
-        min-height: 0;
         padding: 0 7px;
         font-size: 11px;
         white-space: nowrap;
-        overflow: hidden;
-        text-overflow: ellipsis;
+      }
+      header button span {
+        display: none;
       }
       .rows {
         display: grid;
@@ -123,6 +122,31 @@ export class Mix extends AnimatedElement {
         transform: scaleX(0);
         background: var(--coming);
       }
+      @media (pointer: fine) {
+        header button {
+          height: 20px;
+          min-height: 0;
+        }
+      }
+      @media (max-width: 599px) {
+        .rows,
+        .coming {
+          display: none; /* the T-bars beside the picture name both ends */
+        }
+        :host {
+          padding: 2px 6px;
+        }
+        h2 {
+          display: none;
+        }
+        header button {
+          flex: 1;
+          padding: 0;
+        }
+        header button span {
+          display: inline;
+        }
+      }
     `,
   ];
 
@@ -136,7 +160,7 @@ export class Mix extends AnimatedElement {
           title="Keep what is on air as a new ${this.axis} (${this.axis === "face" ? "N" : "M"})"
           @click=${() => this.store.keep(this.axis)}
         >
-          Keep
+          Keep<span> ${this.axis}</span>
         </button>
       </header>
       <div class="rows" data-axis=${this.axis}>

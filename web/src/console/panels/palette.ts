@@ -8,7 +8,7 @@ import type { ExpressionDocument, FaceDocument } from "../../link/messages";
 import { onRoam } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
-import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { AnimatedElement, chosenIn, StyleWriter } from "../controls/console_element";
 import type { Axis } from "../store/axis";
 import { REGIONS, regionOf } from "../store/channels";
 import { KINDS, type PaletteKind } from "../store/console_layout";
@@ -25,6 +25,9 @@ const LABELS: Readonly<Record<PaletteKind, string>> = {
 };
 /** How long a face must be alone on air before the expressions are drawn anew on it, in milliseconds. */
 const SETTLED = 800;
+
+/** Without a keyboard no key needs to be named. */
+const FINGERS = matchMedia("(pointer: coarse)");
 
 type Tile = FaceDocument | ExpressionDocument;
 
@@ -107,21 +110,26 @@ export class Palette extends AnimatedElement {
   }
 
   #tabs() {
-    return html`<div class="tabs" role="tablist" aria-label="Kinds of expressions">
+    return html`<select class="kinds" aria-label="Kind of expressions" @change=${(event: Event) => this.#open(chosenIn(event) as PaletteKind)}>
+        ${KINDS.map((kind) => html`<option value=${kind} .selected=${this.kind === kind}>${LABELS[kind]}</option>`)}
+      </select>
+      <div class="tabs" role="tablist" aria-label="Kinds of expressions">
       ${KINDS.map(
         (kind) => html`<button
           role="tab"
           data-kind=${kind}
           aria-selected=${this.kind === kind && this.search === ""}
-          @click=${() => {
-            this.store.arrange({ kind });
-            this.search = "";
-          }}
+          @click=${() => this.#open(kind)}
         >
           ${LABELS[kind]}
         </button>`,
       )}
     </div>`;
+  }
+
+  #open(kind: PaletteKind): void {
+    this.store.arrange({ kind });
+    this.search = "";
   }
 
   #ownSwitch() {
@@ -146,7 +154,7 @@ export class Palette extends AnimatedElement {
     const what = this.axis === "face" ? "faces by name or tag" : "expressions by name, region or tag";
     return html`<input
       type="search"
-      placeholder=${this.axis === "face" ? "search" : "search /"}
+      placeholder=${this.axis === "face" || FINGERS.matches ? "search" : "search /"}
       aria-label="Search ${what}"
       .value=${this.search}
       @input=${(event: Event) => {

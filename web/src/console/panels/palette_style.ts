@@ -2,6 +2,7 @@ import { css } from "lit";
 
 export const style = css`
   :host {
+    container-type: inline-size;
     display: grid;
     grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
     gap: 8px;
@@ -49,6 +50,36 @@ export const style = css`
   }
   input::placeholder {
     color: var(--faint);
+  }
+  .kinds {
+    display: none;
+    flex: 1 1 100px;
+    min-width: 0;
+  }
+  @media (pointer: coarse) {
+    @container (max-width: 420px) {
+      .kinds {
+        display: block;
+      }
+      .kinds + .tabs {
+        display: none;
+      }
+    }
+    @container (max-width: 240px) {
+      h2 {
+        display: none;
+      }
+      .kinds {
+        flex: 0 1 100px;
+      }
+      input {
+        flex-basis: 60px;
+        padding: 0 6px;
+      }
+    }
+    .tile {
+      min-height: 40px;
+    }
   }
   .tiles {
     display: grid;
@@ -136,8 +167,8 @@ export const style = css`
   }
   @media (pointer: coarse) {
     .edit {
-      width: 34px;
-      height: 34px;
+      width: 40px;
+      height: 40px;
     }
   }
   .tile .key {
@@ -189,5 +220,12 @@ export const style = css`
   }
   .none a {
     color: var(--text);
+  }
+  @media (max-width: 599px) {
+    .tile .name {
+      padding: 1px 0 3px;
+      font-size: 10.5px;
+      letter-spacing: -0.02em;
+    }
   }
 `;

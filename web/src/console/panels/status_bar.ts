@@ -7,6 +7,7 @@ import { EDITOR_TAB } from "../../link/editor_address";
 import { base } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
 import type { Topic } from "../store/console_store";
+import { secondsLabel } from "../store/timing";
 import { style } from "./status_bar_style";
 
 /** Stages that draw fewer frames a second than this are worth a look. */
@@ -20,11 +21,12 @@ export class StatusBar extends ConsoleElement {
   @state() private panicked = false;
   #timers: { notice?: ReturnType<typeof setTimeout>; panic?: ReturnType<typeof setTimeout> } = {};
   #leave: (() => void)[] = [];
+  #era = 0;
 
   static override styles = [base, style];
 
   protected override topics(): readonly Topic[] {
-    return ["crew", "link", "notice", "panic"];
+    return ["cast", "crew", "link", "notice", "panic"];
   }
 
   override connectedCallback(): void {
@@ -36,7 +38,9 @@ export class StatusBar extends ConsoleElement {
         this.#timers.notice = setTimeout(() => this.store.say(null), NOTICE);
       }),
       this.store.listen("panic", () => {
-        if (!this.store.online) return; // nothing was sent, so nothing lights up
+        const { era } = this.store;
+        if (era === this.#era || !this.store.online) return; // nothing was sent, so nothing lights up
+        this.#era = era;
         this.panicked = true;
         clearTimeout(this.#timers.panic);
         this.#timers.panic = setTimeout(() => {
@@ -57,15 +61,28 @@ export class StatusBar extends ConsoleElement {
     return html`
       <div class="mark">OMOTE</div>
       ${this.store.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
-      <div class="notice ${this.store.offer === null ? "" : "done"}" role="status">
+      <div class="notice ${this.store.offer === null ? "" : "done"} ${this.store.notice === null ? "none" : ""}" role="status">
         ${this.store.notice ?? ""}
         ${this.#offer()}
       </div>
+      <button class="setup" title="Home face and layouts" @click=${() => this.dispatchEvent(new CustomEvent("setup"))}>Set-up</button>
       <button class="help" title="Keys" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
-      <button class="panic ${this.panicked ? "done" : ""}" @pointerdown=${this.#press} @click=${this.#click}>
-        PANIC<small>neutral now · Esc</small>
-      </button>
+      ${this.#panic()}
     `;
+  }
+
+  /** Says what it does now: the first press holds the face, the second brings the home face. */
+  #panic() {
+    const { state, online } = this.store;
+    const again = online && state?.home_next === true;
+    const way = again ? (state.home_seconds === 0 ? "cut" : `in ${secondsLabel(state.home_seconds)} s`) : "";
+    const [title, says] = again
+      ? ["HOME FACE", `${this.store.label("face", state.home_face)} ${way}`]
+      : ["PANIC", "neutral, hold still"];
+    return html`<button class="panic ${this.panicked ? "done" : ""} ${again ? "again" : ""}"
+      title="${again ? "Panic again" : "Panic"} (Shift Backspace)" @pointerdown=${this.#press} @click=${this.#click}>
+      ${title}<small>${says}<i> · ⇧⌫</i></small>
+    </button>`;
   }
 
   #offer() {

@@ -95,27 +95,65 @@ export const style = css`
       border-color: #fff0c4;
     }
   }
-  @media (max-width: 900px) {
+  .panic.again {
+    color: #000;
+    background: #b88a1d;
+    letter-spacing: 0.08em;
+  }
+  .panic i {
+    font-style: normal;
+  }
+  @media (pointer: coarse) and (max-width: 899px) {
+    .panic i {
+      display: none; /* no keyboard */
+    }
+  }
+  .panic small {
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  @media (max-width: 899px) {
+    :host {
+      gap: 8px;
+      padding: 0 2px;
+    }
     .mark,
-    .item.consoles {
+    .item.consoles,
+    .item .level {
       display: none;
     }
     .panic {
-      width: 150px;
+      width: 190px;
+      flex: 0 1 auto;
     }
   }
-  @media (max-width: 620px) {
-    :host {
-      flex-wrap: wrap;
-      gap: 6px 10px;
-      padding: 6px;
-    }
-    .notice {
-      order: 9;
-      flex-basis: 100%;
+  @media (max-width: 599px) {
+    .help,
+    .item.link b {
+      display: none; /* no keyboard */
     }
     .panic {
-      flex: 1;
+      flex: 1 0 170px;
+    }
+    .setup {
+      padding: 0 6px;
+    }
+    .lost {
+      font-size: 12px;
+      padding: 4px 6px;
+    }
+    .notice {
+      position: fixed;
+      inset: 58px 6px auto;
+      z-index: 8;
+      padding: 6px 10px;
+      border-radius: 4px;
+      background: #241a02;
+      white-space: normal;
+    }
+    .notice.none {
+      display: none;
     }
   }
 `;

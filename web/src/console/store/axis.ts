@@ -16,3 +16,17 @@ export function onAir(weights: Readonly<Record<string, number>>): [string, numbe
     .filter(([, weight]) => Math.abs(weight) >= 0.001)
     .sort(([a, x], [b, y]) => y - x || a.localeCompare(b));
 }
+
+/** Lines that a mix is named in; of more names the last line counts the rest. */
+const LINES = 3;
+
+/** A mix in words, a line for each name with its weight in per cent: `Cat 52`, `Goblin 48`; one alone needs no number. */
+export function mixLabel(weights: Readonly<Record<string, number>>, label: (name: string) => string): string {
+  const names = onAir(weights);
+  const [first] = names;
+  if (first === undefined) return "";
+  const per = ([name, weight]: [string, number]): string => `${label(name)} ${Math.round(weight * 100)}`;
+  if (names.length === 1 || first[1] >= 0.995) return label(first[0]);
+  if (names.length <= LINES) return names.map(per).join("\n");
+  return [...names.slice(0, LINES - 1).map(per), `+ ${names.length - LINES + 1} more`].join("\n");
+}

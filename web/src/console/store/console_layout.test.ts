@@ -3,11 +3,15 @@ import { type ConsoleLayout, FIRST, KINDS, parsed, written } from "./console_lay
 import { LONGEST } from "./timing";
 
 const OTHER: ConsoleLayout = {
-  timing: { face: { seconds: null, easing: "late" }, expression: { seconds: 0, easing: "sharp" } },
+  timing: {
+    face: { seconds: 3, easing: "late", byHand: true },
+    expression: { seconds: 0, easing: "sharp", byHand: false },
+  },
   kind: "arkit",
   ownFaces: true,
   tab: "touched",
   linked: false,
+  view: "pads",
 };
 
 describe("a console's layout", () => {
@@ -23,6 +27,15 @@ describe("a console's layout", () => {
   it("of before own faces had a palette of their own shows all", () => {
     const { ownFaces: _, ...before } = FIRST;
     expect(parsed(written(before as ConsoleLayout))).toEqual(FIRST);
+  });
+
+  it("of before seconds were kept while calls are by hand has those of the default", () => {
+    const { view: _, ...older } = FIRST;
+    const timing = { face: { seconds: null, easing: "late" }, expression: { seconds: 1, easing: "smooth" } };
+    const { timing: found, view } = parsed(JSON.stringify({ ...older, version: 1, timing })) as ConsoleLayout;
+    expect(found.face).toEqual({ seconds: FIRST.timing.face.seconds, easing: "late", byHand: true });
+    expect(found.expression).toEqual({ seconds: 1, easing: "smooth", byHand: false });
+    expect(view).toBe(FIRST.view);
   });
 
   it("brings nothing with it that it does not know", () => {
@@ -49,11 +62,16 @@ describe("a console's layout", () => {
     ],
     ["with a strange tab", { version: 1, ...FIRST, tab: "beak" }],
     ["with a strange kind", { version: 1, ...FIRST, kind: 3 }],
+    ["with a strange view", { version: 2, ...FIRST, view: "sky" }],
+    [
+      "with a time that is text",
+      { version: 2, ...FIRST, timing: { ...FIRST.timing, face: { seconds: "2", easing: "late" } } },
+    ],
     ["without a link", { version: 1, ...FIRST, linked: "yes" }],
   ];
 
   it.each(broken)("that is %s is told in a sentence", (_, document) => {
-    expect(parsed(JSON.stringify(document))).toMatch(/^The layout kept in the show file .*its own\.$/);
+    expect(parsed(JSON.stringify(document))).toMatch(/^The layout .*its own\.$/);
   });
 
   it("that is no JSON at all is told too", () => {

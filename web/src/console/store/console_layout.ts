@@ -1,4 +1,4 @@
-/** How an operator has laid out the console, and as a document that another tablet opens the same from. */
+/** How an operator has laid out the console, and as a document that this one, or another tablet, opens the same from. */
 
 import { DEFAULT_EASING, EASING_NAMES } from "../../link/constants";
 import type { Axis } from "./axis";
@@ -10,6 +10,9 @@ export const KINDS = ["performed", "own", "arkit", "makehuman"] as const;
 export type PaletteKind = (typeof KINDS)[number];
 /** Which faders are open. */
 export type BankTab = Region | "touched";
+/** What a page too small for everything shows below. */
+export const VIEWS = ["palettes", "faders", "pads"] as const;
+export type View = (typeof VIEWS)[number];
 
 export interface ConsoleLayout {
   readonly timing: Readonly<Record<Axis, Timing>>;
@@ -19,19 +22,26 @@ export interface ConsoleLayout {
   readonly tab: BankTab;
   /** Left and right of a pair move together. */
   readonly linked: boolean;
+  readonly view: View;
 }
 
 export const FIRST: ConsoleLayout = {
-  timing: { face: { seconds: 2, easing: DEFAULT_EASING }, expression: { seconds: 0.5, easing: DEFAULT_EASING } },
+  timing: {
+    face: { seconds: 2, easing: DEFAULT_EASING, byHand: false },
+    expression: { seconds: 0.5, easing: DEFAULT_EASING, byHand: false },
+  },
   kind: "performed",
   ownFaces: false,
   tab: "brows",
   linked: true,
+  view: "palettes",
 };
 
-const VERSION = 1;
+const VERSION = 2;
 
 export const written = (layout: ConsoleLayout): string => JSON.stringify({ version: VERSION, ...layout });
+
+const OWN = "; the console begins with its own.";
 
 /** The arrangement in a document, or a sentence why there is none. */
 export function parsed(document: string): ConsoleLayout | string {
@@ -39,22 +49,23 @@ export function parsed(document: string): ConsoleLayout | string {
   try {
     found = JSON.parse(document);
   } catch {
-    return "The layout kept in the show file cannot be read; the console begins with its own.";
+    return `The layout cannot be read${OWN}`;
   }
-  if (!isRecord(found) || found["version"] !== VERSION)
-    return "The layout kept in the show file is of another version; the console begins with its own.";
-  const { timing, kind, tab, linked, ownFaces = false } = found; // layouts of before know no palette of own faces
-  if (!isRecord(timing) || !isTiming(timing["face"]) || !isTiming(timing["expression"]))
-    return "The layout kept in the show file has no times that a call can take; the console begins with its own.";
+  if (!isRecord(found) || (found["version"] !== VERSION && found["version"] !== 1))
+    return `The layout is of another version${OWN}`;
+  // layouts of before know no own faces, no views, and of calls by hand no seconds
+  const { timing, kind, tab, linked, ownFaces = false, view = FIRST.view } = found;
+  const [face, expression] = isRecord(timing) ? [timingOf(timing, "face"), timingOf(timing, "expression")] : [];
+  if (!face || !expression) return `The layout has no times that a call can take${OWN}`;
   if (
     !isOneOf(KINDS, kind) ||
     !isOneOf([...REGIONS, "touched"] as const, tab) ||
+    !isOneOf(VIEWS, view) ||
     !isSwitch(linked) ||
     !isSwitch(ownFaces)
   )
-    return "The layout kept in the show file names what this console has not; it begins with its own.";
-  const of = ({ seconds, easing }: Timing): Timing => ({ seconds, easing });
-  return { timing: { face: of(timing["face"]), expression: of(timing["expression"]) }, kind, tab, linked, ownFaces };
+    return `The layout names what this console has not${OWN}`;
+  return { timing: { face, expression }, kind, tab, linked, ownFaces, view };
 }
 
 const isSwitch = (value: unknown): value is boolean => typeof value === "boolean";
@@ -65,9 +76,13 @@ const isRecord = (value: unknown): value is Record<string, unknown> =>
 const isOneOf = <Choice extends string>(choices: readonly Choice[], value: unknown): value is Choice =>
   choices.some((choice) => choice === value);
 
-function isTiming(value: unknown): value is Timing {
-  if (!isRecord(value)) return false;
-  const { seconds, easing } = value;
-  const known = EASING_NAMES.some((name) => name === easing);
-  return known && (seconds === null || (typeof seconds === "number" && seconds >= 0 && seconds <= LONGEST));
+/** The time of an axis in a document, null where a call cannot take it. */
+function timingOf(timing: Record<string, unknown>, axis: Axis): Timing | null {
+  const found = timing[axis];
+  if (!isRecord(found)) return null;
+  const { seconds: told, easing: named, byHand = told === null } = found;
+  const seconds = told === null ? FIRST.timing[axis].seconds : told;
+  const easing = EASING_NAMES.find((name) => name === named);
+  const known = typeof seconds === "number" && seconds >= 0 && seconds <= LONGEST && isSwitch(byHand);
+  return known && easing !== undefined ? { seconds, easing, byHand } : null;
 }

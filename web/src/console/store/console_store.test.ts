@@ -1,6 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { FromClient, Manifest, State } from "../../link/messages";
-import { onAir } from "./axis";
 import { ConsoleStore } from "./console_store";
 import { ECHO } from "./held_values";
 
@@ -23,6 +22,10 @@ const REST: State = {
   expression_fader: 0,
   light: { theatre: 1 },
   light_call: null,
+  panics: 0,
+  home_face: "generic",
+  home_seconds: 2,
+  home_next: false,
 };
 const expression = (name: string) => ({ name, label: name, kind: "arkit", region: "", eyes: [0, 0, 0, 0] });
 const MANIFEST = {
@@ -60,9 +63,23 @@ describe("calls", () => {
   });
 
   it("keep the time of a face and of an expression apart", () => {
-    store.setTiming("face", { seconds: null });
+    store.setTiming("face", { byHand: true });
     store.call("expression", "smile");
     expect(sent).toMatchObject([{ type: "call_expression", seconds: 0.5 }]);
+  });
+});
+
+describe("calls by hand", () => {
+  it("wait for the T-bar, and the seconds of before are there again afterwards", () => {
+    store.setTiming("face", { seconds: 4 });
+    store.setTiming("face", { byHand: true });
+    store.call("face", "old");
+    store.setTiming("face", { byHand: false });
+    store.call("face", "old");
+    expect(sent).toMatchObject([{ seconds: null }, { seconds: 4 }]);
+    store.setTiming("face", { byHand: true });
+    store.setTiming("face", { seconds: 1 });
+    expect(store.callSeconds("face")).toBe(1);
   });
 });
 
@@ -103,11 +120,11 @@ describe("lights", () => {
   it("come in the time of a face, and never by hand", () => {
     store.setTiming("face", { seconds: 4, easing: "late" });
     store.callLight("flat");
-    store.setTiming("face", { seconds: null });
+    store.setTiming("face", { byHand: true });
     store.callLight("portrait");
     expect(sent).toMatchObject([
       { type: "call_light", name: "flat", seconds: 4, easing: "late" },
-      { type: "call_light", name: "portrait", seconds: 2 },
+      { type: "call_light", name: "portrait", seconds: 4 },
     ]);
     expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(2);
   });
@@ -188,6 +205,40 @@ describe("panic", () => {
   });
 });
 
+describe("panic at another console", () => {
+  it("takes the hands off here, and so does none of before the page was opened", () => {
+    const era = store.era;
+    store.channel("jawOpen").grip(0.9);
+    store.receiveState({ ...REST, number: 2, panics: 1 });
+    expect([store.channel("jawOpen").value(now), store.era]).toEqual([0, era + 1]);
+    store.flush();
+    expect(sent).toEqual([]);
+    const fresh = new ConsoleStore(
+      () => undefined,
+      () => now,
+      "fresh",
+    );
+    fresh.receiveState({ ...REST, panics: 7 });
+    expect(fresh.era).toBe(0);
+  });
+
+  it("is heard where the page says what the next press does", () => {
+    let heard = 0;
+    store.listen("panic", () => {
+      heard += 1;
+    });
+    store.receiveState({ ...REST, number: 2, home_next: true });
+    store.receiveState({ ...REST, number: 3, home_next: true });
+    store.receiveState({ ...REST, number: 4, home_next: true, home_face: "old" });
+    expect(heard).toBe(2);
+  });
+
+  it("has its home face chosen here", () => {
+    store.setHome("old", 3);
+    expect(sent).toEqual([{ type: "set_home", face: "old", seconds: 3 }]);
+  });
+});
+
 describe("a lost link", () => {
   it("sends nothing, pretends nothing, queues nothing, and says so", () => {
     store.channel("jawOpen").grip(0.9);
@@ -224,7 +275,7 @@ describe("listeners", () => {
     const leave = store.listen("call", () => {
       heard += 1;
     });
-    const call = { target: "old", progress: 0, remaining: 1, by_hand: false, fader: 0, pickup: 0 };
+    const call = { target: "old", progress: 0, remaining: 1, by_hand: false, fader: 0, pickup: 0, start: {} };
     store.receiveState({ ...REST, number: 2, face_call: call });
     store.receiveState({ ...REST, number: 3, face_call: { ...call, progress: 0.1 } });
     expect(heard).toBe(1);
@@ -237,12 +288,4 @@ describe("listeners", () => {
 it("reads names by their labels, and unknown ones as they are", () => {
   expect(store.label("face", "generic")).toBe("Generic");
   expect(store.label("face", "stranger")).toBe("stranger");
-});
-
-it("lists what is on air, heaviest first, without dust", () => {
-  expect(onAir({ a: 0.2, b: 0.8, c: 0.0004, d: -0.05 })).toEqual([
-    ["b", 0.8],
-    ["a", 0.2],
-    ["d", -0.05],
-  ]);
 });

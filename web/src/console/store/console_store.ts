@@ -18,18 +18,12 @@ import type {
 import { type Axis, callOf } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
 import { type ConsoleLayout, FIRST } from "./console_layout";
-import { HeldValues } from "./held_values";
-import type { Knob } from "./knob";
+import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./knob";
 import { Outbox } from "./outbox";
 import type { Seconds, Timing } from "./timing";
 
 /** What has changed, for elements that render (rarely); what moves is read every frame instead. */
 export type Topic = "cast" | "crew" | "link" | "timing" | "layout" | "call" | "notice" | "panic";
-
-export type HeadPart = "yaw" | "pitch" | "roll";
-export type GazePart = "yaw" | "pitch";
-const HEAD: readonly HeadPart[] = ["yaw", "pitch", "roll"];
-const GAZE: readonly GazePart[] = ["yaw", "pitch"];
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
 
@@ -50,7 +44,7 @@ export class ConsoleStore {
   #strips: Strip[] = [];
   #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
   #calls = 0;
-  readonly #holds = new HeldValues<number>();
+  readonly #knobs: Knobs;
   readonly #outbox: Outbox;
   readonly #listeners = new Map<Topic, Set<() => void>>();
 
@@ -61,6 +55,7 @@ export class ConsoleStore {
     private readonly id: string,
   ) {
     this.#outbox = new Outbox(send);
+    this.#knobs = new Knobs({ state: () => this.state, now, mayAct: () => this.#mayAct() }, this.#outbox);
   }
 
   listen(topic: Topic, heard: () => void): () => void {
@@ -105,6 +100,17 @@ export class ConsoleStore {
     this.state = state;
     const turned = (axis: Axis): boolean => (last ? callOf(last, axis)?.target : null) !== callOf(state, axis)?.target;
     if (turned("face") || turned("expression")) this.#tell("call");
+    if (last !== null && last.panics !== state.panics) this.#handsOff();
+    const { home_face: face, home_seconds: seconds, home_next: next } = state;
+    if (last?.home_face !== face || last.home_seconds !== seconds || last.home_next !== next) this.#tell("panic");
+  }
+
+  /** Somebody pressed panic: what hands hold here has no weight any more. */
+  #handsOff(): void {
+    this.#knobs.clear();
+    this.#outbox.clear();
+    this.era += 1;
+    this.#tell("panic");
   }
 
   receiveCrew(crew: Crew): void {
@@ -122,7 +128,7 @@ export class ConsoleStore {
   setOnline(online: boolean): void {
     if (online === this.online) return;
     this.online = online;
-    this.#holds.clear();
+    this.#knobs.clear();
     this.#outbox.clear();
     if (!online) this.latency = null;
     this.#tell("link");
@@ -154,8 +160,10 @@ export class ConsoleStore {
     return this.layout.linked;
   }
 
+  /** Chosen seconds end calls by hand. */
   setTiming(axis: Axis, change: Partial<Timing>): void {
-    this.arrange({ timing: { ...this.timing, [axis]: { ...this.timing[axis], ...change } } });
+    const timed = change.seconds === undefined ? {} : { byHand: false };
+    this.arrange({ timing: { ...this.timing, [axis]: { ...this.timing[axis], ...timed, ...change } } });
   }
 
   /** Lays the console out. */
@@ -166,7 +174,8 @@ export class ConsoleStore {
   }
 
   callSeconds(axis: Axis): Seconds {
-    return this.timing[axis].seconds;
+    const { seconds, byHand } = this.timing[axis];
+    return byHand ? null : seconds;
   }
 
   /** A name for a message that is to be obeyed once. */
@@ -179,14 +188,14 @@ export class ConsoleStore {
     if (!this.#mayAct()) return;
     const id = this.#nextId();
     const type = axis === "face" ? "call_face" : "call_expression";
-    this.#outbox.push({ type, id, name, ...this.timing[axis] });
+    this.#outbox.push({ type, id, name, seconds: this.callSeconds(axis), easing: this.timing[axis].easing });
   }
 
-  /** Calls a light in the time of a face; in two seconds where faces are called by hand, for a light has no T-bar. */
+  /** Calls a light in the time of a face, also while faces are called by hand: a light has no T-bar. */
   callLight(name: string): void {
     if (!this.#mayAct()) return;
     const { seconds, easing } = this.timing.face;
-    this.#outbox.push({ type: "call_light", id: this.#nextId(), name, seconds: seconds ?? 2, easing });
+    this.#outbox.push({ type: "call_light", id: this.#nextId(), name, seconds, easing });
   }
 
   /** Keeps what is on air on an axis as a new face or expression of the cast. */
@@ -201,11 +210,13 @@ export class ConsoleStore {
   }
 
   panic(): void {
-    this.#holds.clear();
-    this.#outbox.clear();
-    this.era += 1;
+    this.#handsOff();
     if (this.#mayAct()) this.#outbox.push({ type: "panic" });
-    this.#tell("panic");
+  }
+
+  /** Chooses the face that a second panic brings, and the seconds that it takes. */
+  setHome(face: string, seconds: number): void {
+    if (this.#mayAct()) this.#outbox.push({ type: "set_home", face, seconds });
   }
 
   clearChannels(names: Iterable<string>): void {
@@ -231,69 +242,23 @@ export class ConsoleStore {
 
   /** The weight of a channel; with `linked` its mirror moves along. */
   channel(name: string, linked = this.linked): Knob {
-    const mirror = linked ? mirrorOf(name, this.#strips) : null;
-    return this.#knob(
-      [`channel:${name}`, ...(mirror === null ? [] : [`channel:${mirror}`])],
-      () => this.state?.channels[name] ?? 0,
-      (value) => {
-        for (const one of mirror === null ? [name] : [name, mirror])
-          this.#outbox.put(`channel:${one}`, { type: "set_channel", name: one, value });
-      },
-    );
+    return this.#knobs.channel(name, linked ? mirrorOf(name, this.#strips) : null);
   }
 
   head(part: HeadPart): Knob {
-    return this.#knob([`head:${part}`], () => this.state?.head[HEAD.indexOf(part)] ?? 0, this.#putHead);
+    return this.#knobs.head(part);
   }
 
   gaze(part: GazePart): Knob {
-    return this.#knob([`gaze:${part}`], () => this.state?.gaze[GAZE.indexOf(part)] ?? 0, this.#putGaze);
+    return this.#knobs.gaze(part);
   }
 
   /** Where a T-bar stands, under the hand of this console or of another. */
   bar(axis: Axis): Knob {
-    const type = axis === "face" ? "fade_face" : "fade_expression";
-    return this.#knob(
-      [type],
-      () => this.state?.[axis === "face" ? "face_fader" : "expression_fader"] ?? 0,
-      (value) => this.#outbox.put(type, { type, value }),
-    );
+    return this.#knobs.bar(axis);
   }
 
   callOf(axis: Axis): CallState | null {
     return this.state === null ? null : callOf(this.state, axis);
-  }
-
-  readonly #putHead = (): void => {
-    const now = this.now();
-    const [yaw, pitch, roll] = HEAD.map((part) => this.head(part).value(now)) as [number, number, number];
-    this.#outbox.put("head", { type: "set_head", yaw, pitch, roll });
-  };
-
-  readonly #putGaze = (): void => {
-    const now = this.now();
-    const [yaw, pitch] = GAZE.map((part) => this.gaze(part).value(now)) as [number, number];
-    this.#outbox.put("gaze", { type: "set_gaze", yaw, pitch });
-  };
-
-  #knob(keys: readonly string[], echo: () => number, put: (value: number) => void): Knob {
-    const key = keys[0] as string;
-    return {
-      key,
-      value: (now) => this.#holds.read(key, echo(), now),
-      grip: (value) => {
-        if (!this.#mayAct()) return;
-        for (const one of keys) this.#holds.grip(one, value);
-        put(value);
-      },
-      nudge: (value) => {
-        if (!this.#mayAct()) return;
-        for (const one of keys) this.#holds.nudge(one, value, this.now());
-        put(value);
-      },
-      leave: () => {
-        for (const one of keys) this.#holds.leave(one, this.now());
-      },
-    };
   }
 }

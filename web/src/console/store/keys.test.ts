@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { KeyPress } from "../../ui/gestures";
-import { commandOf, EXPRESSION_KEYS, FACE_KEYS, keyLabel } from "./keys";
+import { commandOf, EXPRESSION_KEYS, FACE_KEYS, isPanic, keyLabel } from "./keys";
 
 const press = (key: string, code = "", more: Partial<KeyPress> = {}): KeyPress => ({
   key,
@@ -8,14 +8,22 @@ const press = (key: string, code = "", more: Partial<KeyPress> = {}): KeyPress =
   ctrlKey: false,
   altKey: false,
   metaKey: false,
+  shiftKey: false,
   repeat: false,
   ...more,
 });
 
 describe("a key", () => {
-  it("panics always: while typing, held down, with any other key", () => {
-    expect(commandOf(press("Escape"), true)).toEqual({ do: "panic" });
-    expect(commandOf(press("Escape", "Escape", { repeat: true, ctrlKey: true }), false)).toEqual({ do: "panic" });
+  it("panics with Shift and Backspace, and is otherwise nothing", () => {
+    const key = press("Backspace", "Backspace", { shiftKey: true });
+    expect(isPanic(key)).toBe(true);
+    expect(isPanic({ ...key, shiftKey: false })).toBe(false);
+    for (const shiftKey of [true, false]) expect(commandOf({ ...key, shiftKey }, false)).toBeNull();
+  });
+
+  it("that closes what is open is nothing else", () => {
+    for (const typing of [true, false]) expect(commandOf(press("Escape", "Escape"), typing)).toBeNull();
+    expect(isPanic(press("Escape", "Escape"))).toBe(false);
   });
 
   it("calls by its place on the keyboard, not by what is printed on it", () => {

@@ -6,7 +6,6 @@ import type { Axis } from "./axis";
 export type Place = "face" | "expression" | "head" | "gaze" | "search" | "light";
 
 export type Command =
-  | { do: "panic" }
   | { do: "help" }
   | { do: "call"; axis: Axis; index: number }
   | { do: "timing"; axis: Axis; direction: -1 | 1 }
@@ -43,12 +42,13 @@ const COMMANDS: Readonly<Record<string, Command>> = {
 
 /** The lines of the help: keys, and what they do. */
 export const HELP: readonly (readonly [string, string])[] = [
-  ["Esc", "Panic: neutral now. Works everywhere, also while typing"],
+  ["Shift ⌫", "Panic: the face on air goes neutral and holds still; again: the home face. Everywhere but in a field"],
+  ["Esc", "Closes what is open, leaves a field; nothing else"],
   ["1 – 9", "Call one of the first nine faces"],
   ["Q – O", "Call one of the first nine expressions shown"],
   ["[  ]", "Shorter, longer: seconds of a face call"],
   ["-  =", "Shorter, longer: seconds of an expression call"],
-  ["A  S", "By hand or timed: face, expression"],
+  ["A  S", "By hand, and back to the seconds of before: face, expression"],
   ["F  G", "To the T-bar of the face, of the expression; then arrows"],
   ["V  B", "Let go of the T-bar of the face, of the expression"],
   ["N  M", "Keep what is on air as a new face, as a new expression"],
@@ -66,9 +66,11 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["?", "This page"],
 ];
 
-/** What a key press means, or null. `typing`: the focus is in a field for text, where only panic is heard. */
+/** Shift and Backspace: at the edge of every keyboard, two keys on purpose, and nothing else is on them. */
+export const isPanic = ({ code, shiftKey }: KeyPress): boolean => shiftKey && code === "Backspace";
+
+/** What a key press means, or null. `typing`: the focus is in a field, whose keys are its own. */
 export function commandOf(press: KeyPress, typing: boolean): Command | null {
-  if (press.key === "Escape") return { do: "panic" };
   if (typing || press.repeat || press.ctrlKey || press.altKey || press.metaKey) return null;
   if (press.key === "?") return { do: "help" };
   if (press.key === "/") return { do: "focus", place: "search" };

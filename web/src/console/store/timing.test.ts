@@ -19,13 +19,13 @@ it("labels the choices", () => {
 });
 
 it("walks along the choices and stays at their ends", () => {
-  expect(neighbour(1, 1)).toBe(2);
-  expect(neighbour(1, -1)).toBe(0.5);
-  expect(neighbour(1.5, 1)).toBe(2);
-  expect(neighbour(1.5, -1)).toBe(1);
-  expect(neighbour(8, 1)).toBe(8);
-  expect(neighbour(0, -1)).toBe(0);
-  expect(neighbour(null, -1)).toBe(8);
+  expect(neighbour({ seconds: 1, byHand: false }, 1)).toBe(2);
+  expect(neighbour({ seconds: 1, byHand: false }, -1)).toBe(0.5);
+  expect(neighbour({ seconds: 1.5, byHand: false }, 1)).toBe(2);
+  expect(neighbour({ seconds: 1.5, byHand: false }, -1)).toBe(1);
+  expect(neighbour({ seconds: 8, byHand: false }, 1)).toBe(8);
+  expect(neighbour({ seconds: 0, byHand: false }, -1)).toBe(0);
+  for (const direction of [-1, 1] as const) expect(neighbour({ seconds: 3, byHand: true }, direction)).toBe(3);
 });
 
 it("says what is left", () => {

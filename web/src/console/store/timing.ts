@@ -5,12 +5,16 @@ import type { EASING_NAMES } from "../../link/constants";
 /** Seconds of a call; `null`: by hand, the T-bar moves it. */
 export type Seconds = number | null;
 
+/** The seconds stay while calls are by hand, so that they are there again afterwards. */
 export interface Timing {
-  readonly seconds: Seconds;
+  readonly seconds: number;
   readonly easing: string;
+  readonly byHand: boolean;
 }
 
 export const CHOICES: readonly number[] = [0, 0.25, 0.5, 1, 2, 4, 8];
+/** Those of a list, which has room. */
+export const MANY_CHOICES: readonly number[] = [0, 0.25, 0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 20, 30, 60];
 /** The longest call that can be typed. */
 export const LONGEST = 600;
 
@@ -30,9 +34,9 @@ export function parseSeconds(text: string): number | string {
   return value;
 }
 
-/** The neighbouring choice, shorter (-1) or longer (+1); from `by hand` back into the row. */
-export function neighbour(seconds: Seconds, direction: -1 | 1): number {
-  if (seconds === null) return CHOICES[CHOICES.length - 1] ?? 1;
+/** The neighbouring choice, shorter (-1) or longer (+1); from `by hand` back to the seconds of before. */
+export function neighbour({ seconds, byHand }: Pick<Timing, "seconds" | "byHand">, direction: -1 | 1): number {
+  if (byHand) return seconds;
   const candidates = CHOICES.filter((choice) => (direction < 0 ? choice < seconds : choice > seconds));
   return (direction < 0 ? candidates.at(-1) : candidates[0]) ?? seconds;
 }

@@ -2,6 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { openLayer } from "../../ui/key_presses";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
@@ -16,6 +17,7 @@ const WIDTH = 280;
 export class FacesChoice extends EditorElement {
   /** Where the list stands, pixels of the window; null: it is closed. */
   @state() private place: { left: number; top: number } | null = null;
+  #gone: () => void = () => undefined;
 
   static override styles = [
     base,
@@ -73,7 +75,6 @@ export class FacesChoice extends EditorElement {
     super.connectedCallback();
     window.addEventListener("pointerdown", this.#elsewhere, true);
     window.addEventListener("focusin", this.#elsewhere, true);
-    window.addEventListener("keydown", this.#key, true);
     window.addEventListener("resize", this.#close);
   }
 
@@ -81,12 +82,13 @@ export class FacesChoice extends EditorElement {
     super.disconnectedCallback();
     window.removeEventListener("pointerdown", this.#elsewhere, true);
     window.removeEventListener("focusin", this.#elsewhere, true);
-    window.removeEventListener("keydown", this.#key, true);
+    this.#gone();
     window.removeEventListener("resize", this.#close);
   }
 
   readonly #close = (): void => {
     this.place = null;
+    this.#gone();
   };
 
   /** Whoever goes on elsewhere has chosen. */
@@ -94,19 +96,21 @@ export class FacesChoice extends EditorElement {
     if (!event.composedPath().includes(this)) this.#close();
   };
 
-  /** Wherever the focus is: nobody looks for it before pressing Esc. */
-  readonly #key = (event: KeyboardEvent): void => {
-    if (event.key !== "Escape" || this.place === null) return;
-    event.stopPropagation(); // one step out at a time
+  /** By its key, and back to its button. */
+  readonly #leave = (): void => {
     this.#close();
     this.renderRoot.querySelector("button")?.focus();
   };
 
   /** It stays where it opened, whatever the button comes to say. */
   readonly #toggle = (event: Event): void => {
+    if (this.place !== null) {
+      this.#close();
+      return;
+    }
     const { left, bottom } = (event.currentTarget as HTMLElement).getBoundingClientRect();
-    this.place =
-      this.place === null ? { left: Math.max(4, Math.min(left, innerWidth - WIDTH)), top: bottom + 4 } : null;
+    this.place = { left: Math.max(4, Math.min(left, innerWidth - WIDTH)), top: bottom + 4 };
+    this.#gone = openLayer({ element: this, kind: "menu", close: this.#leave });
   };
 
   override render() {

@@ -3,6 +3,7 @@
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { curtain, keysPage } from "../../ui/dialog_style";
+import { layerWhileShown } from "../../ui/key_presses";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
@@ -23,6 +24,15 @@ export class EditorHelp extends EditorElement {
     `,
   ];
 
+  constructor() {
+    super();
+    layerWhileShown(this, "dialog", () => this.#close());
+  }
+
+  readonly #close = (): void => {
+    this.dispatchEvent(new CustomEvent("close"));
+  };
+
   override firstUpdated(): void {
     this.renderRoot.querySelector("button")?.focus();
   }
@@ -35,7 +45,7 @@ export class EditorHelp extends EditorElement {
       <p>An expression belongs to no face. Each needle says how a point of the skin turns around the head, rises, and goes out or in; every face makes of it what suits its own shape.</p>
       <p>Your draft is kept with every step; Save makes a revision of it, and that is what the console plays. Nothing saved is ever replaced: History brings back any of it.</p>
       <p>Left and right are the character's own: its left is on the right of the picture.</p>
-      <button @click=${() => this.dispatchEvent(new CustomEvent("close"))}>Close</button>
+      <button @click=${this.#close}>Close</button>
     </section>`;
   }
 }

@@ -179,7 +179,10 @@ export class ItemListPanel extends EditorElement {
     };
     return html`<input class="naming" aria-label="New name of ${item.label}" maxlength="64" .value=${item.label}
       @change=${name} @blur=${name} @keydown=${(event: KeyboardEvent) => {
-        if (event.key === "Escape") this.naming = -1;
+        if (event.key !== "Escape") return;
+        event.stopPropagation();
+        (event.target as HTMLInputElement).value = item.label; // what is left is as it was
+        this.naming = -1;
       }} />`;
   }
 

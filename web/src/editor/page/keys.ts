@@ -52,7 +52,7 @@ export const HELP: readonly (readonly [string, string])[] = [
 ];
 
 /** What a key press means, or null. `typing`: the focus is in a field for text, where only saving is heard. */
-export function commandOf(press: KeyPress & { readonly shiftKey: boolean }, typing: boolean): Command | null {
+export function commandOf(press: KeyPress, typing: boolean): Command | null {
   if (press.ctrlKey || press.metaKey) return press.altKey ? null : withControl(press, typing);
   if (typing || press.altKey || press.repeat) return null;
   if (press.key === "Escape") return { do: "leave" };

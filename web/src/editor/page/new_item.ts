@@ -2,6 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import { layerWhileShown } from "../../ui/key_presses";
 import { base } from "../../ui/theme";
 import { amountOf } from "../controls/amount";
 import { controls } from "../controls/controls_style";
@@ -20,7 +21,6 @@ export class NewItem extends EditorElement {
   @property({ attribute: false }) mix: Readonly<Record<string, number>> = {};
   @state() private label = "";
   @state() private onAir = false;
-
   static override styles = [
     base,
     controls,
@@ -44,6 +44,11 @@ export class NewItem extends EditorElement {
 
   protected override topics(): readonly Topic[] {
     return ["items", "cast"];
+  }
+
+  constructor() {
+    super();
+    layerWhileShown(this, "form", () => this.#close());
   }
 
   override firstUpdated(): void {

@@ -1,12 +1,13 @@
 /** The comparison of two contents on one face, as a heat map of the distances. */
 
 import { decode } from "@msgpack/msgpack";
-import { css, html, nothing } from "lit";
+import { css, html } from "lit";
 import { customElement, property, queryAll, state } from "lit/decorators.js";
 import { aligned } from "../../link/arrays";
 import { fetchWithRetry } from "../../link/assets";
 import type { ContentAsset } from "../../link/messages";
 import { curtain } from "../../ui/dialog_style";
+import { layerWhileShown } from "../../ui/key_presses";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
@@ -29,7 +30,6 @@ export class Comparison extends EditorElement {
   @property({ attribute: false }) sides!: readonly [Side, Side];
   @state() private sentence = "Drawing…";
   @queryAll("canvas") private canvases!: NodeListOf<HTMLCanvasElement>;
-
   static override styles = [
     base,
     controls,
@@ -64,6 +64,11 @@ export class Comparison extends EditorElement {
       }
     `,
   ];
+
+  constructor() {
+    super();
+    layerWhileShown(this, "dialog", () => this.#close());
+  }
 
   override firstUpdated(): void {
     this.renderRoot.querySelector("button")?.focus();
@@ -107,8 +112,7 @@ export class Comparison extends EditorElement {
   override render() {
     const picture = (caption: unknown) =>
       html`<figure><canvas width="480" height="520"></canvas><figcaption>${caption}</figcaption></figure>`;
-    return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Comparison"
-      @keydown=${(event: KeyboardEvent) => (event.key === "Escape" ? this.#close() : nothing)}>
+    return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Comparison">
       <div class="pictures">
         ${picture(this.sides[0].label)} ${picture(this.sides[1].label)}
         ${picture(html`<span role="status">${this.sentence}</span>`)}

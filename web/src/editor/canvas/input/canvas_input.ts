@@ -1,5 +1,6 @@
 /** Mouse, touch, pen and keys on the canvas: from events to drags, selections and views. */
 
+import { ownerOf } from "../../../ui/key_presses";
 import type { Pair } from "../math/vectors";
 import type { Needle } from "../model/needles";
 import { withoutPlace } from "../model/net_edits";
@@ -265,6 +266,7 @@ export class CanvasInput {
 
   private key(event: KeyboardEvent): void {
     const { canvas, pacing } = this.stage;
+    if (ownerOf(event) !== "page") return;
     if (event.key === "Escape") this.abandon();
     const step = nudgeOf(event);
     const focused = (canvas.getRootNode() as Document | ShadowRoot).activeElement === canvas;

@@ -1,0 +1,102 @@
+"""What an operator sets up is theirs; a layout is saved by name and chosen, on any console of the show."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from playwright.sync_api import Page, expect
+
+from tests.browser.test_console import DESK, choose, console, fader, region, tile, wait_for
+
+__all__ = ["console"]
+
+OpenPage = Callable[..., Page]
+Console = Callable[..., Page]
+
+FIRST = {
+    "timing": {
+        "face": {"seconds": 2, "easing": "smooth", "byHand": False},
+        "expression": {"seconds": 0.5, "easing": "smooth", "byHand": False},
+    },
+    "kind": "performed",
+    "ownFaces": False,
+    "tab": "brows",
+    "linked": True,
+    "view": "palettes",
+}
+
+
+def set_up(page: Page) -> dict[str, object]:
+    """Sets a console up in its own way; its layout."""
+    choose(page, "face", "4")
+    choose(page, "face", "hand")
+    region(page, "mouth")
+    page.locator("[data-kind='arkit']").click()
+    page.get_by_role("button", name="Link R L").click()
+    page.get_by_role("button", name="Own", exact=True).click()
+    return dict(page.evaluate(f"{DESK}.layout"))
+
+
+def test_a_fresh_console_asks_for_nothing_that_is_not_there(open_page: OpenPage) -> None:
+    page = open_page("/console?layout=new")
+    answers: list[int] = []
+    page.on("response", lambda answer: answers.append(answer.status))
+    page.reload()
+    wait_for(page, "desk.online && desk.faces.length > 0")
+    assert 204 in answers
+    assert [status for status in answers if status >= 400] == []
+
+
+def test_a_fresh_console_inherits_nothing_and_a_reload_keeps_everything(open_page: OpenPage, console: Console) -> None:
+    page = console()
+    arranged = set_up(page)
+    fresh = console()
+    assert fresh.evaluate(f"{DESK}.layout") == FIRST
+    expect(tile(fresh, "dog")).to_be_visible()
+    page.reload()
+    wait_for(page, "desk.online && desk.faces.length > 0")
+    assert page.evaluate(f"{DESK}.layout") == arranged
+    expect(fader(page, "mouthFunnel")).to_be_visible()
+    choose(page, "face", "hand")  # pressed again: the seconds of before
+    assert page.evaluate(f"{DESK}.callSeconds('face')") == 4
+
+
+def test_a_layout_is_saved_by_name_and_chosen_at_another_console(console: Console) -> None:
+    page, other = console(), console()
+    arranged = set_up(page)
+    page.get_by_role("button", name="Set-up").click()
+    page.get_by_label("Name of the layout").fill("mouths")
+    page.get_by_role("button", name="Save as").click()
+    expect(page.locator(".notice")).to_contain_text("Saved as mouths")
+    wait_for(page, "true")
+    page.evaluate("""async () => {
+        while (!(await (await fetch("/layouts")).json()).includes("mouths")) await new Promise(requestAnimationFrame);
+    }""")
+    assert other.evaluate(f"{DESK}.layout") == FIRST
+    other.get_by_role("button", name="Set-up").click()
+    other.get_by_role("button", name="mouths").click()
+    wait_for(other, "desk.layout.kind === 'arkit'")
+    assert other.evaluate(f"{DESK}.layout") == arranged
+    other.get_by_role("button", name="Default").click()
+    wait_for(other, "desk.layout.kind === 'performed'")
+    assert other.evaluate(f"{DESK}.layout") == FIRST
+
+
+def test_the_home_face_is_chosen_for_every_console(console: Console) -> None:
+    page, other = console(), console()
+    page.get_by_role("button", name="Set-up").click()
+    page.get_by_label("Home face", exact=True).select_option("kaori")
+    wait_for(other, "state.home_face === 'kaori'")
+    page.get_by_label("Seconds to the home face").select_option("0.5")
+    wait_for(other, "state.home_face === 'kaori' && state.home_seconds === 0.5")
+
+
+def test_a_layout_that_cannot_be_read_is_told_and_ignored(open_page: OpenPage) -> None:
+    page = open_page("/console?layout=broken")
+    wait_for(page, "desk.online && desk.faces.length > 0")
+    page.route("**/layouts/broken", lambda route: route.fulfill(status=200, body="{not json"))
+    page.evaluate("localStorage.clear()")
+    page.reload()
+    wait_for(page, "desk.online && desk.faces.length > 0")
+    expect(page.locator(".notice")).to_contain_text("cannot be read")
+    assert page.evaluate(f"{DESK}.layout") == FIRST

@@ -1,0 +1,135 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import type { FromClient } from "../../link/messages";
+import { type ConsoleLayout, FIRST, parsed, written } from "./console_layout";
+import { ConsoleStore } from "./console_store";
+import { DEFAULT_LAYOUT, LayoutStorage, layoutName } from "./layout_storage";
+
+const LEFT: ConsoleLayout = { ...FIRST, kind: "arkit", tab: "mouth", linked: false };
+
+let saved: Map<string, string>;
+let sent: FromClient[];
+
+beforeEach(() => {
+  saved = new Map();
+  sent = [];
+});
+
+/** A console in a browser that keeps `own`, on a show whose layouts are `saved`. */
+function consoleOf(own: Map<string, string>, name = DEFAULT_LAYOUT) {
+  const store = new ConsoleStore(
+    () => undefined,
+    () => 0,
+    "me",
+  );
+  const layouts = new LayoutStorage(
+    store,
+    name,
+    (message) => {
+      sent.push(message);
+      if (message.type === "set_layout") saved.set(message.name, message.document);
+      return true;
+    },
+    { read: async (one) => saved.get(one) ?? null, names: async () => [...saved.keys()] },
+    () => ({ getItem: (key) => own.get(key) ?? null, setItem: (key, value) => void own.set(key, value) }),
+  );
+  return { store, layouts };
+}
+
+describe("a fresh console", () => {
+  it("opens with the default, whatever another has set up", async () => {
+    const [first, second] = [consoleOf(new Map()), consoleOf(new Map())];
+    await first.layouts.open();
+    first.store.arrange({ kind: "own", ownFaces: true });
+    first.store.setTiming("face", { byHand: true });
+    await second.layouts.open();
+    expect(second.store.layout).toEqual(FIRST);
+    expect(sent).toEqual([]);
+  });
+
+  it("opens with the show's own default where the crew has saved one", async () => {
+    saved.set(DEFAULT_LAYOUT, written(LEFT));
+    const { store, layouts } = consoleOf(new Map());
+    await layouts.open();
+    expect(store.layout).toEqual(LEFT);
+  });
+
+  it("opens with the layout that its address names", async () => {
+    saved.set("left", written(LEFT));
+    const { store, layouts } = consoleOf(new Map(), "left");
+    await layouts.open();
+    expect(store.layout).toEqual(LEFT);
+  });
+});
+
+describe("a browser", () => {
+  it("keeps what its operator has set up, for each name of an address", async () => {
+    const own = new Map<string, string>();
+    const before = consoleOf(own);
+    await before.layouts.open();
+    before.store.setTiming("expression", { seconds: 4 });
+    before.store.arrange({ view: "pads" });
+    const [after, other] = [consoleOf(own), consoleOf(own, "left")];
+    await after.layouts.open();
+    expect(after.store.layout).toEqual(before.store.layout);
+    await other.layouts.open();
+    expect(other.store.layout).toEqual(FIRST);
+  });
+
+  it("may keep nothing: the console opens all the same", async () => {
+    const { store } = consoleOf(new Map());
+    const forbid = (): never => {
+      throw new Error("forbidden");
+    };
+    const layouts = new LayoutStorage(
+      store,
+      DEFAULT_LAYOUT,
+      () => true,
+      { read: async () => null, names: async () => [] },
+      forbid,
+    );
+    await layouts.open();
+    store.arrange({ linked: false });
+    expect(store.layout.linked).toBe(false);
+  });
+});
+
+describe("a layout", () => {
+  it("is saved under a name and chosen from the list at another console", async () => {
+    const [first, second] = [consoleOf(new Map()), consoleOf(new Map())];
+    await first.layouts.open();
+    await second.layouts.open();
+    first.store.arrange(LEFT);
+    expect(first.layouts.save("left hand")).toBe(true);
+    expect(parsed(saved.get("left hand") ?? "")).toEqual(LEFT);
+    expect(await second.layouts.names()).toEqual([DEFAULT_LAYOUT, "left hand"]);
+    await second.layouts.choose("left hand");
+    expect([second.store.layout, second.layouts.chosen]).toEqual([LEFT, "left hand"]);
+    await second.layouts.choose(DEFAULT_LAYOUT);
+    expect(second.store.layout).toEqual(FIRST);
+  });
+
+  it("that cannot be read is told and ignored, and so is a server that does not answer", async () => {
+    saved.set(DEFAULT_LAYOUT, "{}");
+    const { store, layouts } = consoleOf(new Map());
+    await layouts.open();
+    expect(store.notice).toMatch(/another version/);
+    expect(store.layout).toEqual(FIRST);
+    const away = { read: () => Promise.reject(new Error("away")), names: () => Promise.reject(new Error("away")) };
+    const other = new LayoutStorage(
+      store,
+      DEFAULT_LAYOUT,
+      () => false,
+      away,
+      () => ({ getItem: () => null, setItem: () => undefined }),
+    );
+    await other.open();
+    expect(await other.names()).toEqual([DEFAULT_LAYOUT]);
+    expect(other.save("nowhere")).toBe(false);
+  });
+
+  it("goes by the name in the address", () => {
+    expect(layoutName("")).toBe(DEFAULT_LAYOUT);
+    expect(layoutName("?layout=left%20hand")).toBe("left hand");
+    expect(layoutName("?layout=")).toBe(DEFAULT_LAYOUT);
+  });
+});

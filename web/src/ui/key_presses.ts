@@ -1,0 +1,164 @@
+/**
+ * The one place that decides whom a key press is for: the dialog, menu or form that is open, the field that is typed in,
+ * or the page. Escape closes what is open, that alone, and nothing behind it hears it.
+ */
+
+import type { ReactiveControllerHost } from "lit";
+
+/** `dialog` and `menu` take every key while they are open, `form` those pressed inside it; a dialog keeps the focus. */
+export interface Layer {
+  readonly element: HTMLElement;
+  readonly kind: "dialog" | "menu" | "form";
+  close(): void;
+}
+
+export type KeyOwner = "layer" | "field" | "page";
+
+/** What a page does with keys. */
+export interface KeyUse {
+  /** A key that is heard everywhere but in a field for text; true where it was that key. */
+  everywhere?(event: KeyboardEvent): boolean;
+  /** A key that no open layer has; `typing`: it was pressed in a field. */
+  page(event: KeyboardEvent, typing: boolean): void;
+}
+
+const layers: Layer[] = [];
+
+/** Puts a layer over those that are open; gives what takes it away again. */
+export function openLayer(layer: Layer): () => void {
+  layers.push(layer);
+  return () => {
+    const at = layers.indexOf(layer);
+    if (at >= 0) layers.splice(at, 1);
+  };
+}
+
+/** Makes an element a layer for as long as it is on the page. */
+export function layerWhileShown(
+  host: HTMLElement & ReactiveControllerHost,
+  kind: Layer["kind"],
+  close: () => void,
+): void {
+  let takeAway = (): void => undefined;
+  host.addController({
+    hostConnected: () => {
+      takeAway = openLayer({ element: host, kind, close });
+    },
+    hostDisconnected: () => takeAway(),
+  });
+}
+
+/** True while a key press belongs to a field for text, numbers or a choice. */
+export function isTyping(event: Event): boolean {
+  const chord = event instanceof KeyboardEvent && (event.ctrlKey || event.metaKey);
+  return event.composedPath().some((target) => target instanceof HTMLElement && isField(target, chord));
+}
+
+/** A choice has letters, digits and arrows of its own, but nothing to undo. */
+const isField = (element: HTMLElement, chord: boolean): boolean =>
+  element instanceof HTMLSelectElement ? !chord : isTextField(element);
+
+function isTextField(target: EventTarget): boolean {
+  if (target instanceof HTMLInputElement)
+    return !["range", "checkbox", "radio", "button", "submit"].includes(target.type);
+  return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
+}
+
+/** Whom a press is for. */
+export function ownerOf(event: Event): KeyOwner {
+  if (layerOf(event) !== undefined) return "layer";
+  return isTyping(event) ? "field" : "page";
+}
+
+/** The topmost layer that a press is for. */
+function layerOf(event: Event): Layer | undefined {
+  return layers.findLast(({ kind, element }) => kind !== "form" || event.composedPath().includes(element));
+}
+
+/** Hears all keys of a page; gives what ends it. */
+export function listenToKeys(use: KeyUse): () => void {
+  const ending = new AbortController();
+  const { signal } = ending;
+  window.addEventListener("keydown", (event) => claim(event, use), { signal, capture: true });
+  window.addEventListener("keydown", (event) => pass(event, use), { signal });
+  window.addEventListener("pointerdown", forget, { signal, capture: true });
+  return () => ending.abort();
+}
+
+/** Before any control hears it. */
+function claim(event: KeyboardEvent, use: KeyUse): void {
+  if (event.isComposing) return;
+  remember(event);
+  if (!event.composedPath().some(isTextField) && use.everywhere?.(event) === true) {
+    stop(event);
+    return;
+  }
+  const layer = layerOf(event);
+  if (layer === undefined) return;
+  if (event.key === "Escape") {
+    stop(event);
+    layer.close();
+  } else if (!event.composedPath().includes(layer.element)) withhold(event, layer);
+  else if (event.key === "Tab" && layer.kind === "dialog") goRound(event, layer);
+}
+
+/** A key pressed behind an open dialog or menu does nothing there; the browser's own keys stay the browser's. */
+function withhold(event: KeyboardEvent, layer: Layer): void {
+  event.stopImmediatePropagation();
+  if (event.ctrlKey || event.altKey || event.metaKey || /^F\d+$/.test(event.key)) return;
+  event.preventDefault();
+  if (event.key === "Tab") stopsOf(layer)[0]?.focus();
+}
+
+/** After all controls: what is left is the page's. */
+function pass(event: KeyboardEvent, use: KeyUse): void {
+  const owner = ownerOf(event);
+  if (event.isComposing || owner === "layer") return;
+  if (owner === "field" && event.key === "Escape") leaveField(event);
+  else use.page(event, owner === "field");
+}
+
+/** Out of a field, which is as it was before it was typed in; a search is cleared by the browser. */
+function leaveField(event: KeyboardEvent): void {
+  const [field] = event.composedPath();
+  if (!(field instanceof HTMLElement)) return;
+  if (field instanceof HTMLInputElement && field.type !== "search" && field === edited?.field)
+    field.value = edited.before;
+  edited = null;
+  field.blur();
+}
+
+/** The field that is typed in, and what it held before. */
+let edited: { readonly field: EventTarget; readonly before: string } | null = null;
+
+function remember(event: KeyboardEvent): void {
+  const [field] = event.composedPath();
+  if (field instanceof HTMLInputElement && field !== edited?.field) edited = { field, before: field.value };
+  if (event.key === "Enter" || event.key === "Tab" || !(field instanceof HTMLInputElement)) edited = null;
+}
+
+/** Whoever goes on elsewhere has left the field as it is. */
+function forget(event: Event): void {
+  if (event.composedPath()[0] !== edited?.field) edited = null;
+}
+
+/** What can have the focus in a layer, in order. */
+function stopsOf({ element }: Layer): HTMLElement[] {
+  const all = (element.shadowRoot ?? element).querySelectorAll<HTMLElement>("button, input, select, a[href]");
+  return [...all].filter((one) => one.offsetParent !== null);
+}
+
+/** Tab goes round in a dialog: it never leads behind it. */
+function goRound(event: KeyboardEvent, layer: Layer): void {
+  const stops = stopsOf(layer);
+  const at = stops.findIndex((one) => event.composedPath().includes(one));
+  const edge = event.shiftKey ? 0 : stops.length - 1;
+  if (at >= 0 && at !== edge) return;
+  event.preventDefault();
+  stops.at(event.shiftKey ? -1 : 0)?.focus();
+}
+
+function stop(event: KeyboardEvent): void {
+  event.preventDefault();
+  event.stopImmediatePropagation();
+}
