@@ -5,34 +5,41 @@ from __future__ import annotations
 import os
 import sys
 import webbrowser
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from omote.file_commands import file_app
+from omote.picture_commands import fail, grid, redraw, render, say
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
-    from omote.stage_data.picture_grid import PictureGrid
-
-Output = Annotated[Path, typer.Option("--output", "-o", help="The picture to write: .png, .jpg.")]
-FacesOption = Annotated[list[str] | None, typer.Option("--face", help="A face; several mix: kaori=0.5, dog=0.5.")]
-ExpressionsOption = Annotated[list[str] | None, typer.Option("--expression", help="An expression: smile, smile=0.7.")]
-ChannelsOption = Annotated[list[str] | None, typer.Option("--channel", help="A channel over it: jawOpen=0.5.")]
-LightOption = Annotated[str, typer.Option(help="theatre, portrait, flat or a mix: theatre=0.5+flat.")]
-BackgroundOption = Annotated[str | None, typer.Option(help="A colour behind the head: #00b140.")]
-TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
-QualityOption = Annotated[str, typer.Option(help="lowest, low, medium or high.")]
 
 app = typer.Typer(
-    help="Omote plays faces live: any face wears any expression, and both change at any instant.",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
 )
 app.add_typer(file_app, name="file")
+
+
+def print_version(wanted: bool) -> None:
+    """Prints the version and ends the command, where that is asked for."""
+    if wanted:
+        from omote import __version__
+
+        typer.echo(f"omote {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def omote(
+    version: Annotated[
+        bool, typer.Option("--version", callback=print_version, is_eager=True, help="Print the version, and end.")
+    ] = False,
+) -> None:
+    """Omote plays faces live: any face wears any expression, and both change at any instant."""
 
 
 def main() -> None:
@@ -80,54 +87,9 @@ def cast(json: Annotated[bool, typer.Option("--json", help="Print it for program
         print_table(loaded)
 
 
-@app.command()
-def render(
-    output: Output,
-    face: FacesOption = None,
-    expression: ExpressionsOption = None,
-    channel: ChannelsOption = None,
-    turn: Annotated[str, typer.Option(help="The head's yaw, pitch and roll, degrees: 30,0,-5.")] = "",
-    gaze: Annotated[str, typer.Option(help="The eyes' yaw and pitch, degrees.")] = "",
-    size: Annotated[str, typer.Option(help="Width x height, pixels.")] = "640x720",
-    light: LightOption = "theatre",
-    background: BackgroundOption = None,
-    transparent: TransparentOption = False,
-    quality: QualityOption = "high",
-) -> None:
-    """Draws one picture of a face, without a window, as the stage draws it."""
-    words = {"turn": turn, "gaze": gaze, "light": light, "channels": "+".join(channel or [])}
-    words |= {"face": "+".join(face or ["generic"]), "expression": "+".join(expression or [])}
-
-    def sheet(cast: Cast) -> PictureGrid:
-        from omote.stage_data.picture_grid import PictureGrid
-        from omote.stage_data.pose_parser import parse_pose, pose_of
-
-        return PictureGrid([[pose_of(cast, parse_pose(cast, **words))]])
-
-    draw(output, sheet, size, background=background, transparent=transparent, quality=quality)
-
-
-@app.command()
-def grid(
-    output: Output,
-    faces: Annotated[str, typer.Option(help="The rows: faces, or mixes of them (kaori=0.5+dog=0.5), by commas.")],
-    expressions: Annotated[str, typer.Option(help="The columns: expressions, or mixes, by commas.")] = "neutral",
-    turns: Annotated[str, typer.Option(help="More columns: each expression at these yaws, degrees, by commas.")] = "0",
-    labels: Annotated[bool, typer.Option("--labels/--no-labels", help="Write the names beside the pictures.")] = True,
-    size: Annotated[str, typer.Option(help="Width x height of one picture, pixels.")] = "240x270",
-    light: LightOption = "theatre",
-    background: BackgroundOption = None,
-    transparent: TransparentOption = False,
-    quality: QualityOption = "high",
-) -> None:
-    """Draws pictures in rows and columns: faces by expressions, and by turns."""
-
-    def sheet(cast: Cast) -> PictureGrid:
-        from omote.stage_data.picture_grid import build_grid
-
-        return build_grid(cast, faces=faces, expressions=expressions, turns=turns, light=light, labels=labels)
-
-    draw(output, sheet, size, background=background, transparent=transparent, quality=quality)
+app.command()(render)
+app.command()(grid)
+app.command()(redraw)
 
 
 @app.command()
@@ -173,24 +135,6 @@ def check() -> None:
         typer.echo(f"{'good' if passed else 'BAD '}  {sentence}")
     if not good:
         fail("this machine cannot play yet.")
-
-
-def draw(output: Path, sheet_of: Callable[[Cast], PictureGrid], size: str, **setting: Any) -> None:
-    """Renders a picture grid into a file, or ends the command with an error message and leaves no file behind."""
-    from omote.interchange.formats.atomic_file import check_writable, write_whole
-    from omote.interchange.formats.picture_names import picture_kind
-    from omote.server.headless.devtools import BrowserError
-    from omote.server.headless.picture_renderer import draw_grid
-    from omote.stage_data.picture_grid import Setting, read_size
-
-    try:
-        kind = picture_kind(output)
-        check_writable(output)
-        width, height = read_size(size)
-        chosen = Setting(width, height, **setting)
-        write_whole(output, draw_grid(sheet_of(load_cast()).on_paper(chosen, kind), chosen))
-    except (OSError, ValueError, BrowserError) as error:
-        fail(str(error))
 
 
 def announce(host: str, port: int, *, browser: bool) -> None:
@@ -253,14 +197,3 @@ def print_table(cast: Cast) -> None:
         names = [name for name in cast.expressions if cast.titles[name].kind == kind]
         table.add_row(f"[bold]{len(names)} {kind}", ", ".join(names))
     Console().print(table)
-
-
-def say(sentence: str) -> None:
-    """Prints a sentence on the operator's terminal."""
-    typer.echo(f"omote: {sentence}", err=True)
-
-
-def fail(sentence: str) -> NoReturn:
-    """Ends the command with an error message and exit status 1."""
-    say(sentence)
-    raise typer.Exit(1)
