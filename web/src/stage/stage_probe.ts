@@ -59,7 +59,7 @@ export function exposeProbe(stage: Stage): void {
       stage.resting = true;
       return base64(await drawPictureGrid(stage.view, sheet, innerWidth, innerHeight, next));
     },
-    ...sheetProbe(stage),
+    ...sheetProbe(),
     change: (level) => stage.view.change(level),
     readPositions: () => Array.from(stage.view.readPositions()),
     counters: () => stage.counters(),
@@ -69,7 +69,7 @@ export function exposeProbe(stage: Stage): void {
 }
 
 /** Composes a sheet from files of pictures. */
-function sheetProbe(stage: Stage): Pick<StageProbe, "beginSheet" | "pastePicture" | "finishSheet"> {
+function sheetProbe(): Pick<StageProbe, "beginSheet" | "pastePicture" | "finishSheet"> {
   let composer: SheetComposer | undefined;
   return {
     beginSheet: (sheet) => {

@@ -16,6 +16,7 @@ from aiohttp import web
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
+from omote.server.http.downloads import Downloads
 from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
@@ -83,6 +84,7 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
     authored_work, reopen = open_reopenable_work(file, documents, report, backup)
     server = ShowServer(restore(documents.playing, file, order, report), documents, material.pages)
     server.enable_editing(authored_work, reopen, report)
+    server.downloads = Downloads(show) if file else None
     journal = JournalWriter(file, report) if file else None
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()

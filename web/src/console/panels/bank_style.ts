@@ -64,10 +64,10 @@ export const style = css`
   }
   .strip {
     display: grid;
-    grid-template-rows: 1fr 26px;
+    grid-template-rows: 1fr 52px;
     flex: 1 0 auto;
     min-width: 46px;
-    max-width: 64px;
+    max-width: 76px;
   }
   .strip.pair {
     max-width: 116px;
@@ -92,6 +92,13 @@ export const style = css`
     width: min-content;
     min-width: 100%;
     overflow: hidden;
+  }
+  .label small {
+    display: block;
+    font-size: 9px;
+    line-height: 10px;
+    color: var(--faint);
+    overflow-wrap: anywhere;
   }
   .empty {
     margin: auto;
