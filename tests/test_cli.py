@@ -74,7 +74,7 @@ def test_the_cast_for_programs_is_json(small_cast: Cast) -> None:
     assert document["digest"] == small_cast.digest
     assert [face["name"] for face in document["faces"]] == list(small_cast.faces)
     assert [each["name"] for each in document["expressions"]] == list(small_cast.expressions)
-    assert set(document["expressions"][0]) == {"name", "kind", "region"}
+    assert set(document["expressions"][0]) == {"name", "label", "kind", "region"}
 
 
 @pytest.mark.parametrize("arguments", [["cast"], ["cast", "--json"]])

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sys
+import textwrap
 import webbrowser
+from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -108,12 +112,13 @@ def export(
     from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
     from omote.interchange.formats.atomic_file import check_writable, write_whole
     from omote.interchange.formats.glb_writer import check_name, glb_bytes
+    from omote.perform.name_lookup import find_name
 
     try:
         check_name(output)
         check_writable(output)
         cast = load_cast() if show is None else load_full_cast(show)
-        names = choose_expressions(cast, expressions)
+        face, names = find_name(face, cast.faces, "face"), choose_expressions(cast, expressions)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
         poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
         write_whole(
@@ -181,19 +186,26 @@ def print_json(cast: Cast) -> None:
 
     faces = [{"name": name, "vertices": len(face.positions)} for name, face in cast.faces.items()]
     titles = cast.titles
-    expressions = [{"name": n, "kind": titles[n].kind, "region": titles[n].region} for n in cast.expressions]
+    expressions = [{"name": n, **asdict(titles[n])} for n in cast.expressions]
     document = {"digest": cast.digest, "faces": faces, "expressions": expressions}
     typer.echo(msgspec.json.format(msgspec.json.encode(document), indent=2).decode())
 
 
 def print_table(cast: Cast) -> None:
-    """Prints the cast as a table, expressions grouped by kind."""
-    from rich.console import Console
-    from rich.table import Table
-
-    table = Table(box=None, show_header=False, padding=(0, 2))
-    table.add_row(f"[bold]{len(cast.faces)} faces", ", ".join(cast.faces))
+    """Prints the cast for people, expressions grouped by kind."""
+    print_names(f"{len(cast.faces)} faces", dict.fromkeys(cast.faces, ""))
     for kind in dict.fromkeys(title.kind for title in cast.titles.values()):
-        names = [name for name in cast.expressions if cast.titles[name].kind == kind]
-        table.add_row(f"[bold]{len(names)} {kind}", ", ".join(names))
-    Console().print(table)
+        labels = {name: title.label for name, title in cast.titles.items() if title.kind == kind}
+        print_names(f"{len(labels)} {kind}", labels)
+
+
+def print_names(heading: str, labels: Mapping[str, str]) -> None:
+    """Prints names under a heading, none cut: with its label a line each, else as many on a line as there is room."""
+    typer.secho(heading, bold=True)
+    widest = max(map(len, labels), default=0)
+    told = {name: label for name, label in labels.items() if label.lower() not in ("", name)}
+    for name, label in told.items():
+        typer.echo(f"  {name:<{widest}}  {label}")
+    rest, width = ", ".join(name for name in labels if name not in told), max(40, shutil.get_terminal_size().columns)
+    for line in textwrap.wrap(rest, width - 2, break_long_words=False, break_on_hyphens=False):
+        typer.echo(f"  {line}")

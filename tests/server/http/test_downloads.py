@@ -37,10 +37,10 @@ def asked(file: str, query: Mapping[str, str] | None = None) -> web.Request:
 def test_each_export_is_a_command(playing: PlayingCast) -> None:
     document = plan_download(SHOW, "crooked_smile.json", {}, playing)
     assert [*document.options, *document.arguments] == ["file", "export", "my.omote", "crooked_smile"]
-    worn = plan_download(SHOW, "round.glb", {"expressions": "crooked_smile,smile"}, playing)
+    worn = plan_download(SHOW, "broad.glb", {"expressions": "crooked_smile,smile"}, playing)
     assert worn.options == ["export", "--expressions", "crooked_smile,smile", "--show", "my.omote"]
-    assert (worn.arguments, worn.file) == (["round"], "round-crooked_smile-smile.glb")
-    assert plan_download(SHOW, "round.glb", {}, playing).file == "round.glb"
+    assert (worn.arguments, worn.file) == (["broad"], "broad-crooked_smile-smile.glb")
+    assert plan_download(SHOW, "broad.glb", {}, playing).file == "broad.glb"
 
 
 @pytest.mark.parametrize(
@@ -48,7 +48,7 @@ def test_each_export_is_a_command(playing: PlayingCast) -> None:
     [
         ("nobody.glb", {}, "no face 'nobody'"),
         ("grin.json", {}, "no expression 'grin' in this show; save it first"),
-        ("round.glb", {"expressions": "grin"}, "no expression 'grin'"),
+        ("broad.glb", {"expressions": "grin"}, "no expression 'grin'"),
         ("--help.glb", {}, "no face '--help'"),
         ("../round.glb", {}, "no face"),
         ("round.exe", {}, "is no export"),
@@ -62,7 +62,7 @@ def test_what_does_not_play_is_refused(playing: PlayingCast, file: str, query: d
 
 @pytest.mark.parametrize("kind", ["arkit", "performed"])
 def test_a_kind_of_expressions_is_asked_for_by_its_name(playing: PlayingCast, kind: str) -> None:
-    assert plan_download(SHOW, "round.glb", {"expressions": kind}, playing).options[2] == kind
+    assert plan_download(SHOW, "broad.glb", {"expressions": kind}, playing).options[2] == kind
 
 
 @pytest.mark.asyncio
@@ -76,7 +76,7 @@ async def test_a_download_is_what_the_command_writes(playing: PlayingCast) -> No
 @pytest.mark.asyncio
 async def test_what_the_command_says_is_the_reason(playing: PlayingCast) -> None:
     with pytest.raises(web.HTTPServiceUnavailable) as refused:
-        await Downloads(SHOW, (sys.executable, "-c", FAILS)).respond(asked("round.glb"), playing)
+        await Downloads(SHOW, (sys.executable, "-c", FAILS)).respond(asked("broad.glb"), playing)
     assert refused.value.text == "the cast is missing: run make bake"
     with pytest.raises(web.HTTPNotFound):
         await Downloads(SHOW).respond(asked("nobody.glb"), playing)
