@@ -154,8 +154,7 @@ export class FaceView {
   async present(pose: Pose, time?: number, next?: Pose): Promise<void> {
     this.show(pose);
     await Promise.all([this.residency.complete(), this.hair.complete()]);
-    this.show(next ?? pose);
-    this.show(pose); // others may have shown something meanwhile
+    for (const shown of [next ?? pose, pose]) this.show(shown); // others may have shown something meanwhile
     this.render(time, true);
   }
 
