@@ -111,7 +111,7 @@ export class Bank extends AnimatedElement {
         )}
       </div>
       <div class="label" title=${strip.channels.map(({ name }) => name).join(", ")}>
-        ${strip.label}<small>${strip.unit}</small>
+        ${strip.label}<small>${strip.unit.split(/(?=[A-Z])/).map((part) => html`${part}<wbr>`)}</small>
       </div>
     </div>`;
   }

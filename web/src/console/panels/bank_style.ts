@@ -64,10 +64,10 @@ export const style = css`
   }
   .strip {
     display: grid;
-    grid-template-rows: 1fr 52px;
+    grid-template-rows: 1fr 56px;
     flex: 1 0 auto;
-    min-width: 46px;
-    max-width: 76px;
+    min-width: 78px;
+    max-width: 92px;
   }
   .strip.pair {
     max-width: 116px;
@@ -89,8 +89,6 @@ export const style = css`
     line-height: 12px;
     text-align: center;
     color: var(--dim);
-    width: min-content;
-    min-width: 100%;
     overflow: hidden;
   }
   .label small {
