@@ -65,8 +65,8 @@ export const style = css`
   .strip {
     display: grid;
     grid-template-rows: 1fr 56px;
-    flex: 1 0 auto;
-    min-width: 78px;
+    flex: 1 0 72px;
+    min-width: 72px;
     max-width: 92px;
   }
   .strip.pair {
