@@ -9,6 +9,7 @@ import stat
 import subprocess
 import sys
 from contextlib import closing
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -18,11 +19,9 @@ from omote import cli
 from omote.cli import announce, app, has_screen
 from omote.interchange.formats.glb_reader import read_glb
 from omote.model.cast import Cast
-from omote.server.headless.devtools import BrowserError
 from omote.server.persistence.lock import lock_show
 from omote.server.supervision.supervisor import Supervisor
 from omote.showfile.show_file import open_show
-from omote.stage_data.picture_grid import PictureGrid, Setting
 
 runner = CliRunner()
 HEAVY = ("numpy", "numba", "aiohttp", "scipy", "rich.console")
@@ -59,8 +58,13 @@ def test_help_is_quick_because_nothing_heavy_is_imported() -> None:
 def test_help_names_the_commands() -> None:
     done = runner.invoke(app, ["--help"])
     assert done.exit_code == 0
-    for name in ("show", "cast", "check", "render", "grid"):
+    for name in ("show", "cast", "check", "render", "grid", "redraw"):
         assert name in done.output
+
+
+def test_the_version_is_that_of_the_package() -> None:
+    done = runner.invoke(app, ["--version"])
+    assert (done.exit_code, done.output) == (0, f"omote {version('omote')}\n")
 
 
 def test_the_cast_for_people_names_everybody(small_cast: Cast) -> None:
@@ -75,7 +79,7 @@ def test_the_cast_for_programs_is_json(small_cast: Cast) -> None:
     assert document["digest"] == small_cast.digest
     assert [face["name"] for face in document["faces"]] == list(small_cast.faces)
     assert [each["name"] for each in document["expressions"]] == list(small_cast.expressions)
-    assert set(document["expressions"][0]) == {"name", "kind", "region"}
+    assert set(document["expressions"][0]) == {"name", "label", "kind", "region"}
 
 
 @pytest.mark.parametrize("arguments", [["cast"], ["cast", "--json"]])
@@ -98,87 +102,6 @@ def test_check_passes_when_all_is_good(
     assert done.exit_code == code
     assert ("BAD   b" in done.output) == (code == 1)
     assert ("cannot play" in done.stderr) == (code == 1)
-
-
-@pytest.fixture
-def drawn(small_cast: Cast, monkeypatch: pytest.MonkeyPatch) -> list[tuple[PictureGrid, Setting]]:
-    """What a browser would be asked to draw; it draws the same small file every time."""
-    asked: list[tuple[PictureGrid, Setting]] = []
-
-    def draw(sheet: PictureGrid, setting: Setting) -> bytes:
-        asked.append((sheet, setting))
-        return b"picture"
-
-    monkeypatch.setattr("omote.server.headless.picture_renderer.draw_grid", draw)
-    return asked
-
-
-def test_a_picture_is_drawn_as_it_is_asked_for(tmp_path: Path, drawn: list[tuple[PictureGrid, Setting]]) -> None:
-    path = tmp_path / "a.png"
-    words = "--expression smile=0.5 --channel jawOpen=0.25 --turn -30,5 --gaze 10 --size 64x48 --light portrait"
-    done = runner.invoke(app, ["render", "-o", str(path), *words.split(), "--transparent", "--quality", "low"])
-    assert (done.exit_code, path.read_bytes()) == (0, b"picture")
-    [(sheet, setting)] = drawn
-    assert setting == Setting(64, 48, transparent=True, quality="low")
-    assert sheet.poses[0][0]["expressions"] == {"smile": 0.5, "neutral": 0.5}
-    assert sheet.poses[0][0]["light"] == {"portrait": 1.0}
-    assert sheet.poses[0][0]["channels"] == {"jawOpen": 0.25}
-    assert sheet.poses[0][0]["head"][0] < 0 < sheet.poses[0][0]["head"][1]
-
-
-def test_a_morph_is_two_faces(tmp_path: Path, small_cast: Cast, drawn: list[tuple[PictureGrid, Setting]]) -> None:
-    one, other = list(small_cast.faces)[:2]
-    done = runner.invoke(app, ["render", "-o", str(tmp_path / "a.png"), "--face", f"{one}=0.25", "--face", other])
-    assert done.exit_code == 0
-    assert drawn[0][0].poses[0][0]["faces"] == {one: 0.25, other: 0.75}
-
-
-def test_a_grid_has_names_or_none(tmp_path: Path, small_cast: Cast, drawn: list[tuple[PictureGrid, Setting]]) -> None:
-    words = ["grid", "-o", str(tmp_path / "a.jpg"), "--faces", ",".join(small_cast.faces), "--expressions", "smile"]
-    assert runner.invoke(app, words).exit_code == 0
-    (tmp_path / "a.jpg").unlink()  # what the browser here draws is no JPEG
-    assert runner.invoke(app, [*words, "--no-labels"]).exit_code == 0
-    assert [list(sheet.rows) for sheet, _ in drawn] == [list(small_cast.faces), []]
-    assert {sheet.kind for sheet, _ in drawn} == {"image/jpeg"}
-
-
-@pytest.mark.parametrize(
-    ("words", "named"),
-    [
-        ("--face nobody", "no face 'nobody'"),
-        ("--expression grin", "no expression 'grin'"),
-        ("--light noon", "no light 'noon'"),
-        ("--size huge", "the size 'huge'"),
-        ("--size 1x1", "1x1 pixels"),
-        ("--quality best", "no quality 'best'"),
-        ("--turn up", "'up' is no number"),
-        ("-o a.gif", "'a.gif' is no name of a picture"),
-        ("-o nowhere/a.png", "there is no folder"),
-        ("-o a.jpg --transparent", "a JPEG cannot be transparent"),
-    ],
-)
-def test_a_picture_that_cannot_be_drawn_is_one_sentence_and_no_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, drawn: list[tuple[PictureGrid, Setting]], words: str, named: str
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    done = runner.invoke(app, ["render", *(["-o", "a.png"] if "-o" not in words else []), *words.split()])
-    assert (done.exit_code, drawn) == (1, [])
-    assert named in done.stderr
-    assert done.stderr.count("\n") == 1
-    assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.usefixtures("small_cast")
-def test_a_browser_that_does_not_draw_is_one_sentence_and_no_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def missing(sheet: PictureGrid, setting: Setting) -> bytes:
-        raise BrowserError("the browser ended before it had drawn; try again")
-
-    monkeypatch.setattr("omote.server.headless.picture_renderer.draw_grid", missing)
-    done = runner.invoke(app, ["render", "-o", str(tmp_path / "a.png")])
-    assert (done.exit_code, done.stderr) == (1, "omote: the browser ended before it had drawn; try again\n")
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_show_says_where_to_look(tmp_path: Path, no_show: list[Supervisor]) -> None:

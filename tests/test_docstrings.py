@@ -110,6 +110,8 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Performer.set_gaze", TypeError): lambda: performer.set_gaze(words, 0),
         ("Performer.set_head", ValueError): lambda: performer.set_head(0, 0, 4),
         ("Performer.set_head", TypeError): lambda: performer.set_head(0, 0, words),
+        ("Performer.set_home", ValueError): lambda: performer.set_home("nobody"),
+        ("Performer.set_home", TypeError): lambda: performer.set_home("old", seconds=words),
         ("Sculpt", ValueError): lambda: omote.Sculpt("same", np.zeros((4, 3)), np.zeros((4, 3))),
         ("caricature", ValueError): lambda: omote.caricature(space, kaori, math.nan),
         ("compound", ValueError): lambda: omote.compound(space, strange, smile),

@@ -1,13 +1,25 @@
-"""The Python example of the README runs, and gives what its comments say."""
+"""What the README says holds: its Python example and its commands run as printed, and what pages count is there."""
 
+import os
 import re
+import shlex
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-README = (Path(__file__).parent.parent / "README.md").read_text()
+from omote.builtin import load_cast
+from omote.edit.store.import_items import make_document
+from omote.interchange.formats.expression_json import encode
+from omote.model.controls.face_muscles import muscles
+from tools.baking.sculpts import sculpt_paths
+from tools.browser import find_browser
+
+ROOT = Path(__file__).parent.parent
+README = (ROOT / "README.md").read_text()
 
 
 @pytest.fixture(scope="module")
@@ -40,3 +52,85 @@ def test_an_expression_comes_off_one_face_and_goes_onto_another(names: dict[str,
 
 def test_any_head_may_be_the_generic_face(names: dict[str, Any]) -> None:
     assert len(names["space"].skin_triangles) > 0.5 * len(names["space"].triangles)
+
+
+NUMBERS = dict(enumerate("zero one two three four five six seven eight nine ten eleven twelve".split())) | {
+    13: "thirteen", 14: "fourteen", 15: "fifteen", 16: "sixteen", 17: "seventeen", 18: "eighteen", 19: "nineteen",
+    20: "twenty",
+}  # fmt: skip
+
+
+def counted() -> dict[str, tuple[int, tuple[str, ...]]]:
+    """What the pages count, by the words behind the number: how many there are, and the pages that say it."""
+    cast = load_cast()
+    kinds = [title.kind for title in cast.titles.values()]
+    sculpts, examples = len(sculpt_paths()), len(list((ROOT / "examples").glob("*.py")))
+    return {
+        "muscles": (len(muscles(cast.space)), ("README.md",)),
+        "short programs": (examples, ("README.md", "docs/index.md")),
+        "short scripts": (examples, ("CHANGELOG.md",)),
+        "faces in millimetres|faces, and drawn": (len(cast.faces), ("docs/tutorials/researcher.md", "docs/index.md")),
+        "people, five": (len(cast.faces) - sculpts, ("src/omote/builtin/README.md",)),
+        "sculpted faces": (sculpts, ("src/omote/builtin/README.md",)),
+        "styles": (len(cast.hair), ("CHANGELOG.md",)),
+        "ARKit": (kinds.count("arkit"), ("README.md", "docs/transfer.md", "docs/glossary.md", "docs/conventions.md")),
+        "MakeHuman": (kinds.count("makehuman"), ("docs/transfer.md", "docs/glossary.md", "CHANGELOG.md")),
+    }
+
+
+@pytest.mark.parametrize("words", counted())
+def test_what_the_pages_count_is_what_there_is(words: str) -> None:
+    count, pages = counted()[words]
+    numbers = "|".join((r"\d+", *NUMBERS.values()))
+    for page in pages:
+        said = re.findall(rf"\b({numbers}) (?:{words})\b", (ROOT / page).read_text())
+        assert said, f"{page} counts no {words} any more: take it out of this list"
+        assert set(said) <= {str(count), NUMBERS.get(count, "")}, page
+
+
+def commands() -> list[str]:
+    """The `omote` commands of the README's shell blocks, as printed, in their order."""
+    blocks = re.findall(r"^```sh\n(.*?)^```", README, re.MULTILINE | re.DOTALL)
+    lines = [line for block in blocks for line in block.replace("\\\n", " ").splitlines()]
+    return [line for line in lines if line.startswith("omote ")]
+
+
+@pytest.fixture(scope="module")
+def crew(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with what the README takes for granted: two show files, an own expression, shapes of another program."""
+    folder = tmp_path_factory.mktemp("crew")
+    cast = load_cast()
+    made = make_document(cast.space, "Crooked smile", (), cast.expressions["cheeky"])
+    (folder / "made.json").write_bytes(encode(made))
+    for words in (
+        ["file", "import", "my.omote", "made.json"],
+        ["file", "import", "their.omote", "made.json"],
+        ["export", "kaori", "-o", "shapes.glb", "--expressions", "smile"],
+    ):
+        typed(words, folder)
+    return folder
+
+
+def typed(words: list[str] | str, folder: Path) -> None:
+    """Runs a command, or a line as printed, in a folder; fails where it does."""
+    program = Path(sys.executable).parent
+    browser = find_browser()
+    environment = {**os.environ, "PATH": f"{program}{os.pathsep}{os.environ['PATH']}"}
+    environment |= {} if browser is None else {"OMOTE_BROWSER": str(browser)}
+    line = words if isinstance(words, str) else shlex.join(["omote", *words])
+    done = subprocess.run(["sh", "-c", line], cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, (line, done.stderr)
+
+
+def test_the_readme_has_commands() -> None:
+    assert len(commands()) >= 10
+    assert not [line for line in commands() if line.startswith("omote show")]  # those wait; test_cli.py opens a show
+
+
+@pytest.mark.long
+def test_every_command_of_the_readme_runs_as_printed(crew: Path) -> None:
+    for line in commands():
+        typed(line, crew)
+    assert {"half_a_dog.png", "grid.png", "morph.png", "own.png", "crooked-smile.json"} <= {
+        p.name for p in crew.iterdir()
+    }

@@ -3,37 +3,48 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sys
+import textwrap
 import webbrowser
-from collections.abc import Callable
+from collections.abc import Mapping
+from dataclasses import asdict
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from omote.file_commands import file_app
+from omote.picture_commands import fail, fail_with, grid, redraw, render, say
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
-    from omote.stage_data.picture_grid import PictureGrid
-
-Output = Annotated[Path, typer.Option("--output", "-o", help="The picture to write: .png, .jpg.")]
-FacesOption = Annotated[list[str] | None, typer.Option("--face", help="A face; several mix: kaori=0.5, dog=0.5.")]
-ExpressionsOption = Annotated[list[str] | None, typer.Option("--expression", help="An expression: smile, smile=0.7.")]
-ChannelsOption = Annotated[list[str] | None, typer.Option("--channel", help="A channel over it: jawOpen=0.5.")]
-LightOption = Annotated[str, typer.Option(help="theatre, portrait, flat or a mix: theatre=0.5+flat.")]
-BackgroundOption = Annotated[str | None, typer.Option(help="A colour behind the head: #00b140.")]
-TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
-QualityOption = Annotated[str, typer.Option(help="lowest, low, medium or high.")]
 
 app = typer.Typer(
-    help="Omote plays faces live: any face wears any expression, and both change at any instant.",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
 )
 app.add_typer(file_app, name="file")
+
+
+def print_version(wanted: bool) -> None:
+    """Prints the version and ends the command, where that is asked for."""
+    if wanted:
+        from omote import __version__
+
+        typer.echo(f"omote {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def omote(
+    version: Annotated[
+        bool, typer.Option("--version", callback=print_version, is_eager=True, help="Print the version, and end.")
+    ] = False,
+) -> None:
+    """Omote plays faces live: any face wears any expression, and both change at any instant."""
 
 
 def main() -> None:
@@ -85,54 +96,9 @@ def cast(json: Annotated[bool, typer.Option("--json", help="Print it for program
         print_table(loaded)
 
 
-@app.command()
-def render(
-    output: Output,
-    face: FacesOption = None,
-    expression: ExpressionsOption = None,
-    channel: ChannelsOption = None,
-    turn: Annotated[str, typer.Option(help="The head's yaw, pitch and roll, degrees: 30,0,-5.")] = "",
-    gaze: Annotated[str, typer.Option(help="The eyes' yaw and pitch, degrees.")] = "",
-    size: Annotated[str, typer.Option(help="Width x height, pixels.")] = "640x720",
-    light: LightOption = "theatre",
-    background: BackgroundOption = None,
-    transparent: TransparentOption = False,
-    quality: QualityOption = "high",
-) -> None:
-    """Draws one picture of a face, without a window, as the stage draws it."""
-    words = {"turn": turn, "gaze": gaze, "light": light, "channels": "+".join(channel or [])}
-    words |= {"face": "+".join(face or ["generic"]), "expression": "+".join(expression or [])}
-
-    def sheet(cast: Cast) -> PictureGrid:
-        from omote.stage_data.picture_grid import PictureGrid
-        from omote.stage_data.pose_parser import parse_pose, pose_of
-
-        return PictureGrid([[pose_of(cast, parse_pose(cast, **words))]])
-
-    draw(output, sheet, size, background=background, transparent=transparent, quality=quality)
-
-
-@app.command()
-def grid(
-    output: Output,
-    faces: Annotated[str, typer.Option(help="The rows: faces, or mixes of them (kaori=0.5+dog=0.5), by commas.")],
-    expressions: Annotated[str, typer.Option(help="The columns: expressions, or mixes, by commas.")] = "neutral",
-    turns: Annotated[str, typer.Option(help="More columns: each expression at these yaws, degrees, by commas.")] = "0",
-    labels: Annotated[bool, typer.Option("--labels/--no-labels", help="Write the names beside the pictures.")] = True,
-    size: Annotated[str, typer.Option(help="Width x height of one picture, pixels.")] = "240x270",
-    light: LightOption = "theatre",
-    background: BackgroundOption = None,
-    transparent: TransparentOption = False,
-    quality: QualityOption = "high",
-) -> None:
-    """Draws pictures in rows and columns: faces by expressions, and by turns."""
-
-    def sheet(cast: Cast) -> PictureGrid:
-        from omote.stage_data.picture_grid import build_grid
-
-        return build_grid(cast, faces=faces, expressions=expressions, turns=turns, light=light, labels=labels)
-
-    draw(output, sheet, size, background=background, transparent=transparent, quality=quality)
+app.command()(render)
+app.command()(grid)
+app.command()(redraw)
 
 
 @app.command()
@@ -151,12 +117,13 @@ def export(
     from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
     from omote.interchange.formats.atomic_file import check_writable, write_whole
     from omote.interchange.formats.glb_writer import check_name, glb_bytes
+    from omote.perform.name_lookup import find_name
 
     try:
         check_name(output)
         check_writable(output)
         cast = load_cast() if show is None else load_full_cast(show)
-        names = choose_expressions(cast, expressions)
+        face, names = find_name(face, cast.faces, "face"), choose_expressions(cast, expressions)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
         poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
         write_whole(
@@ -178,24 +145,6 @@ def check() -> None:
         typer.echo(f"{'good' if passed else 'BAD '}  {sentence}")
     if not good:
         fail("this machine cannot play yet.")
-
-
-def draw(output: Path, sheet_of: Callable[[Cast], PictureGrid], size: str, **setting: Any) -> None:
-    """Renders a picture grid into a file, or ends the command with an error message and leaves no file behind."""
-    from omote.interchange.formats.atomic_file import check_writable, write_whole
-    from omote.interchange.formats.picture_names import picture_kind
-    from omote.server.headless.devtools import BrowserError
-    from omote.server.headless.picture_renderer import draw_grid
-    from omote.stage_data.picture_grid import Setting, read_size
-
-    try:
-        kind = picture_kind(output)
-        check_writable(output)
-        width, height = read_size(size)
-        chosen = Setting(width, height, **setting)
-        write_whole(output, draw_grid(sheet_of(load_cast()).on_paper(chosen, kind), chosen))
-    except (OSError, ValueError, BrowserError) as error:
-        fail_with(error)
 
 
 def announce(host: str, port: int, *, browser: bool) -> None:
@@ -242,37 +191,26 @@ def print_json(cast: Cast) -> None:
 
     faces = [{"name": name, "vertices": len(face.positions)} for name, face in cast.faces.items()]
     titles = cast.titles
-    expressions = [{"name": n, "kind": titles[n].kind, "region": titles[n].region} for n in cast.expressions]
+    expressions = [{"name": n, **asdict(titles[n])} for n in cast.expressions]
     document = {"digest": cast.digest, "faces": faces, "expressions": expressions}
     typer.echo(msgspec.json.format(msgspec.json.encode(document), indent=2).decode())
 
 
 def print_table(cast: Cast) -> None:
-    """Prints the cast as a table, expressions grouped by kind."""
-    from rich.console import Console
-    from rich.table import Table
-
-    table = Table(box=None, show_header=False, padding=(0, 2))
-    table.add_row(f"[bold]{len(cast.faces)} faces", ", ".join(cast.faces))
+    """Prints the cast for people, expressions grouped by kind."""
+    print_names(f"{len(cast.faces)} faces", dict.fromkeys(cast.faces, ""))
     for kind in dict.fromkeys(title.kind for title in cast.titles.values()):
-        names = [name for name in cast.expressions if cast.titles[name].kind == kind]
-        table.add_row(f"[bold]{len(names)} {kind}", ", ".join(names))
-    Console().print(table)
+        labels = {name: title.label for name, title in cast.titles.items() if title.kind == kind}
+        print_names(f"{len(labels)} {kind}", labels)
 
 
-def say(sentence: str) -> None:
-    """Prints a sentence on the operator's terminal."""
-    typer.echo(f"omote: {sentence}", err=True)
-
-
-def fail_with(error: Exception) -> NoReturn:
-    """Ends the command with what an error means, in words."""
-    from omote.showfile.database_errors import describe_error
-
-    fail(describe_error(error))
-
-
-def fail(sentence: str) -> NoReturn:
-    """Ends the command with an error message and exit status 1."""
-    say(sentence)
-    raise typer.Exit(1)
+def print_names(heading: str, labels: Mapping[str, str]) -> None:
+    """Prints names under a heading, none cut: with its label a line each, else as many on a line as there is room."""
+    typer.secho(heading, bold=True)
+    widest = max(map(len, labels), default=0)
+    told = {name: label for name, label in labels.items() if label.lower() not in ("", name)}
+    for name, label in told.items():
+        typer.echo(f"  {name:<{widest}}  {label}")
+    rest, width = ", ".join(name for name in labels if name not in told), max(40, shutil.get_terminal_size().columns)
+    for line in textwrap.wrap(rest, width - 2, break_long_words=False, break_on_hyphens=False):
+        typer.echo(f"  {line}")

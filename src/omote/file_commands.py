@@ -11,6 +11,8 @@ from typing import Annotated, Any, Literal
 
 import typer
 
+WIDEST = 4000
+"""Characters of a line of a table at most."""
 ShowFileArgument = Annotated[Path, typer.Argument(help="The show file (.omote).")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print it for programs.")]
 
@@ -183,7 +185,10 @@ def print_rows(rows: list[dict[str, Any]], *, json: bool, none: str) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(*rows[0], box=None, pad_edge=False)
+    table = Table(box=None, pad_edge=False)
+    for heading in rows[0]:
+        table.add_column(heading, no_wrap=True)
     for row in rows:
         table.add_row(*(Text("yes" if value is True else escape_controls(str(value or ""))) for value in row.values()))
-    Console(soft_wrap=False).print(table)
+    # Every column as wide as its longest word: what is to be typed is never cut; a narrow terminal breaks the lines.
+    Console(width=WIDEST).print(table)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -440,3 +442,20 @@ def test_an_own_face_has_a_picture_as_soon_as_it_is_saved(editor: Editor) -> Non
         "one => one.getContext('2d').getImageData(one.width / 2, one.height / 2, 1, 1).data.slice(0, 3).join()"
     )
     assert max(int(part) for part in level.split(",")) > 80  # its skin, not black
+
+
+def test_what_is_saved_is_downloaded_by_a_button_and_what_is_not_says_why(editor: Editor) -> None:
+    page = editor()
+    make(page, "Goes out", "Smile")
+    page.get_by_role("tab", name="In & out").click()
+    button = page.get_by_role("button", name="Download goes_out.json")
+    expect(button).to_be_disabled()
+    expect(page.locator("omote-exchange")).to_contain_text("Save first")
+    save(page)
+    with page.expect_download() as coming:
+        button.click()
+    document = json.loads(Path(coming.value.path()).read_text())
+    assert (coming.value.suggested_filename, document["label"]) == ("goes_out.json", "Goes out")
+    page.route("**/exports/*", lambda route: route.fulfill(status=503, body="the disk is full."))
+    button.click()
+    expect(notice(page).filter(has_text="The disk is full.")).to_be_visible()

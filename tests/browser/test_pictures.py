@@ -74,12 +74,15 @@ def test_a_picture_is_the_stage_and_the_same_every_time(open_page: OpenPage, tmp
     paths = [tmp_path / "one.png", tmp_path / "two.png"]
     for path in paths:
         done = omote("render", *words, "-o", str(path))
-        assert (done.returncode, done.stderr) == (0, "")
+        assert done.returncode == 0, done.stderr
+        assert done.stderr.splitlines()[-1] == f"omote: {path}: 1 picture."
     assert paths[0].read_bytes() == paths[1].read_bytes()
     stage = opened(open_page, "?quality=high")
     stage.evaluate("pose => window.omoteStage.hold(pose)", SMILING)
     assert np.abs(decoded(stage, paths[0]) - picture(stage)).max() <= 2
-    assert sorted(tmp_path.iterdir()) == paths
+    assert sorted(tmp_path.glob("*.png")) == paths
+    sidecars = [path.with_name(f"{path.name}.json").read_bytes() for path in paths]
+    assert sidecars[0] == sidecars[1]
 
 
 def test_a_transparent_picture_is_open_around_the_head(open_page: OpenPage, tmp_path: Path) -> None:
@@ -98,6 +101,19 @@ def test_a_grid_holds_the_pictures(open_page: OpenPage, tmp_path: Path) -> None:
     assert sheet.shape == (481, 641, 4)
     assert np.array_equal(sheet[241:, :320], one)
     assert not np.array_equal(sheet[:240, :320], one)
+
+
+def test_a_picture_from_its_sidecar_and_from_two_browsers_is_the_same(open_page: OpenPage, tmp_path: Path) -> None:
+    words = ("--morph", "generic:dog:3", "--turns", "0,30", "--size", "160x120", "--quality", "low", "--transparent")
+    assert omote("grid", *words, "-o", str(tmp_path / "a.png"), "--jobs", "2").returncode == 0
+    assert omote("redraw", str(tmp_path / "a.png.json"), "-o", str(tmp_path / "b.png")).returncode == 0
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+    cell = tmp_path / "a.pictures" / "neutral-30-generic-dog-001.png"
+    assert omote("redraw", f"{cell}.json", "-o", str(tmp_path / "c.png")).returncode == 0
+    assert cell.read_bytes() == (tmp_path / "c.png").read_bytes()
+    page = open_page("/")
+    sheet, one = decoded(page, tmp_path / "a.png"), decoded(page, cell)
+    assert any(np.array_equal(sheet[at : at + 120, -321:-161], one) for at in range(sheet.shape[0] - 119))
 
 
 def test_what_the_stage_refuses_is_one_sentence_and_no_file(tmp_path: Path) -> None:

@@ -91,7 +91,7 @@ def test_all_units_are_there_by_their_exact_names() -> None:
 def test_titles_name_a_region_of_the_face() -> None:
     regions = {"brows", "eyes", "nose", "cheeks", "mouth", "jaw", "tongue", "whole"}
     assert {title.region for title in CAST.titles.values()} == regions
-    assert CAST.titles["mouth-corner-puller"].label == "Mouth corner puller"
+    assert CAST.titles["mouth-corner-puller"].label == "Smile with closed lips"
 
 
 def test_every_expression_but_neutral_moves_something() -> None:

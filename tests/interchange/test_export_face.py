@@ -33,8 +33,11 @@ def test_expressions_are_named_by_kind_or_by_name() -> None:
     others = [name for name in synthetic.EXPRESSIONS if name not in ("neutral", "smile")]
     assert choose_expressions(cast, "smile, arkit,smile") == ["smile", *others]
     assert sorted(choose_expressions(cast, "all")) == sorted(set(synthetic.EXPRESSIONS) - {"neutral"})
+    assert choose_expressions(cast, "jaw open, SMILE") == ["jawOpen", "smile"]
     assert choose_expressions(cast, "") == []
-    with pytest.raises(ValueError, match="there is no expression 'grin'; name one of the cast, or neutral, arkit"):
+    with pytest.raises(
+        ValueError, match=r"no expression 'grin' in this cast; near are .*; or name a kind: neutral, arkit"
+    ):
         choose_expressions(cast, "smile,grin")
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 ANSWERS = """
 def answer(method, parameters):
-    if method == "Runtime.evaluate" and "sheet" in parameters["expression"]:
+    if method == "Runtime.evaluate" and "heet(" in parameters["expression"]:
         return {"result": {"value": "cGljdHVyZQ=="}}
     if method == "Runtime.evaluate":
         return {"result": {"value": True}}

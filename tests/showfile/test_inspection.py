@@ -102,8 +102,9 @@ def test_an_item_is_found_by_its_name_and_kind(show: ShowFile) -> None:
     assert [found.number for found in revisions_of(stored, item_named(stored, "own-1", "expression"))] == [1, 2]
     with pytest.raises(ShowFileError, match="say which with --kind"):
         item_named(stored, "own-1")
-    with pytest.raises(ShowFileError, match="no own face or expression 'smirk'; there are: own-1, own-1"):
+    with pytest.raises(ShowFileError, match="no own face or expression 'smirk'; there are: own-1"):
         item_named(stored, "smirk")
+    assert item_named(stored, "OWN 1", "face").id == 2
     assert bad(show.path) == []
 
 

@@ -19,13 +19,14 @@ from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.extract import extract
 from omote.model.transfer.mouth_bag_fit import fit_mouth_bag_at_rest
-from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, label, region
+from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, region
 from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head, Piece
 from tools.baking.heads.moves import Move
 from tools.baking.heads.neck import level_throat
 from tools.baking.heads.people import PEOPLE
 from tools.baking.heads.person import person_points
+from tools.baking.labels import label
 from tools.baking.package import Package
 
 Arrays = dict[str, NDArray[Any]]

@@ -136,9 +136,3 @@ def region(name: str) -> str:
     if name.startswith("eyebrows"):
         return "brows"
     return next((place for prefix, place in _REGIONS.items() if name.startswith(prefix)), "whole")
-
-
-def label(name: str) -> str:
-    """What people read: `Jaw open` for jawOpen, `Mouth corner puller` for mouth-corner-puller."""
-    words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in name).replace("-", " ")
-    return words[0].upper() + words[1:]

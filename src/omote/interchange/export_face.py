@@ -24,6 +24,7 @@ from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import apply_expression, move_parts, turn_eyes
 from omote.model.transfer.paper_map import compile_expression
 from omote.perform.limits import check_known
+from omote.perform.name_lookup import find_name
 
 Points = NDArray[np.float64]
 Meshes = dict[str, Points]
@@ -61,11 +62,17 @@ def choose_expressions(cast: Cast, text: str, /) -> list[str]:
     found: dict[str, None] = {}
     for word in filter(None, (word.strip() for word in text.split(","))):
         kind = [name for name, title in cast.titles.items() if title.kind == word or word == ALL]
-        if not kind and word not in cast.expressions:
-            kinds = dict.fromkeys(title.kind for title in cast.titles.values())
-            raise ValueError(f"there is no expression {word!r}; name one of the cast, or {', '.join(kinds)}, {ALL}")
-        found |= dict.fromkeys(kind or [word])
+        found |= dict.fromkeys(kind or [_named_expression(cast, word)])
     return [name for name in found if name != NEUTRAL]
+
+
+def _named_expression(cast: Cast, word: str) -> str:
+    labels = {name: title.label for name, title in cast.titles.items()}
+    try:
+        return find_name(word, cast.expressions, "expression", labels)
+    except ValueError as error:
+        kinds = dict.fromkeys(title.kind for title in cast.titles.values())
+        raise ValueError(f"{error}; or name a kind: {', '.join(kinds)}, {ALL}") from None
 
 
 def named_compound_meshes(cast: Cast, face: str, expression: str, /) -> Meshes:

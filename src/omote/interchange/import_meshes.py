@@ -21,7 +21,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.transfer.extract import extract
-from omote.perform.limits import check_known
+from omote.perform.name_lookup import find_name
 
 Points = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ def import_expressions(
     """
     heads = {label: _match_named_head(cast, meshes, label, pieces) for label, pieces in shapes.items()}
     if face:
-        check_known(face, cast.faces, "face")
+        face = find_name(face, cast.faces, "face")
     found = 0
     for head in heads.values():
         for name, moves in head.moves.items():

@@ -11,6 +11,7 @@ import msgspec
 
 from omote.interchange.formats.error_reasons import explain_error
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.perform.name_lookup import find_name, fold
 from omote.showfile.authored_rows import read_all, read_contents
 from omote.showfile.backup import backup_paths
 from omote.showfile.changes import Draft, Item, Kind, Revision, Stored
@@ -50,14 +51,21 @@ def inspect_show(path: Path, /) -> Inspection:
 
 
 def item_named(stored: Stored, name: str, kind: Kind | None = None, /) -> Item:
-    """The item of this name; ShowFileError names those there are, or asks which kind."""
-    found = [item for item in stored.items if item.name == name and kind in (None, item.kind)]
-    if len(found) == 1:
-        return found[0]
-    if found:
-        raise ShowFileError(f"there is a face and an expression {name!r}; say which with --kind.")
-    names = ", ".join(item.name for item in stored.items if kind in (None, item.kind)) or "none yet"
-    raise ShowFileError(f"there is no own face or expression {name!r}; there are: {names}.")
+    """The item that a person means by a name or a label; ShowFileError names those there are, or asks which kind."""
+    items = [item for item in stored.items if kind in (None, item.kind)]
+    names = list(dict.fromkeys(item.name for item in items))
+    try:
+        meant = find_name(name, names, kind or "item", {item.name: item.label for item in items})
+    except ValueError as error:
+        there = f"there are: {', '.join(names) or 'none yet'}"
+        several = fold(name) in map(fold, (*names, *(item.label for item in items)))
+        raise ShowFileError(
+            f"{error}." if several else f"there is no own face or expression {name!r}; {there}."
+        ) from None
+    found = [item for item in items if item.name == meant]
+    if len(found) > 1:
+        raise ShowFileError(f"there is a face and an expression {meant!r}; say which with --kind.")
+    return found[0]
 
 
 def revisions_of(stored: Stored, item: Item, /) -> list[Revision]:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from omote.model.cast import Cast, Title
 from omote.showfile.changes import Item, Stored
 from omote.showfile.contents import unpack_expression, unpack_face
+from omote.stage_data.playing_cast import Own
 
 
 def build_full_cast(base: Cast, stored: Stored, contents: Mapping[str, bytes], /) -> Cast:
@@ -26,3 +27,10 @@ def playing_items(stored: Stored, /) -> list[tuple[Item, str]]:
     """Every item that plays, with the key of its content."""
     saved = {(revision.item, revision.number): revision.content for revision in stored.revisions}
     return [(item, saved[item.id, item.head]) for item in stored.items if item.head and not item.deleted]
+
+
+def own_items(stored: Stored, /) -> tuple[Own, ...]:
+    """Every item that plays, as the pages get it."""
+    return tuple(
+        Own(item.kind, item.name, item.label, item.tags, item.place, content) for item, content in playing_items(stored)
+    )

@@ -139,6 +139,17 @@ def build_playing_cast(
     return PlayingCast(base, own, MappingProxyType(faces), playing_expressions, MappingProxyType(expressions))
 
 
+def labels_of(cast: Cast | PlayingCast) -> dict[Kind, dict[str, str]]:
+    """What people read of faces and of expressions, by name."""
+    own = cast.own if isinstance(cast, PlayingCast) else ()
+    base = cast.base if isinstance(cast, PlayingCast) else cast
+    expressions = {name: title.label for name, title in base.titles.items()}
+    labels: dict[Kind, dict[str, str]] = {"face": {}, "expression": expressions}
+    for each in own:
+        labels[each.kind][each.name] = each.label
+    return labels
+
+
 def manifest_of(playing: PlayingCast, built_in: Manifest, faces: Mapping[str, FaceDocument]) -> Manifest:
     """The manifest with own items; faces: by the keys of their contents (`assets.content_asset`), others are left
     out."""

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import msgspec
 
 from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_within
 from omote.perform.mix import HIGHEST, LOWEST
+from omote.perform.name_lookup import NO_LABELS, find_name
 from omote.show.state import state_of
+from omote.stage_data.playing_cast import PlayingCast, labels_of
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
@@ -23,7 +25,7 @@ EVEN = 1e-6
 
 
 def parse_pose(
-    cast: Cast,
+    cast: Cast | PlayingCast,
     *,
     face: str = "generic",
     expression: str = "neutral",
@@ -37,34 +39,35 @@ def parse_pose(
     Names without a weight share what is left of one; what is left of the expressions is neutral. `turn`: yaw, pitch,
     roll; `gaze`: yaw, pitch; what is left out is 0. ValueError with a message for invalid text and unknown names.
     """
+    labels = labels_of(cast)
     return Frame(
-        faces=parse_mix(face, cast.faces, "face"),
-        expressions=parse_expression_mix(expression, cast.expressions),
-        channels=parse_channels(channels, cast.expressions),
+        faces=parse_mix(face, cast.faces, "face", labels["face"]),
+        expressions=parse_expression_mix(expression, cast.expressions, labels["expression"]),
+        channels=parse_channels(channels, cast.expressions, labels["expression"]),
         head=Head(*parse_angles(turn, 3, "turn")),
         gaze=Gaze(*parse_angles(gaze, 2, "gaze")),
         light=parse_mix(light, LIGHTS, "light"),
     )
 
 
-def pose_of(cast: Cast, frame: Frame) -> Pose:
+def pose_of(cast: Cast | PlayingCast, frame: Frame) -> Pose:
     """The pose of a frame for a stage, as plain values."""
     pose: Pose = msgspec.to_builtins(state_of(cast, frame, epoch=0, number=0, revision=0))
     return pose
 
 
-def parse_mix(text: str, names: Iterable[str], what: str) -> dict[str, float]:
+def parse_mix(text: str, names: Iterable[str], what: str, labels: Mapping[str, str] = NO_LABELS) -> dict[str, float]:
     """Parses a mix, `kaori=0.5+dog`; ValueError where the weights do not sum to one."""
-    weights = share_rest(parse_weights(text, names, what, LOWEST, HIGHEST))
+    weights = share_rest(parse_weights(text, names, what, (LOWEST, HIGHEST), labels))
     total = sum(weights.values())
     if abs(total - 1.0) > EVEN:
         raise ValueError(f"the {what}s in {text!r} weigh {total:g} together; give weights that sum to 1")
     return weights
 
 
-def parse_expression_mix(text: str, names: Iterable[str]) -> dict[str, float]:
+def parse_expression_mix(text: str, names: Iterable[str], labels: Mapping[str, str] = NO_LABELS) -> dict[str, float]:
     """Parses a mix of expressions, `smile=0.7`, the rest neutral; ValueError where the weights exceed one."""
-    weights = share_rest(parse_weights(text, names, "expression", LOWEST, HIGHEST))
+    weights = share_rest(parse_weights(text, names, "expression", (LOWEST, HIGHEST), labels))
     rest = 1.0 - sum(weights.values())
     if not LOWEST - EVEN <= rest <= HIGHEST + EVEN:
         raise ValueError(f"the expressions {text!r} weigh {1.0 - rest:g} together; give weights that sum to 1 at most")
@@ -73,21 +76,23 @@ def parse_expression_mix(text: str, names: Iterable[str]) -> dict[str, float]:
     return weights
 
 
-def parse_channels(text: str, names: Iterable[str]) -> dict[str, float]:
+def parse_channels(text: str, names: Iterable[str], labels: Mapping[str, str] = NO_LABELS) -> dict[str, float]:
     """Parses channels (blendshape weights), `jawOpen=0.5+mouthSmileLeft`; one without a weight is full."""
-    read = parse_weights(text, names, "channel", CHANNEL_LOWEST, CHANNEL_HIGHEST)
+    read = parse_weights(text, names, "channel", (CHANNEL_LOWEST, CHANNEL_HIGHEST), labels)
     return {name: 1.0 if weight is None else weight for name, weight in read.items()}
 
 
-def parse_weights(text: str, names: Iterable[str], what: str, low: float, high: float) -> dict[str, float | None]:
+def parse_weights(
+    text: str, names: Iterable[str], what: str, limits: tuple[float, float], labels: Mapping[str, str] = NO_LABELS
+) -> dict[str, float | None]:
     """Parses names and weights, `one=0.5+two`, None where no weight is given; ValueError for anything else."""
     choices, read = list(names), dict[str, float | None]()
     for part in filter(None, (part.strip() for part in text.split("+"))):
         name, given, weight = part.partition("=")
-        name = check_known(name.strip(), choices, what)
+        name = find_name(name.strip(), choices, what, labels)
         if name in read:
             raise ValueError(f"the {what} {name!r} comes twice in {text!r}; give it one weight")
-        read[name] = check_within(parse_number(weight, part), low, high, f"the weight in {part!r}") if given else None
+        read[name] = check_within(parse_number(weight, part), *limits, f"the weight in {part!r}") if given else None
     return read
 
 

@@ -252,7 +252,10 @@ def test_a_state_that_kills_servers_is_left_behind(tmp_path: Path) -> None:
 def test_a_port_in_use_is_said_in_a_sentence() -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
-        with pytest.raises(OSError, match=rf"port {port} on 127\.0\.0\.1 cannot be opened \(.*in use\): name another"):
+        with pytest.raises(
+            OSError,
+            match=rf"port {port} on 127\.0\.0\.1 cannot be opened \(.*in use by another program\): name another",
+        ):
             listen_on("127.0.0.1", port)
 
 

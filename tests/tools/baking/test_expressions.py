@@ -2,7 +2,7 @@
 
 import pytest
 
-from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED, PUPILS, label, region, unit_weights
+from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED, PUPILS, region, unit_weights
 
 
 def test_no_name_stands_twice() -> None:
@@ -39,8 +39,3 @@ def test_a_star_stands_for_left_and_right() -> None:
 )  # fmt: skip
 def test_regions(name: str, where: str) -> None:
     assert region(name) == where
-
-
-@pytest.mark.parametrize(("name", "words"), [("jawOpen", "Jaw open"), ("mouth-part-later", "Mouth part later")])
-def test_labels_are_words(name: str, words: str) -> None:
-    assert label(name) == words

@@ -150,11 +150,11 @@ export class FaceView {
     return true;
   }
 
-  /** Fetches all that a pose needs, then draws it in full, as at `time` in seconds. */
-  async present(pose: Pose, time?: number): Promise<void> {
+  /** Fetches all that a pose needs, then draws it in full, as at `time` in seconds; fetches for `next` meanwhile. */
+  async present(pose: Pose, time?: number, next?: Pose): Promise<void> {
     this.show(pose);
     await Promise.all([this.residency.complete(), this.hair.complete()]);
-    this.show(pose); // others may have shown something meanwhile
+    for (const shown of [next ?? pose, pose]) this.show(shown); // others may have shown something meanwhile
     this.render(time, true);
   }
 

@@ -54,29 +54,63 @@ export function layOut(sheet: PictureGrid, width: number, height: number, widest
   };
 }
 
-/** Draws every pose in full, at one instant of time, so that the same sheet gives the same picture. */
+/** Draws every pose in full, at one instant of time, so that the same sheet gives the same picture; `after`: fetched ahead. */
 export async function drawPictureGrid(
   view: FaceView,
   sheet: PictureGrid,
   width: number,
   height: number,
+  after?: Partial<Pose>,
 ): Promise<Blob> {
-  const measure = new OffscreenCanvas(1, 1).getContext("2d") as OffscreenCanvasRenderingContext2D;
-  measure.font = font(100);
-  const widest = Math.max(0, ...sheet.rows.map((name) => measure.measureText(name).width / 100));
-  const layout = layOut(sheet, width, height, widest);
-  const canvas = new OffscreenCanvas(layout.width, layout.height);
-  const context = canvas.getContext("2d");
-  if (context === null)
-    throw new Error(`No canvas has ${layout.width}x${layout.height} pixels; make the sheet smaller.`);
-  write(context, sheet, layout);
+  const composer = new SheetComposer(sheet, width, height);
   for (const [row, poses] of sheet.poses.entries())
     for (const [column, pose] of poses.entries()) {
-      await view.present({ ...restPose("generic"), ...pose }, 0);
-      paste(context, view.canvas, layout, layout.corner(row, column), width, height);
+      const next = poses[column + 1] ?? sheet.poses[row + 1]?.[0] ?? after;
+      await view.present(wholePose(pose), 0, next && wholePose(next));
+      composer.paste(view.canvas, row, column);
     }
-  caption(context, sheet, layout);
-  return canvas.convertToBlob({ type: sheet.kind, quality: JPEG_QUALITY });
+  return composer.file();
+}
+
+/** A pose with all that it leaves out at rest. */
+export const wholePose = (pose: Partial<Pose>): Pose => ({ ...restPose("generic"), ...pose });
+
+/** A sheet that pictures are pasted into, one after the other, each drawn at `width` x `height`. */
+export class SheetComposer {
+  private readonly layout: Layout;
+  private readonly canvas: OffscreenCanvas;
+  private readonly context: OffscreenCanvasRenderingContext2D;
+
+  constructor(
+    private readonly sheet: PictureGrid,
+    private readonly width: number,
+    private readonly height: number,
+  ) {
+    const measure = new OffscreenCanvas(1, 1).getContext("2d") as OffscreenCanvasRenderingContext2D;
+    measure.font = font(100);
+    const widest = Math.max(0, ...sheet.rows.map((name) => measure.measureText(name).width / 100));
+    this.layout = layOut(sheet, width, height, widest);
+    this.canvas = new OffscreenCanvas(this.layout.width, this.layout.height);
+    const context = this.canvas.getContext("2d");
+    if (context === null)
+      throw new Error(`No canvas has ${this.layout.width}x${this.layout.height} pixels; make the sheet smaller.`);
+    this.context = context;
+    write(context, sheet, this.layout);
+  }
+
+  /** Pastes the kept part of a picture; the canvas has fewer pixels than the page where the level spares them. */
+  paste(picture: HTMLCanvasElement | OffscreenCanvas | ImageBitmap, row: number, column: number): void {
+    const [left, top, wide, high] = this.layout.part;
+    const [x, y] = this.layout.corner(row, column);
+    const [across, down] = [picture.width / this.width, picture.height / this.height];
+    this.context.drawImage(picture, left * across, top * down, wide * across, high * down, x, y, wide, high);
+  }
+
+  /** The sheet as an image file. */
+  file(): Promise<Blob> {
+    caption(this.context, this.sheet, this.layout);
+    return this.canvas.convertToBlob({ type: this.sheet.kind, quality: JPEG_QUALITY });
+  }
 }
 
 /** The paper, and the names of rows and columns. */
@@ -111,19 +145,6 @@ function caption(
       const [x, y] = corner(row, column);
       context.fillText(word, x + letter / 2, y + part[3] - 0.7 * letter, part[2] - letter);
     }
-}
-
-/** A picture's part; the canvas has fewer pixels than the page where the level spares them. */
-function paste(
-  context: OffscreenCanvasRenderingContext2D,
-  picture: HTMLCanvasElement | OffscreenCanvas,
-  { part: [left, top, wide, high] }: Layout,
-  [x, y]: [number, number],
-  width: number,
-  height: number,
-): void {
-  const [across, down] = [picture.width / width, picture.height / height];
-  context.drawImage(picture, left * across, top * down, wide * across, high * down, x, y, wide, high);
 }
 
 const font = (height: number): string => `${height}px sans-serif`;

@@ -58,7 +58,7 @@ export class Stage {
   /** A pose that is drawn instead of the server's, in full; for tests. */
   held: Pose | undefined;
   /** No frame is drawn; somebody else draws with the view. */
-  restPose = false;
+  resting = false;
 
   private constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -85,7 +85,7 @@ export class Stage {
 
   /** Draws the frame of our time `time`, seconds. */
   frame(time: number): void {
-    if (this.restPose) return;
+    if (this.resting) return;
     if (this.held === undefined) this.choose(time - this.last, time);
     this.shown = this.held ?? this.live(time);
     this.last = time;

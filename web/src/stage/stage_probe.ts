@@ -3,7 +3,7 @@
 import type { Pose } from "../face/pose/pose";
 import { restPose } from "../face/pose/pose";
 import type { Level } from "../face/quality/quality_levels";
-import { drawPictureGrid, type PictureGrid } from "./picture_grid";
+import { drawPictureGrid, type PictureGrid, SheetComposer } from "./picture_grid";
 import type { Counters, Stage } from "./stage";
 
 /** What tests and curious operators may ask of a stage: `window.omoteStage`. */
@@ -12,8 +12,19 @@ export interface StageProbe {
   hold(pose: Partial<Pose> | null): Promise<void>;
   /** Like `hold`, for an animation: does not wait, and holds back what is not loaded. */
   set(pose: Partial<Pose>): void;
-  /** Draws a sheet of pictures, each of the page's size, as a file in base64; the stage itself rests from then on. */
-  sheet(sheet: PictureGrid): Promise<string>;
+  /** Draws nothing of its own from now on: every frame would delay a picture. */
+  rest(): void;
+  /**
+   * Draws a sheet of pictures, each of the page's size, as a file in base64; what the `next` pose needs is fetched
+   * meanwhile. The stage rests from then on.
+   */
+  sheet(sheet: PictureGrid, next?: Partial<Pose>): Promise<string>;
+  /** Begins a sheet that files of pictures are pasted into. */
+  beginSheet(sheet: PictureGrid): void;
+  /** Pastes a picture, an image file in base64, into the sheet that was begun. */
+  pastePicture(file: string, row: number, column: number): Promise<void>;
+  /** The sheet that was begun, as a file in base64. */
+  finishSheet(): Promise<string>;
   /** Draws at a level of quality, from when its shaders are ready on; with `?quality=auto` the stage may choose again. */
   change(level: Level): Promise<void>;
   /** The blended positions (vertices x 3, metres), read back from the GPU. */
@@ -41,15 +52,36 @@ export function exposeProbe(stage: Stage): void {
     set: (pose) => {
       stage.held = { ...restPose("generic"), ...pose };
     },
-    sheet: async (sheet) => {
-      stage.restPose = true; // every frame of its own would delay a picture
-      return base64(await drawPictureGrid(stage.view, sheet, innerWidth, innerHeight));
+    rest: () => {
+      stage.resting = true;
     },
+    sheet: async (sheet, next) => {
+      stage.resting = true;
+      return base64(await drawPictureGrid(stage.view, sheet, innerWidth, innerHeight, next));
+    },
+    ...sheetProbe(),
     change: (level) => stage.view.change(level),
     readPositions: () => Array.from(stage.view.readPositions()),
     counters: () => stage.counters(),
     pose: () => stage.shown,
     settled: () => stage.view.settled,
+  };
+}
+
+/** Composes a sheet from files of pictures. */
+function sheetProbe(): Pick<StageProbe, "beginSheet" | "pastePicture" | "finishSheet"> {
+  let composer: SheetComposer | undefined;
+  return {
+    beginSheet: (sheet) => {
+      composer = new SheetComposer(sheet, innerWidth, innerHeight);
+    },
+    pastePicture: async (file, row, column) => {
+      const bytes = Uint8Array.from(atob(file), (letter) => letter.charCodeAt(0));
+      const picture = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: "none" });
+      composer?.paste(picture, row, column);
+      picture.close();
+    },
+    finishSheet: async () => base64(await (composer as SheetComposer).file()),
   };
 }
 

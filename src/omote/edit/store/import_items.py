@@ -17,7 +17,7 @@ from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, Vector
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.perform.limits import check_known
+from omote.perform.name_lookup import find_name
 from omote.showfile.changes import Change, Item, Kind, PutContent, PutItem, PutRevision, Revision, Stored
 from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
 
@@ -94,7 +94,11 @@ def make_document(
 
 
 def export_document(cast: Cast, stored: Stored, contents: Mapping[str, bytes], name: str, /) -> ExpressionFile:
-    """Makes the document of an authored expression by its name, else of one of the cast; ValueError for neither."""
+    """Makes the document of an authored expression, else of one of the cast, by its name or label; ValueError for
+    neither."""
+    own = {item.name: item.label for item in stored.items if item.kind == "expression" and item.head}
+    labels = {name: title.label for name, title in cast.titles.items()} | own
+    name = find_name(name, [*own, *(each for each in cast.expressions if each not in own)], "expression", labels)
     revisions = {(revision.item, revision.number): revision for revision in stored.revisions}
     for item in stored.items:
         if (item.kind, item.name) == ("expression", name) and (item.id, item.head) in revisions:
@@ -104,8 +108,6 @@ def export_document(cast: Cast, stored: Stored, contents: Mapping[str, bytes], n
             return make_document(
                 cast.space, item.label, item.tags, made, recipe if isinstance(recipe, Recipe) else None
             )
-    own = [item.name for item in stored.items if item.kind == "expression" and item.head]
-    check_known(name, [*own, *cast.expressions], "expression")
     return make_document(cast.space, cast.titles[name].label, (), cast.expressions[name])
 
 

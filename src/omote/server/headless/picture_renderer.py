@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import base64
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
+from pathlib import Path
 from urllib.parse import urlencode
 
 import msgspec
@@ -20,6 +21,7 @@ from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
 from omote.show.session import ShowSession
 from omote.stage_data.picture_grid import PictureGrid, Setting
+from omote.stage_data.pose_parser import Pose
 
 OPENED = """new Promise((open, refuse) => {
     const look = () => {
@@ -30,6 +32,7 @@ OPENED = """new Promise((open, refuse) => {
     };
     look();
 })"""
+RESTING = f"{OPENED}.then(() => window.omoteStage.rest())"
 OPENING = 60.0
 """Seconds a page may take to open on a slow machine."""
 
@@ -40,11 +43,25 @@ class PicturePage:
     def __init__(self, tools: DevTools, target: str, session: str) -> None:
         self._tools, self._target, self._session = tools, target, session
 
-    async def draw(self, sheet: PictureGrid) -> bytes:
-        """Renders a grid and returns the image file's bytes; BrowserError where the browser cannot."""
-        words = msgspec.json.encode(sheet).decode()
-        render = await self._tools.evaluate(self._session, f"window.omoteStage.sheet({words})")
-        return base64.b64decode(render)
+    async def draw(self, sheet: PictureGrid, following: Pose | None = None) -> bytes:
+        """Renders a grid and returns the image file's bytes; BrowserError where the browser cannot.
+
+        following: a pose that will be drawn next; what it needs is fetched meanwhile.
+        """
+        words = [msgspec.json.encode(part).decode() for part in (sheet, following) if part is not None]
+        return base64.b64decode(await self._run(f"sheet({', '.join(words)})"))
+
+    async def compose(self, sheet: PictureGrid, pictures: Sequence[Sequence[Path]]) -> bytes:
+        """Composes a grid from image files, row by row, and returns the image file's bytes."""
+        await self._run(f"beginSheet({msgspec.json.encode(sheet).decode()})")
+        for row, paths in enumerate(pictures):
+            for column, path in enumerate(paths):
+                file = base64.b64encode(path.read_bytes()).decode()
+                await self._run(f"pastePicture('{file}', {row}, {column})")
+        return base64.b64decode(await self._run("finishSheet()"))
+
+    async def _run(self, call: str) -> str:
+        return str(await self._tools.evaluate(self._session, f"window.omoteStage.{call}"))
 
     async def close(self) -> None:
         """Closes the page."""
@@ -68,7 +85,7 @@ def draw_grid(sheet: PictureGrid, setting: Setting) -> bytes:
 @asynccontextmanager
 async def serve_pages(documents: CastDocuments, pages: dict[str, Page]) -> AsyncIterator[str]:
     """Serves the pages and the cast on loopback for one browser and yields the address; no show is played."""
-    session = ShowSession(documents.cast, Performer(documents.cast))
+    session = ShowSession(documents.playing, Performer(documents.playing))
     server = ShowServer(session, documents, pages)
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()
@@ -90,8 +107,11 @@ def query(setting: Setting) -> str:
     return "?" + urlencode({name: word for name, word in words.items() if word is not None})
 
 
-async def open_picture_page(tools: DevTools, address: str, setting: Setting) -> PicturePage:
-    """Opens a stage page with this setting; BrowserError with the page's own message where it does not open."""
+async def open_picture_page(tools: DevTools, address: str, setting: Setting, *, ready: str = RESTING) -> PicturePage:
+    """Opens a stage page with this setting; BrowserError with the page's own message where it does not open.
+
+    ready: the script whose promise says that the page is open.
+    """
     target = await tools.call("Target.createTarget", url="about:blank")
     attached = await tools.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)
     session = str(attached["sessionId"])
@@ -99,7 +119,7 @@ async def open_picture_page(tools: DevTools, address: str, setting: Setting) -> 
     await tools.call("Emulation.setDeviceMetricsOverride", session=session, **size)
     await tools.call("Page.navigate", session=session, url=f"{address}/stage{query(setting)}")
     try:
-        await asyncio.wait_for(tools.evaluate(session, OPENED), OPENING)
+        await asyncio.wait_for(tools.evaluate(session, ready), OPENING)
     except TimeoutError:
         raise BrowserError(f"the stage did not open within {OPENING:g} s; try again, or a lower quality") from None
     return PicturePage(tools, str(target["targetId"]), session)

@@ -13,6 +13,7 @@ from omote.edit.protocol.messages import EDITING_PATH
 from omote.edit.store.on_air_recipes import OnAir, read_on_air
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
+from omote.server.http.downloads import Downloads
 from omote.server.http.editor_link import NO_FILE, EditorLinks
 from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
 from omote.server.http.security import add_headers, guard, silence_bad_requests
@@ -43,6 +44,7 @@ class ShowServer:
     ) -> None:
         self.session, self.documents, self.links, self.clock = session, documents, Links(), clock
         self.editing: EditorLinks | None = None
+        self.downloads: Downloads | None = None
         self._pages = pages
         self._state: State | None = None
 
@@ -81,6 +83,7 @@ class ShowServer:
             application.router.add_get(EDITING_PATH, self.editing.link)
         application.router.add_get("/layouts", self.layout_names)
         application.router.add_get("/layouts/{name}", self.layout)
+        application.router.add_get("/exports/{file}", self.export)
         application.router.add_get("/manifest", self.manifest)
         application.router.add_get("/assets/{name}", self.asset)
         application.router.add_get("/compounds/{base}/{face}/{expression}", self.compound)
@@ -202,6 +205,12 @@ class ShowServer:
         if found is None:
             return web.Response(status=204, headers={"Cache-Control": NO_CACHE})
         return web.Response(body=found, content_type="application/json", headers={"Cache-Control": NO_CACHE})
+
+    async def export(self, request: web.Request) -> web.Response:
+        """Responds with an export as a file to keep: an expression (.json), a face with expressions (.glb)."""
+        if self.downloads is None:
+            raise web.HTTPServiceUnavailable(text=f"nothing can be exported: {NO_FILE}")
+        return await self.downloads.respond(request, self.documents.playing)
 
     async def page(self, request: web.Request) -> web.Response:
         """Responds with a built page or one of its files."""

@@ -10,7 +10,7 @@ from omote.edit.store.import_items import ImportedItem, import_document
 from omote.interchange.formats import expression_json
 from omote.interchange.import_meshes import import_expressions, import_face
 from omote.model.cast import Cast
-from omote.perform.limits import check_known
+from omote.perform.name_lookup import find_name
 from omote.server.sandbox.child_reader import read_in_sandbox
 
 DOCUMENT = ".json"
@@ -52,7 +52,7 @@ def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator
     _refuse_missing(paths)
     for path in paths:
         face, own = import_face(cast, load_meshes(), path.stem, read_in_sandbox(path))
-        worn = cast.looks[check_known(look, cast.faces, "face")] if look else own
+        worn = cast.looks[find_name(look, cast.faces, "face")] if look else own
         yield ImportedItem(path.stem, (face, worn), note=f"from {path.name}"), f"{path.stem}, a face"
 
 

@@ -18,6 +18,7 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
+from omote.server.http.downloads import Downloads
 from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
@@ -91,10 +92,9 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
     server = ShowServer(restore(documents.playing, file, order, tell), documents, material.pages)
     server.post(board.notices)
     server.enable_editing(authored_work, reopen, tell)
+    server.downloads = Downloads(show) if file else None
     journal = JournalWriter(file, tell) if file else None
-    runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
-    await runner.setup()
-    await web.SockSite(runner, socket.socket(fileno=pipes.listen)).start()
+    runner = await start_serving(server, pipes.listen)
     try:
         await run_until_ended(run_ticks(ShowTick(server, journal, pipes.pulse, board).tick), pipes.control)
     finally:
@@ -108,6 +108,14 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
             journal.close()
         if backup:
             backup.close()
+
+
+async def start_serving(server: ShowServer, listen: int) -> web.AppRunner:
+    """Answers pages and links on a listening socket, given by its descriptor, until the runner is cleaned up."""
+    runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
+    await runner.setup()
+    await web.SockSite(runner, socket.socket(fileno=listen)).start()
+    return runner
 
 
 def open_reopenable_work(

@@ -110,7 +110,9 @@ export class Bank extends AnimatedElement {
           ({ name, side }) => html`<omote-fader .context=${this.context} .channel=${name} .side=${side}></omote-fader>`,
         )}
       </div>
-      <div class="label" title=${strip.channels.map(({ name }) => name).join(", ")}>${strip.label}</div>
+      <div class="label" title=${strip.channels.map(({ name }) => name).join(", ")}>
+        ${strip.label}<small>${strip.unit.split(/(?=[A-Z])/).map((part) => html`${part}<wbr>`)}</small>
+      </div>
     </div>`;
   }
 

@@ -64,10 +64,10 @@ export const style = css`
   }
   .strip {
     display: grid;
-    grid-template-rows: 1fr 26px;
-    flex: 1 0 auto;
-    min-width: 46px;
-    max-width: 64px;
+    grid-template-rows: 1fr 56px;
+    flex: 1 0 72px;
+    min-width: 72px;
+    max-width: 92px;
   }
   .strip.pair {
     max-width: 116px;
@@ -89,9 +89,14 @@ export const style = css`
     line-height: 12px;
     text-align: center;
     color: var(--dim);
-    width: min-content;
-    min-width: 100%;
     overflow: hidden;
+  }
+  .label small {
+    display: block;
+    font-size: 9px;
+    line-height: 10px;
+    color: var(--faint);
+    overflow-wrap: anywhere;
   }
   .empty {
     margin: auto;

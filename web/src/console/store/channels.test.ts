@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { ExpressionDocument } from "../../link/messages";
-import { byRegion, mirrorOf, REGIONS, regionOf, shortLabel, sideOf, stripsOf } from "./channels";
+import { byRegion, mirrorOf, REGIONS, regionOf, sideOf, stripsOf, withoutSide } from "./channels";
 
 const unit = (name: string, kind: ExpressionDocument["kind"] = "arkit", region = ""): ExpressionDocument => ({
   name,
@@ -55,7 +55,7 @@ describe("strips", () => {
   const strips = stripsOf([unit("mouthSmileLeft"), unit("mouthClose"), unit("mouthSmileRight"), unit("mouthLeft")]);
 
   it("join the sides under one name, the character's right first: the operator looks at the face", () => {
-    expect(strips.map(({ label }) => label)).toEqual(["smile", "close", "left"]);
+    expect(strips.map(({ unit }) => unit)).toEqual(["mouthSmile", "mouthClose", "mouthLeft"]);
     expect(strips[0]?.channels.map(({ name }) => name)).toEqual(["mouthSmileRight", "mouthSmileLeft"]);
   });
 
@@ -70,10 +70,10 @@ describe("strips", () => {
     expect(stripsOf([unit("a-left-b"), unit("a-right-b", "makehuman")])).toHaveLength(2);
   });
 
-  it("are named without their region", () => {
-    expect(shortLabel("mouthRollLower")).toBe("roll lower");
-    expect(shortLabel("eyebrows-inner-up")).toBe("inner up");
-    expect(shortLabel("smile")).toBe("smile");
-    expect(shortLabel("jaw")).toBe("jaw");
+  it("are named as people say it, the side left to their place", () => {
+    expect(withoutSide("Brow down, left")).toBe("Brow down");
+    expect(withoutSide("Jaw to the left")).toBe("Jaw to the left");
+    const [pair] = stripsOf([{ ...unit("browDownLeft"), label: "Brow down, left" }]);
+    expect(pair).toMatchObject({ label: "Brow down", unit: "browDown" });
   });
 });

@@ -10,6 +10,8 @@ export type Side = "left" | "right";
 export interface Strip {
   readonly key: string;
   readonly label: string;
+  /** The unit's own name, as files and trackers say it, without its side. */
+  readonly unit: string;
   readonly kind: ExpressionDocument["kind"];
   readonly channels: readonly { readonly name: string; readonly side: Side | null }[];
 }
@@ -49,30 +51,19 @@ export function sideOf(name: string): { side: Side | null; stem: string } {
   return { side: null, stem: name };
 }
 
-/** What is left of a name under its region's heading: `mouthSmile` gives `smile`, `eyebrows-inner-up` gives `inner up`. */
-export function shortLabel(stem: string): string {
-  const words = stem
-    .replace(/([a-z])([A-Z])/g, "$1 $2")
-    .replaceAll("-", " ")
-    .replaceAll("_", " ")
-    .toLowerCase()
-    .split(" ");
-  const rest = BEGINNINGS.some(([beginning]) => words[0] === beginning || words[0] === `${beginning}s`)
-    ? words.slice(1)
-    : words;
-  return (rest.length > 0 ? rest : words).join(" ");
-}
+/** A label without its side, which the place of a fader in its pair says: `Brow down, left` gives `Brow down`. */
+export const withoutSide = (label: string): string => label.replace(/, (left|right)$/, "");
 
 /** The faders of some expressions, in their order: a pair where both sides are there, else single ones. */
 export function stripsOf(expressions: readonly ExpressionDocument[]): Strip[] {
   const strips = new Map<string, Strip>();
-  for (const { name, kind } of expressions) {
+  for (const { name, label, kind } of expressions) {
     if (kind === "neutral") continue;
     const { side, stem } = sideOf(name);
     const key = `${kind}:${stem}`;
     const channels = [...(strips.get(key)?.channels ?? []), { name, side }];
     channels.sort((a, b) => Number(a.side === "left") - Number(b.side === "left"));
-    strips.set(key, { key, kind, label: shortLabel(stem), channels });
+    strips.set(key, { key, kind, label: side === null ? label : withoutSide(label), unit: stem, channels });
   }
   return [...strips.values()];
 }

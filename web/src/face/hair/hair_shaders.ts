@@ -1,6 +1,6 @@
 /** Shaders of hair: ribbons that face the camera, lit as Kajiya and Kay (1989). */
 
-import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
+import { FRAGMENT_HEAD, SHADED_LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
 
 /** Light on hair (Kajiya and Kay 1989): a soft shade around the strand, a white sheen and a coloured one beside it. */
 const HAIR_LIGHT = `
@@ -11,10 +11,10 @@ float lobe(vec3 along, vec3 half_, float sharpness) {
   return pow(max(1.0 - cosine * cosine, 0.0), sharpness);
 }
 
-HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float shift) {
+HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float sunlit, float shift) {
   vec3 view = normalize(cameraPosition - point);
   float lit = dot(normal, KEY);
-  float key = clamp((lit + 0.35) / 1.35, 0.0, 1.0) * shaded(open) * shadow(point, normal);
+  float key = clamp((lit + 0.35) / 1.35, 0.0, 1.0) * shaded(open) * sunlit;
   float cosine = dot(along, KEY);
   float around = sqrt(max(1.0 - cosine * cosine, 0.0));
   vec3 diffuse = KEY_LIGHT * key * mix(around, 1.0, 0.4);
@@ -33,7 +33,10 @@ HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float shift) 
 `;
 
 /** A ribbon of strands: its places are offsets from the skin at its root (\`source\`), mixed as the faces are. */
-export const HAIR_VERTEX = `${VERTEX_HEAD}${LIGHTS}${HAIR_LIGHT}
+export const HAIR_VERTEX = `${VERTEX_HEAD}
+#define SPIN chanceOf(1.9)
+float chanceOf(float salt) { return fract(sin(float(gl_InstanceID) * 12.9898 + salt) * 43758.5453); }
+${SHADED_LIGHTS}${HAIR_LIGHT}
 uniform sampler2D strands; // a line for each strand: metres from its anchor, root to tip
 uniform sampler2D shape;   // away from the head (xyz), open sky (w)
 uniform float stations;
@@ -51,6 +54,7 @@ out vec3 vPoint;
 out vec3 vNormal;
 out vec3 vAlong;
 out float vOpen;
+out float vSunlit;
 #endif
 
 #ifdef DETAIL
@@ -64,8 +68,6 @@ vec3 heading(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
   return 0.5 * (c - a) + part * (2.0 * a - 5.0 * b + 4.0 * c - d + 1.5 * part * (3.0 * (b - c) + d - a));
 }
 #endif
-
-float chanceOf(float salt) { return fract(sin(float(gl_InstanceID) * 12.9898 + salt) * 43758.5453); }
 
 void main() {
 #ifdef DETAIL
@@ -118,7 +120,7 @@ void main() {
   vPlace = place;
   vChance = vec2(chance, chanceOf(7.1));
 #ifdef FAST
-  HairFall light = hairFall(point, normal, along, open, 0.2 * (vChance.y - 0.5));
+  HairFall light = hairFall(point, normal, along, open, 1.0, 0.2 * (vChance.y - 0.5));
   vDiffuse = light.diffuse;
   vSheen = light.sheen;
   vGlow = light.glow;
@@ -127,6 +129,7 @@ void main() {
   vNormal = normal;
   vAlong = along;
   vOpen = open;
+  vSunlit = shadow(point, normal);
 #endif
   gl_Position = project(point);
 }
@@ -146,6 +149,7 @@ in vec3 vPoint;
 in vec3 vNormal;
 in vec3 vAlong;
 in float vOpen;
+in float vSunlit;
 #endif
 
 void main() {
@@ -173,7 +177,7 @@ void main() {
 #ifdef FAST
   HairFall light = HairFall(vDiffuse, vSheen, vGlow);
 #else
-  HairFall light = hairFall(vPoint, normalize(vNormal), normalize(vAlong), vOpen, 0.35 * (fibre.g - 0.5));
+  HairFall light = hairFall(vPoint, normalize(vNormal), normalize(vAlong), vOpen, vSunlit, 0.35 * (fibre.g - 0.5));
 #endif
 #ifdef DETAIL
   vec3 albedo = tint * (0.78 + 0.5 * vChance.x) * (0.22 + 1.5 * fibre.r) * mix(0.62, 1.12, vPlace.y);

@@ -58,6 +58,9 @@ float shine(vec3 normal, vec3 view, vec3 light, float sharpness) {
 /** The light for vertex shaders: without cast shadows. */
 export const LIGHTS = `${LAMPS}${NO_SHADOW}`;
 
+/** The light for vertex shaders that find the cast shadow of each vertex; SPIN: how the samples are turned, 0..1. */
+export const SHADED_LIGHTS = `${LAMPS}${SHADOW}`;
+
 export const FRAGMENT_HEAD = `
 precision highp float;
 precision highp sampler2D;

@@ -15,6 +15,9 @@ float shadow(vec3 point, vec3 normal) { return 1.0; }
  */
 export const SHADOW = `
 #ifdef SHADOW
+#ifndef SPIN
+#define SPIN fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) // Jimenez 2014
+#endif
 precision highp sampler2DShadow;
 uniform sampler2D shadowHeights; // towards the light, 0..1; 0: nothing stands there
 uniform sampler2DShadow shadowDepths;
@@ -44,7 +47,7 @@ float shadow(vec3 point, vec3 normal) {
   // A surface that turns away is in its own shade already: only what stands further off counts
   float bias = BIAS + 0.14 * max(0.06 - facing, 0.0);
   vec2 slope = -vec2(dot(normal, shadowSide), dot(normal, shadowUp)) / max(facing, 0.30);
-  float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); // Jimenez 2014
+  float turn = 6.2831853 * SPIN;
   mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));
   float texel = ${(2 * REACH).toFixed(4)} / float(textureSize(shadowHeights, 0).x);
   float least = mix(max(2.0 * texel, 0.0012), 0.007, grazing);

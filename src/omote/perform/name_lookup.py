@@ -1,0 +1,49 @@
+"""Finds the name that a person means: in any case, with spaces, hyphens or underscores, or by its label."""
+
+from __future__ import annotations
+
+import difflib
+import unicodedata
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+
+NO_LABELS: Mapping[str, str] = MappingProxyType({})
+
+
+def find_name(typed: str, names: Iterable[str], what: str, labels: Mapping[str, str] = NO_LABELS) -> str:
+    """Returns the one of `names` that a person means: `Crooked Smile`, `crooked-smile` and `crooked_smile` are one.
+
+    names: those there are; what: "face", "expression", for messages; labels: what people read, by name. A name exactly
+    as it is written wins, then names, then labels. ValueError with the nearest names where none is meant, and with all
+    that are where several could be.
+    """
+    choices = list(names)
+    if typed in choices:
+        return typed
+    meant = fold(typed)
+    found = [name for name in choices if meant and fold(name) == meant]
+    found = found or [name for name in choices if meant and fold(labels.get(name, "")) == meant]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise ValueError(f"the {what} {typed[:80]!r} could be {' or '.join(found)}; write one of these names")
+    near = nearest(typed, choices, labels) or sorted(choices)[:3]
+    there = f"near are {', '.join(near)}" if near else "there are none"
+    raise ValueError(f"there is no {what} {typed[:80]!r} in this cast; {there}")
+
+
+def fold(text: str) -> str:
+    """Folds a name or a label for comparison: letters and digits alone, lower case, without accents."""
+    plain = unicodedata.normalize("NFKD", text).casefold()
+    return "".join(letter for letter in plain if letter.isalnum())
+
+
+def nearest(typed: str, names: Iterable[str], labels: Mapping[str, str] = NO_LABELS) -> list[str]:
+    """The names, three at most, that are nearest to what was typed, by themselves or by their labels."""
+    folded: dict[str, str] = {}
+    for name in names:
+        for text in (name, labels.get(name, "")):
+            if text:
+                folded.setdefault(fold(text), name)
+    near = difflib.get_close_matches(fold(typed), folded, n=6, cutoff=0.4)
+    return list(dict.fromkeys(folded[each] for each in near))[:3]

@@ -1,0 +1,170 @@
+"""Draws many pictures into files: each is written when it is done, and one that is there already is not drawn again."""
+
+from __future__ import annotations
+
+import asyncio
+import hashlib
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AsyncExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from omote import __version__
+from omote.builtin import load_cast, load_mask, load_meshes
+from omote.interchange.formats.atomic_file import write_whole
+from omote.interchange.formats.picture_names import picture_kind
+from omote.server.headless.chromium import find_chromium, open_chromium
+from omote.server.headless.picture_renderer import PicturePage, open_picture_page, serve_pages
+from omote.server.http.cast_documents import CastDocuments
+from omote.server.http.static_pages import Page, read_pages
+from omote.showfile.inspection import inspect_show
+from omote.stage_data.full_cast import own_items
+from omote.stage_data.picture_grid import PictureGrid, Setting
+from omote.stage_data.picture_request import GridRequest, RenderRequest, Request, plan_cells
+from omote.stage_data.picture_sidecar import Sidecar, describe, encode_sidecar, is_drawn, sidecar_path
+from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
+
+
+@dataclass(frozen=True)
+class PictureFile:
+    """A picture to be drawn, where it will lie, and what its sidecar will say."""
+
+    path: Path
+    sheet: PictureGrid
+    sidecar: Sidecar
+
+
+@dataclass(frozen=True)
+class Progress:
+    """What has just been done: a picture drawn in some seconds, the one numbered `number` of `total`."""
+
+    path: Path
+    seconds: float
+    number: int
+    total: int
+
+
+@dataclass(frozen=True, eq=False)
+class PictureRun:
+    """All pictures of one command, and the table that they are composed to, where there is one."""
+
+    setting: Setting
+    pictures: Sequence[PictureFile]
+    table: PictureFile | None = None
+    fresh: bool = False
+    waiting: list[PictureFile] = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Finds out what is drawn already; all pictures of a table that is there are taken for drawn."""
+        files = [*self.pictures, *([self.table] if self.table else [])]
+        drawn = {file.path for file in files if not self.fresh and is_drawn(file.path, file.sidecar)}
+        whole = self.table is not None and self.table.path in drawn
+        object.__setattr__(self, "waiting", [] if whole else [f for f in self.pictures if f.path not in drawn])
+
+    @property
+    def complete(self) -> bool:
+        """Whether nothing is left to do."""
+        table = self.table
+        return not self.waiting and (table is None or (not self.fresh and is_drawn(table.path, table.sidecar)))
+
+
+class PictureStudio:
+    """The cast, with a show file's own work where one is given, and the pages that draw it; for one run."""
+
+    def __init__(self, show: Path | None = None) -> None:
+        self.documents = CastDocuments(load_cast(), load_meshes(), load_mask())
+        self.pages = read_pages()
+        own: tuple[Own, ...] = ()
+        if show is not None:
+            found = inspect_show(show)
+            own, self.documents.contents = own_items(found.stored), found.contents
+        self.cast: PlayingCast = build_playing_cast(self.documents.cast, own, self.documents.contents)
+
+    def plan(self, request: Request, path: Path, *, fresh: bool = False) -> PictureRun:
+        """Everything that a request wants drawn; ValueError where that cannot be, before anything is drawn."""
+        kind, setting = picture_kind(path), request.setting
+        sheet = request.sheet(self.cast).on_paper(setting, kind)
+        whole = self._file(request, path, sheet, setting)
+        if isinstance(request, RenderRequest):
+            return PictureRun(setting, [whole], fresh=fresh)
+        return PictureRun(setting, list(self._cells(request, path, setting)), whole, fresh)
+
+    def _cells(self, request: GridRequest, path: Path, setting: Setting) -> Iterator[PictureFile]:
+        folder = pictures_folder(path)
+        for row in plan_cells(request).cells:
+            for name, cell in row:
+                sheet = cell.sheet(self.cast).on_paper(setting, "image/png")
+                yield self._file(cell, folder / f"{name}.png", sheet, setting)
+
+    def _file(self, request: Request, path: Path, sheet: PictureGrid, setting: Setting) -> PictureFile:
+        made_by = (__version__, self.cast.digest, digest_of_pages(self.pages))
+        return PictureFile(path, sheet, describe(request, sheet, setting, made_by))
+
+
+def pictures_folder(path: Path) -> Path:
+    """Where the single pictures of a table lie."""
+    return path.with_name(f"{path.stem}.pictures")
+
+
+def digest_of_pages(pages: Mapping[str, Page]) -> str:
+    """The digest of the built pages: what draws a picture in another way has another."""
+    found = hashlib.blake2b(digest_size=12)
+    for url, page in sorted(pages.items()):
+        if page.immutable or url == "/stage":
+            found.update(url.encode() + b"\0" + page.body)
+    return found.hexdigest()
+
+
+def draw_run(studio: PictureStudio, run: PictureRun, report: Callable[[Progress], None], *, jobs: int = 1) -> None:
+    """Draws what a run is waiting for, in `jobs` browsers at once, and composes its table.
+
+    FileNotFoundError where there is no browser; OSError where a file cannot be written; BrowserError where a browser
+    does not draw. What was written before stays.
+    """
+    browser = find_chromium()
+    if run.table is not None:
+        pictures_folder(run.table.path).mkdir(exist_ok=True)
+    browsers = min(jobs, len(run.waiting)) or 1  # one composes the table where all its pictures are there
+    asyncio.run(_Drawing(studio, run, report).draw(browser, browsers))
+
+
+class _Drawing:
+    def __init__(self, studio: PictureStudio, run: PictureRun, report: Callable[[Progress], None]) -> None:
+        self._studio, self._run, self._report = studio, run, report
+        self._left = list(run.waiting)
+        self._done = len(run.pictures) - len(self._left)
+
+    async def draw(self, browser: Path, jobs: int) -> None:
+        documents = self._studio.documents
+        await documents.prepare(self._studio.cast)
+        documents.play(self._studio.cast)
+        async with serve_pages(documents, self._studio.pages) as address, AsyncExitStack() as open_browsers:
+            tools = [await open_browsers.enter_async_context(open_chromium(browser)) for _ in range(jobs)]
+            setting = self._run.setting
+            pages = await asyncio.gather(*(open_picture_page(each, address, setting) for each in tools))
+            await asyncio.gather(*(self._work(page) for page in pages))
+            if self._run.table is not None:
+                await self._compose(pages[0], self._run.table)
+
+    async def _work(self, page: PicturePage) -> None:
+        """Draws one picture after the other, as long as there are any."""
+        while self._left:
+            file, began = self._left.pop(0), time.monotonic()
+            following: Any = self._left[0].sheet.poses[0][0] if self._left else None
+            write_picture(file, await page.draw(file.sheet, following))
+            self._done += 1
+            self._report(Progress(file.path, time.monotonic() - began, self._done, len(self._run.pictures)))
+
+    async def _compose(self, page: PicturePage, table: PictureFile) -> None:
+        files = iter(self._run.pictures)
+        pictures = [[next(files).path for _ in row] for row in table.sheet.poses]
+        write_picture(table, await page.compose(table.sheet, pictures))
+
+
+def write_picture(file: PictureFile, data: bytes) -> None:
+    """Writes a picture, then its sidecar: whoever finds the sidecar finds the whole picture."""
+    sidecar_path(file.path).unlink(missing_ok=True)
+    write_whole(file.path, data)
+    write_whole(sidecar_path(file.path), encode_sidecar(file.sidecar, data))

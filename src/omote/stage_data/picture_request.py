@@ -1,0 +1,149 @@
+"""What is asked of `omote render` and `omote grid`: every parameter of a picture or a table of them, as it is typed."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from omote.stage_data.picture_grid import PictureGrid, Setting, read_size, split_list
+from omote.stage_data.pose_parser import parse_pose, pose_of
+
+if TYPE_CHECKING:
+    from omote.model.cast import Cast
+    from omote.stage_data.playing_cast import PlayingCast
+
+MOST_STEPS = 1000
+LONGEST_FILE_NAME = 80
+
+
+class Look(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What one picture and a table of them share; show: a show file whose own work can be named, "" for none."""
+
+    size: str
+    light: str = "theatre"
+    background: str | None = None
+    transparent: bool = False
+    quality: str = "high"
+    show: str = ""
+
+    @property
+    def setting(self) -> Setting:
+        """Size, background and quality; ValueError where they cannot be drawn."""
+        width, height = read_size(self.size)
+        chosen = {"background": self.background, "transparent": self.transparent, "quality": self.quality}
+        return Setting(width, height, **chosen)  # type: ignore[arg-type]
+
+
+class RenderRequest(Look, frozen=True, kw_only=True, tag_field="command", tag="render"):
+    """One picture: faces, expressions and channels with their weights; angles in degrees."""
+
+    size: str = "640x720"
+    face: tuple[str, ...] = ("generic",)
+    expression: tuple[str, ...] = ()
+    channel: tuple[str, ...] = ()
+    turn: str = ""
+    gaze: str = ""
+
+    def sheet(self, cast: Cast | PlayingCast) -> PictureGrid:
+        """The picture as a table of one; ValueError for unknown names and invalid numbers."""
+        words = {"turn": self.turn, "gaze": self.gaze, "light": self.light}
+        mixes = {"face": self.face, "expression": self.expression, "channels": self.channel}
+        joined = {name: "+".join(parts) for name, parts in mixes.items()}
+        return PictureGrid([[pose_of(cast, parse_pose(cast, **words, **joined))]])
+
+
+class GridRequest(Look, frozen=True, kw_only=True, tag_field="command", tag="grid"):
+    """Pictures in rows and columns: faces by expressions at every turn, or each of them by the steps of a morph."""
+
+    size: str = "240x270"
+    faces: str = ""
+    morph: str = ""
+    expressions: str = "neutral"
+    turns: str = "0"
+    labels: bool = True
+
+    def sheet(self, cast: Cast | PlayingCast) -> PictureGrid:
+        """The table; ValueError for unknown names and invalid numbers."""
+        plan = plan_cells(self)
+        poses = [[cell.sheet(cast).poses[0][0] for _, cell in row] for row in plan.cells]
+        return PictureGrid(poses, plan.rows, plan.columns) if self.labels else PictureGrid(poses)
+
+
+Request = RenderRequest | GridRequest
+
+
+class CellPlan(msgspec.Struct, frozen=True):
+    """The pictures of a table, row by row, each with its file's name without suffix; titles of rows and columns."""
+
+    rows: list[str]
+    columns: list[str]
+    cells: list[list[tuple[str, RenderRequest]]]
+
+
+def plan_cells(grid: GridRequest) -> CellPlan:
+    """Lays out the pictures of a table; ValueError where it names neither faces nor a morph, or both."""
+    if bool(grid.faces.strip()) == bool(grid.morph.strip()):
+        raise ValueError("give the faces (--faces kaori,dog) or a morph (--morph kaori:dog:11), one of the two")
+    turned = len(split_list(grid.turns)) > 1
+    worn = [(expression, turn) for expression in split_list(grid.expressions) for turn in split_list(grid.turns)]
+    titles = [f"{expression} {turn}°" if turned else expression for expression, turn in worn]
+    files = [file_name(f"{expression}-{turn}" if turned else expression) for expression, turn in worn]
+    if grid.morph.strip():
+        steps = morph_steps(grid.morph)
+        cells = [
+            [(f"{file}-{name}", cell_of(grid, face, *pose)) for _, name, face in steps]
+            for pose, file in zip(worn, files, strict=True)
+        ]
+        return CellPlan(titles, [title for title, _, _ in steps], _unique(cells))
+    faces = split_list(grid.faces)
+    cells = [
+        [(f"{file_name(face)}-{file}", cell_of(grid, face, *pose)) for pose, file in zip(worn, files, strict=True)]
+        for face in faces
+    ]
+    return CellPlan(faces, titles, _unique(cells))
+
+
+def cell_of(grid: GridRequest, face: str, expression: str, turn: str) -> RenderRequest:
+    """One picture of a table."""
+    shared = {name: getattr(grid, name) for name in Look.__struct_fields__}
+    return RenderRequest(face=(face,), expression=(expression,), turn=turn, **shared)
+
+
+def morph_steps(text: str) -> list[tuple[str, str, str]]:
+    """Parses a morph, `kaori:man:11`: for each step its title, the name of its file and the mix of the two faces.
+
+    ValueError for anything else.
+    """
+    parts = [part.strip() for part in text.split(":")]
+    if len(parts) != 3 or not all(parts) or not parts[2].isdecimal() or not 2 <= int(parts[2][:6]) <= MOST_STEPS:
+        raise ValueError(
+            f"the morph {text!r} is not understood; give two faces and a number of steps from 2 to {MOST_STEPS}, "
+            "as in kaori:man:11"
+        )
+    one, other, count = parts[0], parts[1], int(parts[2])
+    steps = []
+    for step in range(count):
+        share = round(step / (count - 1), 6)
+        mix = one if step == 0 else other if step == count - 1 else f"{one}={1 - share:.6f}+{other}={share:.6f}"
+        steps.append((f"{100 * share:.4g} %", f"{file_name(one)}-{file_name(other)}-{step:03d}", mix))
+    return steps
+
+
+def file_name(text: str) -> str:
+    """A text as a part of a file name that every system takes."""
+    return re.sub(r"[^\w.+=-]+", "_", text)[:LONGEST_FILE_NAME]
+
+
+def _unique(cells: list[list[tuple[str, RenderRequest]]]) -> list[list[tuple[str, RenderRequest]]]:
+    """Numbers file names that come again, also where only their case differs."""
+    seen: dict[str, int] = {}
+    rows = []
+    for row in cells:
+        named = []
+        for name, cell in row:
+            count = seen[name.casefold()] = seen.get(name.casefold(), 0) + 1
+            named.append((name if count == 1 else f"{name}-{count}", cell))
+        rows.append(named)
+    return rows

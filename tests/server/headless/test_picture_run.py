@@ -1,0 +1,102 @@
+"""Many pictures into files: written one by one, in several browsers, and not again."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from omote.model.cast import Cast
+from omote.server.headless.devtools import BrowserError
+from omote.server.headless.picture_run import (
+    PictureStudio,
+    Progress,
+    digest_of_pages,
+    draw_run,
+    pictures_folder,
+)
+from omote.server.http.static_pages import Page
+from omote.stage_data.picture_request import GridRequest, RenderRequest
+from omote.stage_data.picture_sidecar import is_drawn, sidecar_path
+from tests.server.false_browser import ANSWERS, false_browser
+from tests.server.synthetic_server import MASK, PAGES, meshes
+
+BROKEN = """
+import pathlib
+DRAWN = pathlib.Path(sys.argv[0] + ".drawn")
+def answer(method, parameters):
+    if method == "Runtime.evaluate" and "heet(" in parameters["expression"]:
+        drawn = int(DRAWN.read_text()) if DRAWN.exists() else 0
+        DRAWN.write_text(str(drawn + 1))
+        if drawn == 2:
+            os._exit(1)
+        return {"result": {"value": "cGljdHVyZQ=="}}
+    if method == "Runtime.evaluate":
+        return {"result": {"value": True}}
+    return {"targetId": "t", "sessionId": "s"}
+"""
+
+
+@pytest.fixture
+def studio(cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> PictureStudio:
+    """The synthetic cast, and a browser that only speaks."""
+    for name, made in (("load_cast", cast), ("load_meshes", meshes(cast)), ("load_mask", MASK), ("read_pages", PAGES)):
+        monkeypatch.setattr(f"omote.server.headless.picture_run.{name}", lambda made=made: made)
+    monkeypatch.setenv("OMOTE_BROWSER", str(false_browser(tmp_path)))
+    return PictureStudio()
+
+
+@pytest.mark.parametrize("jobs", [1, 2, 9])
+def test_every_picture_is_written_with_its_sidecar(studio: PictureStudio, tmp_path: Path, jobs: int) -> None:
+    path, told = tmp_path / "grid.png", list[Progress]()
+    grid = GridRequest(faces=",".join(studio.cast.faces), expressions="neutral,smile")
+    run = studio.plan(grid, path)
+    draw_run(studio, run, told.append, jobs=jobs)
+    assert [progress.number for progress in told] == [1, 2, 3, 4, 5, 6]
+    assert all(is_drawn(file.path, file.sidecar) for file in run.pictures)
+    assert run.table is not None
+    assert is_drawn(path, run.table.sidecar)
+    assert len(list(pictures_folder(path).iterdir())) == 12
+    assert studio.plan(grid, path).complete
+    assert not studio.plan(grid, path, fresh=True).complete
+
+
+def test_a_run_goes_on_where_the_browser_ended(
+    studio: PictureStudio, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, grid = tmp_path / "grid.png", GridRequest(faces=",".join(studio.cast.faces), expressions="neutral,smile")
+    broken = false_browser(tmp_path, BROKEN).rename(tmp_path / "broken")
+    monkeypatch.setenv("OMOTE_BROWSER", str(broken))
+    with pytest.raises(BrowserError, match="browser"):
+        draw_run(studio, studio.plan(grid, path), lambda _: None)
+    left = studio.plan(grid, path)
+    assert (len(left.waiting), path.exists()) == (4, False)
+    told: list[Progress] = []
+    monkeypatch.setenv("OMOTE_BROWSER", str(false_browser(tmp_path)))
+    draw_run(PictureStudio(), left, told.append)
+    assert [progress.number for progress in told] == [3, 4, 5, 6]
+    assert studio.plan(grid, path).complete
+
+
+def test_a_picture_without_its_sidecar_is_drawn_again(studio: PictureStudio, tmp_path: Path) -> None:
+    path, request = tmp_path / "a.png", RenderRequest(face=(next(iter(studio.cast.faces)),))
+    draw_run(studio, studio.plan(request, path), lambda _: None)
+    assert studio.plan(request, path).complete
+    sidecar_path(path).unlink()
+    assert not studio.plan(request, path).complete
+
+
+def test_what_draws_in_another_way_has_another_digest() -> None:
+    other = {**PAGES, "/static/a.js": Page(b"1", "text/javascript", immutable=True)}
+    assert digest_of_pages(PAGES) != digest_of_pages(other)
+    assert digest_of_pages(PAGES) == digest_of_pages(
+        {**PAGES, "/console": Page(b"another", "text/html", immutable=False)}
+    )
+
+
+def test_no_more_browsers_start_than_there_are_pictures(studio: PictureStudio, tmp_path: Path) -> None:
+    started = tmp_path / "started"
+    note = f"open({str(started)!r}, 'a').write('.')\n"
+    false_browser(tmp_path, note + ANSWERS)
+    request = RenderRequest(face=(next(iter(studio.cast.faces)),))
+    draw_run(studio, studio.plan(request, tmp_path / "a.png"), lambda _: None, jobs=os.cpu_count() or 2)
+    assert started.read_text() == "."

@@ -1,0 +1,35 @@
+import { afterEach, expect, it, vi } from "vitest";
+import { download, exportsOf, importCommand } from "./exports";
+
+it("expressions come in from documents, faces from heads", () => {
+  expect(importCommand("expression")).toBe("omote file import SHOW.omote their_smile.json");
+  expect(importCommand("face")).toContain("--as face");
+});
+
+afterEach(() => vi.unstubAllGlobals());
+
+it("an expression goes out as a document and on the face under work", () => {
+  const found = exportsOf({ kind: "expression", name: "crooked_smile" }, "dog");
+  expect(found.map(({ file }) => file)).toEqual(["crooked_smile.json", "dog-crooked_smile.glb"]);
+  expect(found[1]?.address).toBe("/exports/dog.glb?expressions=crooked_smile");
+});
+
+it("a face goes out by its own name", () => {
+  const found = exportsOf({ kind: "face", name: "my_aunt" }, "dog");
+  expect(found.map(({ address }) => address)).toEqual([
+    "/exports/my_aunt.glb?expressions=arkit",
+    "/exports/my_aunt.glb?expressions=performed",
+  ]);
+});
+
+const one = { what: "", address: "/exports/smirk.json", file: "smirk.json" };
+
+it("what the server refuses is its own sentence", async () => {
+  vi.stubGlobal("fetch", () => Promise.resolve(new Response("there is no expression 'smirk'.", { status: 404 })));
+  await expect(download(one)).rejects.toThrow("There is no expression 'smirk'.");
+});
+
+it("a server that is away is a sentence", async () => {
+  vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
+  await expect(download(one)).rejects.toThrow("does not answer; try again");
+});

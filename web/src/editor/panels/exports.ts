@@ -1,0 +1,49 @@
+/** What of an item can be downloaded, the download itself, and the command that takes others in. */
+
+import type { ItemDocument } from "../../link/editing_messages";
+
+export interface Export {
+  /** What the file is, for people. */
+  readonly what: string;
+  readonly address: string;
+  readonly file: string;
+}
+
+/** The files that an item goes out as; `work`: the name of the face under work, which wears an expression. */
+export function exportsOf({ kind, name }: Pick<ItemDocument, "kind" | "name">, work: string): Export[] {
+  const glb = (face: string, expressions: string, file: string, what: string): Export => ({
+    what,
+    address: `/exports/${encodeURIComponent(face)}.glb?expressions=${encodeURIComponent(expressions)}`,
+    file: `${file}.glb`,
+  });
+  if (kind === "face")
+    return [
+      glb(name, "arkit", name, "This face with the ARKit shapes, for Blender, three.js or a game engine (GLB)"),
+      glb(name, "performed", `${name}-performed`, "This face with the performed expressions (GLB)"),
+    ];
+  return [
+    {
+      what: "A document that any crew can take in and play on its own faces (JSON)",
+      address: `/exports/${encodeURIComponent(name)}.json`,
+      file: `${name}.json`,
+    },
+    glb(work, name, `${work}-${name}`, "The face under work with this expression as a morph target (GLB)"),
+  ];
+}
+
+/** The command that takes in others of a kind: a file that a show plays takes nothing in, so no page can. */
+export const importCommand = (kind: ItemDocument["kind"]): string =>
+  `omote file import SHOW.omote ${kind === "face" ? "head.obj --as face" : "their_smile.json"}`;
+
+/** Fetches an export and hands it to the browser as a download; an Error with a sentence where there is none. */
+export async function download({ address, file }: Export): Promise<void> {
+  const answer = await fetch(address, { cache: "no-store" }).catch(() => null);
+  if (answer === null) throw new Error("The show's computer does not answer; try again when it is back.");
+  if (!answer.ok) throw new Error(sentence(await answer.text()));
+  const url = URL.createObjectURL(await answer.blob());
+  const link = Object.assign(document.createElement("a"), { href: url, download: file });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 60_000); // the browser still reads it after the click
+}
+
+const sentence = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
