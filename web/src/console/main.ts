@@ -74,6 +74,7 @@ function stayAwake(): void {
 
 async function start(): Promise<void> {
   const shown = new ShowNoticesView();
+  shown.classList.add("in-bar");
   const { store, link } = connect(shown);
   const layouts = new LayoutStorage(store, layoutName(location.search), (message) => link.send(message));
   const context: ConsoleContext = { store, painter: new FramePainter(), thumbnails: new Thumbnails(), layouts };

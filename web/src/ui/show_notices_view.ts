@@ -31,6 +31,11 @@ export class ShowNoticesView extends LitElement {
         transform: translateX(-50%);
         pointer-events: none;
       }
+      @media (min-width: 1200px) {
+        :host(.in-bar) {
+          top: 4px; /* where a page's bar has room in its middle, no face is covered */
+        }
+      }
       [role] {
         display: grid;
         grid-template-columns: minmax(0, 1fr) auto;
