@@ -89,9 +89,9 @@ class Row:
         return self.bar is None or (self.value >= self.bar - ROUNDED if self.least else self.value <= self.bar)
 
 
-def plain_pages(folder: Path) -> dict[str, Page] | None:
-    """The pages with the plain look, built in a folder; None where git has no such commit."""
-    archive = subprocess.run(["git", "-C", str(ROOT), "archive", PLAIN, "web"], capture_output=True, check=False)
+def build_pages(commit: str, folder: Path) -> dict[str, Page] | None:
+    """The pages of a commit, built in a folder; None where git has no such commit."""
+    archive = subprocess.run(["git", "-C", str(ROOT), "archive", commit, "web"], capture_output=True, check=False)
     if archive.returncode:
         return None
     subprocess.run(["tar", "-x", "-C", str(folder)], input=archive.stdout, check=True)
@@ -219,7 +219,7 @@ def main() -> int:
     parser.add_argument("--runs", type=int, default=3)
     runs = parser.parse_args().runs
     with tempfile.TemporaryDirectory() as folder:
-        plain = plain_pages(Path(folder))
+        plain = build_pages(PLAIN, Path(folder))
         command = [*COMMAND, str(Path(folder) / "show.omote"), "--port", "0", "--no-open"]
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         try:
