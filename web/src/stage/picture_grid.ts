@@ -70,6 +70,7 @@ export async function drawPictureGrid(
   if (context === null)
     throw new Error(`No canvas has ${layout.width}x${layout.height} pixels; make the sheet smaller.`);
   write(context, sheet, layout);
+  view.centred = true;
   for (const [row, poses] of sheet.poses.entries())
     for (const [column, pose] of poses.entries()) {
       await view.present({ ...restPose("generic"), ...pose }, 0);
