@@ -89,7 +89,7 @@ class Row:
         return self.bar is None or (self.value >= self.bar - ROUNDED if self.least else self.value <= self.bar)
 
 
-def pages_of(commit: str, folder: Path) -> dict[str, Page] | None:
+def build_pages(commit: str, folder: Path) -> dict[str, Page] | None:
     """The pages of a commit, built in a folder; None where git has no such commit."""
     archive = subprocess.run(["git", "-C", str(ROOT), "archive", commit, "web"], capture_output=True, check=False)
     if archive.returncode:
@@ -219,7 +219,7 @@ def main() -> int:
     parser.add_argument("--runs", type=int, default=3)
     runs = parser.parse_args().runs
     with tempfile.TemporaryDirectory() as folder:
-        plain = pages_of(PLAIN, Path(folder))
+        plain = build_pages(PLAIN, Path(folder))
         command = [*COMMAND, str(Path(folder) / "show.omote"), "--port", "0", "--no-open"]
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         try:

@@ -28,7 +28,7 @@ from rich.table import Table
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from benchmarks.beauty import pages_of
+from benchmarks.beauty import build_pages
 from omote.interchange.formats.atomic_file import write_whole
 from omote.server.headless.chromium import find_chromium, open_chromium
 from omote.server.headless.picture_renderer import OPENED, open_picture_page, serve_pages
@@ -151,7 +151,7 @@ def main() -> int:
     chosen = parser.parse_args()
     table, worst = Table("table", "way", "seconds", "/ before", "processors", "/ before", box=None), 0.0
     with tempfile.TemporaryDirectory() as name:
-        pages = pages_of(BEFORE, Path(name))
+        pages = build_pages(BEFORE, Path(name))
         if pages is None:
             print(f"git has no commit {BEFORE} here: nothing to compare with")
             return 0

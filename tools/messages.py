@@ -19,6 +19,7 @@ import msgspec
 from omote.edit.protocol import messages as editing
 from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE, LAYERS
+from omote.model.hair import STRETCH
 from omote.model.sculpting.sculpt import WARP_UNIT
 from omote.model.space.eye_socket import FAR, NEAR
 from omote.model.space.lid_lip_lines import RUNGS
@@ -86,6 +87,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "SOCKET_FAR": ("In radii of an eyeball: skin above moves freely.", FAR),
     "WARP_UNIT": ("Metres in which the warp of the handles counts lengths.", WARP_UNIT),
     "SKIN_LAYERS": ("The layers of the skin's picture, from the top.", LAYERS),
+    "STRETCH": ("How far a face may turn or stretch one piece of a strand of hair, of its own length.", STRETCH),
     "HAIRLINE": ("Radians from straight ahead, and the metres over the eyes where hair begins.", HAIRLINE.tolist()),
     "ARCH": ("Metres from the front teeth back to the middle of the dental arch.", ARCH),
     "TOOTH_REACH": ("Radians along the arch within which vertices belong to one tooth's height.", TOOTH_REACH),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from omote.model.cast import Look
-from omote.model.hair import LINKS, find_anchors, place_strands
+from omote.model.hair import LINKS, STRETCH, find_anchors, place_strands
 from tests import synthetic
 from tests.model.tufts import tuft
 
@@ -38,6 +38,15 @@ def test_a_mix_of_faces_wears_the_mix_of_their_hair() -> None:
     hair, one, two = tuft(), SKIN * [1.1, 1.0, 0.9], SKIN + RNG.normal(0.0, 0.005, SKIN.shape)
     mixed = 0.3 * place_strands(hair, SKIN, one) + 0.7 * place_strands(hair, SKIN, two)
     assert place_strands(hair, SKIN, 0.3 * one + 0.7 * two) == pytest.approx(mixed, abs=1e-8)
+
+
+def test_skin_that_is_torn_apart_does_not_knot_a_strand() -> None:
+    hair, torn = tuft(), SKIN + RNG.normal(0.0, 0.1, SKIN.shape)
+    pieces, before = (np.diff(points, axis=1) for points in (place_strands(hair, SKIN, torn), hair.points))
+    length = np.linalg.norm(before, axis=2)
+    change = np.linalg.norm(pieces - before, axis=2) / length
+    assert change.max() == pytest.approx(STRETCH)
+    assert ((pieces * before).sum(axis=2) > 0.0).all()  # none turns back on itself
 
 
 def test_arrays_that_do_not_belong_together_are_refused() -> None:

@@ -14,6 +14,8 @@ Indices = NDArray[np.int32]
 
 LINKS = 6
 """Vertices of the skin that carry one place of a strand."""
+STRETCH = 0.75
+"""How far one piece of a strand may be turned or stretched by a face, of its own length."""
 _SUM = 1e-4  # weights are stored as float32
 
 
@@ -78,9 +80,22 @@ def find_anchors(points: Values, skin: Values, allowed: NDArray[np.bool_], /) ->
 def place_strands(style: HairStyle, generic: Values, positions: Values, /) -> Values:
     """Places the strands (n, k, 3) of a style on a face with positions (V, 3); generic (V, 3): where they were made.
 
-    Linear in the positions, so that a mix of faces wears the mix of their hair.
+    Linear in the positions, so that a mix of faces wears the mix of their hair, until a piece of a strand would change
+    by more than STRETCH of its length: neighbouring vertices of an ear that hangs go far apart and would knot it.
     """
     moves = np.asarray(positions, np.float64) - generic
     carried_by = np.einsum("skl,skld->skd", style.weights.astype(np.float64), moves[style.rows])
-    result: Values = style.points + carried_by
+    result: Values = style.points + _keep_pieces(carried_by, style.points.astype(np.float64))
     return result
+
+
+def _keep_pieces(moves: Values, points: Values) -> Values:
+    """Moves (n, k, 3) of strands (n, k, 3), from the root on no faster along the strand than STRETCH."""
+    kept = moves.copy()
+    most = STRETCH * np.linalg.norm(np.diff(points, axis=1), axis=2)
+    for place in range(1, moves.shape[1]):
+        step = moves[:, place] - kept[:, place - 1]
+        size = np.linalg.norm(step, axis=1)
+        share = np.minimum(1.0, most[:, place - 1] / np.maximum(size, 1e-12))
+        kept[:, place] = kept[:, place - 1] + share[:, None] * step
+    return kept

@@ -5,7 +5,7 @@ import type { Library } from "../link/assets";
 import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
 import { AssetResidency, namesOf } from "./blend/asset_residency";
 import { Blender, type Eyeballs } from "./blend/blender";
-import { frame, PORTRAIT, portraitCamera, type Shot, type Tile, tileView } from "./framing";
+import { following, frame, PORTRAIT, portraitCamera, type Shot, type Tile, tileView, turnedAbout } from "./framing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
 import { createRenderer } from "./gpu/renderer";
 import { Hair } from "./hair/hair";
@@ -53,7 +53,6 @@ export class FaceView {
   private readonly hair: Hair;
   private readonly sourceCrossfade: SourceCrossfade;
   private readonly size = new THREE.Vector2();
-  private readonly point = new THREE.Vector3();
   private scene = new THREE.Scene();
   private backdrop = new Backdrop();
   private shared!: HeadUniforms;
@@ -72,6 +71,10 @@ export class FaceView {
   level: Level;
   /** False while the graphics context is lost. */
   alive = true;
+  /** Keeps a head that turns in the middle of the picture; an audience sees it move. */
+  centred = false;
+  /** Whether everything of a head has been here once; before, no part of it is drawn. */
+  private whole = false;
 
   private constructor(
     readonly canvas: HTMLCanvasElement | OffscreenCanvas,
@@ -90,7 +93,7 @@ export class FaceView {
       turns: new Float32Array(18),
     };
     this.looks = new FaceLooks(library.faces);
-    this.hair = new Hair(library, anatomy.positions);
+    this.hair = new Hair(library, anatomy);
     this.sourceCrossfade = new SourceCrossfade(library);
     this.called = this.pose = restPose(library.manifest.faces[0]?.name ?? "generic");
     this.build();
@@ -143,8 +146,10 @@ export class FaceView {
     const arrival: Arrival = (faces, worn) => this.residency.arrival(faces, worn, this.blender);
     this.pose = this.sourceCrossfade.pose(this.called, seconds, arrival, atOnce);
     this.blend(seconds, atOnce);
-    this.hair.dress(this.residency.faces(this.pose, this.blender), seconds, atOnce);
+    this.hair.dress(this.residency.faces(this.pose, this.blender), seconds, atOnce || !this.whole);
+    this.whole ||= this.blended !== "" && this.hair.here;
     if (this.nextHead !== undefined) this.exchange(this.nextHead);
+    this.head.visible = this.whole;
     this.paint();
     this.crossfade.paint(seconds);
     return true;
@@ -254,7 +259,9 @@ export class FaceView {
     const { x: width, y: height } = this.size;
     const { tile } = this.options;
     this.turnHead();
-    frame(this.camera, this.options.shot ?? PORTRAIT, this.extremes(), width, height, tile);
+    const [shot, straight] = [this.options.shot ?? PORTRAIT, this.looks.extremes(this.pose)];
+    const turned = turnedAbout(straight, this.shared.pivot.value, this.shared.headTurn.value);
+    frame(this.camera, this.centred ? following(shot, straight, turned) : shot, turned, width, height, tile);
     this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
     this.looks.dress(this.pose, this.shared, this.eyeUniforms);
     writeEyeTraits(eyeTraitsOf(this.pose, this.library), this.shared);
@@ -270,16 +277,6 @@ export class FaceView {
     writeLight(light, this.shared);
     this.backdrop.light(light);
     this.shadow.draw(this.renderer, light, this.head, FEATURES[this.level].shadow);
-  }
-
-  /** Where the farthest points of the head are, turned with it. */
-  private extremes(): [number, number, number][] {
-    const { pivot, headTurn } = this.shared;
-    return this.looks
-      .extremes(this.pose)
-      .map((point) =>
-        this.point.fromArray(point).sub(pivot.value).applyMatrix3(headTurn.value).add(pivot.value).toArray(),
-      );
   }
 
   /** Head: yaw, then pitch, then roll; + is the character's left, up, tilt to its left. */

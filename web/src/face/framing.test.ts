@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { cameraPosition, type Point, portraitCamera, type Shot } from "./framing";
+import { cameraPosition, following, type Point, portraitCamera, type Shot } from "./framing";
 
 const shot: Shot = { centre: [0, -0.01, 0.05], height: 0.3, width: 0.23 };
 const half = Math.tan((portraitCamera().fov * Math.PI) / 360);
@@ -49,6 +49,28 @@ describe("the position of the camera", () => {
       const a = cameraPosition(shot, head(0.25, yaw), half, 0.9);
       const b = cameraPosition(shot, head(0.25, yaw + 1e-4), half, 0.9);
       for (const axis of [0, 1, 2] as const) expect(Math.abs(b[axis] - a[axis])).toBeLessThan(1e-3);
+    }
+  });
+});
+
+describe("a shot that follows a head", () => {
+  it("is the shot itself while the head is straight, or while nothing is known of it", () => {
+    expect(following(shot, head(0.13, 0), head(0.13, 0))).toEqual(shot);
+    expect(following(shot, [], [])).toEqual(shot);
+  });
+
+  it("moves as the head does, whatever the neck does", () => {
+    const straight = head(0.13, 0);
+    const moved = straight.map(([x, y, z]): Point => [x + 0.03, y < -0.1 ? y - 1 : y + 0.01, z]);
+    expect(following(shot, straight, moved).centre[0]).toBeCloseTo(shot.centre[0] + 0.03);
+    expect(following(shot, straight, moved).centre[1]).toBeCloseTo(shot.centre[1] + 0.01);
+  });
+
+  it("has a turned head as far from the left edge as from the right one", () => {
+    for (const yaw of [-0.9, -0.3, 0.6]) {
+      const turned = head(0.13, yaw);
+      const across = turned.map(([x]) => x - following(shot, head(0.13, 0), turned).centre[0]);
+      expect(Math.min(...across) + Math.max(...across)).toBeCloseTo(0);
     }
   });
 });

@@ -1,6 +1,6 @@
 /** Framing: where the camera stands for a shot, and the part of a wall that one stage shows. */
 
-import { PerspectiveCamera } from "three";
+import { type Matrix3, PerspectiveCamera, Vector3 } from "three";
 
 /** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */
 export interface Tile {
@@ -37,6 +37,24 @@ export function tileView(tile: Tile, width: number, height: number): [number, nu
 
 /** Hair, and air around what a picture has to hold, metres. */
 const AIR = 0.012;
+
+/** Points of a head that turns about a pivot. */
+export function turnedAbout(points: readonly Point[], pivot: Vector3, turn: Matrix3): Point[] {
+  return points.map((point) => new Vector3(...point).sub(pivot).applyMatrix3(turn).add(pivot).toArray());
+}
+
+/** A shot that keeps a turned head where it is straight: by the middle of its farthest points but the lowest, the neck's. */
+export function following(shot: Shot, straight: readonly Point[], turned: readonly Point[]): Shot {
+  const lowest = straight.reduce((low, point, at) => (point[1] < (straight[low] as Point)[1] ? at : low), 0);
+  const middle = (points: readonly Point[], axis: 0 | 1): number => {
+    const values = points.filter((_, at) => at !== lowest).map((point) => point[axis]);
+    return (Math.min(...values) + Math.max(...values)) / 2;
+  };
+  if (straight.length < 2) return shot;
+  const [x, y, z] = shot.centre;
+  const moved = (axis: 0 | 1): number => middle(turned, axis) - middle(straight, axis);
+  return { ...shot, centre: [x + moved(0), y + moved(1), z] };
+}
 
 /** Where the camera stands for a shot that also holds `points`: a little aside first, then farther away. */
 export function cameraPosition(

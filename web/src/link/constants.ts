@@ -22,6 +22,8 @@ export const SOCKET_FAR = 1.6;
 export const WARP_UNIT = 0.05;
 /** The layers of the skin's picture, from the top. */
 export const SKIN_LAYERS = ["mask", "marks", "patches", "relief", "finish"] as const;
+/** How far a face may turn or stretch one piece of a strand of hair, of its own length. */
+export const STRETCH = 0.75;
 /** Radians from straight ahead, and the metres over the eyes where hair begins. */
 export const HAIRLINE = [[0.0, 0.079], [0.35, 0.077], [0.6, 0.071], [0.76, 0.06], [0.9, 0.04], [1.02, 0.02], [1.12, 0.0], [1.24, -0.006], [1.34, 0.008], [1.6, 0.022], [1.9, 0.0], [2.2, -0.045], [3.2, -0.07]] as const;
 /** Metres from the front teeth back to the middle of the dental arch. */

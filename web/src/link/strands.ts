@@ -34,6 +34,7 @@ export function readStrands(asset: HairAsset, skin: number): HairStrands {
   const lengths = [points.length / 3, rows.length / links, counts.length / links, asset.light.length];
   if (!lengths.every((length) => length === places) || asset.facing.length !== 3 * places)
     throw new Error(`A hair style of ${anchors.length} strands has arrays of other lengths; bake the cast again.`);
+  if (stations < 3) throw new Error(`A hair style has strands of ${stations} places; bake it with 3 or more.`);
   if (rows.some((row) => row >= skin) || anchors.some((row) => row >= skin))
     throw new Error(`A hair style points past the skin's ${skin} rows; bake the cast again.`);
   return {

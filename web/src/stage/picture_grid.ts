@@ -63,6 +63,7 @@ export async function drawPictureGrid(
   after?: Partial<Pose>,
 ): Promise<Blob> {
   const composer = new SheetComposer(sheet, width, height);
+  view.centred = true;
   for (const [row, poses] of sheet.poses.entries())
     for (const [column, pose] of poses.entries()) {
       const next = poses[column + 1] ?? sheet.poses[row + 1]?.[0] ?? after;

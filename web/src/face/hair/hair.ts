@@ -3,17 +3,16 @@
 import * as THREE from "three";
 import type { Library } from "../../link/assets";
 import type { HairStrands } from "../../link/strands";
+import type { Anatomy } from "../anatomy/anatomy";
 import { material } from "../gpu/renderer";
 import type { HeadUniforms } from "../head/head";
 import { definesOf, type Features } from "../quality/quality_levels";
 import { type ActiveStyle, HairAssignment } from "./hair_assignment";
 import { HAIR_FRAGMENT, HAIR_VERTEX } from "./hair_shaders";
+import { drawnStrands } from "./hair_strands";
 
 /** Pieces of a ribbon where its course is drawn round, where all ribbons are drawn, and where few are. */
 const PIECES = { round: 20, fine: 11, coarse: 5 };
-
-/** Ribbons that a sparse style keeps where few are drawn: fewer and wider ones would lie on a bald head like chips. */
-const LEAST = 420;
 
 /** Edges by samples: alpha says how many of a pixel's samples a fibre covers; the picture's own alpha only grows. */
 const SOFT = {
@@ -27,7 +26,7 @@ const SOFT = {
 const KIN = { count: 3, width: 0.62 };
 
 type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTexture>> &
-  Record<"stations" | "grown" | "width", THREE.IUniform<number>> & { tint: THREE.IUniform<THREE.Color> };
+  Record<"stations" | "width", THREE.IUniform<number>> & { tint: THREE.IUniform<THREE.Color> };
 
 /** The hair on stage: a mesh of ribbons for each style that is here, in every head that is being drawn. */
 export class Hair {
@@ -38,12 +37,12 @@ export class Hair {
   private readonly versions = new Map<string, number>();
   private readonly colours = new Map<string, THREE.Color>();
 
-  /** `generic`: the positions of the face that styles are made on. */
+  /** `positions`, `traits`: of the face that styles are made on. */
   constructor(
     private readonly library: Library,
-    generic: Float32Array,
+    { positions, traits }: Pick<Anatomy, "positions" | "traits">,
   ) {
-    this.assignment = new HairAssignment(library, generic);
+    this.assignment = new HairAssignment(library, positions, (row) => traits[4 * row + 2] ?? 0);
   }
 
   /** Fetches the hair of these faces. */
@@ -54,6 +53,11 @@ export class Hair {
   /** Waits until all hair that was ever wanted has come, or was refused. */
   complete(): Promise<void> {
     return this.assignment.complete();
+  }
+
+  /** Whether all hair that was wanted has come, or was refused. */
+  get here(): boolean {
+    return this.assignment.here;
   }
 
   /** Whether all hair that was wanted shows in full. */
@@ -74,6 +78,7 @@ export class Hair {
 
   /** Dresses the faces on air, by weight, `seconds` after the last frame; `atOnce`: in full. */
   dress(faces: ReadonlyMap<string, number>, seconds: number, atOnce: boolean): void {
+    this.assignment.detail = Math.max(0, ...[...this.heads.values()].map(({ features }) => features.hair));
     this.assignment.dress(faces, seconds, atOnce);
     this.update();
   }
@@ -113,7 +118,6 @@ export class Hair {
   }
 
   private write(style: ActiveStyle, into: StyleUniforms): void {
-    into.grown.value = style.grown;
     if (this.versions.get(style.name) === style.version) return;
     this.versions.set(style.name, style.version);
     into.strands.value.needsUpdate = true;
@@ -137,7 +141,6 @@ function styleUniforms({ hair, strands }: ActiveStyle, tint: THREE.IUniform<THRE
     strands: { value: texture(strands, hair.stations, count, THREE.FloatType) },
     shape: { value: texture(shape, hair.stations, count, THREE.UnsignedByteType) },
     stations: { value: hair.stations },
-    grown: { value: 0 },
     width: { value: hair.width },
     tint,
   };
@@ -158,9 +161,9 @@ function texture(
 function ribbons(style: ActiveStyle, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
   const kin = features.detail ? KIN.count : 1;
   const geometry = ribbon(style.hair, piecesOf(features), kin);
-  const count = style.hair.anchors.length;
-  const share = Math.min(1, Math.max(features.hair, LEAST / count));
-  geometry.instanceCount = kin * Math.max(1, Math.round(share * count));
+  const count = drawnStrands(style.hair, features.hair);
+  const share = count / style.hair.anchors.length;
+  geometry.instanceCount = kin * count;
   const look = material(HAIR_VERTEX, HAIR_FRAGMENT, {
     ...shared,
     ...own,

@@ -4,15 +4,15 @@ import type { HairStrands } from "../../link/strands";
 import { HairAssignment } from "./hair_assignment";
 
 const hair: HairStrands = {
-  stations: 2,
+  stations: 3,
   links: 1,
   width: 0.004,
-  points: Float32Array.from([0, 0, 0, 0, 1, 0]),
-  rows: Uint32Array.from([0, 0]),
-  weights: Float32Array.from([1, 1]),
+  points: Float32Array.from([0, 0, 0, 0, 1, 0, 0, 2, 0]),
+  rows: Uint32Array.from([0, 0, 0]),
+  weights: Float32Array.from([1, 1, 1]),
   anchors: Uint32Array.from([0]),
-  facing: new Int8Array(6),
-  light: new Uint8Array(2),
+  facing: new Int8Array(9),
+  light: new Uint8Array(3),
 };
 const generic = new Float32Array(3);
 
@@ -29,6 +29,7 @@ function late(): { library: Library; come: () => void } {
   const known = new Map(faces.map((face) => [face.name, face]));
   const library = {
     faces: known,
+    meshes: [],
     hasFace: (face: string) => known.has(face),
     positions: async () => generic,
     hair: () => waiting,
@@ -39,7 +40,7 @@ function late(): { library: Library; come: () => void } {
 describe("the assignment of hair", () => {
   it("lets a style that comes late grow in, without a jump", async () => {
     const { library, come } = late();
-    const assignment = new HairAssignment(library, generic);
+    const assignment = new HairAssignment(library, generic, () => 1);
     const on = new Map([["kaori", 1]]);
     assignment.want(["kaori", "nobody"]);
     assignment.dress(on, 1, false);
@@ -64,7 +65,7 @@ describe("the assignment of hair", () => {
 
   it("shows all at once when it is told to, and nothing when nobody wears it", async () => {
     const { library, come } = late();
-    const assignment = new HairAssignment(library, generic);
+    const assignment = new HairAssignment(library, generic, () => 1);
     assignment.want(["kaori", "dog"]);
     come();
     await assignment.complete();

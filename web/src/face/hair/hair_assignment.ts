@@ -2,19 +2,22 @@
 
 import type { Library } from "../../link/assets";
 import type { HairStrands } from "../../link/strands";
-import { FULL, grownAt, mixOffsets, type Offsets, offsetsOn, styleWeights } from "./hair_strands";
+import { rowTriangles } from "../anatomy/topology";
+import { type CarriedStyle, HairBlend } from "./hair_blend";
+import { drawnStrands, mixOffsets, type Offsets, offsetsOn, styleWeights } from "./hair_strands";
+import { type RadialMap, radialMap } from "./radial_map";
 
 const CATCH_UP = 0.25; // seconds in which a style that came late grows in
 
 /** A style as it is worn now. */
-export interface ActiveStyle {
+export interface ActiveStyle extends CarriedStyle {
   readonly name: string;
-  readonly hair: HairStrands;
-  /** Metres from the skin at each strand's root, four numbers a place, mixed over all faces on air. */
+  /** Metres from the skin at each strand's root, shaped by all styles on air, with lengths and widths: see `HairBlend`. */
   readonly strands: Float32Array;
+  scalp: number;
   /** Rises when the strands change. */
   version: number;
-  /** 0 nothing of it shows, 1 all of it. */
+  /** How much shows of the strand that shows most: 0 none of it, 1 all. */
   grown: number;
 }
 
@@ -25,7 +28,10 @@ export class HairAssignment {
   private readonly offsets = new Map<string, Offsets>();
   private readonly shares = new Map<string, number>();
   private coming = 0;
-  private readonly mixes = new Map<string, string>();
+  private shaped = "";
+  private readonly blend: HairBlend;
+  /** The largest share of a style's strands that anybody draws, 0..1. */
+  detail = 1;
   /** The weights of the faces on air that wear any hair. */
   wearers: ReadonlyMap<string, number> = new Map();
   /** Every style that has come. */
@@ -34,7 +40,14 @@ export class HairAssignment {
   constructor(
     private readonly library: Library,
     private readonly generic: Float32Array,
-  ) {}
+    painted: (row: number) => number,
+  ) {
+    let scalp: RadialMap | undefined;
+    this.blend = new HairBlend(() => {
+      scalp ??= radialMap(generic, library.meshes.filter(({ name }) => name === "skin").map(rowTriangles));
+      return scalp;
+    }, painted);
+  }
 
   /** Fetches what these faces wear, and the faces, which all styles on air must fit. */
   want(faces: Iterable<string>): void {
@@ -51,9 +64,14 @@ export class HairAssignment {
     await Promise.all(this.asked.values());
   }
 
+  /** Whether all that was wanted has come, or was refused. */
+  get here(): boolean {
+    return this.coming === 0;
+  }
+
   /** Whether all that was wanted has come, or was refused, and has grown in. */
   get settled(): boolean {
-    return this.coming === 0 && [...this.worn.keys()].every((style) => (this.shares.get(style) ?? 0) >= 1);
+    return this.here && [...this.worn.keys()].every((style) => (this.shares.get(style) ?? 0) >= 1);
   }
 
   /** Dresses the faces on air, by weight, `seconds` after the last frame; `atOnce`: in full. */
@@ -61,13 +79,30 @@ export class HairAssignment {
     const here = new Map([...faces].filter(([face]) => this.faces.has(face)));
     const styles = styleWeights(here, (face) => this.styleOf(face));
     this.wearers = new Map([...styles.values()].flatMap((wearers) => [...wearers]));
+    const weights = new Map<ActiveStyle, number>();
     for (const style of this.worn.values()) {
       const wearers = styles.get(style.name) ?? new Map<string, number>();
       const weight = [...wearers.values()].reduce((sum, part) => sum + part, 0);
       const share = Math.min(1, (this.shares.get(style.name) ?? 0) + (atOnce ? 1 : seconds / CATCH_UP));
       this.shares.set(style.name, weight > 0 ? share : 1); // what comes while nobody wears it needs no easing
-      style.grown = grownAt(weight) * grownAt(FULL * (this.shares.get(style.name) as number));
-      if (style.grown > 0) this.mix(style, here);
+      if (weight <= 0) continue;
+      weights.set(style, weight * share);
+      style.scalp = [...wearers].reduce((sum, [face, part]) => sum + (part / weight) * this.scalpOf(face), 0);
+    }
+    this.shape(here, weights);
+  }
+
+  /** Shapes every style on air by all of them; what weighs nothing shows nothing. */
+  private shape(faces: ReadonlyMap<string, number>, weights: ReadonlyMap<ActiveStyle, number>): void {
+    const key = JSON.stringify([[...faces], [...weights].map(([{ name }, weight]) => [name, weight]), this.detail]);
+    if (key === this.shaped) return;
+    this.shaped = key;
+    for (const style of weights.keys()) this.carry(style, faces);
+    for (const style of this.worn.values()) {
+      style.grown = 0;
+      if (!weights.has(style)) continue;
+      style.grown = this.blend.write(style, weights, style.strands, drawnStrands(style.hair, this.detail));
+      style.version += 1;
     }
   }
 
@@ -75,16 +110,15 @@ export class HairAssignment {
     return this.library.faces.get(face)?.look.hair_style ?? "";
   }
 
-  private mix(style: ActiveStyle, faces: ReadonlyMap<string, number>): void {
-    const key = JSON.stringify([...faces]);
-    if (this.mixes.get(style.name) === key) return;
-    this.mixes.set(style.name, key);
+  private scalpOf(face: string): number {
+    return this.library.faces.get(face)?.look.scalp ?? 1;
+  }
+
+  /** A style on the mix of the faces on air. */
+  private carry(style: ActiveStyle, faces: ReadonlyMap<string, number>): void {
     const total = [...faces.values()].reduce((sum, weight) => sum + weight, 0) || 1;
-    mixOffsets(
-      [...faces].map(([face, weight]) => [this.offsetsOf(style, face), weight / total] as const),
-      style.strands,
-    );
-    style.version += 1;
+    const parts = [...faces].map(([face, weight]) => [this.offsetsOf(style, face), weight / total] as const);
+    mixOffsets(parts, style.carried);
   }
 
   private offsetsOf(style: ActiveStyle, face: string): Offsets {
@@ -95,8 +129,8 @@ export class HairAssignment {
   }
 
   private take(name: string, hair: HairStrands): void {
-    const strands = new Float32Array((4 * hair.points.length) / 3);
-    this.worn.set(name, { name, hair, strands, version: 0, grown: 0 });
+    const [strands, carried] = [0, 1].map(() => new Float32Array((4 * hair.points.length) / 3));
+    this.worn.set(name, { name, hair, strands, carried, scalp: 1, version: 0, grown: 0 } as ActiveStyle);
   }
 
   private ask(key: string, read: () => Promise<unknown>): void {

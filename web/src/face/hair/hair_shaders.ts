@@ -35,12 +35,12 @@ HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float sunlit,
 /** A ribbon of strands: its places are offsets from the skin at its root (\`source\`), mixed as the faces are. */
 export const HAIR_VERTEX = `${VERTEX_HEAD}
 #define SPIN chanceOf(1.9)
+#define SLENDER 0.12 // half the width of a ribbon that is this short, of its length
 float chanceOf(float salt) { return fract(sin(float(gl_InstanceID) * 12.9898 + salt) * 43758.5453); }
 ${SHADED_LIGHTS}${HAIR_LIGHT}
-uniform sampler2D strands; // a line for each strand: metres from its anchor, root to tip
+uniform sampler2D strands; // a line for each strand: metres from its anchor, root to tip; how much of its length and width, its length (w)
 uniform sampler2D shape;   // away from the head (xyz), open sky (w)
 uniform float stations;
-uniform float grown;
 uniform float width;
 in vec2 place; // across -1..1, along 0..1
 out vec2 vPlace;
@@ -77,7 +77,16 @@ void main() {
 #endif
   float chance = chanceOf(0.0);
   float roll = chanceOf(3.7) - 0.5;
-  float length_ = clamp(grown * 1.5 - 0.5 * chance, 0.0, 1.0); // strands grow one after the other
+  float grown = texelFetch(strands, ivec2(0, strand), 0).w;
+  float shown = texelFetch(strands, ivec2(1, strand), 0).w;
+  float length_ = grown * (1.0 - 0.8 * chance * (1.0 - grown)); // no two are cut alike
+  float metres = texelFetch(strands, ivec2(2, strand), 0).w;
+  float thin = clamp(shown * 1.5 - 0.5 * chanceOf(1.9), 0.0, 1.0) * smoothstep(0.0, 0.5, length_);
+  thin *= min(1.0, SLENDER * length_ * metres / width); // what is short is fine: a wide ribbon would lie there like a chip
+  if (thin <= 0.0) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // nothing to draw
+    return;
+  }
 #ifdef DETAIL
   length_ *= 1.0 - 0.14 * chanceOf(5.3);
 #endif
@@ -106,10 +115,12 @@ void main() {
   float apart = KIN_APART * smoothstep(0.0, 0.15, place.y) * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
   spot += apart * width * ((chanceOf(9.1) - 0.5) * aside + 0.4 * chanceOf(11.3) * away);
 #endif
-  float thin = smoothstep(0.0, 0.12, length_) * (1.0 - 0.45 * place.y * place.y);
+  thin *= 1.0 - 0.45 * place.y * place.y;
 #ifdef DETAIL
   float end = place.y * place.y;
   thin *= (1.0 - 0.8 * end * end) * mix(0.45, 1.0, smoothstep(0.0, 0.2, place.y)); // to a point: noise leaves dust
+#else
+  thin *= mix(0.6, 1.0, smoothstep(0.0, 0.25, place.y)); // out of the skin finely
 #endif
   vec3 point = fetchRow(positions) + spot + aside * (place.x * width * thin);
   vec3 normal = normalize(away + 0.55 * place.x * aside);

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
+import { STRETCH } from "../../link/constants";
 import type { HairStrands } from "../../link/strands";
-import { grownAt, mixOffsets, offsetsOn, styleWeights } from "./hair_strands";
+import { drawnStrands, lengthAt, mixOffsets, offsetsOn, styleWeights } from "./hair_strands";
 
 /** One strand of two places over two rows of skin. */
 const hair: HairStrands = {
@@ -15,7 +16,8 @@ const hair: HairStrands = {
   light: new Uint8Array(2),
 };
 const generic = Float32Array.from([0, 0, 0, 1, 0, 0]);
-const wide = Float32Array.from([-1, 0, 0, 3, 0, 0]);
+const wide = Float32Array.from([-0.2, 0, 0, 1.4, 0, 0]);
+const torn = Float32Array.from([-9, 0, 0, 30, 8, 0]);
 
 describe("offsets", () => {
   it("are the strand itself on the face it was made on", () => {
@@ -25,6 +27,16 @@ describe("offsets", () => {
   it("do not change when the face only shifts", () => {
     const shifted = generic.map((value) => value + 0.25);
     expect([...offsetsOn(hair, generic, shifted)]).toEqual([...offsetsOn(hair, generic, generic)]);
+  });
+
+  it("keep every piece of a strand, however far the skin beneath is torn apart", () => {
+    const offsets = offsetsOn(hair, generic, torn);
+    const [before, piece] = [
+      [0.5, 1, 0],
+      [0, 1, 2].map((axis) => (offsets[3 + axis] as number) - (offsets[axis] as number)),
+    ];
+    const change = Math.hypot(...piece.map((value, axis) => value - (before[axis] as number)));
+    expect(change).toBeCloseTo(STRETCH * Math.hypot(...before));
   });
 
   it("of a mix of faces are the mix of their offsets", () => {
@@ -42,13 +54,21 @@ describe("offsets", () => {
 });
 
 describe("a style", () => {
-  it("grows with its weight, from nothing to all, and never jumps", () => {
-    expect([grownAt(-0.1), grownAt(0), grownAt(1), grownAt(1.1)]).toEqual([0, 0, 1, 1]);
+  it("is as long as its weight says, from nothing to all, and never jumps", () => {
+    expect([lengthAt(-0.1), lengthAt(0), lengthAt(1), lengthAt(1.1)]).toEqual([0, 0, 1, 1]);
     for (let step = 1; step <= 200; step++) {
-      const [before, after] = [grownAt((step - 1) / 200), grownAt(step / 200)];
+      const [before, after] = [lengthAt((step - 1) / 200), lengthAt(step / 200)];
       expect(after).toBeGreaterThanOrEqual(before);
       expect(after - before).toBeLessThan(0.02);
     }
+  });
+
+  it("keeps enough strands to cover a head at any level", () => {
+    const style = (count: number): HairStrands => ({ ...hair, anchors: new Uint32Array(count) });
+    expect(drawnStrands(style(1600), 1)).toBe(1600);
+    expect(drawnStrands(style(1600), 0.5)).toBe(800);
+    expect(drawnStrands(style(500), 0.5)).toBe(420);
+    expect(drawnStrands(style(300), 0.5)).toBe(300);
   });
 
   it("weighs what the faces that wear it weigh; a face without hair wears none", () => {

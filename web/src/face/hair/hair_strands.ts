@@ -1,25 +1,38 @@
-/** Strands of hair carried by the skin of a face, and their mix. */
+/** Strands of hair carried by the skin of a face, their mix, and how much of them shows. */
 
+import { MathUtils, Vector3 } from "three";
+import { STRETCH } from "../../link/constants";
 import type { HairStrands } from "../../link/strands";
 
 /** One style's strands on one face: metres from each strand's anchor, (strands x stations, 3). */
 export type Offsets = Float32Array;
 
 /**
- * The strands on a face, less their anchors: linear in the face's positions (`omote.model.hair.place_strands`), so that a mix
- * of faces wears the mix of their hair.
+ * The strands on a face, less their anchors, as `omote.model.hair.place_strands` has it: linear in the face's positions, so
+ * that a mix of faces wears the mix of their hair, until a piece of a strand would change by more than STRETCH of its length.
  */
 export function offsetsOn(hair: HairStrands, generic: Float32Array, face: Float32Array): Offsets {
   const { anchors, points, stations } = hair;
   const out = new Float32Array(points.length);
+  const [moved, step] = [new Vector3(), new Vector3()];
   for (let place = 0; 3 * place < points.length; place++) {
+    const root = place % stations === 0;
+    for (let axis = 0; axis < 3; axis++) step.setComponent(axis, carriedBy(hair, place, axis, generic, face));
+    if (root) moved.copy(step);
+    else moved.add(step.sub(moved).clampLength(0, STRETCH * pieceBefore(points, place)));
     const anchor = 3 * (anchors[Math.floor(place / stations)] as number);
-    for (let axis = 0; axis < 3; axis++) {
-      const moved = carriedBy(hair, place, axis, generic, face);
-      out[3 * place + axis] = (points[3 * place + axis] as number) + moved - (face[anchor + axis] as number);
-    }
+    for (let axis = 0; axis < 3; axis++)
+      out[3 * place + axis] =
+        (points[3 * place + axis] as number) + moved.getComponent(axis) - (face[anchor + axis] as number);
   }
   return out;
+}
+
+/** Metres from the place before to this one. */
+function pieceBefore(points: Float32Array, place: number): number {
+  const across = (axis: number): number =>
+    (points[3 * place + axis] as number) - (points[3 * place - 3 + axis] as number);
+  return Math.hypot(across(0), across(1), across(2));
 }
 
 function carriedBy(hair: HairStrands, place: number, axis: number, generic: Float32Array, face: Float32Array): number {
@@ -31,25 +44,28 @@ function carriedBy(hair: HairStrands, place: number, axis: number, generic: Floa
   return sum;
 }
 
-/** Sums weight x offsets into `into`, four numbers a place, the last unused. */
+/** Sums weight x offsets into `into`, four numbers a place, the last untouched. */
 export function mixOffsets(parts: readonly (readonly [Offsets, number])[], into: Float32Array): void {
-  into.fill(0);
-  for (const [offsets, weight] of parts)
-    for (let place = 0; 3 * place < offsets.length; place++)
+  const places = into.length / 4;
+  parts.forEach(([offsets, weight], part) => {
+    for (let place = 0; place < places; place++)
       for (let axis = 0; axis < 3; axis++) {
-        const at = 4 * place + axis;
-        into[at] = (into[at] as number) + weight * (offsets[3 * place + axis] as number);
+        const [at, more] = [4 * place + axis, weight * (offsets[3 * place + axis] as number)];
+        into[at] = part === 0 ? more : (into[at] as number) + more;
       }
+  });
 }
 
-/** The weight at which a style is whole: before all faces wear it, so that no scalp is bare between two styles. */
-export const FULL = 0.8;
+/** Ribbons that a sparse style keeps where few are drawn: fewer and wider ones would lie on a bald head like chips. */
+const LEAST = 420;
 
-/** How far a style has grown, 0..1, under the weight of the faces that wear it; rises with the weight, never jumps. */
-export function grownAt(weight: number): number {
-  const share = Math.min(1, Math.max(0, weight / FULL));
-  return share * share * (3 - 2 * share);
+/** How many of a style's strands are drawn where about this share of all ribbons is; the first ones cover the head. */
+export function drawnStrands({ anchors }: HairStrands, share: number): number {
+  return Math.max(1, Math.round(Math.min(anchors.length, Math.max(share * anchors.length, LEAST))));
 }
+
+/** How long a strand is, 0..1 of its whole, under the weight of the faces that have hair there: never jumps. */
+export const lengthAt = (weight: number): number => MathUtils.smoothstep(weight, 0.18, 0.92);
 
 /** The weight of every style, and of each face in it: of those faces that wear one. */
 export function styleWeights(

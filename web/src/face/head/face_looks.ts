@@ -4,6 +4,7 @@ import * as THREE from "three";
 import type { FaceDocument } from "../../link/messages";
 import { faceWeights } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
+import { mixScalp } from "../skin/scalp";
 import { mixSkinTraits, SKIN_TRAITS, type SkinTraits } from "../skin/skin_layers";
 import type { EyeUniforms, HeadUniforms } from "./head";
 
@@ -11,6 +12,7 @@ const COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat"] as cons
 
 type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
   traits: SkinTraits;
+  haired: boolean;
   eyeRadius: number;
   centres: number[];
   ballRadii: number[];
@@ -33,6 +35,7 @@ export class FaceLooks {
     }
     const traits = mixSkinTraits(shares.map(([look, share]) => [look.traits, share]));
     for (const name of SKIN_TRAITS) shared[name].value = traits[name];
+    dressScalp(shares, shared);
     const radius = shares.reduce((sum, [look, share]) => sum + share * look.eyeRadius, 0);
     for (const eye of eyes) eye.radius.value = radius;
   }
@@ -78,11 +81,22 @@ export class FaceLooks {
   }
 }
 
+/** The scalp under hair that comes or goes, in the colour of those who wear it. */
+function dressScalp(shares: readonly (readonly [FaceLook, number])[], { scalp, hair }: HeadUniforms): void {
+  scalp.value = mixScalp(shares.map(([{ haired, traits }, weight]) => ({ haired, weight, scalp: traits.scalp })));
+  const wearers = shares.filter(([{ haired }, weight]) => haired && weight > 0);
+  const total = wearers.reduce((sum, [, weight]) => sum + weight, 0);
+  if (total === 0) return;
+  hair.value.setRGB(0, 0, 0);
+  for (const [look, weight] of wearers) addScaled(hair.value, look.hair, weight / total);
+}
+
 function readLook(face: FaceDocument): FaceLook {
   const colours = COLOURS.map((part) => [part, new THREE.Color().setStyle(face.look[part])]); // sRGB in, linear out
   return {
     ...Object.fromEntries(colours),
     traits: face.look,
+    haired: face.look.hair_style !== "",
     eyeRadius: face.eye_radius,
     centres: face.centres.flat(),
     ballRadii: [...face.ball_radii],

@@ -1,0 +1,88 @@
+"""Hair on stage comes and goes by length over a painted scalp, and leaves no chips; no part of a head comes first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from playwright.sync_api import Page, Route
+from scipy import ndimage
+
+from omote.builtin import load_cast, load_meshes
+from omote.stage_data.assets import documents
+from tests.browser.pictures import picture
+from tests.browser.waiting import draw_on_demand, wait_until
+
+pytestmark = pytest.mark.long
+
+OpenPage = Callable[..., Page]
+SIDE = 300
+BROWS = 0.42  # of the picture, from the top: above there is nothing as dark as hair
+DARK, SHADE = 45, 105  # 0..255: black hair, and stubble on the skin
+SMALL = SIDE * SIDE / 400
+
+
+@pytest.fixture(params=["lowest", "medium"])
+def stage(request: pytest.FixtureRequest, open_page: OpenPage) -> Page:
+    """A stage at a level, without a backdrop, in even light; it draws what it is told to hold."""
+    page = open_page(f"/stage?quality={request.param}&light=flat&transparent", width=SIDE, height=SIDE)
+    wait_until(page, "window.omoteStage?.counters().drawn")
+    draw_on_demand(page)
+    return page
+
+
+def look(page: Page, faces: dict[str, float]) -> NDArray[np.int16]:
+    """A mix of faces at rest (height, width, 4)."""
+    page.evaluate(
+        "faces => window.omoteStage.hold({ faces })", {name: part for name, part in faces.items() if part > 0}
+    )
+    return picture(page)
+
+
+def darker(seen: NDArray[np.int16], than: int) -> NDArray[np.bool_]:
+    """Where a picture is darker, above the brows."""
+    above = seen[: int(BROWS * SIDE)]
+    return np.asarray((above[..., :3].max(axis=2) < than) & (above[..., 3] > 127))
+
+
+def chips(seen: NDArray[np.int16]) -> int:
+    """Patches of black hair that nothing joins to the rest, not even stubble."""
+    labels, count = ndimage.label(darker(seen, SHADE), np.ones((3, 3), int))
+    sizes = np.bincount(labels.ravel(), minlength=count + 1)
+    black = np.unique(labels[darker(seen, DARK)])
+    return int((sizes[black[black > 0]] < SMALL).sum())
+
+
+@pytest.mark.parametrize("bald", ["dog", "baby"])
+def test_hair_that_comes_or_goes_leaves_no_chips_on_the_scalp(stage: Page, bald: str) -> None:
+    ends = max(chips(look(stage, {face: 1.0})) for face in ("kaori", bald))
+    for way in (0.1, 0.2, 0.25):
+        assert chips(look(stage, {"kaori": way, bald: 1.0 - way})) <= ends + 1, way
+
+
+def test_between_two_styles_hair_is_between_them_and_nothing_pops(stage: Page) -> None:
+    seen = [look(stage, {"kaori": 1.0 - part, "round": part}) for part in np.linspace(0.0, 1.0, 9)]
+    areas = [((one[..., :3].max(axis=2) < DARK) & (one[..., 3] > 127))[: 2 * SIDE // 3].sum() for one in seen]
+    assert areas[4] == pytest.approx((areas[0] + areas[-1]) / 2, rel=0.15)
+    assert areas == sorted(areas, reverse=True)
+    steps = [np.abs(after - before).mean() for before, after in pairwise(seen)]
+    assert max(steps) < 1.5 * np.mean(steps)
+
+
+def test_no_part_of_a_head_is_drawn_before_it_is_whole(open_page: OpenPage) -> None:
+    hair = documents(load_cast(), load_meshes(), mask="").hair
+    held: list[Route] = []
+    page = open_page("/", width=SIDE, height=SIDE)
+    page.route(lambda url: any(url.endswith(one) for one in hair), lambda route: held.append(route))
+    page.goto(page.url.rstrip("/") + "/stage?quality=lowest&transparent")
+    wait_until(page, "window.omoteStage?.counters().drawn > 5")
+    while not held:
+        page.wait_for_timeout(15)
+    assert (picture(page)[..., 3] == 0).all()
+    for route in held:
+        route.continue_()
+    wait_until(page, "window.omoteStage.settled()")
+    assert (picture(page)[SIDE // 3 : SIDE // 2, SIDE // 3 : -SIDE // 3, 3] == 255).all()

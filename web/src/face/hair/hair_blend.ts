@@ -1,0 +1,226 @@
+/** Blends hair styles: each strand takes the course of all styles on air at its root, as long as the faces there have hair. */
+
+import { MathUtils } from "three";
+import type { HairStrands } from "../../link/strands";
+import { lengthAt } from "./hair_strands";
+import { outward, type RadialMap, radiusOf, radiusUnder } from "./radial_map";
+import { type Matches, matchRoots, woundStrands } from "./root_matching";
+
+/** Of the weight of the heaviest style: where another begins to be drawn beside it, as the same hair by then. */
+const BESIDE = 0.6;
+
+/** How much later hair comes where the scalp is not painted, at the hairline too: short hair lies on bare skin like chips. */
+const LATER = 2;
+
+/** A style as the faces on air carry it. */
+export interface CarriedStyle {
+  readonly hair: HairStrands;
+  /** Metres from the skin at each strand's root, mixed over all faces on air; four numbers a place. */
+  readonly carried: Float32Array;
+  /** How dark the scalp under it is painted, 0..1, mixed over its wearers. */
+  readonly scalp: number;
+}
+
+/** What does not change about a style. */
+interface Study {
+  /** 1 for each strand that is wound up. */
+  readonly wound: Uint8Array;
+  /** Metres of each place over the generic scalp. */
+  readonly heights: Float32Array;
+  /** Metres along each strand. */
+  readonly lengths: Float32Array;
+  /** How far each strand's root stands on painted scalp, 0..1. */
+  readonly rooted: Float32Array;
+}
+
+/** A style as a source of the courses of another's strands. */
+interface Source extends Matches {
+  readonly from: CarriedStyle;
+  readonly heights: Float32Array;
+  readonly lengths: Float32Array;
+  readonly weight: number;
+  /** How much of it is drawn by itself, 0..1. */
+  readonly drawn: number;
+  /** Of the strand that is being shaped: its share, and its first place in the source. */
+  share: number;
+  first: number;
+}
+
+/** Blends styles on one head. */
+export class HairBlend {
+  private readonly studies = new Map<HairStrands, Study>();
+  private readonly matches = new Map<HairStrands, Map<HairStrands, Matches>>();
+
+  /** `scalp`: the generic head, over which all styles were grown; `painted`: the rows of its skin under hair, 0..1 each. */
+  constructor(
+    private readonly scalp: () => RadialMap,
+    private readonly painted: (row: number) => number,
+  ) {}
+
+  /**
+   * Writes the first `count` strands of a style as all styles on air together shape them: metres from the skin at each root;
+   * beside the first three places how much of its length there is (0..1), how much of its width (0..1), and its whole length.
+   * Returns how much shows of the strand that shows most, 0..1.
+   */
+  write(style: CarriedStyle, weights: ReadonlyMap<CarriedStyle, number>, into: Float32Array, count: number): number {
+    const sources = this.sources(style, weights);
+    const { wound, rooted } = this.study(style.hair);
+    let most = 0;
+    for (let strand = 0; strand < count; strand++) {
+      const weight = choose(sources, strand, style.hair.stations);
+      const bare = 1 - style.scalp * (rooted[strand] as number);
+      const length = lengthAt(weight - LATER * bare * (1 - weight));
+      const width = length > 0 ? widthOf(style, sources, strand) : 0;
+      const at = 4 * strand * style.hair.stations;
+      if (width > 0) this.shape(style, strand, sources, into);
+      if (wound[strand] === 1) shrink(into, at, at + 4 * style.hair.stations, length);
+      into[at + 3] = wound[strand] === 1 ? 1 : length;
+      into[at + 7] = width;
+      into[at + 11] = wholeLength(sources, strand);
+      most = Math.max(most, Math.min(length, width));
+    }
+    return most;
+  }
+
+  private sources(style: CarriedStyle, weights: ReadonlyMap<CarriedStyle, number>): Source[] {
+    const heaviest = Math.max(...weights.values());
+    return [...weights].map(([from, weight]) => {
+      const { heights, lengths } = this.study(from.hair);
+      const drawn = MathUtils.smoothstep(weight / heaviest, BESIDE, 1);
+      return { ...this.matched(style, from), from, heights, lengths, weight, drawn, share: 0, first: 0 };
+    });
+  }
+
+  /** A strand's places: the mean of its courses, each from its own root. */
+  private shape(style: CarriedStyle, strand: number, sources: readonly Source[], into: Float32Array): void {
+    const { stations } = style.hair;
+    const own = strand * stations;
+    const alone = sources.every(({ share }) => share === 0 || share === 1);
+    for (let place = 0; place < stations; place++) {
+      for (let axis = 0; axis < 3; axis++) {
+        let sum = style.carried[4 * own + axis] as number;
+        for (const { from, first, share } of sources) {
+          if (share === 0) continue;
+          const root = from.carried[4 * first + axis] as number;
+          sum += share * ((from.carried[4 * (first + place) + axis] as number) - root);
+        }
+        into[4 * (own + place) + axis] = sum;
+      }
+      if (!alone) this.lift(style, own, place, sources, into);
+    }
+  }
+
+  /**
+   * Between two courses around the head the straight mean runs through the skull: it is moved out to where it lies as
+   * high over the scalp as the courses do, on the generic head; faces carry it as they carry the courses.
+   */
+  private lift(style: CarriedStyle, own: number, place: number, sources: readonly Source[], into: Float32Array): void {
+    const at = 4 * (own + place);
+    const { points } = style.hair;
+    let [x, y, z] = [points[3 * own] as number, points[3 * own + 1] as number, points[3 * own + 2] as number];
+    let height = 0;
+    for (const { from, heights, first, share } of sources) {
+      if (share === 0) continue;
+      const [course, here, root] = [from.hair.points, 3 * (first + place), 3 * first];
+      x += share * ((course[here] as number) - (course[root] as number));
+      y += share * ((course[here + 1] as number) - (course[root + 1] as number));
+      z += share * ((course[here + 2] as number) - (course[root + 2] as number));
+      height += share * (heights[first + place] as number);
+    }
+    const more = (radiusUnder(this.scalp(), x, y, z) + height) / Math.max(radiusOf(x, y, z), 1e-6) - 1;
+    if (more <= 0) return;
+    const moved = outward(x, y, z, more);
+    for (let axis = 0; axis < 3; axis++) into[at + axis] = (into[at + axis] as number) + (moved[axis] as number);
+  }
+
+  private matched({ hair }: CarriedStyle, { hair: other }: CarriedStyle): Matches {
+    const own = this.matches.get(hair) ?? new Map<HairStrands, Matches>();
+    this.matches.set(hair, own);
+    const known = own.get(other) ?? (hair === other ? itself(hair) : matchRoots(hair, other));
+    own.set(other, known);
+    return known;
+  }
+
+  private study(hair: HairStrands): Study {
+    const known = this.studies.get(hair);
+    if (known !== undefined) return known;
+    const study = {
+      wound: woundStrands(hair),
+      heights: heightsOf(hair, this.scalp()),
+      lengths: lengthsOf(hair),
+      rooted: rootedOn(hair, this.painted),
+    };
+    this.studies.set(hair, study);
+    return study;
+  }
+}
+
+/** Sets what each source gives to a strand; returns the weight of all that have hair at its root. */
+function choose(sources: readonly Source[], strand: number, stations: number): number {
+  let weight = 0;
+  for (const source of sources) weight += source.weight * (source.same[strand] as number);
+  for (const source of sources) {
+    source.share = weight > 0 ? (source.weight * (source.same[strand] as number)) / weight : 0;
+    source.first = (source.strand[strand] as number) * stations;
+  }
+  return weight;
+}
+
+/** How much of a strand's width is drawn, 0..1: none of it where a heavier style draws the same hair. */
+function widthOf(style: CarriedStyle, sources: readonly Source[], strand: number): number {
+  let [drawn, covered] = [0, 0];
+  for (const source of sources)
+    if (source.from === style) drawn = source.drawn;
+    else covered = Math.max(covered, source.drawn * (source.same[strand] as number));
+  return Math.max(drawn, 1 - covered);
+}
+
+/** Metres along a strand, as all its sources have it. */
+function wholeLength(sources: readonly Source[], strand: number): number {
+  let sum = 0;
+  for (const source of sources) sum += source.share * (source.lengths[source.strand[strand] as number] as number);
+  return sum;
+}
+
+/** What is wound up shrinks to the skin at its root instead of being cut. */
+function shrink(into: Float32Array, first: number, end: number, size: number): void {
+  for (let at = first; at < end; at++) into[at] = size * (into[at] as number);
+}
+
+/** Every strand is its own match. */
+function itself({ anchors }: HairStrands): Matches {
+  return { strand: Int32Array.from(anchors.keys()), same: new Float32Array(anchors.length).fill(1) };
+}
+
+/** Metres over the scalp of every place of a style. */
+function heightsOf({ points }: HairStrands, scalp: RadialMap): Float32Array {
+  return Float32Array.from({ length: points.length / 3 }, (_, place) => {
+    const at = points.subarray(3 * place, 3 * place + 3) as unknown as [number, number, number];
+    return radiusOf(at[0], at[1], at[2]) - radiusUnder(scalp, at[0], at[1], at[2]);
+  });
+}
+
+/** Metres along every strand of a style. */
+function lengthsOf({ anchors, points, stations }: HairStrands): Float32Array {
+  return Float32Array.from(anchors, (_, strand) => {
+    let sum = 0;
+    for (let at = 3 * (strand * stations + 1); at < 3 * (strand + 1) * stations; at += 3) {
+      const across = [0, 1, 2].map((axis) => (points[at + axis] as number) - (points[at - 3 + axis] as number));
+      sum += Math.hypot(...across);
+    }
+    return sum;
+  });
+}
+
+/** How far every strand's root stands on painted scalp, 0..1. */
+function rootedOn(
+  { anchors, rows, weights, links, stations }: HairStrands,
+  painted: (row: number) => number,
+): Float32Array {
+  return Float32Array.from(anchors, (_, strand) => {
+    const root = strand * stations * links;
+    let sum = 0;
+    for (let link = root; link < root + links; link++) sum += (weights[link] as number) * painted(rows[link] as number);
+    return sum;
+  });
+}
