@@ -106,7 +106,7 @@ describe("a blend of hair styles", () => {
   it("grows later where the scalp is bare, and is whole with all its weight", () => {
     const lengths = [worn([forward]), worn([forward], 0.3)].flatMap((one) =>
       [1, 0.5].map((painted) => {
-        blend(painted).write(one, new Map([[one, 0.6]]), one.into, 1);
+        blend(painted).write(one, new Map([[one, 0.75]]), one.into, 1);
         const [length] = told(one) as [number];
         blend(painted).write(one, new Map([[one, 1]]), one.into, 1);
         expect(told(one)[0]).toBe(1);
