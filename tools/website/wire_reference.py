@@ -38,7 +38,9 @@ def wire_page() -> str:
     parts += _group("Show: client to server", show.CLIENT_MESSAGES)
     parts += _group("Show: server to client", show.SERVER_MESSAGES)
     parts += _group("Editor: client to server", editing.EDITOR_MESSAGES)
-    parts += _group("Editor: server to client", editing.ANSWERS)
+    shared = [struct for struct in editing.ANSWERS if struct in show.SERVER_MESSAGES]
+    parts += _group("Editor: server to client", [struct for struct in editing.ANSWERS if struct not in shared])
+    parts += [f"Of the show's too: {', '.join(f'`{struct.__struct_config__.tag}`' for struct in shared)}.\n"]
     parts += _group("Documents over HTTP", show.DOCUMENTS)
     told = {*show.CLIENT_MESSAGES, *show.SERVER_MESSAGES, *editing.EDITOR_MESSAGES, *editing.ANSWERS, *show.DOCUMENTS}
     parts += _group("Inside messages and documents", _inner(told))
@@ -53,7 +55,11 @@ def section(struct: Struct) -> str:
     """One message: its tag, what it is for, and its fields."""
     tag = struct.__struct_config__.tag
     title = f"`{tag or struct.__name__}`"
-    if struct in editing.ANSWERS and tag in {answer.__struct_config__.tag for answer in show.SERVER_MESSAGES}:
+    if (
+        struct not in show.SERVER_MESSAGES
+        and struct in editing.ANSWERS
+        and tag in {answer.__struct_config__.tag for answer in show.SERVER_MESSAGES}
+    ):
         title += " (editor)"  # both links have one of this name
     hints = typing.get_type_hints(struct, include_extras=True)
     rows = [f"| `{field.name}` | {_described(hints[field.name])} |" for field in msgspec.structs.fields(struct)]

@@ -26,6 +26,12 @@ def test_every_message_has_its_section_once() -> None:
     assert {str(s.__struct_config__.tag or s.__name__) for s in structs} <= set(tags)
 
 
+def test_a_message_of_both_links_has_one_section_and_is_named_at_the_other() -> None:
+    before, after = wire_page().split("## Editor: server to client")
+    assert "### `notices`\n" in before
+    assert "Of the show's too: `notices`." in after
+
+
 def test_links_between_types_lead_to_sections_of_the_page() -> None:
     page = wire_page()
     sections = {re.sub(r"[^\w-]", "", title.lower()) for title in re.findall(r"^### (.*)$", page, re.MULTILINE)}
