@@ -81,6 +81,7 @@ class PictureStudio:
             found = inspect_show(show)
             own, self.documents.contents = own_items(found.stored), found.contents
         self.cast: PlayingCast = build_playing_cast(self.documents.cast, own, self.documents.contents)
+        self._made_by = (__version__, self.cast.digest, digest_of_pages(self.pages))
 
     def plan(self, request: Request, path: Path, *, fresh: bool = False) -> PictureRun:
         """Everything that a request wants drawn; ValueError where that cannot be, before anything is drawn."""
@@ -99,8 +100,7 @@ class PictureStudio:
                 yield self._file(cell, folder / f"{name}.png", sheet, setting)
 
     def _file(self, request: Request, path: Path, sheet: PictureGrid, setting: Setting) -> PictureFile:
-        made_by = (__version__, self.cast.digest, digest_of_pages(self.pages))
-        return PictureFile(path, sheet, describe(request, sheet, setting, made_by))
+        return PictureFile(path, sheet, describe(request, sheet, setting, self._made_by))
 
 
 def pictures_folder(path: Path) -> Path:
