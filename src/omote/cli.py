@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.file_commands import file_app
-from omote.picture_commands import fail, fail_with, grid, redraw, render, say
+from omote.file_commands import fail, fail_with, file_app, say
+from omote.picture_commands import grid, redraw, render
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast

@@ -7,7 +7,7 @@ import contextlib
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, NoReturn
 
 import typer
 
@@ -157,18 +157,35 @@ def format_time(seconds: float) -> str:
 
 @contextlib.contextmanager
 def exit_on_refusal() -> Iterator[None]:
-    """Turns errors of show files into an error message and exit status 1."""
+    """Turns errors of files and browsers into an error message and exit status 1."""
     import sqlite3
 
+    from omote.server.headless.devtools import BrowserError
     from omote.server.persistence.lock import ShowLockedError
-    from omote.showfile.database_errors import describe_error
     from omote.showfile.schema import ShowFileError
 
     try:
         yield
-    except (ShowFileError, ShowLockedError, OSError, ValueError, OverflowError, sqlite3.Error) as error:
-        typer.echo(f"omote: {escape_controls(describe_error(error))}", err=True)
-        raise typer.Exit(1) from error
+    except (ShowFileError, ShowLockedError, BrowserError, OSError, ValueError, OverflowError, sqlite3.Error) as error:
+        fail_with(error)
+
+
+def say(sentence: str) -> None:
+    """Prints a sentence beside what programs read; names in untrusted files do not control the terminal."""
+    typer.echo(f"omote: {escape_controls(sentence)}", err=True)
+
+
+def fail_with(error: Exception) -> NoReturn:
+    """Ends the command with what an error means, in words."""
+    from omote.showfile.database_errors import describe_error
+
+    fail(describe_error(error))
+
+
+def fail(sentence: str) -> NoReturn:
+    """Ends the command with an error message and exit status 1."""
+    say(sentence)
+    raise typer.Exit(1)
 
 
 def print_rows(rows: list[dict[str, Any]], *, json: bool, none: str) -> None:

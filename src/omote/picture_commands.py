@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import sqlite3
 import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+from omote.file_commands import exit_on_refusal, say
 
 if TYPE_CHECKING:
     from omote.server.headless.picture_run import PictureRun, Progress
@@ -91,7 +92,7 @@ def redraw(
     """Draws a picture or a grid again from its sidecar, with every parameter as it was."""
     from omote.stage_data.picture_sidecar import read_sidecar
 
-    with one_sentence():
+    with exit_on_refusal():
         written = read_sidecar(sidecar)
         draw(output or sidecar.with_suffix(""), written.request, fresh=True, jobs=jobs, before=written.cast)
 
@@ -101,7 +102,7 @@ def draw(path: Path, request: Request, *, fresh: bool = False, jobs: int = 1, be
 
     before: the digest of the cast that it was drawn with once; another cast is told of.
     """
-    with one_sentence():
+    with exit_on_refusal():
         from omote.interchange.formats.atomic_file import check_writable
         from omote.interchange.formats.picture_names import picture_kind
         from omote.server.headless.picture_run import PictureStudio, draw_run
@@ -158,33 +159,3 @@ def _lines(run: PictureRun) -> Callable[[Progress], None]:
         say(f"{progress.number} of {progress.total}: {progress.path.name}, {progress.seconds:.1f} s{rest}")
 
     return report
-
-
-@contextmanager
-def one_sentence() -> Iterator[None]:
-    """Turns what can go wrong with a picture into an error message and exit status 1."""
-    from omote.server.headless.devtools import BrowserError
-    from omote.showfile.schema import ShowFileError
-
-    try:
-        yield
-    except (OSError, ValueError, BrowserError, ShowFileError, sqlite3.Error) as error:
-        fail_with(error)
-
-
-def say(sentence: str) -> None:
-    """Prints a sentence beside what programs read."""
-    typer.echo(f"omote: {sentence}", err=True)
-
-
-def fail_with(error: Exception) -> NoReturn:
-    """Ends the command with what an error means, in words."""
-    from omote.showfile.database_errors import describe_error
-
-    fail(describe_error(error))
-
-
-def fail(sentence: str) -> NoReturn:
-    """Ends the command with an error message and exit status 1."""
-    say(sentence)
-    raise typer.Exit(1)
