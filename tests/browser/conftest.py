@@ -38,6 +38,11 @@ supervisor.HANG_SECONDS = supervisor.START_SECONDS = {PATIENCE}
 main()
 """
 
+NO_PICTURES = """
+const other = (get) => function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
+for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) prototype.getContext = other(prototype.getContext);
+"""
+
 OpenPage = Callable[..., Page]
 
 expect.set_options(timeout=1000 * PATIENCE)
@@ -111,18 +116,21 @@ def windows(browser: Browser) -> Windows:
 def open_page(show: str, windows: Windows) -> Iterator[OpenPage]:
     """Opens a page of the show, each one somebody else's: `open_page("/console", width=1280, height=800)`.
 
+    One that is opened without `pictures` finds no WebGL2 and draws no face, which is most of what a console costs.
     More options (`has_touch`) are those of a context of Playwright.
     """
     taken: list[BrowserContext] = []
     made: list[BrowserContext] = []
     errors: list[str] = []
 
-    def open_one(path: str, *, width: int = 1280, height: int = 800, **options: Any) -> Page:
+    def open_one(path: str, *, width: int = 1280, height: int = 800, pictures: bool = True, **options: Any) -> Page:
         context = windows.browser.new_context(**options) if options else windows.take()
         (made if options else taken).append(context)
         context.set_default_timeout(1000 * PATIENCE)
         page = context.new_page()
         page.set_viewport_size({"width": width, "height": height})
+        if not pictures:
+            page.add_init_script(NO_PICTURES)
         page.on("pageerror", lambda error: errors.append(f"{path}: {error}"))
         page.goto(show + path)
         return page

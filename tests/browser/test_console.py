@@ -38,11 +38,11 @@ TWO_FRAMES = "() => new Promise((done) => requestAnimationFrame(() => requestAni
 
 @pytest.fixture
 def console(open_page: OpenPage) -> Console:
-    """Opens a console on a show at rest; later ones join it as it is."""
+    """Opens a console on a show at rest, with `pictures` or without; later ones join it as it is."""
     opened: list[Page] = []
 
-    def open_one(**options: Any) -> Page:
-        page = open_page("/console", **options)
+    def open_one(*, pictures: bool = False, **options: Any) -> Page:
+        page = open_page("/console", pictures=pictures, **options)
         wait_for(page, "desk.online && state !== null && desk.faces.length > 0")
         if not opened:
             page.evaluate(TO_REST)
@@ -413,7 +413,7 @@ def test_a_drag_under_way_does_not_undo_panic(console: Console) -> None:
 
 
 def test_thumbnails_show_faces_and_they_differ(console: Console) -> None:
-    page = console()
+    page = console(pictures=True)
     drawn = "all.length > 0 && all.every((one) => one.dataset.drawn)"
     palettes = "[...document.querySelector('omote-console').shadowRoot.querySelectorAll('omote-palette')]"
     canvases = f"{palettes}.flatMap((one) => [...one.shadowRoot.querySelectorAll('canvas')])"
@@ -493,7 +493,7 @@ def test_names_are_text_whatever_they_hold(console: Console) -> None:
 
 def test_a_lost_link_is_seen_nothing_is_pretended_and_it_comes_back(open_page: OpenPage, console: Console) -> None:
     console()
-    page = open_page("/console")
+    page = open_page("/console", pictures=False)
     links: list[WebSocketRoute] = []
     away = [False]
 
@@ -529,7 +529,7 @@ def test_a_lost_link_is_seen_nothing_is_pretended_and_it_comes_back(open_page: O
 
 def test_a_server_with_another_built_in_cast_reloads_the_page(open_page: OpenPage, console: Console) -> None:
     console()
-    page = open_page("/console")
+    page = open_page("/console", pictures=False)
     other = [False]
     links: list[WebSocketRoute] = []
 

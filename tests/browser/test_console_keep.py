@@ -147,7 +147,7 @@ def test_own_faces_are_at_hand_and_hot_keys_stay_where_they_are(console: Console
 
 
 def test_own_things_are_found_by_word_and_named_apart(console: Console) -> None:
-    page = console()
+    page = console(pictures=True)
     kept = keep(page, "face")
     page.get_by_label("Search faces").fill("own air")
     expect(tile(page, kept["name"])).to_be_visible()

@@ -108,7 +108,7 @@ def view(page: Page, name: str) -> None:
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
 def test_the_console_is_played_by_fingers(console: Console, width: int, height: int) -> None:
-    page = console(width=width, height=height, has_touch=True)
+    page = console(pictures=True, width=width, height=height, has_touch=True)
     check_surface(page, width, height)
     for name in ("generic", "child", "neutral", "angry"):
         expect(tile(page, name)).to_be_in_viewport()
@@ -141,7 +141,7 @@ def test_the_console_is_played_by_fingers(console: Console, width: int, height: 
 
 @pytest.mark.parametrize(("width", "height"), [(1024, 768), (1440, 900), (1920, 1080)])
 def test_by_mouse_nothing_is_cut_off_and_nothing_scrolls(console: Console, width: int, height: int) -> None:
-    page = console(width=width, height=height)
+    page = console(pictures=True, width=width, height=height)
     assert page.evaluate("document.scrollingElement.scrollHeight") <= height
     assert page.evaluate("document.scrollingElement.scrollWidth") <= width
     assert [one["name"] for one in controls(page) if one["cut"]] == []

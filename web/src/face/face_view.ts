@@ -7,7 +7,7 @@ import { AssetResidency, namesOf } from "./blend/asset_residency";
 import { Blender, type Eyeballs } from "./blend/blender";
 import { following, frame, PORTRAIT, portraitCamera, type Shot, type Tile, tileView, turnedAbout } from "./framing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
-import { createRenderer } from "./gpu/renderer";
+import { createRenderer, NO_WEBGL2 } from "./gpu/renderer";
 import { Hair } from "./hair/hair";
 import { eyeTraitsOf, writeEyeTraits } from "./head/eye_traits";
 import { FaceLooks } from "./head/face_looks";
@@ -20,7 +20,7 @@ import type { Triple } from "./light/tone";
 import { type Pose, restPose, writeTurn } from "./pose/pose";
 import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
 import { FEATURES, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
-import { drawsInSoftware } from "./quality/software_rendering";
+import { drawsInSoftware, hasWebGL2 } from "./quality/software_rendering";
 import { applyLayers } from "./skin/skin_layers";
 
 /** How a view draws; everything may be left out. */
@@ -107,6 +107,7 @@ export class FaceView {
     library: Library,
     options: FaceViewOptions = {},
   ): Promise<FaceView> {
+    if (!hasWebGL2()) throw new Error(NO_WEBGL2); // first: what cannot be drawn is not fetched
     const [anatomy, layers] = await Promise.all([loadAnatomy(library), library.layers().catch(() => [])]);
     return new FaceView(canvas, library, anatomy, layers, options);
   }

@@ -3,6 +3,10 @@
 import * as THREE from "three";
 import type { Features } from "../quality/quality_levels";
 
+/** What people read where no face can be drawn. */
+export const NO_WEBGL2 =
+  "This browser gives no WebGL2, so no face can be drawn; update the graphics driver or use another browser.";
+
 /** A renderer on a canvas, clear to begin with; an Error with a sentence when the browser gives no WebGL2. */
 export function createRenderer(
   canvas: HTMLCanvasElement | OffscreenCanvas,
@@ -14,10 +18,7 @@ export function createRenderer(
     premultipliedAlpha: true,
     powerPreference: "high-performance",
   }) as WebGL2RenderingContext | null;
-  if (context === null)
-    throw new Error(
-      "This browser gives no WebGL2, so no face can be drawn; update the graphics driver or use another browser.",
-    );
+  if (context === null) throw new Error(NO_WEBGL2);
   const renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true, premultipliedAlpha: true });
   renderer.setClearColor(0x000000, 0);
   return renderer;
