@@ -38,7 +38,7 @@ def set_up(page: Page) -> dict[str, object]:
 
 
 def test_a_fresh_console_asks_for_nothing_that_is_not_there(open_page: OpenPage) -> None:
-    page = open_page("/console?layout=new")
+    page = open_page("/console?layout=new", pictures=False)
     answers: list[int] = []
     page.on("response", lambda answer: answers.append(answer.status))
     page.reload()
@@ -92,7 +92,7 @@ def test_the_home_face_is_chosen_for_every_console(console: Console) -> None:
 
 
 def test_a_layout_that_cannot_be_read_is_told_and_ignored(open_page: OpenPage) -> None:
-    page = open_page("/console?layout=broken")
+    page = open_page("/console?layout=broken", pictures=False)
     wait_for(page, "desk.online && desk.faces.length > 0")
     page.route("**/layouts/broken", lambda route: route.fulfill(status=200, body="{not json"))
     page.evaluate("localStorage.clear()")

@@ -131,7 +131,7 @@ def test_a_newcomer_makes_a_crooked_smile_with_what_the_page_says(editor: Editor
     drag(page, mouth_corner(page))
     page.get_by_role("button", name="Save").click()
     expect(notice(page)).to_contain_text("is now under Own")
-    console = open_page("/console")
+    console = open_page("/console", pictures=False)
     console.locator("[data-kind='own']").click()  # where the page said that it is
     tile = console.locator(".expressions .tile", has_text="Crooked smile")
     tile.click()

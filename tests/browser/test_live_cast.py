@@ -134,7 +134,7 @@ def shown(page: Page) -> Floats:
 def test_a_saved_expression_is_on_the_console_and_on_air_without_a_reload(
     open_page: OpenPage, author: Author, cast: Cast
 ) -> None:
-    stage, console = open_page("/stage", width=320, height=240), open_page("/console")
+    stage, console = open_page("/stage", width=320, height=240), open_page("/console", pictures=False)
     wait_until(stage, "window.omoteStage && window.omoteStage.settled()")
     tiles = console.locator("omote-palette .tile")
     expect(tiles.first).to_be_visible()
@@ -181,7 +181,7 @@ def test_a_changed_expression_on_air_passes_to_the_new_one_without_a_jump(
 
 
 def test_what_is_kept_on_air_is_in_the_palette(open_page: OpenPage, author: Author) -> None:
-    console = open_page("/console")
+    console = open_page("/console", pictures=False)
     expect(console.locator("omote-palette .tile").first).to_be_visible()
     author.play(wire.CallFace("half", "dog", 0.0, "smooth"), wire.KeepFace("kept"))
     expect(console.locator("omote-palette .tile[data-source^='#'] .name", has_text="On air")).to_have_count(1)

@@ -69,7 +69,7 @@ def process_of(file: Path) -> int:
 def test_a_recovered_file_and_a_killed_process_are_told_until_they_are_dismissed(
     open_page: OpenPage, file: Path
 ) -> None:
-    page, other = opened(open_page("/console", width=1440, height=900)), opened(open_page("/console"))
+    page, other = opened(open_page("/console", width=1440, height=900)), opened(open_page("/console", pictures=False))
     damaged = f"{file} is damaged: its beginning is lost or overwritten. It is kept as {file}.corrupt-1; opened "
     expect(notice(page)).to_contain_text(damaged + "instead: its good copy of ")
     expect(notice(page).locator("small")).to_have_count(0)
@@ -106,7 +106,7 @@ def test_a_recovered_file_and_a_killed_process_are_told_until_they_are_dismissed
 def test_a_notice_is_whole_on_every_screen_and_can_be_dismissed_by_a_finger(
     open_page: OpenPage, width: int, height: int
 ) -> None:
-    page = opened(open_page("/console", width=width, height=height))
+    page = opened(open_page("/console", width=width, height=height, pictures=False))
     expect(notice(page)).to_be_visible()
     box = notice(page).bounding_box()
     assert box is not None

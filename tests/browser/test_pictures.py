@@ -138,6 +138,6 @@ def test_another_level_fades_in(open_page: OpenPage) -> None:
 def test_the_operator_sees_the_level(open_page: OpenPage) -> None:
     # A level that a software renderer draws in time to say so, and not the one it would choose itself.
     opened(open_page, "?quality=low", live=True)
-    level = open_page("/console").locator("omote-status .level")
+    level = open_page("/console", pictures=False).locator("omote-status .level")
     expect(level).to_contain_text("low")
     expect(level).not_to_contain_text("lowest")
