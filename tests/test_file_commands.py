@@ -16,7 +16,7 @@ from omote.model.cast import Cast
 from omote.showfile.changes import PutContent, PutItem, PutRevision
 from omote.showfile.contents import content_key, pack_expression
 from omote.showfile.show_file import ShowFile, open_show
-from tests.showfile.ledger import item, revision
+from tests.showfile.authored_work import item, revision
 
 RECIPE = b'{"kind":"expression","net":[],"vectors":[]}'
 

@@ -16,7 +16,7 @@ from omote.showfile.changes import PutContent, PutItem, PutRevision
 from omote.showfile.contents import content_key, pack_expression
 from omote.showfile.show_file import open_show
 from tests.server.synthetic_server import MASK, PAGES, meshes
-from tests.showfile.ledger import item, revision
+from tests.showfile.authored_work import item, revision
 
 runner = CliRunner()
 RECIPE = b'{"kind":"expression","net":[],"vectors":[]}'

@@ -22,7 +22,7 @@ from omote.showfile.changes import (
 )
 from omote.showfile.schema import CorruptShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
-from tests.showfile.ledger import DATA, FIRST, KEYS, AuthoredTables, item, puts, revision
+from tests.showfile.authored_work import DATA, FIRST, KEYS, AuthoredTables, item, puts, revision
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import msgspec
 from hypothesis import given
 
 from omote.showfile.changes import Change, Stored
-from tests.showfile.ledger import FIRST, AuthoredTables, puts
+from tests.showfile.authored_work import FIRST, AuthoredTables, puts
 
 
 @given(puts)

@@ -19,7 +19,7 @@ from omote.showfile.contents import content_key, pack_expression, pack_face
 from omote.showfile.inspection import inspect_show, item_named, revisions_of, verdicts
 from omote.showfile.schema import APPLICATION_ID, MIGRATIONS, ShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
-from tests.showfile.ledger import item, revision
+from tests.showfile.authored_work import item, revision
 
 SMILE = pack_expression(Expression(np.ones(3), np.zeros(3), np.ones(3), np.zeros((0, 3))))
 KEY, FACE_KEY = content_key(SMILE), ""

@@ -12,7 +12,7 @@ from omote.showfile.contents import content_key
 from omote.showfile.recovery import Recovery, is_lost, move_aside, recover_show
 from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
-from tests.showfile.ledger import item, revision
+from tests.showfile.authored_work import item, revision
 
 Held = tuple[Stored, dict[str, bytes], JournalEntry]
 
