@@ -13,7 +13,7 @@ from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import Part, bind_to_head, bind_to_jaw, eye_rotation
-from omote.model.transfer.extract import extract
+from omote.model.extraction.extract import extract
 
 Points = NDArray[np.float64]
 

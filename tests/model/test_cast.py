@@ -9,7 +9,7 @@ import pytest
 
 from omote.model.cast import TRAITS, Cast, Look
 from omote.model.space.face import Face
-from omote.model.transfer.extract import extract
+from omote.model.extraction.extract import extract
 from tests.synthetic import cast, head, space
 
 

@@ -29,7 +29,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound, compound_parts
-from omote.model.transfer.extract import extract
+from omote.model.extraction.extract import extract
 from tools.baking.sculpts import sculpt_paths
 from tools.same.compounds import SEED, cast_under
 from tools.same.recording import Numbers, Recording

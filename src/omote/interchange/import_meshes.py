@@ -20,7 +20,7 @@ from omote.model.cast import NEUTRAL, Cast, Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.transfer.extract import extract
+from omote.model.extraction.extract import extract
 from omote.perform.name_lookup import find_name
 
 Points = NDArray[np.float64]

@@ -17,7 +17,7 @@ from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import Layer, Recipe
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound
-from omote.model.transfer.extract import extract
+from omote.model.extraction.extract import extract
 
 CAST = omote.load_cast()
 PROMISED = 5e-5

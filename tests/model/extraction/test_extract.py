@@ -7,7 +7,7 @@ import pytest
 
 import omote
 from omote.model.transfer.compound import compound
-from omote.model.transfer.extract import extract
+from omote.model.extraction.extract import extract
 from tests.synthetic import cast, space
 
 UNITS = ("jawOpen", "eyeBlinkLeft", "mouthSmileRight", "mouthFunnel")

@@ -1,0 +1,86 @@
+"""The sum of known expressions nearest to a field (docs/method.md, "Which field is meant").
+
+Where a face's map has turned folds back, or pushed a lid off an eyeball, a few dozen vertices of a measured field are
+wrong and thousands exact. So the sum is fitted in the least sum of distances, which such outliers do not pull:
+iteratively reweighted least squares (Weiszfeld 1937; Daubechies et al. 2010).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.space.expression import Expression
+from omote.model.space.parameter_space import ParameterSpace
+
+Values = NDArray[np.float64]
+
+# Distances count from the first, metres, on at first, from the second at the end; so many rounds.
+_COARSE, _FINE, _ROUNDS = 1e-4, 1e-7, 20
+# Weights that the field does not tell stay small: this share of the mean diagonal.
+_RIDGE = 1e-12
+# A sum may bring a radius no nearer to the axis than to this share of itself.
+_LEAST_RATIO = 0.05
+
+
+def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expression], /) -> Expression:
+    """The weighted sum of known expressions nearest to a field on the sheet, with its residual of the inner skin.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        The space of all.
+    field : Expression
+        What is measured.
+    known : sequence of Expression
+        Under the same rules; what moves no skin does not count.
+
+    Returns
+    -------
+    Expression
+        Without parts; at rest where none of the known moves any skin.
+    """
+    rows = np.unique(space.sheet_triangles)
+    metric = np.maximum(space.cylinder.unroll(space.points)[2][rows], 1e-3)
+    basis = np.stack([_as_metres(each, rows, metric) for each in known])
+    sizes = np.sqrt((basis**2).sum(axis=(1, 2)))
+    moving = np.flatnonzero(sizes > 1e-6)
+    share = np.zeros(len(known))
+    if len(moving):
+        scaled = basis[moving] / sizes[moving, None, None]
+        share[moving] = _fit_robustly(scaled, _as_metres(field, rows, metric)) / sizes[moving]
+    ratio = 1.0 + _add(share, [each.ratio - 1.0 for each in known])
+    return Expression(
+        _add(share, [each.dtheta for each in known]),
+        _add(share, [each.dh for each in known]),
+        np.maximum(ratio, _LEAST_RATIO),
+        _add(share, [each.residual for each in known]),
+        radius=space.radius,
+        transfer=space.transfer,
+    )
+
+
+def _add(share: Values, values: Sequence[Values]) -> Values:
+    result: Values = np.tensordot(share, np.stack(values), 1)
+    return result
+
+
+def _as_metres(expression: Expression, rows: NDArray[np.int32], metric: Values) -> Values:
+    """The field at vertices of the sheet (n, 3): across, up and out, metres."""
+    across, out = expression.dtheta[rows] * metric, (expression.ratio[rows] - 1.0) * metric
+    return np.stack([across, expression.dh[rows], out], axis=1)
+
+
+def _fit_robustly(basis: Values, target: Values) -> Values:
+    """The weights (k,) with which the basis (k, n, 3) comes nearest to the target (n, 3), outliers left out."""
+    flat, weight = basis.reshape(len(basis), -1), np.ones(len(target))
+    share = np.zeros(len(basis))
+    for floor in np.geomspace(_COARSE, _FINE, _ROUNDS):
+        weighted = flat * np.repeat(weight, 3)
+        gram = weighted @ flat.T
+        gram[np.diag_indices_from(gram)] += _RIDGE * np.trace(gram) / len(gram)
+        share = np.linalg.lstsq(gram, weighted @ target.ravel(), rcond=1e-14)[0]
+        weight = 1.0 / np.maximum(np.linalg.norm(target - np.tensordot(share, basis, 1), axis=1), floor)
+    return share
