@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.transfer.compound import compound
 from omote.model.extraction.extract import extract
+from omote.model.transfer.compound import compound
 from tests.synthetic import cast, space
 
 UNITS = ("jawOpen", "eyeBlinkLeft", "mouthSmileRight", "mouthFunnel")

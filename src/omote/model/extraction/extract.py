@@ -23,7 +23,7 @@ from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.space.parts import eye_angles, eye_rotation
 from omote.model.transfer.compound import compound, predict_part
-from omote.model.transfer.paper_map import compile_expression
+from omote.model.transfer.paper_map import refuse_foreign
 from omote.model.transfer.smooth_map import prepare_smooth_map
 
 Values = NDArray[np.float64]
@@ -86,14 +86,14 @@ def extract(
     if not isinstance(parts, Mapping | None):
         raise TypeError(f"parts is a {type(parts).__name__}; expected a mapping from part names to (n, 3) metres")
     for expression in known:
-        compile_expression(space, expression)  # rejects what does not belong to the space
+        refuse_foreign(space, expression)
     moved = mesh.validate_points(displacement, name="displacement")
     if len(moved) != space.vertex_count:
         raise ValueError(
             f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
         )
     bare, near = _measure_sheet(space, face, moved, known)
-    return _with_rest(space, face, _with_inner_skin(space, face, bare, moved, near), moved, parts or {})
+    return _with_parts(space, face, _with_inner_skin(space, face, bare, moved, near), parts or {})
 
 
 def _measure_sheet(
@@ -118,9 +118,7 @@ def _with_inner_skin(
     return replace(bare, residual=residual)
 
 
-def _with_rest(
-    space: ParameterSpace, face: Face, skin: Expression, moved: Values, parts: Mapping[str, ArrayLike]
-) -> Expression:
+def _with_parts(space: ParameterSpace, face: Face, skin: Expression, parts: Mapping[str, ArrayLike]) -> Expression:
     """The expression with what parts do over what the skin's motion predicts."""
     fitted = fit(space, face)
     sheet = compound(space, face, skin).astype(np.float64) - face.positions

@@ -1,11 +1,12 @@
 """The inner skin's own motion, through the fit of the mouth bag (docs/method.md, "The inverse").
 
 What the bag is pushed by depends on the face, so of all residuals that give the goal the one is taken that asks least
-of other faces: it starts from the sum of known expressions, or from none, and changes only what the goal needs.
+of other faces: it starts from the sum of known expressions and changes only what the goal needs.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -38,22 +39,27 @@ def solve_inner_residual(
     if space.transfer == "paper":
         worn = compound(space, face, bare).astype(np.float64)[inner]
         return (goal - worn) / scale
-    sheet = run(SHEET_STAGES, start(space, face, displace_generic(space, compile_expression(space, bare)), _still(bare)))
+    sheet = run(
+        SHEET_STAGES, start(space, face, displace_generic(space, compile_expression(space, bare)), _still(bare))
+    )
 
     def lack(residual: Values) -> Values:
         moved = run(INNER_STAGES, replace(sheet, residual=residual.astype(np.float32)))
         return (goal - moved.skin[inner]) / scale
 
-    first = np.zeros_like(bare.residual) if known is None else known.residual.copy()
     before_bag = run(LINEAR_INNER_STAGES[len(SHEET_STAGES) :], sheet).skin[inner]
-    last: Values = (goal - before_bag) / scale
-    best, least = last, float(np.abs(lack(last)).max())
-    residual = first
+    linear: Values = (goal - before_bag) / scale
+    return linear if known is None else _approach(lack, known.residual, linear)
+
+
+def _approach(lack: Callable[[Values], Values], start: Values, otherwise: Values) -> Values:
+    """The residual (inner, 3) without lack that fixed-point steps from start come to, or the other one."""
+    residual, best, least = start, otherwise, _GOOD
     for _ in range(_STEPS):
         missing = lack(residual)
         error = float(np.abs(missing).max())
-        if error < max(least, _GOOD):
-            best, least = residual, min(error, least)
+        if error < least:
+            best, least = residual, error
         if error < _CLOSE:
             break
         residual = residual + missing

@@ -21,6 +21,9 @@ Values = NDArray[np.float64]
 _COARSE, _FINE, _ROUNDS = 1e-4, 1e-7, 20
 # Weights that the field does not tell stay small: this share of the mean diagonal.
 _RIDGE = 1e-12
+# Members count whose weight is more than the first of these shares of the largest one with which every vertex that all
+# known explain, to within so many metres, stays explained.
+_CUTS, _EXPLAINED = (0.1, 0.03, 0.01, 0.003, 0.001), 2e-6
 # A sum may bring a radius no nearer to the axis than to this share of itself.
 _LEAST_RATIO = 0.05
 
@@ -50,7 +53,7 @@ def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expressi
     share = np.zeros(len(known))
     if len(moving):
         scaled = basis[moving] / sizes[moving, None, None]
-        share[moving] = _fit_robustly(scaled, _as_metres(field, rows, metric)) / sizes[moving]
+        share[moving] = _fit_sparsely(scaled, _as_metres(field, rows, metric)) / sizes[moving]
     ratio = 1.0 + _add(share, [each.ratio - 1.0 for each in known])
     return Expression(
         _add(share, [each.dtheta for each in known]),
@@ -73,14 +76,34 @@ def _as_metres(expression: Expression, rows: NDArray[np.int32], metric: Values) 
     return np.stack([across, expression.dh[rows], out], axis=1)
 
 
+def _fit_sparsely(basis: Values, target: Values) -> Values:
+    """The weights (k,) of the fewest of a basis (k, n, 3) that explain the target (n, 3) as well as all of it."""
+    everything = _fit_robustly(basis, target)
+    explained = _measure_distance(everything, basis, target) < _EXPLAINED
+    for cut in _CUTS:
+        few = np.flatnonzero(np.abs(everything) > cut * np.abs(everything).max())
+        share: Values = np.zeros(len(basis))
+        share[few] = _fit_robustly(basis[few], target)
+        if (_measure_distance(share, basis, target)[explained] < 2.0 * _EXPLAINED).all():
+            return share
+    return everything
+
+
 def _fit_robustly(basis: Values, target: Values) -> Values:
     """The weights (k,) with which the basis (k, n, 3) comes nearest to the target (n, 3), outliers left out."""
-    flat, weight = basis.reshape(len(basis), -1), np.ones(len(target))
-    share = np.zeros(len(basis))
+    flat = basis.reshape(len(basis), -1)
+    share: Values = np.zeros(len(basis))
+    weight: Values = np.ones(len(target))
     for floor in np.geomspace(_COARSE, _FINE, _ROUNDS):
         weighted = flat * np.repeat(weight, 3)
         gram = weighted @ flat.T
         gram[np.diag_indices_from(gram)] += _RIDGE * np.trace(gram) / len(gram)
-        share = np.linalg.lstsq(gram, weighted @ target.ravel(), rcond=1e-14)[0]
-        weight = 1.0 / np.maximum(np.linalg.norm(target - np.tensordot(share, basis, 1), axis=1), floor)
+        share[:] = np.linalg.lstsq(gram, weighted @ target.ravel(), rcond=1e-14)[0]
+        weight = 1.0 / np.maximum(_measure_distance(share, basis, target), floor)
     return share
+
+
+def _measure_distance(share: Values, basis: Values, target: Values) -> Values:
+    """What a sum of the basis misses at each vertex, (n,) metres."""
+    result: Values = np.linalg.norm(target - np.tensordot(share, basis, 1), axis=1)
+    return result

@@ -28,7 +28,7 @@ Values = NDArray[np.float64]
 # Newton's method: steps at most, the error in metres at which it ends, the shortest share of a step.
 _STEPS, _EXACT, _SHORTEST = 20, 1e-8, 1e-3
 # Anderson acceleration: steps at most at each length, how many earlier ones it remembers, where it ends, metres.
-_LENGTHS, _PATIENCE, _MEMORY, _CLOSE = (1.0, 0.5), 40, 20, 2e-6
+_LENGTHS, _PATIENCE, _MEMORY, _CLOSE = (1.0, 0.5), 30, 20, 2e-6
 # Of displacements that miss the sheet by less, metres, the smoothest counts.
 _GOOD = 2e-5
 # A sum of known expressions that misses the sheet by no more, metres, is where the search begins and ends.
@@ -81,8 +81,10 @@ def invert_smooth_map(
     that it may be a sum of. Of two displacements that give the goal the one counts that adds least roughness to them.
     """
     ready = prepare_smooth_map(space, face)
-    target = Target(space, face, goal, ready.detail.used)
-    smooth = _solve_newton(target, (goal - ready.positions)[target.rows])
+    target, first = Target(space, face, goal, ready.detail.used), goal - ready.positions
+    if np.abs(apply_smooth_map(space, face, first) - goal).max() < _EXACT:
+        return InverseResult(first, None)  # on the generic face, and at rest, nothing is changed
+    smooth = _solve_newton(target, first[target.rows])
     if not known:
         return _finish(target, _solve_all_stages(target, smooth), None)
     field = measure_field(space, ready.generic, target.spread(smooth)[space.welded])
@@ -95,7 +97,9 @@ def invert_smooth_map(
     good = [root for root in found if root.error < _GOOD]
     if not good:
         return _finish(target, min(found, key=lambda root: root.error), sum_of_known)
-    return _finish(target, min(good, key=lambda root: measure_roughness(space, root.displacement - guess)), sum_of_known)
+    return _finish(
+        target, min(good, key=lambda root: measure_roughness(space, root.displacement - guess)), sum_of_known
+    )
 
 
 def _finish(target: Target, root: Root, known: Expression | None) -> InverseResult:

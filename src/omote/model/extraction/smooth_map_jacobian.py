@@ -66,7 +66,8 @@ class SmoothMapJacobian:
         flat = np.ascontiguousarray(change).ravel()
         result = self.solver.solve(self.stiffness @ flat)
         bins = inverse @ (self.contact.active * (self.contact.wanted @ result - self.contact.read @ flat))
-        return (result - back @ bins).reshape(-1, 3)
+        rows: Values = (result - back @ bins).reshape(-1, 3)
+        return rows
 
 
 def linearise_smooth_map(space: ParameterSpace, face: Face, displacement: Values, /) -> SmoothMapJacobian:
