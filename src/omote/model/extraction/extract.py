@@ -114,8 +114,8 @@ def _with_inner_skin(
     """The expression with the inner skin's residual."""
     inner = space.inner.vertices
     residual = solve_inner_residual(space, face, bare, face.positions[inner].astype(np.float64) + moved[inner], near)
-    residual[np.abs(residual).max(axis=1) < REST] = 0.0
-    return replace(bare, residual=residual)
+    moving = np.abs(residual).max(axis=1, keepdims=True) >= REST
+    return replace(bare, residual=np.where(moving, residual, 0.0))
 
 
 def _with_parts(space: ParameterSpace, face: Face, skin: Expression, parts: Mapping[str, ArrayLike]) -> Expression:

@@ -27,8 +27,9 @@ Values = NDArray[np.float64]
 
 # Newton's method: steps at most, the error in metres at which it ends, the shortest share of a step.
 _STEPS, _EXACT, _SHORTEST = 20, 1e-8, 1e-3
-# Anderson acceleration: steps at most at each length, how many earlier ones it remembers, where it ends, metres.
-_LENGTHS, _PATIENCE, _MEMORY, _CLOSE = (1.0, 0.5), 30, 20, 2e-6
+# Anderson acceleration: steps at most at each length, and without a nearer one; how many earlier ones it remembers;
+# where it ends, metres.
+_LENGTHS, _MOST, _PATIENCE, _MEMORY, _CLOSE = (1.0, 0.5), 40, 15, 20, 2e-6
 # Of displacements that miss the sheet by less, metres, the smoothest counts.
 _GOOD = 2e-5
 # A sum of known expressions that misses the sheet by no more, metres, is where the search begins and ends.
@@ -164,12 +165,12 @@ def _accelerate(target: Target, best: Root, jacobian: SmoothMapJacobian | None, 
     displacement = best.displacement
     steps, changes = list[Values](), list[Values]()
     before: tuple[Values, Values] | None = None
-    for _ in range(_PATIENCE):
+    since = 0
+    for _ in range(_MOST):
         lack = target.measure_lack(displacement)
         error = float(np.abs(lack).max())
-        if error < best.error:
-            best = Root(displacement, error)
-        if error < _CLOSE:
+        best, since = (Root(displacement, error), 0) if error < best.error else (best, since + 1)
+        if error < _CLOSE or since > _PATIENCE:
             break
         if before is not None:
             steps, changes = [*steps, before[0]][-_MEMORY:], [*changes, lack - before[1]][-_MEMORY:]
