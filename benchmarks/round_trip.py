@@ -16,11 +16,11 @@ from rich.table import Table
 
 import omote
 from omote.model.cast import Cast
+from omote.model.extraction.extract import extract
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.transfer.compound import compound, compound_parts, turn_eyes
-from omote.model.transfer.extract import extract
 from omote.model.transfer.paper_map import compile_expression, project_to_surface
 
 BAR_SHEET, BAR_REST, BAR_INSIDE = 0.001, 0.1, 0.99

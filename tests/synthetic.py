@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
+from omote.model.extraction.extract import extract
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import Part, bind_to_head, bind_to_jaw, eye_rotation
-from omote.model.transfer.extract import extract
 
 Points = NDArray[np.float64]
 

@@ -103,6 +103,16 @@ def test_a_file_that_is_not_there_is_one_sentence(arguments: tuple[str, ...], se
     assert sentence in said(*arguments, status=1)
 
 
+def test_a_file_that_never_was_a_show_is_not_called_damaged(tmp_path: Path) -> None:
+    notes = tmp_path / "notes.txt"
+    notes.write_text("buy milk")
+    text = said("check", notes, status=1).replace("\n", " ")
+    assert "notes.txt is a text file and never was a show; it stays as it is" in text
+    assert "damaged" not in text
+    assert "good copy" not in text
+    assert notes.read_text() == "buy milk"
+
+
 def test_a_name_that_is_not_there_is_one_sentence(show: ShowFile) -> None:
     assert "no own face or expression 'grin'; there are: smirk, sneer" in said("history", show.path, "grin", status=1)
 

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
     from omote.model.cast import Cast as Cast
     from omote.model.controls.control_net import ControlNet as ControlNet
+    from omote.model.extraction.extract import extract as extract
     from omote.model.sculpting.caricature import caricature as caricature
     from omote.model.sculpting.regions import regional as regional
     from omote.model.sculpting.sculpt import Sculpt as Sculpt
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from omote.model.space.face import Face as Face
     from omote.model.space.parameter_space import ParameterSpace as ParameterSpace
     from omote.model.transfer.compound import compound as compound
-    from omote.model.transfer.extract import extract as extract
     from omote.perform.blending.evaluate import evaluate as evaluate
     from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
     from omote.perform.performer import Performer as Performer
@@ -39,7 +39,7 @@ _HOMES = {
     "compound": "omote.model.transfer.compound",
     "evaluate": "omote.perform.blending.evaluate",
     "evaluate_parts": "omote.perform.blending.evaluate",
-    "extract": "omote.model.transfer.extract",
+    "extract": "omote.model.extraction.extract",
     "load_cast": "omote.builtin",
     "read_sculpt": "omote.interchange.formats.sculpt_toml",
     "regional": "omote.model.sculpting.regions",

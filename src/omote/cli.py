@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.file_commands import fail, fail_with, file_app, say
+from omote.file_commands import file_app
 from omote.picture_commands import grid, redraw, render
+from omote.terminal import fail, fail_with, say
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast

@@ -3,13 +3,13 @@ also while a show plays it."""
 
 from __future__ import annotations
 
-import contextlib
 import time
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, Any, Literal, NoReturn
+from typing import Annotated, Any, Literal
 
 import typer
+
+from omote.terminal import escape_controls, exit_on_refusal, fail
 
 WIDEST = 4000
 """Characters of a line of a table at most."""
@@ -45,10 +45,16 @@ def list_items(file: ShowFileArgument, json: JsonOption = False) -> None:
 @file_app.command()
 def check(file: ShowFileArgument) -> None:
     """Says what is in a show file, and whether all of it is right."""
+    from omote.showfile.identification import identify
     from omote.showfile.inspection import verdicts
 
     good = True
     with exit_on_refusal():
+        found = identify(file)
+        if found.kind == "foreign":
+            fail(
+                f"{file} is {found.noun} and never was a show; it stays as it is. Name a show file, such as show.omote."
+            )
         for right, sentence in verdicts(file):
             good = good and right
             typer.echo(f"{'good' if right else 'BAD '}  {escape_controls(sentence)}")
@@ -142,50 +148,12 @@ def give_out(
     typer.echo(f"omote: {output} holds {name}.", err=True)
 
 
-def escape_controls(text: str) -> str:
-    """Escapes control characters: names in untrusted files must not control the terminal."""
-    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
-
-
 def format_time(seconds: float) -> str:
     """Formats a time (seconds since 1970) as local date and time; "?" for one out of range."""
     try:
         return time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(seconds))
     except (OverflowError, ValueError, OSError):
         return "?"
-
-
-@contextlib.contextmanager
-def exit_on_refusal() -> Iterator[None]:
-    """Turns errors of files and browsers into an error message and exit status 1."""
-    import sqlite3
-
-    from omote.server.headless.devtools import BrowserError
-    from omote.server.persistence.lock import ShowLockedError
-    from omote.showfile.schema import ShowFileError
-
-    try:
-        yield
-    except (ShowFileError, ShowLockedError, BrowserError, OSError, ValueError, OverflowError, sqlite3.Error) as error:
-        fail_with(error)
-
-
-def say(sentence: str) -> None:
-    """Prints a sentence beside what programs read; names in untrusted files do not control the terminal."""
-    typer.echo(f"omote: {escape_controls(sentence)}", err=True)
-
-
-def fail_with(error: Exception) -> NoReturn:
-    """Ends the command with what an error means, in words."""
-    from omote.showfile.database_errors import describe_error
-
-    fail(describe_error(error))
-
-
-def fail(sentence: str) -> NoReturn:
-    """Ends the command with an error message and exit status 1."""
-    say(sentence)
-    raise typer.Exit(1)
 
 
 def print_rows(rows: list[dict[str, Any]], *, json: bool, none: str) -> None:

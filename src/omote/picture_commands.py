@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.file_commands import exit_on_refusal, say
+from omote.terminal import exit_on_refusal, say
 
 if TYPE_CHECKING:
     from omote.server.headless.picture_run import PictureRun, Progress

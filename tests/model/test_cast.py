@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from omote.model.cast import TRAITS, Cast, Look
+from omote.model.extraction.extract import extract
 from omote.model.space.face import Face
-from omote.model.transfer.extract import extract
 from tests.synthetic import cast, head, space
 
 

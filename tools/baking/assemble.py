@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from omote.builtin.binding import PARTS, PartMesh, head_space
 from omote.builtin.castfile import FORMAT, SKIN
 from omote.model.cast import GENERIC, NEUTRAL
+from omote.model.extraction.extract import extract
 from omote.model.sculpting.sculpt import Sculpt
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.extract import extract
 from omote.model.transfer.mouth_bag_fit import fit_mouth_bag_at_rest
 from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, region
 from tools.baking.heads.basemesh import BaseMesh, Floats

@@ -17,6 +17,7 @@ from omote.model.controls.inverse_solve import solve_vectors
 from omote.model.controls.mirror import mirror_expression
 from omote.model.controls.net_field import build_net_field
 from omote.model.controls.tangents import tangents
+from omote.model.extraction.extract import extract
 from omote.model.hair import place_strands
 from omote.model.recipes.compose_expression import change_net, compose_expression
 from omote.model.recipes.compose_face import FaceWithLook, compose_face
@@ -29,7 +30,6 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound, compound_parts
-from omote.model.transfer.extract import extract
 from tools.baking.sculpts import sculpt_paths
 from tools.same.compounds import SEED, cast_under
 from tools.same.recording import Numbers, Recording

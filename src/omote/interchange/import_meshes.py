@@ -17,10 +17,10 @@ from omote.interchange.export_face import compound_meshes
 from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.mesh_correspondence import SKIN, MatchedHead, Meshes, build_face, match_head, rest_of
 from omote.model.cast import NEUTRAL, Cast, Look
+from omote.model.extraction.extract import extract
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.transfer.extract import extract
 from omote.perform.name_lookup import find_name
 
 Points = NDArray[np.float64]
@@ -110,7 +110,7 @@ def _import_expression(cast: Cast, face: Face, label: str, moves: Meshes) -> Imp
         return ImportedExpression(label, own, face.name, off)
     try:
         parts = {name: moved for name, moved in moves.items() if name != SKIN}
-        expression = extract(cast.space, face, moves[SKIN], parts=parts)
+        expression = extract(cast.space, face, moves[SKIN], parts=parts, known=[*cast.expressions.values()])
     except ValueError as error:
         raise ValueError(f"{label!r} does not fit the faces of the cast: {error}") from error
     return ImportedExpression(label, expression, face.name, _position_error(cast, face, expression, moves))

@@ -13,11 +13,11 @@ import omote
 from omote.model.controls.default_net import default_net
 from omote.model.controls.inverse_solve import MOST, solve_vectors
 from omote.model.controls.net_field import NetField, build_net_field
+from omote.model.extraction.extract import extract
 from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import Layer, Recipe
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound
-from omote.model.transfer.extract import extract
 
 CAST = omote.load_cast()
 PROMISED = 5e-5

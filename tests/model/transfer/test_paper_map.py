@@ -9,12 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from omote.model.extraction.extract import extract
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound, compound_parts, turn_eyes
-from omote.model.transfer.extract import extract
 from omote.model.transfer.paper_map import compile_expression, project_to_surface
 from tests.synthetic import cast, head, space
 

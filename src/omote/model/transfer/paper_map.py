@@ -54,7 +54,8 @@ def _checked_weight(weight: object) -> float:
     return number
 
 
-def _refuse_foreign(space: ParameterSpace, expression: Expression) -> None:
+def refuse_foreign(space: ParameterSpace, expression: Expression, /) -> None:
+    """Rejects an expression of another space or rule (ValueError), and what is no space or expression (TypeError)."""
     refuse_no_space(space)
     if not isinstance(expression, Expression):
         raise TypeError(
@@ -101,7 +102,7 @@ def compile_expression(space: ParameterSpace, expression: Expression, /, weight:
     Raises ValueError on an expression of another space or rule and on a weight that is not finite or turns a radius
     over; TypeError on what is no space, expression or number.
     """
-    _refuse_foreign(space, expression)
+    refuse_foreign(space, expression)
     weight = _checked_weight(weight)
     ratios = 1.0 + weight * (expression.ratio - 1.0)
     if ratios.min() <= 0:

@@ -1,7 +1,7 @@
 """What the smooth map needs of a face, solved once per face (docs/method.md, "The smooth map").
 
 The stages that apply it to an expression, in order, are `omote.model.transfer.pipeline.STAGES`; its inverse is in
-`omote.model.transfer.extract`.
+`omote.model.extraction.extract`.
 """
 
 from __future__ import annotations

@@ -1,0 +1,1 @@
+"""From a displacement of a face to an expression: the inverse of a compound."""

@@ -1,0 +1,141 @@
+"""Extraction: from a displacement of a face to an expression, the inverse of a compound (paper, section 2.2, step 1).
+
+In order: the smooth map inverted, so that the displacement is the generic face's; each vertex's new place projected
+onto that face at rest, which gives the field on S; residuals: what inner skin and parts do over what the field
+predicts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from omote.geometry import mesh
+from omote.model.extraction.inner_skin_residual import solve_inner_residual
+from omote.model.extraction.sheet_field import REST, measure_field
+from omote.model.extraction.smooth_map_inverse import invert_smooth_map
+from omote.model.space.expression import Expression
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
+from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
+from omote.model.space.parts import eye_angles, eye_rotation
+from omote.model.transfer.compound import compound, predict_part
+from omote.model.transfer.paper_map import refuse_foreign
+from omote.model.transfer.smooth_map import prepare_smooth_map
+
+Values = NDArray[np.float64]
+
+
+def extract(
+    space: ParameterSpace,
+    face: Face,
+    displacement: ArrayLike,
+    /,
+    *,
+    parts: Mapping[str, ArrayLike] | None = None,
+    known: Sequence[Expression] = (),
+) -> Expression:
+    """The expression that moves a face by a displacement; the way back of `compound`.
+
+    In a space with transfer="smooth" the displacement is first brought to the generic face and measured there.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        The space of the face.
+    face : Face
+        The face at rest.
+    displacement : array_like, (V, 3)
+        Where each vertex goes from there, metres.
+    parts : mapping of array_like (n, 3), by the name of a part, optional
+        Displacements of eyeballs, teeth, tongue and lashes, metres; an eyeball's is read as a turn about its centre and
+        a rest.
+    known : sequence of Expression, optional
+        Expressions that it may be a sum of, such as the cast's. Where the face's map gives the same displacement for
+        several fields (folds turned back, lids pushed off an eyeball), they say which is meant.
+
+    Returns
+    -------
+    Expression
+        A field on S: any face of the space wears it.
+
+    Raises
+    ------
+    ValueError
+        On other shapes and on values that are not finite.
+    TypeError
+        Where the space is none, parts is no mapping, or one of known is no expression.
+
+    Examples
+    --------
+    >>> kaori, old = cast.faces["kaori"], cast.faces["old"]
+    >>> smiling = omote.compound(cast.space, kaori, cast.expressions["smile"])
+    >>> smile = omote.extract(cast.space, kaori, smiling - kaori.positions)
+    >>> bool(np.abs(omote.compound(cast.space, kaori, smile) - smiling).max() < 1e-5)  # metres
+    True
+
+    References
+    ----------
+    K. Arai (1993), section 2.2, steps 1a to 1d; docs/method.md, "The smooth map".
+    """
+    refuse_no_space(space)
+    fit(space, face)
+    if not isinstance(parts, Mapping | None):
+        raise TypeError(f"parts is a {type(parts).__name__}; expected a mapping from part names to (n, 3) metres")
+    for expression in known:
+        refuse_foreign(space, expression)
+    moved = mesh.validate_points(displacement, name="displacement")
+    if len(moved) != space.vertex_count:
+        raise ValueError(
+            f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
+        )
+    bare, near = _measure_sheet(space, face, moved, known)
+    return _with_parts(space, face, _with_inner_skin(space, face, bare, moved, near), parts or {})
+
+
+def _measure_sheet(
+    space: ParameterSpace, face: Face, moved: Values, known: Sequence[Expression]
+) -> tuple[Expression, Expression | None]:
+    """The field of a face's displacement (V, 3), and the sum of known expressions that it is near, if any."""
+    if space.transfer == "paper":
+        return measure_field(space, face.positions.astype(np.float64), moved), None
+    ready = prepare_smooth_map(space, face)
+    goal = ready.positions + moved * space.on_sheet[:, None]
+    found = invert_smooth_map(space, face, goal, known)
+    return measure_field(space, ready.generic, found.displacement), found.known
+
+
+def _with_inner_skin(
+    space: ParameterSpace, face: Face, bare: Expression, moved: Values, near: Expression | None
+) -> Expression:
+    """The expression with the inner skin's residual."""
+    inner = space.inner.vertices
+    residual = solve_inner_residual(space, face, bare, face.positions[inner].astype(np.float64) + moved[inner], near)
+    moving = np.abs(residual).max(axis=1, keepdims=True) >= REST
+    return replace(bare, residual=np.where(moving, residual, 0.0))
+
+
+def _with_parts(space: ParameterSpace, face: Face, skin: Expression, parts: Mapping[str, ArrayLike]) -> Expression:
+    """The expression with what parts do over what the skin's motion predicts."""
+    fitted = fit(space, face)
+    sheet = compound(space, face, skin).astype(np.float64) - face.positions
+    eyes = np.zeros((2, 2))
+    rest: dict[str, Values] = {}
+    for name, given in parts.items():
+        if name not in space.parts:
+            raise ValueError(f"parts has a displacement of {name!r}; expected one of {sorted(space.parts)}")
+        part, before = space.parts[name], fitted.parts[name].astype(np.float64)
+        shift = mesh.validate_points(given, name=f"displacement of part {name!r}")
+        if len(shift) != len(before):
+            raise ValueError(f"displacement of part {name!r} has {len(shift)} rows; expected {len(before)}")
+        after = before + shift
+        if part.eye:
+            angles = eye_angles(before, after)
+            eyes[0 if part.eye == "left" else 1] = angles
+            # Turned back about the centre, so that what remains is turned with the ball.
+            after = (after - fitted.centres[name]) @ eye_rotation(*angles) + fitted.centres[name]
+        rest[name] = (after - before - predict_part(space, name, sheet)) / fitted.sizes[name]
+    return replace(skin, parts=rest, eyes=eyes)

@@ -1,0 +1,117 @@
+"""The sum of known expressions nearest to a field (docs/method.md, "Which field is meant").
+
+Where a face's map has turned folds back, or pushed a lid off an eyeball, a few dozen vertices of a measured field are
+wrong and thousands exact. So the sum makes the least sum of a low power of distances, which such outliers do not pull:
+iteratively reweighted least squares (Chartrand & Yin 2008).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.space.expression import Expression
+from omote.model.space.parameter_space import ParameterSpace
+
+Values = NDArray[np.float64]
+
+# Distances count from the first, metres, on at first, from the second at the end; so many rounds.
+_COARSE, _FINE, _ROUNDS = 1e-3, 1e-7, 20
+# The power of distances whose sum is made least: one (least distances) lets a hundred outliers in one
+# place pull together, near zero all that counts is how many vertices are explained.
+_POWER = 0.1
+# Weights that the field does not tell stay small: this share of the mean diagonal.
+_RIDGE = 1e-12
+# Members count whose weight is more than the first of these shares of the largest one with which every vertex that all
+# known explain, to within so many metres, stays explained.
+_CUTS, _EXPLAINED = (0.1, 0.03, 0.01, 0.003, 0.001), 2e-6
+# It is a sum of the known where they explain so large a share of the vertices that move.
+_MOST = 0.3
+# A sum may bring a radius no nearer to the axis than to this share of itself.
+_LEAST_RATIO = 0.05
+
+
+def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expression], /) -> Expression:
+    """The weighted sum of known expressions nearest to a field on the sheet, with its residual of the inner skin.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        The space of all.
+    field : Expression
+        What is measured.
+    known : sequence of Expression
+        Under the same rules; what moves no skin does not count.
+
+    Returns
+    -------
+    Expression
+        Without parts; at rest where none of the known moves any skin.
+    """
+    rows = np.unique(space.sheet_triangles)
+    metric = np.maximum(space.cylinder.unroll(space.points)[2][rows], 1e-3)
+    basis = np.stack([_as_metres(each, rows, metric) for each in known])
+    sizes = np.sqrt((basis**2).sum(axis=(1, 2)))
+    moving = np.flatnonzero(sizes > 1e-6)
+    share = np.zeros(len(known))
+    if len(moving):
+        scaled = basis[moving] / sizes[moving, None, None]
+        share[moving] = _fit_sparsely(scaled, _as_metres(field, rows, metric)) / sizes[moving]
+    ratio = 1.0 + _add(share, [each.ratio - 1.0 for each in known])
+    return Expression(
+        _add(share, [each.dtheta for each in known]),
+        _add(share, [each.dh for each in known]),
+        np.maximum(ratio, _LEAST_RATIO),
+        _add(share, [each.residual for each in known]),
+        radius=space.radius,
+        transfer=space.transfer,
+    )
+
+
+def _add(share: Values, values: Sequence[Values]) -> Values:
+    result: Values = np.tensordot(share, np.stack(values), 1)
+    return result
+
+
+def _as_metres(expression: Expression, rows: NDArray[np.int32], metric: Values) -> Values:
+    """The field at vertices of the sheet (n, 3): across, up and out, metres."""
+    across, out = expression.dtheta[rows] * metric, (expression.ratio[rows] - 1.0) * metric
+    return np.stack([across, expression.dh[rows], out], axis=1)
+
+
+def _fit_sparsely(basis: Values, target: Values) -> Values:
+    """The weights (k,) of the fewest of a basis (k, n, 3) that explain the target (n, 3) as well as all of it."""
+    everything = _fit_robustly(basis, target)
+    explained = _measure_distance(everything, basis, target) < _EXPLAINED
+    moved = np.linalg.norm(target, axis=1) > _EXPLAINED
+    if explained[moved].sum() < _MOST * moved.sum():
+        return everything  # no sum of the known
+    for cut in _CUTS:
+        few = np.flatnonzero(np.abs(everything) > cut * np.abs(everything).max())
+        share: Values = np.zeros(len(basis))
+        share[few] = _fit_robustly(basis[few], target)
+        if (_measure_distance(share, basis, target)[explained] < 2.0 * _EXPLAINED).all():
+            return share
+    return everything
+
+
+def _fit_robustly(basis: Values, target: Values) -> Values:
+    """The weights (k,) with which the basis (k, n, 3) comes nearest to the target (n, 3), outliers left out."""
+    flat = basis.reshape(len(basis), -1)
+    share: Values = np.zeros(len(basis))
+    weight: Values = np.ones(len(target))
+    for floor in np.geomspace(_COARSE, _FINE, _ROUNDS):
+        weighted = flat * np.repeat(weight, 3)
+        gram = weighted @ flat.T
+        gram[np.diag_indices_from(gram)] += _RIDGE * np.trace(gram) / len(gram)
+        share[:] = np.linalg.lstsq(gram, weighted @ target.ravel(), rcond=1e-14)[0]
+        weight = (_measure_distance(share, basis, target) ** 2 + floor**2) ** (_POWER / 2.0 - 1.0)
+    return share
+
+
+def _measure_distance(share: Values, basis: Values, target: Values) -> Values:
+    """What a sum of the basis misses at each vertex, (n,) metres."""
+    result: Values = np.linalg.norm(target - np.tensordot(share, basis, 1), axis=1)
+    return result

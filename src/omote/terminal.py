@@ -1,0 +1,50 @@
+"""How every command speaks to people at a terminal: sentences beside what programs read, errors in words, status 1.
+
+Names come from files of strangers, so no character of theirs controls the terminal.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from typing import NoReturn
+
+import typer
+
+
+def escape_controls(text: str) -> str:
+    """Escapes control characters: names in untrusted files must not control the terminal."""
+    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+
+
+@contextlib.contextmanager
+def exit_on_refusal() -> Iterator[None]:
+    """Turns errors of files and browsers into an error message and exit status 1."""
+    import sqlite3
+
+    from omote.server.headless.devtools import BrowserError
+    from omote.server.persistence.lock import ShowLockedError
+    from omote.showfile.schema import ShowFileError
+
+    try:
+        yield
+    except (ShowFileError, ShowLockedError, BrowserError, OSError, ValueError, OverflowError, sqlite3.Error) as error:
+        fail_with(error)
+
+
+def say(sentence: str) -> None:
+    """Prints a sentence beside what programs read; names in untrusted files do not control the terminal."""
+    typer.echo(f"omote: {escape_controls(sentence)}", err=True)
+
+
+def fail_with(error: Exception) -> NoReturn:
+    """Ends the command with what an error means, in words."""
+    from omote.showfile.database_errors import describe_error
+
+    fail(describe_error(error))
+
+
+def fail(sentence: str) -> NoReturn:
+    """Ends the command with an error message and exit status 1."""
+    say(sentence)
+    raise typer.Exit(1)

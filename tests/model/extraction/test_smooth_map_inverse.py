@@ -1,0 +1,63 @@
+"""The inverse of the smooth map: exact through its continuous stages, and near what is known where folds were."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import omote
+from omote.model.extraction.smooth_map_inverse import invert_smooth_map, measure_roughness
+from omote.model.transfer.paper_map import compile_expression, displace_generic
+from omote.model.transfer.pipeline import apply_smooth_map
+from omote.model.transfer.smooth_map import prepare_smooth_map
+
+CAST = omote.load_cast()
+SPACE = CAST.space
+
+
+def displace(unit: str) -> np.ndarray:
+    """What a unit does to the generic face's sheet, (V, 3)."""
+    moved = displace_generic(SPACE, compile_expression(SPACE, CAST.expressions[unit]))
+    result: np.ndarray = (moved * SPACE.on_sheet[:, None])[SPACE.welded]
+    return result
+
+
+@pytest.mark.parametrize(("name", "unit"), [("kaori", "jawOpen"), ("dog", "mouthClose"), ("alien", "mouthPucker")])
+def test_where_no_fold_is_turned_back_the_displacement_itself_is_found(name: str, unit: str) -> None:
+    face, meant = CAST.faces[name], displace(unit)
+    found = invert_smooth_map(SPACE, face, apply_smooth_map(SPACE, face, meant))
+    assert np.abs(found.displacement - meant).max() < 1e-6
+    assert found.known is None
+
+
+def test_where_folds_were_turned_back_the_known_one_is_found_and_both_give_the_sheet() -> None:
+    face, meant = CAST.faces["dog"], displace("mouth-open")
+    goal = apply_smooth_map(SPACE, face, meant)
+    names = ("mouth-open", "jawOpen", "mouthSmileLeft", "mouthClose", "mouthFunnel")
+    found = invert_smooth_map(SPACE, face, goal, [CAST.expressions[name] for name in names])
+    rows = prepare_smooth_map(SPACE, face).detail.used
+    for each in (found, invert_smooth_map(SPACE, face, goal)):
+        assert np.abs(apply_smooth_map(SPACE, face, each.displacement) - goal)[rows].max() < 5e-5
+    assert np.abs(found.displacement - meant).max() < 2e-5
+
+
+def test_on_the_generic_face_nothing_is_searched_for() -> None:
+    face, meant = CAST.faces["generic"], displace("eyeBlinkLeft")
+    found = invert_smooth_map(SPACE, face, SPACE.points + meant)
+    assert np.abs(found.displacement - meant).max() < 1e-12
+
+
+def test_a_sheet_that_no_expression_reaches_ends_with_a_finite_displacement() -> None:
+    """Every vertex of the chin three millimetres in a direction of its own."""
+    face = CAST.faces["kaori"]
+    chin = np.linalg.norm(SPACE.points - [0.0, -0.09, 0.15], axis=1) < 0.03
+    goal = face.positions + 0.003 * np.random.default_rng(1).normal(size=(SPACE.vertex_count, 3)) * chin[:, None]
+    assert (chin & SPACE.on_sheet).sum() > 50
+    assert np.isfinite(invert_smooth_map(SPACE, face, goal).displacement).all()
+
+
+def test_roughness_knows_no_constant_and_grows_with_the_square() -> None:
+    rows = prepare_smooth_map(SPACE, CAST.faces["generic"]).detail.used
+    wave = np.sin(200 * SPACE.points[rows])
+    assert measure_roughness(SPACE, np.ones((len(rows), 3))) == pytest.approx(0.0, abs=1e-9)
+    assert measure_roughness(SPACE, 3 * wave) == pytest.approx(9 * measure_roughness(SPACE, wave))
