@@ -11,21 +11,29 @@ import type { DraftStore } from "../session/draft_store";
 import { Backgrounds } from "./draw/backgrounds";
 import { FacePainter } from "./draw/face_painter";
 import { HEAD, NeedleRenderer } from "./draw/needle_renderer";
-import { type Changed, Repaint, type Tile } from "./draw/repaint";
+import { HairLayers } from "./draw/hair_layers";
+import { HairPainter } from "./draw/hair_painter";
+import { Multisampled } from "./draw/multisampled";
+import { type Changed, Repaint } from "./draw/repaint";
 import { SkinTextures } from "./draw/skin_texture";
 import { CanvasInput } from "./input/canvas_input";
 import { HandleDrag } from "./input/handle_drag";
 import type { Camera, ViewName } from "./math/camera";
 import { coarseMeshes } from "./math/coarse_mesh";
 import { surfaceOf } from "./math/hit_test";
-import { ballFrames, ballsOf, gazeOf, shows } from "./model/gaze";
+import { ballFrames, ballsOf, gazeOf } from "./model/gaze";
 import type { ShownFace } from "./model/shown_face";
 import { boxOf } from "./model/spread";
 import { ExpressionScene } from "./scene/expression_scene";
 import { FaceScene } from "./scene/face_scene";
 import { FramePacing } from "./scene/frame_pacing";
+import { HairCache } from "./scene/hair_cache";
 import { Overlay } from "./scene/overlay";
+import { type DressedTile, TilePainter } from "./scene/tile_painter";
 import { Viewports } from "./scene/viewports";
+
+/** Milliseconds without a change after which the picture is drawn as well as can be. */
+const STILL = 150;
 
 export class EditorCanvas {
   readonly pacing = new FramePacing();
@@ -41,7 +49,12 @@ export class EditorCanvas {
   private anatomy: Anatomy | undefined;
   private stale = true;
   private repaint: Repaint | undefined;
-  private backgrounds: Backgrounds | undefined;
+  private tilePainter: TilePainter | undefined;
+  private hairCache: HairCache | undefined;
+  /** Rises with every change of the faces' rows. */
+  private version = 0;
+  /** When the picture changed last, milliseconds. */
+  private changedAt = 0;
   private seen = "";
   private ended = false;
   private readonly gl: WebGL2RenderingContext;
@@ -138,8 +151,20 @@ export class EditorCanvas {
     this.faceScene = new FaceScene(faceAtlas, skinTextures, anatomy, library.manifest.skin, side);
     this.painter = new FacePainter(gl, faceAtlas, library.meshes, coarseMeshes(library.meshes, anatomy));
     this.repaint = new Repaint(this.painter);
-    this.backgrounds = new Backgrounds(gl);
     this.overlay = new Overlay(this, this.painter, new NeedleRenderer(gl, this.painter));
+    const hair = new HairPainter(gl, faceAtlas, anatomy, drawsInSoftware());
+    this.hairCache = new HairCache(library, hair, () => this.redraw());
+    const multisampled = new Multisampled(gl);
+    this.tilePainter = new TilePainter({
+      face: this.painter,
+      hair,
+      layers: new HairLayers(gl, multisampled),
+      backgrounds: new Backgrounds(gl),
+      overlay: this.overlay,
+      multisampled,
+      pixels: (box) => this.viewports.pixels(box),
+      rough: drawsInSoftware(),
+    });
     this.frames = ballFrames(anatomy);
     const surface = surfaceOf(library.meshes, anatomy);
     this.input.picker.know(anatomy, surface);
@@ -203,14 +228,15 @@ export class EditorCanvas {
     const time = now();
     this.pacing.look(performance.now());
     if (this.pacing.busy) return;
-    const { expressionScene, painter } = this;
-    if (expressionScene === undefined || painter === undefined) return;
+    const { expressionScene, tilePainter } = this;
+    if (expressionScene === undefined || tilePainter === undefined) return;
     const resized = this.viewports.fit();
     const editsFace = this.editsFace && this.faceScene !== undefined;
     const changed = editsFace ? this.sat(time) : expressionScene.advance(time);
+    if (changed !== "nothing") this.version += 1;
     if (resized || this.unlike() || changed === "whole") this.redraw();
-    if (this.stale || changed === "part") this.draw(expressionScene, painter, changed !== "nothing");
-    else this.pacing.idle();
+    if (this.stale || changed === "part") this.draw(expressionScene, tilePainter, changed !== "nothing");
+    else if (!this.refine(expressionScene, tilePainter)) this.pacing.idle();
   }
 
   private sat(time: number): "nothing" | "whole" {
@@ -227,43 +253,56 @@ export class EditorCanvas {
     return unlike;
   }
 
-  private draw(expressionScene: ExpressionScene, painter: FacePainter, moved: boolean): void {
+  private draw(expressionScene: ExpressionScene, tilePainter: TilePainter, moved: boolean): void {
     const whole = this.stale;
     this.stale = false;
-    const { store, viewports, gl } = this;
-    if (store.manifest === null) return;
+    this.changedAt = performance.now();
+    if (this.store.manifest === null) return;
     const members = this.members(expressionScene);
-    const boxes = viewports.share(members.length - 1);
-    if (whole) painter.clear(viewports.ground);
+    const boxes = this.viewports.share(members.length - 1);
+    if (whole) this.painter?.clear(this.viewports.ground);
     if (whole) this.repaint?.forget();
-    const tiles = members.flatMap((member, n) => this.tile(expressionScene, member, n, whole));
-    this.backgrounds?.lay(tiles.map(({ part, ground }) => ({ part: viewports.pixels(part), colour: ground })));
-    const gaze = gazeOf(store.look === null ? store.recipe : null, store.liveEyes, store.manifest);
-    for (const { n, member, camera, part, only } of tiles) {
-      painter.frame(viewports.pixels(camera.box), viewports.pixels(part));
-      const balls = ballsOf(this.frames, member.figure.base, gaze.angles).filter((ball) => shows(ball, camera, part));
-      const { block, skinTexture, document } = member;
-      painter.face({ block, skinTexture, look: document.look, balls, pupil: gaze.pupil }, camera, only?.());
-      if (n === 0) this.overlay?.draw(block, camera);
-    }
+    tilePainter.drawParts(members.flatMap((member, n) => this.tile(expressionScene, member, n, whole)));
     this.overlay?.place(
       members.map((member) => member?.document.label ?? "..."),
       boxes,
     );
-    this.pacing.frame(moved, fenced(gl));
+    this.pacing.frame(moved, fenced(this.gl));
     this.watch();
   }
 
-  /** What of face `n` is drawn now; nothing when nothing of it is. */
-  private tile(expressionScene: ExpressionScene, member: ShownFace | undefined, n: number, whole: boolean): Tile[] {
-    if (member === undefined || member.block < 0) return [];
-    const { viewports } = this;
+  /** Once all is still, draws one tile after the other as well as can be; false: nothing is to be done, now or soon. */
+  private refine(scene: ExpressionScene, tilePainter: TilePainter): boolean {
+    const members = this.members(scene);
+    const n = members.findIndex(
+      (member, n) => this.shown(member) && !tilePainter.finished({ n, version: this.version }),
+    );
+    if (n < 0 || this.store.manifest === null) return false;
+    if (performance.now() - this.changedAt < STILL) return true;
+    for (const tile of this.tile(scene, members[n], n, true)) tilePainter.drawWhole(tile);
+    this.pacing.frame(false, fenced(this.gl));
+    return true;
+  }
+
+  /** Whether a face can be drawn: it is here, and so is its hair. */
+  private shown(member: ShownFace | undefined): member is ShownFace {
+    return member !== undefined && member.block >= 0 && this.hairCache?.of(member) !== "awaited";
+  }
+
+  /** What of face `n` is drawn now; nothing when nothing of it is, or before its hair is here. */
+  private tile(scene: ExpressionScene, member: ShownFace | undefined, n: number, whole: boolean): DressedTile[] {
+    const { viewports, version } = this;
+    const hair = member && this.hairCache?.of(member);
+    if (!this.shown(member) || hair === "awaited") return [];
     const camera = viewports.camera(n, member.bounds);
-    const changed = this.editsFace ? undefined : this.changed(expressionScene, member, n, camera);
+    const changed = this.editsFace ? undefined : this.changed(scene, member, n, camera);
     const { part, only }: Changed = whole || changed === undefined ? { part: camera.box } : changed;
     if (part.width === 0 || part.height === 0) return [];
     const ground = this.input.over === n && n > 0 ? viewports.hovered : viewports.tile(n);
-    return [{ n, member, camera, part, only, ground }];
+    const { recipe, look, liveEyes, manifest } = this.store;
+    const { angles, pupil } = gazeOf(look === null ? recipe : null, liveEyes, manifest as Manifest);
+    const balls = ballsOf(this.frames, member.figure.base, angles);
+    return [{ n, member, camera, part, only, ground, balls, pupil, hair, version }];
   }
 
   /** Draws on as soon as the machine is done, not only when the display asks next: what it is late by is not doubled. */

@@ -47,7 +47,7 @@ export function lashes(anatomy: Anatomy, shared: Uniforms): THREE.Mesh | undefin
   const drawn = new THREE.Mesh(geometry, hair);
   drawn.renderOrder = 1;
   drawn.onBeforeRender = (renderer, _scene, camera) => {
-    const height = renderer.getDrawingBufferSize(new THREE.Vector2()).y;
+    const height = renderer.getCurrentViewport(new THREE.Vector4()).w;
     pixel.value = 2 / ((camera.projectionMatrix.elements[5] as number) * height);
   };
   return drawn;

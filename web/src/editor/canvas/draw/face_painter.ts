@@ -85,13 +85,30 @@ export class FacePainter {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
-  /** Draws from now on into `box` of the canvas, pixels from its lower left corner; only what lies in `part` changes. */
-  frame(box: PixelBox, part = box): void {
+  /**
+   * Draws from now on into `box` of a framebuffer (null: the canvas), pixels from its lower left corner; only what lies in
+   * `part` changes.
+   */
+  frame(box: PixelBox, part = box, framebuffer: WebGLFramebuffer | null = null): void {
     const { gl } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     gl.viewport(...box);
     gl.scissor(...part);
     gl.enable(gl.SCISSOR_TEST);
+  }
+
+  /** Empties what `frame` has said. */
+  wipe(ground: readonly [number, number, number]): void {
+    const { gl } = this;
+    gl.clearColor(...ground, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  /** Draws a face's depth alone: what comes after stays away from where its skin stands before it. */
+  mask(portrait: DrawnFace, camera: Camera): void {
+    this.gl.colorMask(false, false, false, false);
+    this.face(portrait, camera);
+    this.gl.colorMask(true, true, true, true);
   }
 
   /** What a face is drawn as with this camera: fine where it is large, coarse where it is small. */
