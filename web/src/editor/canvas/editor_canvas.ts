@@ -5,21 +5,16 @@ import { fenced } from "../../face/gpu/fence";
 import { drawsInSoftware } from "../../face/quality/software_rendering";
 import type { Library } from "../../link/assets";
 import { now } from "../../link/clock";
+import type { Recipe } from "../../link/editing_messages";
 import type { Manifest } from "../../link/messages";
 import { flat } from "../session/control_net";
 import type { DraftStore } from "../session/draft_store";
-import { Backgrounds } from "./draw/backgrounds";
-import { FacePainter } from "./draw/face_painter";
-import { HEAD, NeedleRenderer } from "./draw/needle_renderer";
-import { HairLayers } from "./draw/hair_layers";
-import { HairPainter } from "./draw/hair_painter";
-import { Multisampled } from "./draw/multisampled";
-import { type Changed, Repaint } from "./draw/repaint";
+import { HEAD } from "./draw/needle_renderer";
+import type { Changed } from "./draw/repaint";
 import { SkinTextures } from "./draw/skin_texture";
 import { CanvasInput } from "./input/canvas_input";
 import { HandleDrag } from "./input/handle_drag";
 import type { Camera, ViewName } from "./math/camera";
-import { coarseMeshes } from "./math/coarse_mesh";
 import { surfaceOf } from "./math/hit_test";
 import { ballFrames, ballsOf, gazeOf } from "./model/gaze";
 import type { ShownFace } from "./model/shown_face";
@@ -27,9 +22,8 @@ import { boxOf } from "./model/spread";
 import { ExpressionScene } from "./scene/expression_scene";
 import { FaceScene } from "./scene/face_scene";
 import { FramePacing } from "./scene/frame_pacing";
-import { HairCache } from "./scene/hair_cache";
-import { Overlay } from "./scene/overlay";
-import { type DressedTile, TilePainter } from "./scene/tile_painter";
+import { makePainters, type Painters } from "./scene/painters";
+import type { DressedTile } from "./scene/tile_painter";
 import { Viewports } from "./scene/viewports";
 
 /** Milliseconds without a change after which the picture is drawn as well as can be. */
@@ -43,14 +37,10 @@ export class EditorCanvas {
   /** A face under work: in place of the expression scene, with handles in place of needles. */
   faceScene: FaceScene | undefined;
   handles: HandleDrag | undefined;
-  private painter: FacePainter | undefined;
-  private overlay: Overlay | undefined;
+  private painters: Painters | undefined;
   private frames: ReturnType<typeof ballFrames> = [];
   private anatomy: Anatomy | undefined;
   private stale = true;
-  private repaint: Repaint | undefined;
-  private tilePainter: TilePainter | undefined;
-  private hairCache: HairCache | undefined;
   /** Rises with every change of the faces' rows. */
   private version = 0;
   /** When the picture changed last, milliseconds. */
@@ -60,10 +50,13 @@ export class EditorCanvas {
   private readonly gl: WebGL2RenderingContext;
   private readonly leave: (() => void)[] = [];
 
-  /** Draws on a canvas of the page what the store knows; an Error where nothing can be drawn. */
+  /**
+   * Draws on a canvas of the page what the store knows; tells `loaded` after every picture that holds all faces; an Error
+   * where nothing can be drawn. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly store: DraftStore,
+    private readonly loaded: () => void = () => undefined,
   ) {
     const gl = canvas.getContext("webgl2", {
       alpha: false,
@@ -127,7 +120,7 @@ export class EditorCanvas {
     for (const leave of this.leave) leave();
     this.input.dispose();
     this.viewports.dispose();
-    this.overlay?.dispose();
+    this.painters?.dispose();
     this.expressionScene?.dispose();
   }
 
@@ -149,22 +142,7 @@ export class EditorCanvas {
     this.expressionScene = new ExpressionScene(gl, library, anatomy, skinTextures, side);
     const { faceAtlas } = this.expressionScene;
     this.faceScene = new FaceScene(faceAtlas, skinTextures, anatomy, library.manifest.skin, side);
-    this.painter = new FacePainter(gl, faceAtlas, library.meshes, coarseMeshes(library.meshes, anatomy));
-    this.repaint = new Repaint(this.painter);
-    this.overlay = new Overlay(this, this.painter, new NeedleRenderer(gl, this.painter));
-    const hair = new HairPainter(gl, faceAtlas, anatomy, drawsInSoftware());
-    this.hairCache = new HairCache(library, hair, () => this.redraw());
-    const multisampled = new Multisampled(gl);
-    this.tilePainter = new TilePainter({
-      face: this.painter,
-      hair,
-      layers: new HairLayers(gl, multisampled),
-      backgrounds: new Backgrounds(gl),
-      overlay: this.overlay,
-      multisampled,
-      pixels: (box) => this.viewports.pixels(box),
-      rough: drawsInSoftware(),
-    });
+    this.painters = makePainters(gl, this, faceAtlas, library, anatomy);
     this.frames = ballFrames(anatomy);
     const surface = surfaceOf(library.meshes, anatomy);
     this.input.picker.know(anatomy, surface);
@@ -188,7 +166,7 @@ export class EditorCanvas {
     if (topic === "items" || topic === "draft") expressionScene.setFollowers(store.followers);
     if (topic === "cast" || topic === "draft") this.cast(expressionScene);
     if (topic === "draft" || topic === "live") this.dress(expressionScene, topic === "draft");
-    this.overlay?.hear();
+    this.painters?.overlay.hear();
   }
 
   private cast(expressionScene: ExpressionScene): void {
@@ -216,9 +194,11 @@ export class EditorCanvas {
 
   private dress(expressionScene: ExpressionScene, anew: boolean): void {
     const { store } = this;
-    const { recipe, look, net, manifest } = store;
+    const { shownRecipe: recipe, layerPreview, net, manifest } = store;
     const worn =
-      recipe === null || look !== null ? undefined : { vectors: flat(recipe.vectors), pulls: pullsOf(recipe) };
+      recipe === null || layerPreview.solo.size > 0
+        ? undefined
+        : { vectors: flat(recipe.vectors), pulls: pullsOf(recipe) };
     const moves = worn === undefined ? undefined : { vectors: store.live, pulls: store.livePulls };
     expressionScene.follow({ net, moves, muscles: store.muscles });
     if (anew && manifest !== null) expressionScene.dress(manifest, { source: store.shown, moves: worn, net });
@@ -228,15 +208,15 @@ export class EditorCanvas {
     const time = now();
     this.pacing.look(performance.now());
     if (this.pacing.busy) return;
-    const { expressionScene, tilePainter } = this;
-    if (expressionScene === undefined || tilePainter === undefined) return;
+    const { expressionScene, painters } = this;
+    if (expressionScene === undefined || painters === undefined) return;
     const resized = this.viewports.fit();
     const editsFace = this.editsFace && this.faceScene !== undefined;
     const changed = editsFace ? this.sat(time) : expressionScene.advance(time);
     if (changed !== "nothing") this.version += 1;
     if (resized || this.unlike() || changed === "whole") this.redraw();
-    if (this.stale || changed === "part") this.draw(expressionScene, tilePainter, changed !== "nothing");
-    else if (!this.refine(expressionScene, tilePainter)) this.pacing.idle();
+    if (this.stale || changed === "part") this.draw(expressionScene, painters, changed !== "nothing");
+    else if (!this.refine(expressionScene, painters.tiles)) this.pacing.idle();
   }
 
   private sat(time: number): "nothing" | "whole" {
@@ -253,32 +233,32 @@ export class EditorCanvas {
     return unlike;
   }
 
-  private draw(expressionScene: ExpressionScene, tilePainter: TilePainter, moved: boolean): void {
+  private draw(expressionScene: ExpressionScene, painters: Painters, moved: boolean): void {
     const whole = this.stale;
     this.stale = false;
     this.changedAt = performance.now();
     if (this.store.manifest === null) return;
     const members = this.members(expressionScene);
     const boxes = this.viewports.share(members.length - 1);
-    if (whole) this.painter?.clear(this.viewports.ground);
-    if (whole) this.repaint?.forget();
-    tilePainter.drawParts(members.flatMap((member, n) => this.tile(expressionScene, member, n, whole)));
-    this.overlay?.place(
+    if (whole) painters.face.clear(this.viewports.ground);
+    if (whole) painters.repaint.forget();
+    painters.tiles.drawParts(members.flatMap((member, n) => this.tile(expressionScene, member, n, whole)));
+    painters.overlay.place(
       members.map((member) => member?.document.label ?? "..."),
       boxes,
     );
     this.pacing.frame(moved, fenced(this.gl));
     this.watch();
+    if (members.every((member) => this.shown(member))) this.loaded();
   }
 
-  /** Once all is still, draws one tile after the other as well as can be; false: nothing is to be done, now or soon. */
-  private refine(scene: ExpressionScene, tilePainter: TilePainter): boolean {
+  /** Once all is still, draws one tile as well as can be; whether there was anything to draw. */
+  private refine(scene: ExpressionScene, tilePainter: Painters["tiles"]): boolean {
     const members = this.members(scene);
     const n = members.findIndex(
       (member, n) => this.shown(member) && !tilePainter.finished({ n, version: this.version }),
     );
-    if (n < 0 || this.store.manifest === null) return false;
-    if (performance.now() - this.changedAt < STILL) return true;
+    if (n < 0 || this.store.manifest === null || performance.now() - this.changedAt < STILL) return false;
     for (const tile of this.tile(scene, members[n], n, true)) tilePainter.drawWhole(tile);
     this.pacing.frame(false, fenced(this.gl));
     return true;
@@ -286,21 +266,22 @@ export class EditorCanvas {
 
   /** Whether a face can be drawn: it is here, and so is its hair. */
   private shown(member: ShownFace | undefined): member is ShownFace {
-    return member !== undefined && member.block >= 0 && this.hairCache?.of(member) !== "awaited";
+    return member !== undefined && member.block >= 0 && this.painters?.hair.of(member) !== "awaited";
   }
 
   /** What of face `n` is drawn now; nothing when nothing of it is, or before its hair is here. */
   private tile(scene: ExpressionScene, member: ShownFace | undefined, n: number, whole: boolean): DressedTile[] {
     const { viewports, version } = this;
-    const hair = member && this.hairCache?.of(member);
+    const hair = member && this.painters?.hair.of(member);
     if (!this.shown(member) || hair === "awaited") return [];
     const camera = viewports.camera(n, member.bounds);
     const changed = this.editsFace ? undefined : this.changed(scene, member, n, camera);
     const { part, only }: Changed = whole || changed === undefined ? { part: camera.box } : changed;
     if (part.width === 0 || part.height === 0) return [];
     const ground = this.input.over === n && n > 0 ? viewports.hovered : viewports.tile(n);
-    const { recipe, look, liveEyes, manifest } = this.store;
-    const { angles, pupil } = gazeOf(look === null ? recipe : null, liveEyes, manifest as Manifest);
+    const { shownRecipe, layerPreview, liveEyes, manifest } = this.store;
+    const hand = layerPreview.solo.size > 0 && shownRecipe ? handOf(shownRecipe) : liveEyes;
+    const { angles, pupil } = gazeOf(shownRecipe, hand, manifest as Manifest);
     const balls = ballsOf(this.frames, member.figure.base, angles);
     return [{ n, member, camera, part, only, ground, balls, pupil, hair, version }];
   }
@@ -317,7 +298,7 @@ export class EditorCanvas {
 
   /** What of a face's tile the hand has changed; around the work's needles stand too. */
   private changed(expressionScene: ExpressionScene, member: ShownFace, n: number, camera: Camera): Changed | undefined {
-    const { repaint } = this;
+    const repaint = this.painters?.repaint;
     if (repaint === undefined) return undefined;
     const spread = expressionScene.spread(member);
     const needle = n > 0 ? 0 : this.input.picker.needleLength + 2 * HEAD * camera.metresPerPixel(camera.middle);
@@ -333,6 +314,8 @@ export class EditorCanvas {
     return [store.work, ...store.neighbours].map((name) => expressionScene.member(store.sourceOf(name)));
   }
 }
+
+const handOf = ({ eyes, pupil }: Recipe) => ({ turns: eyes, pupil });
 
 const pullsOf = (recipe: NonNullable<DraftStore["recipe"]>): Map<string, number> =>
   new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction]));

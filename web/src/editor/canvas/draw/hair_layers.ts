@@ -1,8 +1,8 @@
 /** What a drag does not move, kept as pictures: collar and hair of each face, behind its skin and before it. */
 
 import { createProgram } from "../../../face/gpu/gl";
+import { type Multisampled, pictureTexture } from "../../../face/gpu/multisampled";
 import type { PixelBox } from "./face_painter";
-import { type Multisampled, pictureTexture } from "./multisampled";
 
 const VERTEX = `#version 300 es
 void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }

@@ -1,4 +1,4 @@
-/** Draws what the stage draws of a head beside its skin: hair, collar and lashes, in the editor's light. */
+/** Draws the stage's hair and collar on a face of the atlas, in the light that goes with the camera. */
 
 import * as THREE from "three";
 import type { Anatomy } from "../../../face/anatomy/anatomy";
@@ -7,12 +7,10 @@ import { ribbons, type StyleUniforms, styleUniforms } from "../../../face/hair/h
 import { fullStrands, offsetsOn } from "../../../face/hair/hair_strands";
 import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "../../../face/head/collar";
 import { type HeadUniforms, headUniforms } from "../../../face/head/head";
-import { lashes } from "../../../face/head/lashes";
 import { writeLight } from "../../../face/light/light_uniforms";
 import { LIGHTS, type Light } from "../../../face/light/lights";
 import type { Triple } from "../../../face/light/tone";
 import { definesOf, FEATURES, type Features } from "../../../face/quality/quality_levels";
-import type { Look } from "../../../link/messages";
 import type { HairStrands } from "../../../link/strands";
 import type { Camera } from "../math/camera";
 import type { FaceAtlas } from "./face_atlas";
@@ -24,10 +22,9 @@ export interface FaceHair {
   readonly uniforms: StyleUniforms;
 }
 
-/** A face in the atlas, its look, and its hair where it has any. */
+/** A face in the atlas, and its hair where it has any. */
 export interface HairedFace {
   readonly block: number;
-  readonly look: Look;
   readonly hair: FaceHair | undefined;
 }
 
@@ -52,7 +49,6 @@ export class HairPainter {
   private readonly target = new THREE.WebGLRenderTarget(1, 1);
   private readonly camera = new THREE.Camera();
   private readonly still = new THREE.Scene(); // collar and hair: what an expression does not move
-  private readonly lashes = new THREE.Scene();
   private readonly features: Features;
 
   constructor(
@@ -69,9 +65,7 @@ export class HairPainter {
     this.camera.matrixWorldAutoUpdate = false;
     const cloth = material(COLLAR_VERTEX, COLLAR_FRAGMENT, this.shared);
     if (anatomy.rim.length > 0) this.still.add(this.dressed(new THREE.Mesh(collar(anatomy), cloth)));
-    const grown = lashes(anatomy, this.shared);
-    if (grown !== undefined) this.lashes.add(grown);
-    for (const scene of [this.still, this.lashes]) for (const part of scene.children) part.frustumCulled = false;
+    for (const part of this.still.children) part.frustumCulled = false;
     this.renderer.resetState();
   }
 
@@ -91,40 +85,29 @@ export class HairPainter {
   }
 
   /** Draws collar and hair: colours as they are, in alpha what is left of the background. */
-  drawHair(face: HairedFace, camera: Camera, target: Target): void {
-    if (face.hair !== undefined) this.still.add(face.hair.mesh);
-    this.draw(this.still, face, camera, target);
-    face.hair?.mesh.removeFromParent();
-  }
-
-  /** Draws lashes over skin and eyes. */
-  drawLashes(face: HairedFace, camera: Camera, target: Target): void {
-    this.draw(this.lashes, face, camera, target);
+  draw({ block, hair }: HairedFace, camera: Camera, target: Target): void {
+    const { renderer } = this;
+    this.shared.firstLine.value = block * this.faceAtlas.lines;
+    this.look(camera);
+    this.aim(target);
+    if (hair !== undefined) this.still.add(hair.mesh);
+    renderer.resetState();
+    renderer.setRenderTarget(this.target);
+    renderer.render(this.still, this.camera);
+    renderer.resetState();
+    hair?.mesh.removeFromParent();
+    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, target.framebuffer);
   }
 
   dispose(): void {
     this.renderer.dispose();
   }
 
-  private draw(scene: THREE.Scene, { block, look }: HairedFace, camera: Camera, target: Target): void {
-    const { renderer, shared } = this;
-    shared.firstLine.value = block * this.faceAtlas.lines;
-    shared.lashes.value = look.lashes;
-    shared.brow.value.setStyle(look.brow);
-    this.look(camera);
-    this.aim(target);
-    renderer.resetState();
-    renderer.setRenderTarget(this.target);
-    renderer.render(scene, this.camera);
-    renderer.resetState();
-    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, target.framebuffer);
-  }
-
-  private look({ projection, stand, right, up, back }: Camera): void {
+  private look({ projection, view, right, up, back }: Camera): void {
     this.camera.projectionMatrix.copy(projection);
     this.camera.projectionMatrixInverse.copy(projection).invert();
-    this.camera.matrixWorld.copy(stand);
-    this.camera.matrixWorldInverse.copy(stand).invert();
+    this.camera.matrixWorldInverse.copy(view);
+    this.camera.matrixWorld.copy(view).invert();
     writeLight(turned(LIGHTS.portrait as Light, right, up, back), this.shared);
   }
 

@@ -70,9 +70,9 @@ export class Camera {
   readonly back: Triple;
   /** From world to clip space, column by column. */
   readonly matrix: Float32Array;
-  /** The same in two steps: from the camera to clip space, and where the camera stands in the world. */
+  /** The same in two steps: from the world to the camera, from there to clip space. */
+  readonly view: Matrix4;
   readonly projection: Matrix4;
-  readonly stand: Matrix4;
   /** What the camera looks at. */
   readonly middle: Triple;
   private readonly far: number;
@@ -91,8 +91,8 @@ export class Camera {
     this.middle = add(bounds.centre, add(times(this.right, view.pan[0]), times(this.up, view.pan[1])));
     this.eye = add(this.middle, times(this.back, this.far));
     this.projection = this.perspective(aspect, bounds.radius);
-    this.stand = this.standMatrix();
-    this.matrix = Float32Array.from(this.projection.clone().multiply(this.stand.clone().invert()).elements);
+    this.view = this.viewMatrix();
+    this.matrix = Float32Array.from(this.projection.clone().multiply(this.view).elements);
   }
 
   /** Where a point is on the canvas, CSS pixels, and how far in front of the camera, metres. */
@@ -136,10 +136,10 @@ export class Camera {
     return (2 * LENS * this.project(point)[2]) / this.box.height;
   }
 
-  private standMatrix(): Matrix4 {
+  private viewMatrix(): Matrix4 {
     const [right, up, back] = [this.right, this.up, this.back].map((axis) => new Vector3(...axis));
     const world = new Matrix4().makeBasis(right as Vector3, up as Vector3, back as Vector3);
-    return world.setPosition(...this.eye);
+    return world.setPosition(...this.eye).invert();
   }
 
   private perspective(aspect: number, radius: number): Matrix4 {

@@ -1,10 +1,11 @@
 /** Draws the tiles of the canvas: each face with its eyes, lashes, hair and collar, and what lies over the work. */
 
+import type { Multisampled } from "../../../face/gpu/multisampled";
 import type { Backgrounds } from "../draw/backgrounds";
 import type { FacePainter, PixelBox } from "../draw/face_painter";
 import type { HairLayers } from "../draw/hair_layers";
 import type { FaceHair, HairPainter, Target } from "../draw/hair_painter";
-import type { Multisampled } from "../draw/multisampled";
+import type { LashPainter } from "../draw/lash_painter";
 import type { Tile } from "../draw/repaint";
 import type { Box } from "../math/boxes";
 import { type Ball, shows } from "../model/gaze";
@@ -23,6 +24,7 @@ export interface DressedTile extends Tile {
 export interface TilePainters {
   readonly face: FacePainter;
   readonly hair: HairPainter;
+  readonly lashes: LashPainter;
   readonly layers: HairLayers;
   readonly backgrounds: Backgrounds;
   readonly overlay: Pick<Overlay, "draw">;
@@ -97,13 +99,13 @@ export class TilePainter {
         face.frame(box, box, multisampled.framebuffer);
         face.mask(drawnFace(tile), camera);
       }
-      hair.drawHair({ block: member.block, look: member.document.look, hair: tile.hair }, camera, target);
+      hair.draw({ block: member.block, hair: tile.hair }, camera, target);
     });
     this.drawn.set(n, { version, smooth: false });
   }
 
   private drawFace(tile: DressedTile, target: Target): void {
-    const { face, hair, layers, overlay } = this.painters;
+    const { face, lashes, layers, overlay } = this.painters;
     const { n, member, camera, part, only } = tile;
     const { box, framebuffer } = target;
     const { block, document } = member;
@@ -112,8 +114,7 @@ export class TilePainter {
     face.frame(box, target.part, framebuffer);
     const balls = tile.balls.filter((ball) => shows(ball, camera, part));
     face.face({ ...drawnFace(tile), balls }, camera, only?.());
-    if (balls.length > 0) hair.drawLashes({ block, look: document.look, hair: undefined }, camera, target);
-    face.frame(box, target.part, framebuffer);
+    if (balls.length > 0) lashes.draw(block, document.look, camera, box[3]);
     layers.lay(n, "before", box, target.part);
     face.frame(box, target.part, framebuffer);
     if (n === 0) overlay.draw(block, camera);
