@@ -3,7 +3,7 @@
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "./arrays";
 import { Backoff } from "./backoff";
-import { downloads } from "./downloads";
+import { downloads } from "./fetch_progress";
 import type {
   CompoundAsset,
   ExpressionDocument,

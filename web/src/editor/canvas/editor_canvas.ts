@@ -5,25 +5,21 @@ import { fenced } from "../../face/gpu/fence";
 import { drawsInSoftware } from "../../face/quality/software_rendering";
 import type { Library } from "../../link/assets";
 import { now } from "../../link/clock";
-import type { Recipe } from "../../link/editing_messages";
 import type { Manifest } from "../../link/messages";
 import { flat } from "../session/control_net";
 import type { DraftStore } from "../session/draft_store";
-import { HEAD } from "./draw/needle_renderer";
-import type { Changed } from "./draw/repaint";
 import { SkinTextures } from "./draw/skin_texture";
 import { CanvasInput } from "./input/canvas_input";
 import { HandleDrag } from "./input/handle_drag";
-import type { Camera, ViewName } from "./math/camera";
+import type { ViewName } from "./math/camera";
 import { surfaceOf } from "./math/hit_test";
-import { ballFrames, ballsOf, gazeOf } from "./model/gaze";
+import { ballFrames } from "./model/gaze";
 import type { ShownFace } from "./model/shown_face";
-import { boxOf } from "./model/spread";
 import { ExpressionScene } from "./scene/expression_scene";
 import { FaceScene } from "./scene/face_scene";
 import { FramePacing } from "./scene/frame_pacing";
 import { makePainters, type Painters } from "./scene/painters";
-import type { DressedTile } from "./scene/tile_painter";
+import { TileSource } from "./scene/tile_source";
 import { Viewports } from "./scene/viewports";
 
 /** Milliseconds without a change after which the picture is drawn as well as can be. */
@@ -38,7 +34,7 @@ export class EditorCanvas {
   faceScene: FaceScene | undefined;
   handles: HandleDrag | undefined;
   private painters: Painters | undefined;
-  private frames: ReturnType<typeof ballFrames> = [];
+  private tiles: TileSource | undefined;
   private anatomy: Anatomy | undefined;
   private stale = true;
   /** Rises with every change of the faces' rows. */
@@ -143,7 +139,7 @@ export class EditorCanvas {
     const { faceAtlas } = this.expressionScene;
     this.faceScene = new FaceScene(faceAtlas, skinTextures, anatomy, library.manifest.skin, side);
     this.painters = makePainters(gl, this, faceAtlas, library, anatomy);
-    this.frames = ballFrames(anatomy);
+    this.tiles = new TileSource(this, this.painters, ballFrames(anatomy));
     const surface = surfaceOf(library.meshes, anatomy);
     this.input.picker.know(anatomy, surface);
     this.handles = new HandleDrag({
@@ -238,52 +234,34 @@ export class EditorCanvas {
     this.stale = false;
     this.changedAt = performance.now();
     if (this.store.manifest === null) return;
+    const { tiles } = this;
+    if (tiles === undefined) return;
     const members = this.members(expressionScene);
     const boxes = this.viewports.share(members.length - 1);
     if (whole) painters.face.clear(this.viewports.ground);
     if (whole) painters.repaint.forget();
-    painters.tiles.drawParts(members.flatMap((member, n) => this.tile(expressionScene, member, n, whole)));
+    painters.tiles.drawParts(
+      members.flatMap((member, n) => tiles.tile(expressionScene, member, n, whole, this.version)),
+    );
     painters.overlay.place(
       members.map((member) => member?.document.label ?? "..."),
       boxes,
     );
     this.pacing.frame(moved, fenced(this.gl));
     this.watch();
-    if (members.every((member) => this.shown(member))) this.loaded();
+    if (members.every((member) => tiles.shown(member))) this.loaded();
   }
 
   /** Once all is still, draws one tile as well as can be; whether there was anything to draw. */
   private refine(scene: ExpressionScene, tilePainter: Painters["tiles"]): boolean {
+    const { tiles, version, store } = this;
+    if (tiles === undefined || store.manifest === null || performance.now() - this.changedAt < STILL) return false;
     const members = this.members(scene);
-    const n = members.findIndex(
-      (member, n) => this.shown(member) && !tilePainter.finished({ n, version: this.version }),
-    );
-    if (n < 0 || this.store.manifest === null || performance.now() - this.changedAt < STILL) return false;
-    for (const tile of this.tile(scene, members[n], n, true)) tilePainter.drawWhole(tile);
+    const n = members.findIndex((member, n) => tiles.shown(member) && !tilePainter.finished({ n, version }));
+    if (n < 0) return false;
+    for (const tile of tiles.tile(scene, members[n], n, true, version)) tilePainter.drawWhole(tile);
     this.pacing.frame(false, fenced(this.gl));
     return true;
-  }
-
-  /** Whether a face can be drawn: it is here, and so is its hair. */
-  private shown(member: ShownFace | undefined): member is ShownFace {
-    return member !== undefined && member.block >= 0 && this.painters?.hair.of(member) !== "awaited";
-  }
-
-  /** What of face `n` is drawn now; nothing when nothing of it is, or before its hair is here. */
-  private tile(scene: ExpressionScene, member: ShownFace | undefined, n: number, whole: boolean): DressedTile[] {
-    const { viewports, version } = this;
-    const hair = member && this.painters?.hair.of(member);
-    if (!this.shown(member) || hair === "awaited") return [];
-    const camera = viewports.camera(n, member.bounds);
-    const changed = this.editsFace ? undefined : this.changed(scene, member, n, camera);
-    const { part, only }: Changed = whole || changed === undefined ? { part: camera.box } : changed;
-    if (part.width === 0 || part.height === 0) return [];
-    const ground = this.input.over === n && n > 0 ? viewports.hovered : viewports.tile(n);
-    const { shownRecipe, layerPreview, liveEyes, manifest } = this.store;
-    const hand = layerPreview.solo.size > 0 && shownRecipe ? handOf(shownRecipe) : liveEyes;
-    const { angles, pupil } = gazeOf(shownRecipe, hand, manifest as Manifest);
-    const balls = ballsOf(this.frames, member.figure.base, angles);
-    return [{ n, member, camera, part, only, ground, balls, pupil, hair, version }];
   }
 
   /** Draws on as soon as the machine is done, not only when the display asks next: what it is late by is not doubled. */
@@ -296,16 +274,6 @@ export class EditorCanvas {
     });
   }
 
-  /** What of a face's tile the hand has changed; around the work's needles stand too. */
-  private changed(expressionScene: ExpressionScene, member: ShownFace, n: number, camera: Camera): Changed | undefined {
-    const repaint = this.painters?.repaint;
-    if (repaint === undefined) return undefined;
-    const spread = expressionScene.spread(member);
-    const needle = n > 0 ? 0 : this.input.picker.needleLength + 2 * HEAD * camera.metresPerPixel(camera.middle);
-    const part = repaint.next(n, boxOf(camera, spread, needle), camera.box);
-    return { part, only: () => repaint.triangles(n, part, camera, member.figure.base, spread.reach) };
-  }
-
   /** Who is drawn, the work first; undefined: not here yet. */
   private members(expressionScene: ExpressionScene): readonly (ShownFace | undefined)[] {
     const { store } = this;
@@ -314,8 +282,6 @@ export class EditorCanvas {
     return [store.work, ...store.neighbours].map((name) => expressionScene.member(store.sourceOf(name)));
   }
 }
-
-const handOf = ({ eyes, pupil }: Recipe) => ({ turns: eyes, pupil });
 
 const pullsOf = (recipe: NonNullable<DraftStore["recipe"]>): Map<string, number> =>
   new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction]));

@@ -2,7 +2,7 @@
 
 import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { downloads } from "../../link/downloads";
+import { downloads } from "../../link/fetch_progress";
 import { base } from "../../ui/theme";
 import { progressOf } from "../session/loading_progress";
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Download } from "../../link/downloads";
+import type { Download } from "../../link/fetch_progress";
 import { progressOf } from "./loading_progress";
 
 const download = (address: string, received = 0, total?: number, ended = false): Download => ({

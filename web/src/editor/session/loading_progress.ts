@@ -1,6 +1,6 @@
 /** How much of what the editor shows first has come, and what comes now. */
 
-import type { Download } from "../../link/downloads";
+import type { Download } from "../../link/fetch_progress";
 
 /** What addresses hold, by how they begin. */
 const WORDS: readonly (readonly [string, string])[] = [

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type Download, Downloads } from "./downloads";
+import { type Download, Downloads } from "./fetch_progress";
 
 /** A response that comes in parts. */
 const inParts = (parts: readonly number[][], headers: Record<string, string>): Response =>
