@@ -5,7 +5,6 @@ import type { Manifest } from "../../../link/messages";
 import type { DraftStore } from "../../session/draft_store";
 import { HEAD } from "../draw/needle_renderer";
 import type { Changed } from "../draw/repaint";
-import type { Camera } from "../math/camera";
 import { ballsOf, gazeOf, shows } from "../model/gaze";
 import type { ShownFace } from "../model/shown_face";
 import { boxOf } from "../model/spread";
