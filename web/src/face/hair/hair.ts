@@ -6,7 +6,7 @@ import type { Anatomy } from "../anatomy/anatomy";
 import type { HeadUniforms } from "../head/head";
 import type { Features } from "../quality/quality_levels";
 import { type ActiveStyle, HairAssignment } from "./hair_assignment";
-import { ribbons, type StyleUniforms, styleUniforms } from "./hair_mesh";
+import { ribbons, type StyleUniforms, styleUniforms } from "./hair_geometry";
 
 /** The hair on stage: a mesh of ribbons for each style that is here, in every head that is being drawn. */
 export class Hair {

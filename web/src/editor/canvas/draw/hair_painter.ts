@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import type { Anatomy } from "../../../face/anatomy/anatomy";
 import { material } from "../../../face/gpu/renderer";
-import { ribbons, type StyleUniforms, styleUniforms } from "../../../face/hair/hair_mesh";
+import { ribbons, type StyleUniforms, styleUniforms } from "../../../face/hair/hair_geometry";
 import { fullStrands, offsetsOn } from "../../../face/hair/hair_strands";
 import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "../../../face/head/collar";
 import { type HeadUniforms, headUniforms } from "../../../face/head/head";
