@@ -32,6 +32,15 @@ export class Layers extends EditorElement {
       .switch {
         font-weight: 700;
       }
+      .switch[aria-pressed="true"] {
+        color: var(--ground);
+        background: var(--text);
+        border-color: var(--text);
+      }
+      .mute[aria-pressed="true"] {
+        background: var(--attention);
+        border-color: var(--attention);
+      }
     `,
   ];
 
@@ -101,7 +110,7 @@ export class Layers extends EditorElement {
     return html`<li class="card ${silent ? "silent" : ""}" data-layer=${at}>
       <div class="row">
         <span class="name grow">${layer.label}</span>
-        <button class="icon quiet switch" aria-pressed=${layer.muted} aria-label="Mute ${layer.label}"
+        <button class="icon quiet switch mute" aria-pressed=${layer.muted} aria-label="Mute ${layer.label}"
           title="Mute: keeps this layer, and leaves it out of the expression and of what is saved"
           @click=${() => this.#change(at, { muted: !layer.muted })}>M</button>
         <button class="icon quiet switch" aria-pressed=${solo.has(at)} aria-label="Solo ${layer.label}"
