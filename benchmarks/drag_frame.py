@@ -4,12 +4,14 @@ Builds the pages of `--before` (a commit) into a temporary folder and lets one b
 turn, on the same server: both drag the same needles, with ten faces beside the work, without a graphics processor. For
 every frame while the needle is led:
 
-* `processor`: milliseconds in which the page gives commands to WebGL, from the first to the last of a frame;
+* `commands`: milliseconds in which the page gives commands to WebGL, from the first to the last of a frame;
 * `frame`: until the renderer has drawn them too;
-* `interval`: from one finished frame to the next, all that the page computes included.
+* `interval`: from one finished frame to the next, all that the page computes included;
+* `processor`: milliseconds of processor time that the page and the renderer took for a frame together, whoever else
+  used the machine meanwhile: CPU and draw time in one.
 
-The bar: the median frame costs at most 1.3 times the former one's. `--renderer swiftshader` for the other software
-renderer of browsers; `--runs N`, `--faces N`.
+The bar: a frame takes at most 1.3 times the former one's processor time (median of the drags). `--renderer swiftshader`
+for the other software renderer of browsers; `--runs N`, `--faces N`.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from playwright.async_api import Browser, Page, Route, async_playwright
+from playwright.async_api import Browser, CDPSession, Page, Route, async_playwright
 from rich.console import Console
 from rich.table import Table
 
@@ -45,6 +47,7 @@ RENDERERS = {
 }
 # A page that did not come over the network may not open a socket, for all that Chromium knows.
 UNCHECKED = "--disable-features=LocalNetworkAccessChecks"
+MEASURES = ("commands", "frame", "interval", "processor")
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css"}
 # Notes when the canvas gives its first command of a frame, the fence after its last one, and when that is reached.
 WATCH_FRAMES = """() => {
@@ -83,15 +86,16 @@ WATCH_FRAMES = """() => {
 
 @dataclass
 class Costs:
-    """Milliseconds of the frames of one run's drags."""
+    """Milliseconds of the frames of one run's drags; `processor`: the mean of each drag."""
 
+    commands: list[float] = field(default_factory=list)
     processor: list[float] = field(default_factory=list)
     frame: list[float] = field(default_factory=list)
     interval: list[float] = field(default_factory=list)
 
     def medians(self) -> dict[str, float]:
         """The median of each."""
-        return {name: float(np.median(getattr(self, name))) for name in ("processor", "frame", "interval")}
+        return {name: float(np.median(getattr(self, name))) for name in MEASURES}
 
 
 def build_pages(commit: str, folder: Path) -> Path:
@@ -118,7 +122,13 @@ async def show_pages(page: Page, pages: Path) -> None:
     await page.route("**/static/**", answer)
 
 
-async def drag(page: Page, goal: tuple[float, float, float], costs: Costs) -> None:
+async def processor_time(session: CDPSession) -> float:
+    """Milliseconds of processor time that pages and renderer have taken since the browser began."""
+    found = await session.send("SystemInfo.getProcessInfo")
+    return sum(1000.0 * each["cpuTime"] for each in found["processInfo"] if each["type"] in ("GPU", "renderer"))
+
+
+async def drag(page: Page, session: CDPSession, goal: tuple[float, float, float], costs: Costs) -> None:
     """One drag, with what its frames cost added."""
     start = await editor.needle_at(page, goal)
     await page.mouse.move(*start)
@@ -126,11 +136,13 @@ async def drag(page: Page, goal: tuple[float, float, float], costs: Costs) -> No
     before = await editor.counters(page)
     await page.mouse.down()
     await page.evaluate("window.frameCosts.length = 0")
+    taken = await processor_time(session)
     await editor.lead(page, start)
     frames = await page.evaluate("window.frameCosts")
+    costs.processor.append((await processor_time(session) - taken) / len(frames))
     during = await editor.counters(page)
     costs.interval.extend(during["intervals"][len(before["intervals"]) :])
-    costs.processor.extend(each[0] for each in frames)
+    costs.commands.extend(each[0] for each in frames)
     costs.frame.extend(each[1] for each in frames)
     await page.mouse.up()
     await editor.until(page, editor.WORN)
@@ -149,8 +161,9 @@ async def run_once(browser: Browser, url: str, pages: Path | None, faces: tuple[
     await page.evaluate(editor.BEGIN, list(faces))
     await editor.until(page, editor.WORN)
     await asyncio.sleep(3.0)  # thumbnails
+    session = await browser.new_browser_cdp_session()
     for goal in editor.GRABBED:
-        await drag(page, goal, costs)
+        await drag(page, session, goal, costs)
     await context.close()
     return costs
 
@@ -181,14 +194,14 @@ def verdict(former: list[Costs], present: list[Costs], title: str) -> bool:
     for column in ("milliseconds", "former", "present", "ratio", "former, 95 %", "present, 95 %"):
         table.add_column(column)
     ratios = {}
-    for name in ("processor", "frame", "interval"):
+    for name in MEASURES:
         before, after = (float(np.median([each.medians()[name] for each in runs])) for runs in (former, present))
         slow = [np.percentile([ms for each in runs for ms in getattr(each, name)], 95) for runs in (former, present)]
         ratios[name] = after / before
         table.add_row(name, f"{before:.1f}", f"{after:.1f}", f"{ratios[name]:.2f}", *(f"{each:.1f}" for each in slow))
     Console().print(table)
-    holds = ratios["frame"] <= BAR
-    print(f"a frame costs {ratios['frame']:.2f} times the former one's (bar: {BAR:g}): {'yes' if holds else 'NO'}")
+    holds = ratios["processor"] <= BAR
+    print(f"a frame costs {ratios['processor']:.2f} times the former one's (bar: {BAR:g}): {'yes' if holds else 'NO'}")
     return holds
 
 

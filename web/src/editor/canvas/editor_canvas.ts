@@ -47,7 +47,7 @@ export class EditorCanvas {
   private readonly leave: (() => void)[] = [];
 
   /**
-   * Draws on a canvas of the page what the store knows; tells `loaded` after every picture that holds all faces; an Error
+   * Draws on a canvas of the page what the store knows; tells `loaded` after every picture that holds all faces that can be had; an Error
    * where nothing can be drawn. */
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -172,7 +172,10 @@ export class EditorCanvas {
     const shown = expressionScene.show(store.manifest, this.editsFace ? [] : sources);
     Promise.all([shown, this.sit(store.manifest)]).then(
       () => this.redraw(),
-      (error: unknown) => store.say(error instanceof Error ? error.message : String(error)),
+      (error: unknown) => {
+        store.say(error instanceof Error ? error.message : String(error));
+        this.loaded(); // what cannot be had is waited for no more
+      },
     );
   }
 
