@@ -24,6 +24,8 @@ import { Viewports } from "./scene/viewports";
 
 /** Milliseconds without a change after which the picture is drawn as well as can be. */
 const STILL = 150;
+/** The same while a hand holds something: it is about to move on. */
+const HELD = 600;
 
 export class EditorCanvas {
   readonly pacing = new FramePacing();
@@ -39,8 +41,9 @@ export class EditorCanvas {
   private stale = true;
   /** Rises with every change of the faces' rows. */
   private version = 0;
-  /** When the picture changed last, milliseconds. */
+  /** When a changed picture was finished last, milliseconds; and whether one is being drawn. */
   private changedAt = 0;
+  private moving = false;
   private seen = "";
   private ended = false;
   private readonly gl: WebGL2RenderingContext;
@@ -109,6 +112,13 @@ export class EditorCanvas {
   /** Whether all that is shown is as the server has it. */
   settled(): boolean {
     return (this.editsFace ? this.faceScene : this.expressionScene)?.settled(now()) === true && !this.store.waiting;
+  }
+
+  /** Whether all that is shown is drawn as well as can be. */
+  refined(): boolean {
+    const { expressionScene, painters, version } = this;
+    if (expressionScene === undefined || painters === undefined || this.stale || this.pacing.busy) return false;
+    return this.members(expressionScene).every((_, n) => painters.tiles.finished({ n, version }));
   }
 
   dispose(): void {
@@ -207,6 +217,8 @@ export class EditorCanvas {
     const time = now();
     this.pacing.look(performance.now());
     if (this.pacing.busy) return;
+    if (this.moving) this.changedAt = performance.now(); // slow machines are not still while they draw
+    this.moving = false;
     const { expressionScene, painters } = this;
     if (expressionScene === undefined || painters === undefined) return;
     const resized = this.viewports.fit();
@@ -235,7 +247,7 @@ export class EditorCanvas {
   private draw(expressionScene: ExpressionScene, painters: Painters, moved: boolean): void {
     const whole = this.stale;
     this.stale = false;
-    this.changedAt = performance.now();
+    this.moving = true;
     if (this.store.manifest === null) return;
     const { tiles } = this;
     if (tiles === undefined) return;
@@ -258,7 +270,8 @@ export class EditorCanvas {
   /** Once all is still, draws one tile as well as can be; whether there was anything to draw. */
   private refine(scene: ExpressionScene, tilePainter: Painters["tiles"]): boolean {
     const { tiles, version, store } = this;
-    if (tiles === undefined || store.manifest === null || performance.now() - this.changedAt < STILL) return false;
+    const still = performance.now() - this.changedAt;
+    if (tiles === undefined || store.manifest === null || still < (this.input.pointers.size > 0 ? HELD : STILL)) return false;
     const members = this.members(scene);
     const n = members.findIndex((member, n) => tiles.shown(member) && !tilePainter.finished({ n, version }));
     if (n < 0) return false;
