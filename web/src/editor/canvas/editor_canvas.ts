@@ -207,7 +207,10 @@ export class EditorCanvas {
     const worn =
       recipe === null || layerPreview.solo.size > 0
         ? undefined
-        : { vectors: flat(recipe.vectors), pulls: pullsOf(recipe) };
+        : {
+            vectors: flat(recipe.vectors),
+            pulls: new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction])),
+          };
     const moves = worn === undefined ? undefined : { vectors: store.live, pulls: store.livePulls };
     expressionScene.follow({ net, moves, muscles: store.muscles });
     if (anew && manifest !== null) expressionScene.dress(manifest, { source: store.shown, moves: worn, net });
@@ -237,8 +240,7 @@ export class EditorCanvas {
   /** Whether eyes or muscles' lines look otherwise than in the last picture. */
   private unlike(): boolean {
     const { store } = this;
-    const pulls = store.options.muscles ? [...store.livePulls] : [];
-    const now = JSON.stringify([store.liveEyes, pulls]);
+    const now = JSON.stringify([store.liveEyes, store.options.muscles ? [...store.livePulls] : []]);
     const unlike = now !== this.seen;
     this.seen = now;
     return unlike;
@@ -271,7 +273,8 @@ export class EditorCanvas {
   private refine(scene: ExpressionScene, tilePainter: Painters["tiles"]): boolean {
     const { tiles, version, store } = this;
     const still = performance.now() - this.changedAt;
-    if (tiles === undefined || store.manifest === null || still < (this.input.pointers.size > 0 ? HELD : STILL)) return false;
+    if (tiles === undefined || store.manifest === null || still < (this.input.pointers.size > 0 ? HELD : STILL))
+      return false;
     const members = this.members(scene);
     const n = members.findIndex((member, n) => tiles.shown(member) && !tilePainter.finished({ n, version }));
     if (n < 0) return false;
@@ -298,6 +301,3 @@ export class EditorCanvas {
     return [store.work, ...store.neighbours].map((name) => expressionScene.member(store.sourceOf(name)));
   }
 }
-
-const pullsOf = (recipe: NonNullable<DraftStore["recipe"]>): Map<string, number> =>
-  new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction]));
