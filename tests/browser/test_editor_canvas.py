@@ -247,8 +247,6 @@ def test_faces_wear_their_hair(editor: Page) -> None:
 
 def test_a_drag_leaves_the_picture_that_a_new_one_would_be(editor: Page) -> None:
     """Hair lies still under and over what a hand moves; once all rests nothing of the way there is left."""
-    editor.evaluate(f"{BENCH}.setWork('kaori')")
-    wait_for(editor, "probe.settled()")
     before = shown(editor)
     editor.evaluate(f"{BENCH}.setOptions({{needles: true}})")
     wait_for(editor, "probe.needles().length > 50")

@@ -22,10 +22,8 @@ import { makePainters, type Painters } from "./scene/painters";
 import { TileSource } from "./scene/tile_source";
 import { Viewports } from "./scene/viewports";
 
-/** Milliseconds without a change after which the picture is drawn as well as can be. */
-const STILL = 150;
-/** The same while a hand holds something: it is about to move on. */
-const HELD = 600;
+/** Milliseconds without a change after which all is drawn as well as can be; longer while a hand is about to move on. */
+const [STILL, HELD] = [150, 600];
 
 export class EditorCanvas {
   readonly pacing = new FramePacing();
@@ -49,9 +47,7 @@ export class EditorCanvas {
   private readonly gl: WebGL2RenderingContext;
   private readonly leave: (() => void)[] = [];
 
-  /**
-   * Draws on a canvas of the page what the store knows; tells `loaded` after every picture that holds all faces that can be had; an Error
-   * where nothing can be drawn. */
+  /** Draws what the store knows; tells `loaded` of every picture with all faces that can be had; throws where it cannot. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly store: DraftStore,
