@@ -42,9 +42,13 @@ USED: dict[str, str] = {
     "editor/canvas/math": "link face/anatomy",
     "editor/canvas/model": "link face/pose face/anatomy editor/session editor/canvas/math",
     "editor/canvas/draw": (
-        "link face/anatomy face/gpu face/light face/skin editor/session editor/canvas/math editor/canvas/model"
+        "link face/quality face/anatomy face/gpu face/light face/skin face/head face/hair editor/session "
+        "editor/canvas/math editor/canvas/model"
     ),
-    "editor/canvas/scene": "link face/anatomy editor/session editor/canvas/math editor/canvas/model editor/canvas/draw",
+    "editor/canvas/scene": (
+        "link face/quality face/anatomy face/gpu editor/session editor/canvas/math editor/canvas/model "
+        "editor/canvas/draw"
+    ),
     "editor/canvas/input": (
         "ui face/anatomy editor/session editor/canvas/math editor/canvas/model editor/canvas/draw editor/canvas/scene"
     ),

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page
 
 import omote
+from tests.browser.pictures import picture
 from tests.browser.waiting import floats, wait_until
 
 OpenPage = Callable[..., Page]
@@ -218,3 +219,44 @@ def test_arrows_nudge_by_half_a_millimetre(editor: Page) -> None:
     wait_for(editor, "!bench.dragging && bench.draft.undo === 1 && probe.settled()")
     moved = computed(editor, "generic")[needle["row"]] - before
     assert abs(moved[1] - 0.5e-3) < REACH
+
+
+def shown(page: Page) -> NDArray[np.int16]:
+    """The canvas once all is drawn as well as can be, without needles."""
+    page.evaluate(f"{BENCH}.setOptions({{needles: false}})")
+    wait_for(page, "probe.settled() && probe.refined()")
+    left, top = (round(part) for part in on_page(page, (0, 0)))
+    width, height = page.evaluate(f"[{CANVAS}.clientWidth, {CANVAS}.clientHeight]")
+    return picture(page)[top : top + height, left : left + width, :3]
+
+
+def test_faces_wear_their_hair(editor: Page) -> None:
+    """Over the crown of a face with dark hair it is dark, of one without any as bright as skin."""
+    editor.evaluate(f"{BENCH}.setNeighbours(['kaori', 'noh'])")
+    light = {}
+    for face in ("kaori", "noh"):
+        editor.evaluate(f"{BENCH}.setWork({face!r})")
+        editor.evaluate(f"{BENCH}.setOptions({{needles: true}})")
+        wait_for(editor, "probe.settled() && probe.needles().length > 50")
+        rows = computed(editor, face)
+        crown = max(needles(editor), key=lambda one: float(rows[one["row"]][1]))
+        x, y = (round(part) for part in crown["foot"])
+        light[face] = float(shown(editor)[y + 8 : y + 14, x - 3 : x + 4].mean())
+    assert light["kaori"] < 60 < 120 < light["noh"], light
+
+
+def test_a_drag_leaves_the_picture_that_a_new_one_would_be(editor: Page) -> None:
+    """Hair lies still under and over what a hand moves; once all rests nothing of the way there is left."""
+    before = shown(editor)
+    editor.evaluate(f"{BENCH}.setOptions({{needles: true}})")
+    wait_for(editor, "probe.needles().length > 50")
+    with held(editor, mouth_corner(editor)) as (x, y):
+        lead(editor, x + 25, y - 30)
+    wait_for(editor, "!bench.dragging && probe.settled()")
+    after = shown(editor)
+    editor.keyboard.press("2")
+    wait_for(editor, "probe.view().yaw !== 0 && probe.refined()")
+    editor.keyboard.press("1")
+    wait_for(editor, "probe.view().yaw === 0 && probe.refined()")
+    assert np.abs(after - before).max() > 50
+    assert np.array_equal(shown(editor), after)

@@ -78,6 +78,15 @@ def test_another_net_and_a_flat_one_mean_the_same() -> None:
     assert (flat.vectors, flat.layers, flat.pulls) == (REST, (), ())
 
 
+def test_flattening_keeps_muted_layers_as_they_were() -> None:
+    muted = Layer("angry", "Angry", 0.7, "brows", True, True)
+    order = Flat(msgspec.structs.replace(SMILE, layers=(*SMILE.layers, muted)), {})
+    made, without = RUNNER.run(order), RUNNER.run(Flat(SMILE, {}))
+    assert isinstance(made.recipe, Recipe)
+    assert made.recipe.layers == (muted,)
+    assert made.key == without.key, "what is seen holds nothing of it"
+
+
 def test_own_contents_are_layers_and_faces() -> None:
     data = pack_expression(CAST.expressions["angry"])
     key = content_key(data)

@@ -66,6 +66,37 @@ def test_every_kind_of_edit_is_a_step(harness: EditHarness) -> None:
     assert (state.recipe.layers, state.recipe.pulls) == ((), ())
 
 
+def test_a_preview_of_layers_is_what_they_would_make_and_no_step(harness: EditHarness) -> None:
+    before = harness.ask("ann", wire.SetVectors, 1, vectors(), "nudge")
+    kept = harness.tables.stored()
+    layers = [Layer("smile", "Smile", 0.5)]
+    preview = harness.ask("ann", wire.PreviewLayers, 1, layers, False)
+    assert isinstance(preview, wire.Previewed)
+    assert preview.content.removeprefix(KEY) in harness.session.contents
+    assert harness.tables.stored() == kept
+    assert harness.ask("ann", wire.OpenItem, 1).content == before.content
+    assert harness.ask("ann", wire.SetLayers, 1, layers).content == preview.content
+
+
+def test_layers_alone_are_previewed_without_all_else_of_the_draft(harness: EditHarness) -> None:
+    layers = [Layer("smile", "Smile", 0.5)]
+    bare = harness.ask("ann", wire.SetLayers, 1, layers).content
+    harness.ask("ann", wire.SetVectors, 1, vectors(), "nudge")
+    harness.ask("ann", wire.SetPulls, 1, PULLED)
+    harness.ask("ann", wire.SetEyes, 1, (0.1, 0.0, 0.1, 0.0), -0.5)
+    assert harness.ask("ann", wire.PreviewLayers, 1, layers, True).content == bare
+    assert harness.ask("ann", wire.PreviewLayers, 1, layers, False).content != bare
+
+
+def test_a_preview_that_cannot_be_is_refused(harness: EditHarness) -> None:
+    heavy = harness.ask("ann", wire.PreviewLayers, 1, [Layer("smile", "Smile", 99.0)], False)
+    assert isinstance(heavy, wire.EditRefused)
+    harness.ask("ann", wire.CreateFace, "Face", {"broad": 1.0}, False)
+    face = harness.ask("ann", wire.PreviewLayers, 2, [], False)
+    assert isinstance(face, wire.EditRefused)
+    assert "only expressions have layers" in face.reason
+
+
 def test_the_history_says_what_was_done(harness: EditHarness) -> None:
     assert harness.ask("ann", wire.SetVectors, 1, vectors(), " mirrored ").what == "mirrored"
     assert harness.ask("ann", wire.SetNet, 1, list(net_of(harness.cast, POINTS - 1))).what == "1 control points removed"

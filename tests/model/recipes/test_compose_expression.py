@@ -72,6 +72,18 @@ def test_layers_add(a: float, b: float) -> None:
     assert np.allclose(both, a * one + b * other, atol=1e-14)
 
 
+@given(st.lists(st.tuples(st.sampled_from(["smile", "wink", "pupils-wide"]), st.booleans()), max_size=5))
+def test_muted_layers_add_nothing(layers: list[tuple[str, bool]]) -> None:
+    kept = [Layer(name, "", muted=muted) for name, muted in layers]
+    audible = [layer for layer in kept if not layer.muted]
+    assert np.array_equal(numbers(baked(recipe(*kept))), numbers(baked(recipe(*audible))))
+
+
+def test_a_muted_layer_of_an_expression_that_is_gone_is_still_rejected() -> None:
+    with pytest.raises(ValueError, match="choose another layer"):
+        baked(recipe(Layer("#gone", "Gone", muted=True)))
+
+
 def test_all_regions_of_one_expression_are_that_expression() -> None:
     for name in ("shout", "wink", "pupils-wide"):
         layers = [Layer(name, name, region=region) for region in REGIONS]

@@ -5,7 +5,7 @@ import { customElement, query, state } from "lit/decorators.js";
 import { EASING_NAMES } from "../link/constants";
 import { curtain } from "../ui/dialog_style";
 import { layerWhileShown } from "../ui/key_presses";
-import { base } from "../ui/theme";
+import { base, entry } from "../ui/theme";
 import { ConsoleElement, chosenIn } from "./controls/console_element";
 import type { Axis } from "./store/axis";
 import type { Topic } from "./store/console_store";
@@ -55,15 +55,8 @@ export class Setup extends ConsoleElement {
         flex: 1 1 140px;
       }
       input {
-        font: inherit;
+        ${entry}
         min-height: 26px;
-        padding: 0 8px;
-        color: var(--text);
-        background: #000;
-        border: 1px solid var(--line);
-        border-radius: 4px;
-        user-select: text;
-        -webkit-user-select: text;
       }
       .names button {
         overflow-wrap: anywhere;

@@ -17,15 +17,20 @@ import type { Topic } from "./session/draft_store";
 import { type Kind, redo, undo } from "./session/item_commands";
 import "./page/heading";
 import "./page/help";
+import "./page/loading_view";
 import "./page/notices_view";
 import "./panels/item_panels";
 import "./page/item_list";
 import "./page/tools";
 
+const OLD = "You look at an old revision, not at your draft.";
+
 /** The editor: what there is on the left, the face under work and those beside it between, what it is made of on the right. */
 @customElement("omote-editor")
 export class EditorPage extends EditorElement {
   @state() private helping = false;
+  /** Whether all faces have been drawn once. */
+  @state() private loaded = false;
   @query("canvas") private canvas!: HTMLCanvasElement;
   @query("omote-item-list") private library!: ItemListPanel;
   @query("omote-heading") private heading!: Heading;
@@ -57,7 +62,9 @@ export class EditorPage extends EditorElement {
     this.#open = open;
     this.classList.toggle("lost", !this.store.online);
     if (this.#view === null && this.store.library !== null) {
-      this.#view = new EditorCanvas(this.canvas, this.store);
+      this.#view = new EditorCanvas(this.canvas, this.store, () => {
+        this.loaded = true;
+      });
       exposeProbe(this.#view);
     }
   }
@@ -71,7 +78,8 @@ export class EditorPage extends EditorElement {
         <omote-tools .context=${context} @view=${(event: CustomEvent<View>) => this.#view?.view(event.detail)}></omote-tools>
         <div class="work">
           <canvas tabindex="0" aria-label="The face under work and the faces beside it" aria-describedby="hint"></canvas>
-          ${store.look === null ? nothing : this.#looking()}
+          ${this.loaded ? nothing : html`<omote-loading .faces=${1 + store.neighbours.length}></omote-loading>`}
+          ${store.look === null && store.layerPreview.solo.size === 0 ? nothing : this.#looking()}
         </div>
         <p id="hint" class="hint">${hintOf(store, matchMedia("(pointer: coarse)").matches)}</p>
       </main>
@@ -85,8 +93,16 @@ export class EditorPage extends EditorElement {
   }
 
   #looking() {
-    return html`<div class="looking" role="status">You look at an old revision, not at your draft.
-      <button @click=${() => this.store.setLook(null)}>Back to my draft</button></div>`;
+    const { look, recipe, layerPreview } = this.store;
+    const alone = [...layerPreview.solo].map((place) => `"${recipe?.layers[place]?.label ?? ""}"`).join(", ");
+    const what = look === null ? `Solo: you see ${alone} alone, without needles and muscles.` : OLD;
+    return html`<div class="looking" role="status">${what}
+      <button @click=${() => this.#showDraft()}>Back to my draft</button></div>`;
+  }
+
+  #showDraft(): void {
+    this.store.layerPreview.end();
+    this.store.setLook(null);
   }
 
   readonly #toggleHelp = (): void => {
@@ -123,7 +139,7 @@ export class EditorPage extends EditorElement {
   #leave(): void {
     const { store } = this;
     if (store.dragging) store.cancel();
-    else if (store.look !== null) store.setLook(null);
+    else if (store.look !== null || store.layerPreview.solo.size > 0) this.#showDraft();
     else if (store.selection.size > 0) store.select([]);
   }
 }

@@ -111,6 +111,7 @@ async function start(): Promise<void> {
   };
   const page = new EditorPage();
   page.context = context;
+  document.getElementById("loading")?.remove();
   document.body.append(page, shown);
   store.setCast(await Library.open());
   thumbnailRenderer = await ThumbnailRenderer.open(store.library as Library);

@@ -3,6 +3,7 @@
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "./arrays";
 import { Backoff } from "./backoff";
+import { downloads } from "./fetch_progress";
 import type {
   CompoundAsset,
   ExpressionDocument,
@@ -40,11 +41,11 @@ export class RefusedAddress extends Error {}
 
 /** The bytes behind an address of our server; RefusedAddress for a 4xx answer. */
 export async function fetchBytes(address: string): Promise<Uint8Array> {
-  const response = await fetch(address);
+  const { response, bytes } = await downloads.follow(address, () => fetch(address));
   if (response.status >= 400 && response.status < 500)
     throw new RefusedAddress(`The server answered ${response.status} for ${address}.`);
   if (!response.ok) throw new Error(`The server answered ${response.status} for ${address}.`);
-  return new Uint8Array(await response.arrayBuffer());
+  return bytes;
 }
 
 /** Reads an address until it comes: the server may be away for a while. */

@@ -23,7 +23,8 @@ export interface FaceRecipe {
 /**
  * A weighted expression (a blendshape) under the control points.
  * source: a name of the built-in cast, or `#` and a content key; label: what people read; region: one of
- * `sculpting.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged.
+ * `sculpting.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged; muted: kept, but not
+ * added (`compose_expression`).
  */
 export interface Layer {
   source: string;
@@ -31,6 +32,7 @@ export interface Layer {
   weight: number;
   region: string | null;
   mirrored: boolean;
+  muted: boolean;
 }
 
 /** A muscle's contraction, 0 at rest, 1 as far as it goes. */
@@ -157,6 +159,18 @@ export interface SetLayers {
   layers: Layer[];
 }
 
+/**
+ * Asks for the draft as it would be with other layers; no step. alone: these layers and nothing else, no control
+ * points, muscles, eyes or ground.
+ */
+export interface PreviewLayers {
+  type: "preview_layers";
+  request: number;
+  item: number;
+  layers: Layer[];
+  alone: boolean;
+}
+
 /** The muscles' contractions. */
 export interface SetPulls {
   type: "set_pulls";
@@ -174,7 +188,10 @@ export interface SetEyes {
   pupil: number;
 }
 
-/** Bakes layers, muscles and control points into one field, on which the points stand at rest again. */
+/**
+ * Bakes layers, muscles and control points into one field, on which the points stand at rest again; muted layers
+ * stay as they are.
+ */
 export interface Flatten {
   type: "flatten";
   request: number;
@@ -363,6 +380,14 @@ export interface DraftState {
   others: string[];
 }
 
+/** Answers preview_layers; `content`: `#` and the key that `/compounds/` serves. */
+export interface Previewed {
+  type: "previewed";
+  request: number;
+  item: number;
+  content: string;
+}
+
 /** A draft became a revision; `aside`: another editor had saved meanwhile, and what plays is `head`, theirs. */
 export interface Saved {
   type: "saved";
@@ -421,6 +446,7 @@ export type FromEditor =
   | SetVectors
   | SetNet
   | SetLayers
+  | PreviewLayers
   | SetPulls
   | SetEyes
   | Flatten
@@ -435,4 +461,4 @@ export type FromEditor =
   | Restore
   | AskHistory;
 
-export type ToEditor = Greeted | Items | DraftState | Saved | History | Done | EditRefused | Notices;
+export type ToEditor = Greeted | Items | DraftState | Previewed | Saved | History | Done | EditRefused | Notices;

@@ -3,8 +3,28 @@
 import { now, ServerClock } from "./clock";
 import type { Crew, FromClient, FromServer, Hello, Kept, Notice, Pong, State, Welcome } from "./messages";
 import { LINK_PATH, PROTOCOL_VERSION } from "./messages";
-import { Newest } from "./newest";
 import { ReconnectingSocket } from "./reconnecting_socket";
+
+/** What orders states: the server's start, then the count since. */
+export interface Stamp {
+  epoch: number;
+  number: number;
+}
+
+/** Lets only states through that are newer than all before: a lower (epoch, number) is ignored. */
+export class Newest {
+  private last: Stamp = { epoch: -Infinity, number: -Infinity };
+  /** How many states came too late. */
+  ignored = 0;
+
+  accept(stamp: Stamp): boolean {
+    const { epoch, number } = this.last;
+    const newer = stamp.epoch > epoch || (stamp.epoch === epoch && stamp.number > number);
+    if (newer) this.last = { epoch: stamp.epoch, number: stamp.number };
+    else this.ignored += 1;
+    return newer;
+  }
+}
 
 /** What a page wants to hear; every handler may be left out. */
 export interface LinkHandlers {

@@ -3,7 +3,7 @@
 import { css, html, LitElement, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { ShowNotices } from "./show_notices";
-import { base, palette } from "./theme";
+import { base, notice, palette, wanted } from "./theme";
 
 /** The browser's store, where it lets us have one. */
 function browserStorage(): Storage | null {
@@ -37,22 +37,13 @@ export class ShowNoticesView extends LitElement {
         }
       }
       [role] {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr) auto;
+        ${notice}
+        ${wanted}
         align-items: center;
-        gap: 6px;
         padding: 4px 4px 4px 12px;
-        border-radius: 6px;
-        color: var(--text);
         font-size: 12.5px;
         line-height: 1.35;
-        background: #2a2108;
-        border: 1px solid var(--attention);
-        box-shadow: 0 6px 24px #000a;
-        overflow-wrap: anywhere;
         pointer-events: auto;
-        user-select: text;
-        -webkit-user-select: text;
       }
       small {
         color: var(--dim);

@@ -26,6 +26,52 @@ export const palette = css`
   }
 `;
 
+/** The declarations of a field for text. */
+export const entry = css`
+  font: inherit;
+  min-width: 0;
+  padding: 0 8px;
+  color: var(--text);
+  background: #000;
+  border: 1px solid var(--line);
+  border-radius: 4px;
+  user-select: text;
+  -webkit-user-select: text;
+`;
+
+/** The declarations of the box of a notice: words, and beside them what dismisses it. */
+export const notice = css`
+  display: grid;
+  grid-template-columns: minmax(0, 1fr) auto;
+  gap: 6px;
+  border-radius: 6px;
+  color: var(--text);
+  box-shadow: 0 6px 24px #000a;
+  overflow-wrap: anywhere;
+  user-select: text;
+  -webkit-user-select: text;
+`;
+
+/** The declarations of the box of a notice that wants attention. */
+export const wanted = css`
+  background: #2a2108;
+  border: 1px solid var(--attention);
+`;
+
+/** The declarations of the name under a tile's picture. */
+export const caption = css`
+  display: grid;
+  place-content: center;
+  min-height: 19px;
+  padding: 1px 2px 3px;
+  font-size: 11.5px;
+  line-height: 12px;
+  text-align: center;
+  overflow-wrap: anywhere;
+  color: var(--text);
+  background: var(--raised);
+`;
+
 export const base = css`
   :host {
     box-sizing: border-box;

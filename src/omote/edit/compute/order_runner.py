@@ -98,7 +98,9 @@ class OrderRunner:
     def _flatten(self, order: Flat) -> Baked:
         whole = self._bake(order.recipe, order.contents, with_net=False)
         still = ((0.0, 0.0, 1.0),) * len(order.recipe.net)
-        return msgspec.structs.replace(whole, recipe=Recipe(order.recipe.net, still, KEY + whole.key))
+        muted = tuple(layer for layer in order.recipe.layers if layer.muted)
+        flat = Recipe(order.recipe.net, still, KEY + whole.key, muted)
+        return msgspec.structs.replace(whole, recipe=flat)
 
     def _load_expressions(self, recipe: Recipe, contents: Contents) -> dict[str, Expression]:
         """The expressions that a recipe names; ValueError where one is missing."""

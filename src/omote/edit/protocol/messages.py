@@ -111,6 +111,16 @@ class SetLayers(Message, frozen=True):
     layers: Layers
 
 
+class PreviewLayers(Message, frozen=True):
+    """Asks for the draft as it would be with other layers; no step. alone: these layers and nothing else, no control
+    points, muscles, eyes or ground."""
+
+    request: int
+    item: int
+    layers: Layers
+    alone: bool
+
+
 class SetPulls(Message, frozen=True):
     """The muscles' contractions."""
 
@@ -129,7 +139,8 @@ class SetEyes(Message, frozen=True):
 
 
 class Flatten(Message, frozen=True):
-    """Bakes layers, muscles and control points into one field, on which the points stand at rest again."""
+    """Bakes layers, muscles and control points into one field, on which the points stand at rest again; muted layers
+    stay as they are."""
 
     request: int
     item: int
@@ -314,6 +325,14 @@ class DraftState(Message, frozen=True, tag="draft"):
     others: list[str]
 
 
+class Previewed(Message, frozen=True):
+    """Answers preview_layers; `content`: `#` and the key that `/compounds/` serves."""
+
+    request: int
+    item: int
+    content: str
+
+
 class Saved(Message, frozen=True):
     """A draft became a revision; `aside`: another editor had saved meanwhile, and what plays is `head`, theirs."""
 
@@ -356,6 +375,7 @@ FromEditor = (
     | SetVectors
     | SetNet
     | SetLayers
+    | PreviewLayers
     | SetPulls
     | SetEyes
     | Flatten
@@ -370,7 +390,7 @@ FromEditor = (
     | Restore
     | AskHistory
 )
-ToEditor = Greeted | Items | DraftState | Saved | History | Done | EditRefused | Notices
+ToEditor = Greeted | Items | DraftState | Previewed | Saved | History | Done | EditRefused | Notices
 
 EDITOR_MESSAGES: tuple[type[Message], ...] = get_args(FromEditor)
 ANSWERS: tuple[type[Message], ...] = get_args(ToEditor)

@@ -43,7 +43,8 @@ class Renet(msgspec.Struct, frozen=True, tag=True):
 
 
 class Flat(msgspec.Struct, frozen=True, tag=True):
-    """Flattens an expression into one ground field, with the points at rest on it; answered with `Baked`."""
+    """Flattens an expression into one ground field, with the points at rest on it and muted layers as they were;
+    answered with `Baked`."""
 
     recipe: Recipe
     contents: Contents

@@ -14,7 +14,7 @@ from omote.edit.protocol.validation import check_net, check_recipe, check_target
 from omote.edit.protocol.wire import read_recipe, write_recipe
 from omote.edit.session.plan import Authored, Plan, Result
 from omote.edit.store.authored_state import AuthoredState, DraftKey
-from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe
 from omote.show.messages import Message
 from omote.show.validation import Refusal
 from omote.showfile.changes import Draft, Edit, Item, PutDraft, PutEdit
@@ -59,6 +59,17 @@ def edit(authored: Authored, key: DraftKey, message: Message) -> Plan:
         raise Refusal(f"item {key[0]} is {'a' if kind == 'face' else 'an'} {kind}, but what came is for {other}.")
     order, what = EDITS[type(message)](authored, recipe, message)
     return Plan(order, lambda baked: _add_step(authored, key, baked, what))
+
+
+def preview_layers(authored: Authored, key: DraftKey, wanted: wire.PreviewLayers) -> Plan:
+    """Makes what a draft would be with other layers, without a step; the answer names its content."""
+    recipe = read_recipe(authored.state.shown_edit(key).recipe)
+    if isinstance(recipe, FaceRecipe):
+        raise Refusal(f"item {key[0]} is a face: only expressions have layers.")
+    if wanted.alone:
+        recipe = Recipe(recipe.net, ((0.0, 0.0, 1.0),) * len(recipe.net))
+    order = authored.bake(authored.resolve_and_check(replace(recipe, layers=tuple(wanted.layers))))
+    return Plan(order, lambda baked: Result(reply=wire.Previewed(wanted.request, key[0], KEY + baked.key)))
 
 
 def step(authored: Authored, key: DraftKey, steps: int) -> Plan:

@@ -101,6 +101,7 @@ ANSWERS: Mapping[type[Message], Callable[[RequestContext], Plan | Result]] = {
     wire.OpenItem: lambda context: drafts.open_item(context.authored, context.item, context.author.editor),
     wire.CloseItem: _close,
     **dict.fromkeys(drafts.EDITS, _edit),
+    wire.PreviewLayers: lambda context: drafts.preview_layers(context.authored, context.draft, context.message),
     wire.Undo: lambda context: drafts.step(context.authored, context.draft, -1),
     wire.Redo: lambda context: drafts.step(context.authored, context.draft, 1),
     wire.Save: _save,
@@ -114,6 +115,6 @@ ANSWERS: Mapping[type[Message], Callable[[RequestContext], Plan | Result]] = {
 """The handler of each request; the session itself handles `greet`."""
 
 OF_DRAFTS: tuple[type[Message], ...] = (
-    wire.OpenItem, wire.CloseItem, *drafts.EDITS, wire.Undo, wire.Redo, wire.Save, wire.BringBack
+    wire.OpenItem, wire.CloseItem, *drafts.EDITS, wire.PreviewLayers, wire.Undo, wire.Redo, wire.Save, wire.BringBack
 )  # fmt: skip
 OF_DELETED_ITEMS: tuple[type[Message], ...] = (wire.CloseItem, wire.Delete, wire.Restore, wire.AskHistory)

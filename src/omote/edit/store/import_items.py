@@ -79,7 +79,7 @@ def make_document(
 ) -> ExpressionFile:  # fmt: skip
     """Makes the document of an expression; with its control points where it consists of nothing else."""
     alone = recipe is not None and recipe == Recipe(recipe.net, recipe.vectors) and _fits_head(space, recipe)
-    made_of = [] if recipe is None else [f"{each.label} x {each.weight:g}" for each in recipe.layers]
+    made_of = [] if recipe is None else [f"{each.label} x {each.weight:g}" for each in recipe.layers if not each.muted]
     made_of += [] if recipe is None else [f"{pull.muscle} x {pull.contraction:g}" for pull in recipe.pulls]
     return ExpressionFile(
         omote="expression",

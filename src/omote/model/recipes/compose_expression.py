@@ -40,7 +40,7 @@ def compose_expression(
     space: ParameterSpace, recipe: Recipe, sources: Mapping[str, Expression], /, net_field: NetField | None = None
 ) -> Expression:  # fmt: skip
     """Composes the expression of a recipe: fields add as dtheta, dh and R - 1, and so do residuals, parts, eyes and
-    pupils.
+    pupils; muted layers add nothing.
 
     sources: the expressions that it names; net_field: of its net, where it is known. Raises ValueError on what it names
     and nobody knows, numbers that are not finite, weights beyond HEAVIEST and radii that are not positive.
@@ -50,6 +50,8 @@ def compose_expression(
         _add(space, total, _find_source(space, sources, recipe.ground), Layer(recipe.ground, ""))
     for layer in recipe.layers:
         expression = _find_source(space, sources, layer.source)
+        if layer.muted:
+            continue
         _add(space, total, mirror_expression(space, expression) if layer.mirrored else expression, layer)
     for pull in recipe.pulls:
         total.field += _amount(pull.contraction, f"contraction of muscle {pull.muscle!r}") * find_muscle_field(

@@ -14,7 +14,8 @@ class Layer(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A weighted expression (a blendshape) under the control points.
 
     source: a name of the built-in cast, or `#` and a content key; label: what people read; region: one of
-    `sculpting.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged.
+    `sculpting.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged; muted: kept, but not
+    added (`compose_expression`).
     """
 
     source: str
@@ -22,6 +23,7 @@ class Layer(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     weight: float = 1.0
     region: str | None = None
     mirrored: bool = False
+    muted: bool = False
 
 
 class Pull(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { caption, entry } from "../../ui/theme";
 
 export const style = css`
   :host {
@@ -34,19 +35,11 @@ export const style = css`
     border-color: var(--edge);
   }
   input {
-    font: inherit;
+    ${entry}
     font-size: 12px;
     width: 78px;
     flex: 1 1 60px;
-    min-width: 0;
     min-height: 26px;
-    padding: 0 8px;
-    color: var(--text);
-    background: #000;
-    border: 1px solid var(--line);
-    border-radius: 4px;
-    user-select: text;
-    -webkit-user-select: text;
   }
   input::placeholder {
     color: var(--faint);
@@ -129,15 +122,7 @@ export const style = css`
     pointer-events: none;
   }
   .tile .name {
-    display: grid;
-    place-content: center;
-    min-height: 19px;
-    padding: 1px 2px 3px;
-    font-size: 11.5px;
-    line-height: 12px;
-    text-align: center;
-    overflow-wrap: anywhere;
-    background: var(--raised);
+    ${caption}
   }
   .edit {
     position: absolute;

@@ -6,6 +6,8 @@ import type { Counters } from "./scene/frame_pacing";
 export interface EditorProbe {
   /** Whether all faces wear the draft, and nothing eases. */
   settled(): boolean;
+  /** Whether all faces are drawn as well as can be, with smooth edges and hair where their skin has it. */
+  refined(): boolean;
   counters(): Counters;
   /** The needles, or a face's handles, on the canvas: place, row, a handle's name, where the head and the foot are (CSS pixels), whether it can be seen. */
   needles(): { place: number; row: number; label: string; head: [number, number]; foot: [number, number] }[];
@@ -39,6 +41,7 @@ export function exposeProbe(stage: EditorCanvas): void {
   };
   window.omoteEditor = {
     settled: () => stage.settled(),
+    refined: () => stage.refined(),
     counters: () => countersOf(stage),
     needles: () => needlesOf(stage),
     readPositions: (face) => Array.from(stage.expressionScene?.faceAtlas.read(memberOf(face).block) ?? []),

@@ -8,24 +8,22 @@ import { now } from "../../link/clock";
 import type { Manifest } from "../../link/messages";
 import { flat } from "../session/control_net";
 import type { DraftStore } from "../session/draft_store";
-import { Backgrounds } from "./draw/backgrounds";
-import { FacePainter } from "./draw/face_painter";
-import { HEAD, NeedleRenderer } from "./draw/needle_renderer";
-import { type Changed, Repaint, type Tile } from "./draw/repaint";
 import { SkinTextures } from "./draw/skin_texture";
 import { CanvasInput } from "./input/canvas_input";
 import { HandleDrag } from "./input/handle_drag";
-import type { Camera, ViewName } from "./math/camera";
-import { coarseMeshes } from "./math/coarse_mesh";
+import type { ViewName } from "./math/camera";
 import { surfaceOf } from "./math/hit_test";
-import { ballFrames, ballsOf, gazeOf, shows } from "./model/gaze";
+import { ballFrames } from "./model/gaze";
 import type { ShownFace } from "./model/shown_face";
-import { boxOf } from "./model/spread";
 import { ExpressionScene } from "./scene/expression_scene";
 import { FaceScene } from "./scene/face_scene";
 import { FramePacing } from "./scene/frame_pacing";
-import { Overlay } from "./scene/overlay";
+import { makePainters, type Painters } from "./scene/painters";
+import { TileSource } from "./scene/tile_source";
 import { Viewports } from "./scene/viewports";
+
+/** Milliseconds without a change after which all is drawn as well as can be; longer while a hand is about to move on. */
+const [STILL, HELD] = [150, 600];
 
 export class EditorCanvas {
   readonly pacing = new FramePacing();
@@ -35,22 +33,25 @@ export class EditorCanvas {
   /** A face under work: in place of the expression scene, with handles in place of needles. */
   faceScene: FaceScene | undefined;
   handles: HandleDrag | undefined;
-  private painter: FacePainter | undefined;
-  private overlay: Overlay | undefined;
-  private frames: ReturnType<typeof ballFrames> = [];
+  private painters: Painters | undefined;
+  private tiles: TileSource | undefined;
   private anatomy: Anatomy | undefined;
   private stale = true;
-  private repaint: Repaint | undefined;
-  private backgrounds: Backgrounds | undefined;
+  /** Rises with every change of the faces' rows. */
+  private version = 0;
+  /** When a changed picture was finished last, milliseconds; and whether one is being drawn. */
+  private changedAt = 0;
+  private moving = false;
   private seen = "";
   private ended = false;
   private readonly gl: WebGL2RenderingContext;
   private readonly leave: (() => void)[] = [];
 
-  /** Draws on a canvas of the page what the store knows; an Error where nothing can be drawn. */
+  /** Draws what the store knows; tells `loaded` of every picture with all faces that can be had; throws where it cannot. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly store: DraftStore,
+    private readonly loaded: () => void = () => undefined,
   ) {
     const gl = canvas.getContext("webgl2", {
       alpha: false,
@@ -109,12 +110,19 @@ export class EditorCanvas {
     return (this.editsFace ? this.faceScene : this.expressionScene)?.settled(now()) === true && !this.store.waiting;
   }
 
+  /** Whether all that is shown is drawn as well as can be. */
+  refined(): boolean {
+    const { expressionScene, painters, version } = this;
+    if (expressionScene === undefined || painters === undefined || this.stale || this.pacing.busy) return false;
+    return this.members(expressionScene).every((_, n) => painters.tiles.finished({ n, version }));
+  }
+
   dispose(): void {
     this.ended = true;
     for (const leave of this.leave) leave();
     this.input.dispose();
     this.viewports.dispose();
-    this.overlay?.dispose();
+    this.painters?.dispose();
     this.expressionScene?.dispose();
   }
 
@@ -136,11 +144,8 @@ export class EditorCanvas {
     this.expressionScene = new ExpressionScene(gl, library, anatomy, skinTextures, side);
     const { faceAtlas } = this.expressionScene;
     this.faceScene = new FaceScene(faceAtlas, skinTextures, anatomy, library.manifest.skin, side);
-    this.painter = new FacePainter(gl, faceAtlas, library.meshes, coarseMeshes(library.meshes, anatomy));
-    this.repaint = new Repaint(this.painter);
-    this.backgrounds = new Backgrounds(gl);
-    this.overlay = new Overlay(this, this.painter, new NeedleRenderer(gl, this.painter));
-    this.frames = ballFrames(anatomy);
+    this.painters = makePainters(gl, this, faceAtlas, library, anatomy);
+    this.tiles = new TileSource(this, this.painters, ballFrames(anatomy));
     const surface = surfaceOf(library.meshes, anatomy);
     this.input.picker.know(anatomy, surface);
     this.handles = new HandleDrag({
@@ -163,7 +168,7 @@ export class EditorCanvas {
     if (topic === "items" || topic === "draft") expressionScene.setFollowers(store.followers);
     if (topic === "cast" || topic === "draft") this.cast(expressionScene);
     if (topic === "draft" || topic === "live") this.dress(expressionScene, topic === "draft");
-    this.overlay?.hear();
+    this.painters?.overlay.hear();
   }
 
   private cast(expressionScene: ExpressionScene): void {
@@ -173,7 +178,10 @@ export class EditorCanvas {
     const shown = expressionScene.show(store.manifest, this.editsFace ? [] : sources);
     Promise.all([shown, this.sit(store.manifest)]).then(
       () => this.redraw(),
-      (error: unknown) => store.say(error instanceof Error ? error.message : String(error)),
+      (error: unknown) => {
+        store.say(error instanceof Error ? error.message : String(error));
+        this.loaded(); // what cannot be had is waited for no more
+      },
     );
   }
 
@@ -191,9 +199,14 @@ export class EditorCanvas {
 
   private dress(expressionScene: ExpressionScene, anew: boolean): void {
     const { store } = this;
-    const { recipe, look, net, manifest } = store;
+    const { shownRecipe: recipe, layerPreview, net, manifest } = store;
     const worn =
-      recipe === null || look !== null ? undefined : { vectors: flat(recipe.vectors), pulls: pullsOf(recipe) };
+      recipe === null || layerPreview.solo.size > 0
+        ? undefined
+        : {
+            vectors: flat(recipe.vectors),
+            pulls: new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction])),
+          };
     const moves = worn === undefined ? undefined : { vectors: store.live, pulls: store.livePulls };
     expressionScene.follow({ net, moves, muscles: store.muscles });
     if (anew && manifest !== null) expressionScene.dress(manifest, { source: store.shown, moves: worn, net });
@@ -203,14 +216,17 @@ export class EditorCanvas {
     const time = now();
     this.pacing.look(performance.now());
     if (this.pacing.busy) return;
-    const { expressionScene, painter } = this;
-    if (expressionScene === undefined || painter === undefined) return;
+    if (this.moving) this.changedAt = performance.now(); // slow machines are not still while they draw
+    this.moving = false;
+    const { expressionScene, painters } = this;
+    if (expressionScene === undefined || painters === undefined) return;
     const resized = this.viewports.fit();
     const editsFace = this.editsFace && this.faceScene !== undefined;
     const changed = editsFace ? this.sat(time) : expressionScene.advance(time);
+    if (changed !== "nothing") this.version += 1;
     if (resized || this.unlike() || changed === "whole") this.redraw();
-    if (this.stale || changed === "part") this.draw(expressionScene, painter, changed !== "nothing");
-    else this.pacing.idle();
+    if (this.stale || changed === "part") this.draw(expressionScene, painters, changed !== "nothing");
+    else if (!this.refine(expressionScene, painters.tiles)) this.pacing.idle();
   }
 
   private sat(time: number): "nothing" | "whole" {
@@ -220,50 +236,47 @@ export class EditorCanvas {
   /** Whether eyes or muscles' lines look otherwise than in the last picture. */
   private unlike(): boolean {
     const { store } = this;
-    const pulls = store.options.muscles ? [...store.livePulls] : [];
-    const now = JSON.stringify([store.liveEyes, pulls]);
+    const now = JSON.stringify([store.liveEyes, store.options.muscles ? [...store.livePulls] : []]);
     const unlike = now !== this.seen;
     this.seen = now;
     return unlike;
   }
 
-  private draw(expressionScene: ExpressionScene, painter: FacePainter, moved: boolean): void {
+  private draw(expressionScene: ExpressionScene, painters: Painters, moved: boolean): void {
     const whole = this.stale;
     this.stale = false;
-    const { store, viewports, gl } = this;
-    if (store.manifest === null) return;
+    this.moving = true;
+    if (this.store.manifest === null) return;
+    const { tiles } = this;
+    if (tiles === undefined) return;
     const members = this.members(expressionScene);
-    const boxes = viewports.share(members.length - 1);
-    if (whole) painter.clear(viewports.ground);
-    if (whole) this.repaint?.forget();
-    const tiles = members.flatMap((member, n) => this.tile(expressionScene, member, n, whole));
-    this.backgrounds?.lay(tiles.map(({ part, ground }) => ({ part: viewports.pixels(part), colour: ground })));
-    const gaze = gazeOf(store.look === null ? store.recipe : null, store.liveEyes, store.manifest);
-    for (const { n, member, camera, part, only } of tiles) {
-      painter.frame(viewports.pixels(camera.box), viewports.pixels(part));
-      const balls = ballsOf(this.frames, member.figure.base, gaze.angles).filter((ball) => shows(ball, camera, part));
-      const { block, skinTexture, document } = member;
-      painter.face({ block, skinTexture, look: document.look, balls, pupil: gaze.pupil }, camera, only?.());
-      if (n === 0) this.overlay?.draw(block, camera);
-    }
-    this.overlay?.place(
+    const boxes = this.viewports.share(members.length - 1);
+    if (whole) painters.face.clear(this.viewports.ground);
+    if (whole) painters.repaint.forget();
+    painters.tiles.drawParts(
+      members.flatMap((member, n) => tiles.tile(expressionScene, member, n, whole, this.version)),
+    );
+    painters.overlay.place(
       members.map((member) => member?.document.label ?? "..."),
       boxes,
     );
-    this.pacing.frame(moved, fenced(gl));
+    this.pacing.frame(moved, fenced(this.gl));
     this.watch();
+    if (members.every((member) => tiles.shown(member))) this.loaded();
   }
 
-  /** What of face `n` is drawn now; nothing when nothing of it is. */
-  private tile(expressionScene: ExpressionScene, member: ShownFace | undefined, n: number, whole: boolean): Tile[] {
-    if (member === undefined || member.block < 0) return [];
-    const { viewports } = this;
-    const camera = viewports.camera(n, member.bounds);
-    const changed = this.editsFace ? undefined : this.changed(expressionScene, member, n, camera);
-    const { part, only }: Changed = whole || changed === undefined ? { part: camera.box } : changed;
-    if (part.width === 0 || part.height === 0) return [];
-    const ground = this.input.over === n && n > 0 ? viewports.hovered : viewports.tile(n);
-    return [{ n, member, camera, part, only, ground }];
+  /** Once all is still, draws one tile as well as can be; whether there was anything to draw. */
+  private refine(scene: ExpressionScene, tilePainter: Painters["tiles"]): boolean {
+    const { tiles, version, store } = this;
+    const still = performance.now() - this.changedAt;
+    if (tiles === undefined || store.manifest === null || still < (this.input.pointers.size > 0 ? HELD : STILL))
+      return false;
+    const members = this.members(scene);
+    const n = members.findIndex((member, n) => tiles.shown(member) && !tilePainter.finished({ n, version }));
+    if (n < 0) return false;
+    for (const tile of tiles.tile(scene, members[n], n, true, version)) tilePainter.drawWhole(tile);
+    this.pacing.frame(false, fenced(this.gl));
+    return true;
   }
 
   /** Draws on as soon as the machine is done, not only when the display asks next: what it is late by is not doubled. */
@@ -276,16 +289,6 @@ export class EditorCanvas {
     });
   }
 
-  /** What of a face's tile the hand has changed; around the work's needles stand too. */
-  private changed(expressionScene: ExpressionScene, member: ShownFace, n: number, camera: Camera): Changed | undefined {
-    const { repaint } = this;
-    if (repaint === undefined) return undefined;
-    const spread = expressionScene.spread(member);
-    const needle = n > 0 ? 0 : this.input.picker.needleLength + 2 * HEAD * camera.metresPerPixel(camera.middle);
-    const part = repaint.next(n, boxOf(camera, spread, needle), camera.box);
-    return { part, only: () => repaint.triangles(n, part, camera, member.figure.base, spread.reach) };
-  }
-
   /** Who is drawn, the work first; undefined: not here yet. */
   private members(expressionScene: ExpressionScene): readonly (ShownFace | undefined)[] {
     const { store } = this;
@@ -294,6 +297,3 @@ export class EditorCanvas {
     return [store.work, ...store.neighbours].map((name) => expressionScene.member(store.sourceOf(name)));
   }
 }
-
-const pullsOf = (recipe: NonNullable<DraftStore["recipe"]>): Map<string, number> =>
-  new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction]));

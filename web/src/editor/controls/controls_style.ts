@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { entry } from "../../ui/theme";
 
 /** Fields, choices and rows of controls, as wide as a finger where fingers are used. */
 export const controls = css`
@@ -23,17 +24,9 @@ export const controls = css`
   input[type="text"],
   input[type="search"],
   select {
-    font: inherit;
+    ${entry}
     font-size: 12.5px;
-    min-width: 0;
     min-height: 30px;
-    padding: 0 8px;
-    color: var(--text);
-    background: #000;
-    border: 1px solid var(--line);
-    border-radius: 4px;
-    user-select: text;
-    -webkit-user-select: text;
   }
   input::placeholder {
     color: var(--faint);

@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { caption } from "../../ui/theme";
 
 export const style = css`
   :host {
@@ -144,16 +145,7 @@ export const style = css`
     aspect-ratio: 13 / 12;
   }
   .tile span {
-    display: grid;
-    place-content: center;
-    min-height: 19px;
-    padding: 1px 2px 3px;
-    font-size: 11.5px;
-    line-height: 12px;
-    text-align: center;
-    overflow-wrap: anywhere;
-    background: var(--raised);
-    color: var(--text);
+    ${caption}
   }
   @media (max-width: 1180px) and (min-width: 941px) {
     .tiles {

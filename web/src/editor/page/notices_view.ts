@@ -3,7 +3,7 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
-import { base } from "../../ui/theme";
+import { base, notice as box, wanted } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
@@ -28,23 +28,15 @@ export class NoticesView extends EditorElement {
         display: none;
       }
       [role] {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr) auto;
+        ${box}
         align-items: start;
-        gap: 6px;
         padding: 6px 6px 8px 12px;
-        border-radius: 6px;
-        color: var(--text);
         background: #1d2126;
         border: 1px solid var(--edge);
-        box-shadow: 0 6px 24px #000a;
-        user-select: text;
-        -webkit-user-select: text;
       }
       .refusal,
       .conflict {
-        border-color: var(--attention);
-        background: #2a2108;
+        ${wanted}
       }
       .done {
         border-color: var(--coming);
@@ -52,7 +44,6 @@ export class NoticesView extends EditorElement {
       }
       span {
         padding-top: 5px;
-        overflow-wrap: anywhere;
       }
       .row {
         grid-column: 1 / -1;

@@ -95,16 +95,16 @@ export class Comparison extends EditorElement {
       most < ALIKE ? "They are alike." : `They differ by up to ${shown(most, MILLIMETRES)} mm, where it is red.`;
   }
 
-  /** The first two as they look on a stage, where expressions are compared; the plain shapes stay where that fails. */
+  /** The first two as they look on a stage; the plain shapes stay where that fails. */
   async #portray(canvases: readonly HTMLCanvasElement[]): Promise<void> {
     const thumbnailRenderer = this.context.thumbnailRenderer();
-    if (thumbnailRenderer === null || this.store.face !== null) return;
-    const face = this.store.sourceOf(this.store.work);
+    if (thumbnailRenderer === null) return;
+    const work = this.store.sourceOf(this.store.work);
     for (const [at, canvas] of canvases.entries()) {
-      const expression = (this.sides[at] as Side).content;
-      const picture = await thumbnailRenderer
-        .picture({ face, expression }, canvas.width, canvas.height)
-        .catch(() => null);
+      const { content } = this.sides[at] as Side;
+      const sitting =
+        this.store.face === null ? { face: work, expression: content } : { face: content, expression: "neutral" };
+      const picture = await thumbnailRenderer.picture(sitting, canvas.width, canvas.height).catch(() => null);
       if (picture !== null) canvas.getContext("2d")?.drawImage(picture, 0, 0);
     }
   }

@@ -25,6 +25,22 @@ export class Layers extends EditorElement {
       .name {
         font-weight: 600;
       }
+      .silent .name {
+        color: var(--faint);
+        text-decoration: line-through;
+      }
+      .switch {
+        font-weight: 700;
+      }
+      .switch[aria-pressed="true"] {
+        color: var(--ground);
+        background: var(--text);
+        border-color: var(--text);
+      }
+      .mute[aria-pressed="true"] {
+        background: var(--attention);
+        border-color: var(--attention);
+      }
     `,
   ];
 
@@ -37,10 +53,16 @@ export class Layers extends EditorElement {
   }
 
   #change(at: number, change: Partial<Layer>): void {
-    this.store.setLayers(this.#layers.map((layer, place) => (place === at ? { ...layer, ...change } : layer)));
+    this.store.setLayers(changed(this.#layers, at, change));
+  }
+
+  /** Shows what a change of a layer would make, without making it. */
+  #try(at: number, change: Partial<Layer>): void {
+    this.store.layerPreview.show(changed(this.#layers, at, change));
   }
 
   #move(at: number, by: -1 | 1): void {
+    this.store.layerPreview.end(); // places change
     const layers = [...this.#layers];
     const [layer] = layers.splice(at, 1);
     layers.splice(at + by, 0, layer as Layer);
@@ -61,7 +83,10 @@ export class Layers extends EditorElement {
         );
         return;
       }
-      this.store.setLayers([...this.#layers, { source, label, weight: 1, region: null, mirrored: false }]);
+      this.store.setLayers([
+        ...this.#layers,
+        { source, label, weight: 1, region: null, mirrored: false, muted: false },
+      ]);
       if (source === own)
         this.store.say(`"${label}" now counts twice: as a layer and as the needles here. Give the layer less weight.`);
     };
@@ -80,18 +105,27 @@ export class Layers extends EditorElement {
   }
 
   #layer(layer: Layer, at: number) {
-    return html`<li class="card" data-layer=${at}>
+    const { solo } = this.store.layerPreview;
+    const silent = solo.size > 0 ? !solo.has(at) : layer.muted;
+    return html`<li class="card ${silent ? "silent" : ""}" data-layer=${at}>
       <div class="row">
         <span class="name grow">${layer.label}</span>
+        <button class="icon quiet switch mute" aria-pressed=${layer.muted} aria-label="Mute ${layer.label}"
+          title="Mute: keeps this layer, and leaves it out of the expression and of what is saved"
+          @click=${() => this.#change(at, { muted: !layer.muted })}>M</button>
+        <button class="icon quiet switch" aria-pressed=${solo.has(at)} aria-label="Solo ${layer.label}"
+          title="Solo: shows this layer alone, on this page only; nothing is changed"
+          @click=${() => this.store.layerPreview.toggleSolo(at)}>S</button>
         <button class="icon quiet" title="Move up" aria-label="Move ${layer.label} up" ?disabled=${at === 0}
           @click=${() => this.#move(at, -1)}>↑</button>
         <button class="icon quiet" title="Move down" aria-label="Move ${layer.label} down"
           ?disabled=${at === this.#layers.length - 1} @click=${() => this.#move(at, 1)}>↓</button>
         <button class="icon quiet" title="Take this layer away" aria-label="Remove ${layer.label}"
-          @click=${() => this.store.setLayers(this.#layers.filter((_, place) => place !== at))}>✕</button>
+          @click=${() => this.#remove(at)}>✕</button>
       </div>
       <omote-amount label="Weight" .unit=${PERCENT} .low=${-0.5} .high=${1.5} .value=${layer.weight}
         hint="How much of it; below zero the opposite"
+        @live=${(event: Event) => this.#try(at, { weight: amountOf(event) })}
         @done=${(event: Event) => this.#change(at, { weight: amountOf(event) })}></omote-amount>
       <div class="row">
         <select class="grow" aria-label="Region of ${layer.label}" title="Only this part of the face"
@@ -107,8 +141,19 @@ export class Layers extends EditorElement {
     </li>`;
   }
 
+  #remove(at: number): void {
+    this.store.layerPreview.end(); // places change
+    this.store.setLayers(this.#layers.filter((_, place) => place !== at));
+  }
+
   #bake() {
-    return html`<button title="Layers, muscles and needles become one field; the needles then stand at rest on it"
-      @click=${() => bake(this.store)}>Bake into one</button>`;
+    const muted = this.#layers.filter((layer) => layer.muted).length;
+    return html`<button ?disabled=${muted === this.#layers.length}
+      title="Layers, muscles and needles become one field; the needles then stand at rest on it; muted layers stay as they are"
+      @click=${() => bake(this.store)}>${muted === 0 ? "Bake into one" : `Bake all but ${muted} muted into one`}</button>`;
   }
 }
+
+/** The layers with one of them changed. */
+const changed = (layers: readonly Layer[], at: number, change: Partial<Layer>): Layer[] =>
+  layers.map((layer, place) => (place === at ? { ...layer, ...change } : layer));

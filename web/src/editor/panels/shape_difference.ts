@@ -34,41 +34,58 @@ export function heat(share: number): Colour {
   return [mix(0), mix(1), mix(2)];
 }
 
-interface Facet {
-  readonly corners: readonly [number, number, number];
-  readonly depth: number;
-  /** 0..1: how much it faces the light. */
-  readonly light: number;
-}
-
 const LIGHT = [-0.35, 0.45, 0.82] as const;
+/** Light that comes to where none falls, as a share of all. */
+const AROUND = 0.25;
 
-/** The triangles that face the front, far ones first. */
-export function facets(positions: Float32Array, meshes: readonly Mesh[]): Facet[] {
-  const seen: Facet[] = [];
+/** How much each row faces the light, 0..1: by the area-weighted normal of the triangles around it. */
+export function lightOf(positions: Float32Array, meshes: readonly Mesh[]): Float32Array {
+  const normals = new Float32Array(positions.length);
   for (const { source, triangles } of meshes)
     for (let at = 0; at < triangles.length; at += 3) {
-      const corner = (one: number): number => 3 * (source[triangles[at + one] as number] as number);
-      const facet = facetOf(positions, [corner(0), corner(1), corner(2)]);
-      if (facet !== null) seen.push(facet);
+      const [a, b, c] = [0, 1, 2].map((n) => 3 * (source[triangles[at + n] as number] as number)) as [
+        number,
+        number,
+        number,
+      ];
+      const across = crossOf(positions, a, b, c);
+      for (const corner of [a, b, c])
+        for (const axis of [0, 1, 2] as const)
+          normals[corner + axis] = (normals[corner + axis] as number) + across[axis];
     }
-  return seen.sort((one, other) => one.depth - other.depth);
+  return Float32Array.from({ length: positions.length / 3 }, (_, row) => {
+    const part = (axis: 0 | 1 | 2): number => normals[3 * row + axis] as number;
+    const along = part(0) * LIGHT[0] + part(1) * LIGHT[1] + part(2) * LIGHT[2];
+    return Math.max(0, along / (Math.hypot(part(0), part(1), part(2)) || 1));
+  });
 }
 
-function facetOf(positions: Float32Array, corners: Facet["corners"]): Facet | null {
-  const [a, b, c] = corners;
+/** The cross product of two sides of a triangle whose corners begin at these places: twice its area long. */
+function crossOf(positions: Float32Array, a: number, b: number, c: number): [number, number, number] {
   const side = (to: number, axis: number): number => (positions[to + axis] as number) - (positions[a + axis] as number);
-  const x = side(b, 1) * side(c, 2) - side(b, 2) * side(c, 1);
-  const y = side(b, 2) * side(c, 0) - side(b, 0) * side(c, 2);
-  const z = side(b, 0) * side(c, 1) - side(b, 1) * side(c, 0);
-  if (z <= 0) return null; // its back, or nothing
-  const light = Math.max(0, (x * LIGHT[0] + y * LIGHT[1] + z * LIGHT[2]) / Math.hypot(x, y, z));
-  const depth = (positions[a + 2] as number) + (positions[b + 2] as number) + (positions[c + 2] as number);
-  return { corners, depth, light };
+  return [
+    side(b, 1) * side(c, 2) - side(b, 2) * side(c, 1),
+    side(b, 2) * side(c, 0) - side(b, 0) * side(c, 2),
+    side(b, 0) * side(c, 1) - side(b, 1) * side(c, 0),
+  ];
 }
 
 /** What a picture shows: a window on the front of the head, metres. */
 const FRAME = { x: 0, y: -0.012, height: 0.25 } as const;
+const GROUND = [11, 13, 15] as const;
+/** Pixels that are drawn for each of the picture's, along a side: they are then mixed, so that edges are smooth. */
+const FINER = 2;
+
+/** Pixels from above, four bytes each, and how near each is, metres. */
+interface Raster {
+  readonly width: number;
+  readonly height: number;
+  readonly pixels: Uint8ClampedArray<ArrayBuffer>;
+  readonly depths: Float32Array;
+}
+
+/** A corner of a triangle in a picture: place in pixels, how near, colour. */
+type Corner = readonly [x: number, y: number, z: number, red: number, green: number, blue: number];
 
 /** Draws a shape; `colour` gives that of a row of the positions. */
 export function drawShape(
@@ -77,25 +94,64 @@ export function drawShape(
   meshes: readonly Mesh[],
   colour: (row: number) => Colour,
 ): void {
+  const fine = new OffscreenCanvas(FINER * canvas.width, FINER * canvas.height);
+  const { pixels } = rasterized(fine.width, fine.height, positions, meshes, colour);
+  fine.getContext("2d")?.putImageData(new ImageData(pixels, fine.width, fine.height), 0, 0);
   const context = canvas.getContext("2d");
   if (context === null) return;
-  const { width, height } = canvas;
+  context.imageSmoothingQuality = "high";
+  context.drawImage(fine, 0, 0, canvas.width, canvas.height);
+}
+
+/** A shape in pixels: colours run smoothly from row to row (Gouraud 1971), what is near hides what is far. */
+export function rasterized(
+  width: number,
+  height: number,
+  positions: Float32Array,
+  meshes: readonly Mesh[],
+  colour: (row: number) => Colour,
+): Raster {
+  const raster = blank(width, height);
+  const light = lightOf(positions, meshes);
   const scale = height / FRAME.height;
-  const x = (at: number): number => width / 2 + ((positions[at] as number) - FRAME.x) * scale;
-  const y = (at: number): number => height / 2 - ((positions[at + 1] as number) - FRAME.y) * scale;
-  context.fillStyle = "#0b0d0f";
-  context.fillRect(0, 0, width, height);
-  for (const { corners, light } of facets(positions, meshes)) {
-    const shades = corners.map((at) => colour(at / 3));
-    const shade = (part: 0 | 1 | 2): number =>
-      Math.round((shades.reduce((sum, one) => sum + one[part], 0) / 3) * (0.25 + 0.75 * light));
-    context.fillStyle = context.strokeStyle = `rgb(${shade(0)} ${shade(1)} ${shade(2)})`;
-    context.beginPath();
-    context.moveTo(x(corners[0]), y(corners[0]));
-    context.lineTo(x(corners[1]), y(corners[1]));
-    context.lineTo(x(corners[2]), y(corners[2]));
-    context.closePath();
-    context.fill();
-    context.stroke(); // or the ground shows between two triangles
+  const cornerOf = (row: number): Corner => {
+    const lit = AROUND + (1 - AROUND) * (light[row] as number);
+    const [red, green, blue] = colour(row).map((part) => part * lit) as [number, number, number];
+    const at = (axis: number): number => positions[3 * row + axis] as number;
+    return [width / 2 + (at(0) - FRAME.x) * scale, height / 2 - (at(1) - FRAME.y) * scale, at(2), red, green, blue];
+  };
+  for (const { source, triangles } of meshes) {
+    const corners = Array.from(source, cornerOf);
+    for (let at = 0; at < triangles.length; at += 3)
+      fill(raster, ...([0, 1, 2].map((n) => corners[triangles[at + n] as number]) as [Corner, Corner, Corner]));
   }
+  return raster;
+}
+
+function blank(width: number, height: number): Raster {
+  const pixels = new Uint8ClampedArray(4 * width * height);
+  for (let at = 0; at < pixels.length; at += 4) pixels.set([...GROUND, 255], at);
+  return { width, height, pixels, depths: new Float32Array(width * height).fill(-Infinity) };
+}
+
+/** Fills a triangle that faces the front, pixel by pixel by its barycentric coordinates. */
+function fill({ width, height, pixels, depths }: Raster, a: Corner, b: Corner, c: Corner): void {
+  const area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+  if (area >= 0) return; // its back, or nothing: rows of pixels run down
+  const [left, right] = [Math.ceil(Math.min(a[0], b[0], c[0]) - 0.5), Math.floor(Math.max(a[0], b[0], c[0]) - 0.5)];
+  const [top, bottom] = [Math.ceil(Math.min(a[1], b[1], c[1]) - 0.5), Math.floor(Math.max(a[1], b[1], c[1]) - 0.5)];
+  for (let row = Math.max(0, top); row <= Math.min(height - 1, bottom); row += 1)
+    for (let column = Math.max(0, left); column <= Math.min(width - 1, right); column += 1) {
+      const [x, y] = [column + 0.5, row + 0.5];
+      const ofB = ((x - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (y - a[1])) / area;
+      const ofC = ((b[0] - a[0]) * (y - a[1]) - (x - a[0]) * (b[1] - a[1])) / area;
+      const ofA = 1 - ofB - ofC;
+      if (ofA < 0 || ofB < 0 || ofC < 0) continue;
+      const at = row * width + column;
+      const depth = ofA * a[2] + ofB * b[2] + ofC * c[2];
+      if (depth <= (depths[at] as number)) continue;
+      depths[at] = depth;
+      for (const part of [0, 1, 2] as const)
+        pixels[4 * at + part] = ofA * a[(3 + part) as 3] + ofB * b[(3 + part) as 3] + ofC * c[(3 + part) as 3];
+    }
 }

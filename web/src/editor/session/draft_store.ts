@@ -15,6 +15,7 @@ import type {
 import type { Answer, Ask, Change, Request } from "../link/requests";
 import { flat, type Net, readNet, split, type Vector } from "./control_net";
 import { EditorStore } from "./editor_store";
+import { LayerPreview } from "./layer_preview";
 
 export { MOST_NEIGHBOURS, type Options, type Tool, type Topic } from "./editor_store";
 
@@ -36,6 +37,8 @@ export class DraftStore extends EditorStore {
   liveEyes: { readonly turns: Recipe["eyes"]; readonly pupil: number } = LOOKING_AHEAD;
   /** A source that is shown instead of the draft (an old revision), or null. */
   look: string | null = null;
+  /** What is shown of layers that are tried, or alone. */
+  readonly layerPreview = new LayerPreview(this);
   /** What the steps undone were, the next to redo last. */
   undone: readonly string[] = [];
 
@@ -68,7 +71,12 @@ export class DraftStore extends EditorStore {
   /** The source of the expression that faces wear now: an old revision that is looked at, the draft, or neutral. */
   get shown(): string {
     if (this.look !== null) return this.look;
-    return this.recipe === null ? "neutral" : (this.draft as DraftState).content;
+    return this.recipe === null ? "neutral" : (this.layerPreview.content ?? (this.draft as DraftState).content);
+  }
+
+  /** The recipe of what faces wear now, as far as it is known: null while an old revision is looked at. */
+  get shownRecipe(): Recipe | null {
+    return this.look !== null || this.recipe === null ? null : this.layerPreview.shown(this.recipe);
   }
 
   /** True from `begin` to `letGo` or `cancel`. */
@@ -98,6 +106,7 @@ export class DraftStore extends EditorStore {
 
   /** A hand takes hold of points; it then writes `live` and says `liveChanged`. */
   begin(points: readonly number[]): void {
+    this.#endSolo();
     this.#dragged = points;
     this.#before = this.live.slice();
   }
@@ -134,7 +143,7 @@ export class DraftStore extends EditorStore {
   }
 
   setLayers(layers: readonly Layer[]): void {
-    this.edit({ type: "set_layers", layers: [...layers] });
+    this.#change({ type: "set_layers", layers: [...layers] });
   }
 
   /** A muscle pulls so much, on this page only, until `sendPulls`. */
@@ -183,6 +192,11 @@ export class DraftStore extends EditorStore {
 
   /** A change of the open item; an old revision that was looked at goes, for who edits wants to see it. */
   edit(change: Change): void {
+    this.#endSolo();
+    this.#change(change);
+  }
+
+  #change(change: Change): void {
     if (this.draft === null) return;
     if (this.look !== null) this.setLook(null);
     void this.ask({ ...change, item: this.draft.item } as Request);
@@ -204,6 +218,11 @@ export class DraftStore extends EditorStore {
     this.tell("draft");
   }
 
+  /** Hands work on all of the draft: they must see all of it. */
+  #endSolo(): void {
+    if (this.layerPreview.solo.size > 0 && this.layerPreview.end()) this.tell("draft");
+  }
+
   #receiveHistory(item: number, revisions: readonly RevisionDocument[]): void {
     if (item !== this.draft?.item) return;
     this.revisions = revisions;
@@ -218,12 +237,14 @@ export class DraftStore extends EditorStore {
     this.draft = draft;
     if (other) this.#forget();
     else if (this.net !== before) this.select(kept(this.selection, before, this.net));
+    this.layerPreview.renew();
     this.#takeAnswer();
     this.tell("draft");
   }
 
   /** Another item is open: what belonged to the one before goes. */
   #forget(): void {
+    this.layerPreview.end();
     [this.#dragged, this.look, this.revisions, this.undone] = [null, null, [], []];
     this.select([]);
     this.tell("history");

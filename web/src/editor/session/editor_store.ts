@@ -27,7 +27,7 @@ export interface Options {
 
 /** The most faces beside the work. */
 export const MOST_NEIGHBOURS = 10;
-/** The face under work before anybody has chosen: one that looks good as clay. */
+/** The face under work before anybody has chosen. */
 const FIRST = "kaori";
 const NEIGHBOURS = ["dog", "child", "old"];
 

@@ -57,9 +57,15 @@ export async function save(store: DraftStore, note: string): Promise<void> {
 function tellSaved(store: DraftStore, { item }: Saved): void {
   const saved = store.items.find(({ id }) => id === item);
   const place = saved?.kind === "face" ? "among the faces" : "under Own";
-  store.say(`Saved. On the console "${saved?.label ?? ""}" is now ${place}: call it there.`, "done", [
-    { label: "Open the console", act: () => void window.open("/console", "_blank") },
-  ]);
+  const sentence = `Saved. On the console "${saved?.label ?? ""}" is now ${place}: call it there.${leftOut(store)}`;
+  store.say(sentence, "done", [{ label: "Open the console", act: () => void window.open("/console", "_blank") }]);
+}
+
+/** What a save has not in what plays, though it is on the page; and what it has, though the page shows less. */
+function leftOut({ recipe, layerPreview }: DraftStore): string {
+  const muted = (recipe?.layers ?? []).filter((layer) => layer.muted).map(({ label }) => `"${label}"`);
+  const silent = muted.length === 0 ? "" : ` Muted, so not in what plays: ${muted.join(", ")}.`;
+  return layerPreview.solo.size === 0 ? silent : `${silent} Solo is your view alone: all other layers are in it.`;
 }
 
 /** Another editor saved first: both versions are kept, and the user chooses which plays. */

@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Library } from "../../link/assets";
 import type { HairStrands } from "../../link/strands";
 import { HairAssignment } from "./hair_assignment";
+import { fullStrands, offsetsOn } from "./hair_strands";
 
 const hair: HairStrands = {
   stations: 3,
@@ -73,6 +74,7 @@ describe("the assignment of hair", () => {
     const bob = assignment.worn.get("bob");
     expect(bob?.grown).toBe(1);
     expect(bob?.strands[5]).toBe(1);
+    expect(fullStrands(hair, offsetsOn(hair, generic, generic))).toEqual(bob?.strands); // what one face alone wears
     assignment.dress(new Map([["dog", 1]]), 0, false);
     expect(bob?.grown).toBe(0);
   });

@@ -2,7 +2,7 @@
 
 import { MathUtils } from "three";
 import type { HairStrands } from "../../link/strands";
-import { lengthAt } from "./hair_strands";
+import { lengthAt, strandLength } from "./hair_strands";
 import { outward, type RadialMap, radiusOf, radiusUnder } from "./radial_map";
 import { type Matches, matchRoots, woundStrands } from "./root_matching";
 
@@ -201,16 +201,8 @@ function heightsOf({ points }: HairStrands, scalp: RadialMap): Float32Array {
 }
 
 /** Metres along every strand of a style. */
-function lengthsOf({ anchors, points, stations }: HairStrands): Float32Array {
-  return Float32Array.from(anchors, (_, strand) => {
-    let sum = 0;
-    for (let at = 3 * (strand * stations + 1); at < 3 * (strand + 1) * stations; at += 3) {
-      const across = [0, 1, 2].map((axis) => (points[at + axis] as number) - (points[at - 3 + axis] as number));
-      sum += Math.hypot(...across);
-    }
-    return sum;
-  });
-}
+const lengthsOf = ({ anchors, points, stations }: HairStrands): Float32Array =>
+  Float32Array.from(anchors, (_, strand) => strandLength(points, strand * stations, stations));
 
 /** How far every strand's root stands on painted scalp, 0..1. */
 function rootedOn(

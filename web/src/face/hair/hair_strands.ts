@@ -28,6 +28,27 @@ export function offsetsOn(hair: HairStrands, generic: Float32Array, face: Float3
   return out;
 }
 
+/**
+ * A style as one face alone wears it, for `HAIR_VERTEX`: four numbers a place, beside the first three places of a strand
+ * that all of its length and width is there, and how long it is (metres).
+ */
+export function fullStrands({ stations, points }: HairStrands, offsets: Offsets): Float32Array {
+  const out = new Float32Array((4 * offsets.length) / 3);
+  mixOffsets([[offsets, 1]], out);
+  for (let root = 0; 3 * root < points.length; root += stations)
+    [1, 1, strandLength(points, root, stations)].forEach((value, n) => {
+      out[4 * (root + n) + 3] = value;
+    });
+  return out;
+}
+
+/** Metres along the strand that begins at a place. */
+export function strandLength(points: Float32Array, first: number, stations: number): number {
+  let sum = 0;
+  for (let place = first + 1; place < first + stations; place++) sum += pieceBefore(points, place);
+  return sum;
+}
+
 /** Metres from the place before to this one. */
 function pieceBefore(points: Float32Array, place: number): number {
   const across = (axis: number): number =>

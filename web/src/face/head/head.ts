@@ -30,6 +30,7 @@ export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms, S
   normals: THREE.IUniform<THREE.Texture>;
   headTurn: THREE.IUniform<THREE.Matrix3>;
   pivot: THREE.IUniform<THREE.Vector3>;
+  firstLine: THREE.IUniform<number>;
   grain: THREE.IUniform<THREE.Texture>;
   skin: THREE.IUniform<THREE.Color>;
   lip: THREE.IUniform<THREE.Color>;
@@ -63,6 +64,7 @@ export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): He
     normals: { value: new THREE.ExternalTexture(normals) },
     headTurn: { value: new THREE.Matrix3() },
     pivot: { value: PIVOT.clone() },
+    firstLine: { value: 0 },
     grain: { value: grainTexture() },
     skin: { value: new THREE.Color() },
     lip: { value: new THREE.Color() },

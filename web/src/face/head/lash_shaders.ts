@@ -1,7 +1,6 @@
 /** Shaders of the lashes. */
 
 import { EDGE_POINTS } from "../anatomy/openings";
-import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
 
 /**
@@ -20,9 +19,6 @@ in vec4 bend; // first row of its edge, where its clump meets, length (metres on
 out vec2 vAcross; // side, what is left of it where a pixel is wider
 out float vAlong;
 
-vec3 rowAt(int row) {
-  return texelFetch(positions, ivec2(row & ${ROW_WIDTH - 1}, row >> ${ROW_SHIFT}), 0).xyz;
-}
 vec3 edgeAt(int first, int n) { return rowAt(edgeRows[first + clamp(n, 0, ${EDGE_POINTS - 1})]); }
 
 void main() {

@@ -25,11 +25,29 @@ export interface Ribbons {
   triangles: Uint32Array;
 }
 
-/** Lashes on both lids of both eyes; undefined in a cast that names no lids. */
-export function lashes(anatomy: Anatomy, shared: Uniforms): THREE.Mesh | undefined {
+/** Where lashes grow: what `LASH_VERTEX` is told once. */
+export interface LashRows {
+  /** The lids' edges: left upper, left lower, right upper, right lower. */
+  edgeRows: number[];
+  /** Two rows of each eyeball that lie opposite each other. */
+  ballRows: number[];
+}
+
+/** The rows that lashes grow from; undefined in a cast that names no lids. */
+export function lashRows(anatomy: Anatomy): LashRows | undefined {
   const lines = [anatomy.lines.get("lid_left"), anatomy.lines.get("lid_right")];
   const edges = lines.flatMap((line) => (line === undefined ? [] : [opening([...line], anatomy.positions)]));
   if (edges.length < 2) return undefined;
+  return {
+    edgeRows: edges.flatMap(({ upper, lower }) => [...upper, ...lower]),
+    ballRows: [0, 1].flatMap((side) => ballRows(anatomy, side)),
+  };
+}
+
+/** Lashes on both lids of both eyes; undefined in a cast that names no lids. */
+export function lashes(anatomy: Anatomy, shared: Uniforms): THREE.Mesh | undefined {
+  const rows = lashRows(anatomy);
+  if (rows === undefined) return undefined;
   const { strands, bends, triangles } = ribbons();
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
@@ -39,8 +57,8 @@ export function lashes(anatomy: Anatomy, shared: Uniforms): THREE.Mesh | undefin
   const hair = material(LASH_VERTEX, LASH_FRAGMENT, {
     ...shared,
     pixel,
-    edgeRows: { value: edges.flatMap(({ upper, lower }) => [...upper, ...lower]) },
-    ballRows: { value: [0, 1].flatMap((side) => ballRows(anatomy, side)) },
+    edgeRows: { value: rows.edgeRows },
+    ballRows: { value: rows.ballRows },
   });
   hair.side = THREE.DoubleSide;
   hair.depthWrite = false;

@@ -1,16 +1,11 @@
 /** Shader code that finds the edges of an opening on the blended face. */
 
 import { EDGE_POINTS } from "../anatomy/openings";
-import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 
 /** For vertex shaders, after VERTEX_HEAD: where the edges of an opening (`openings.ts`) are on the blended face. */
 export const OPENING = `
 uniform int upperRows[${EDGE_POINTS}];
 uniform int lowerRows[${EDGE_POINTS}];
-
-vec3 rowAt(int row) {
-  return texelFetch(positions, ivec2(row & ${ROW_WIDTH - 1}, row >> ${ROW_SHIFT}), 0).xyz;
-}
 
 /** The edges over and under a place, and the corners; all in metres, before the head turns. */
 struct Gap { vec3 upper; vec3 lower; vec3 right; vec3 left; };

@@ -1,6 +1,8 @@
 /** Draws faces of the crowd into boxes of the canvas. */
 
+import type { Anatomy } from "../../../face/anatomy/anatomy";
 import { dome } from "../../../face/anatomy/eye_mesh";
+import { edgesBefore } from "../../../face/anatomy/openings";
 import { createProgram } from "../../../face/gpu/gl";
 import { decodeSrgb } from "../../../face/light/tone";
 import type { Mesh } from "../../../link/assets";
@@ -68,6 +70,7 @@ export class FacePainter {
     private readonly faceAtlas: FaceAtlas,
     meshes: readonly Mesh[],
     coarse: readonly (readonly Mesh[])[],
+    private readonly anatomy: Pick<Anatomy, "lines" | "positions">,
   ) {
     this.skin = createProgram(gl, shaders.SKIN_VERTEX, shaders.SKIN_FRAGMENT);
     this.eye = createProgram(gl, shaders.EYE_VERTEX, shaders.EYE_FRAGMENT);
@@ -85,13 +88,30 @@ export class FacePainter {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
-  /** Draws from now on into `box` of the canvas, pixels from its lower left corner; only what lies in `part` changes. */
-  frame(box: PixelBox, part = box): void {
+  /**
+   * Draws from now on into `box` of a framebuffer (null: the canvas), pixels from its lower left corner; only what lies in
+   * `part` changes.
+   */
+  frame(box: PixelBox, part = box, framebuffer: WebGLFramebuffer | null = null): void {
     const { gl } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     gl.viewport(...box);
     gl.scissor(...part);
     gl.enable(gl.SCISSOR_TEST);
+  }
+
+  /** Empties what `frame` has said. */
+  wipe(ground: readonly [number, number, number]): void {
+    const { gl } = this;
+    gl.clearColor(...ground, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  /** Draws a face's depth alone: what comes after stays away from where its skin stands before it. */
+  mask(portrait: DrawnFace, camera: Camera): void {
+    this.gl.colorMask(false, false, false, false);
+    this.face(portrait, camera);
+    this.gl.colorMask(true, true, true, true);
   }
 
   /** What a face is drawn as with this camera: fine where it is large, coarse where it is small. */
@@ -240,18 +260,24 @@ export class FacePainter {
     const drawn = meshes.filter(({ name }) => name === "skin" || name in TINTS);
     const total = drawn.reduce((sum, mesh) => sum + mesh.source.length, 0);
     const [row, uv, tint] = [new Uint16Array(total), new Float32Array(2 * total), new Float32Array(4 * total)];
+    const [upperRow, lowerRow] = [new Uint16Array(total), new Uint16Array(total)];
+    const lips = edgesBefore(this.anatomy.lines.get("lips"), this.anatomy.positions);
     const indices: number[] = [];
     let first = 0;
     for (const mesh of drawn) {
       row.set(mesh.source, first);
       uv.set(mesh.uv, 2 * first);
-      for (let n = first; n < first + mesh.source.length; n++) tint.set(TINTS[mesh.name] ?? [0, 0, 0, 0], 4 * n);
+      mesh.source.forEach((source, n) => {
+        tint.set(TINTS[mesh.name] ?? [0, 0, 0, 0], 4 * (first + n));
+        if (mesh.name !== "skin") [upperRow[first + n], lowerRow[first + n]] = lips(source);
+      });
       for (const corner of mesh.triangles) indices.push(first + corner);
       first += mesh.source.length;
     }
     const triangles = Uint16Array.from(indices);
     const all = this.list(triangles);
-    return { array: this.array(this.skin, { row, uv, tint }), rows: row, triangles, all };
+    const array = this.array(this.skin, { row, upperRow, lowerRow, uv, tint });
+    return { array, rows: row, triangles, all };
   }
 
   private buildBall(rings: number, spokes: number): Shape {

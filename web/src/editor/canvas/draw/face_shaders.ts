@@ -43,20 +43,38 @@ vec3 shown(vec3 light) {
 }
 `;
 
-/** Skin, teeth and tongue: \`tint\` paints what is no skin (its alpha: how much). */
+/**
+ * Skin, teeth and tongue: \`tint\` paints what is no skin (its alpha: how much). What stands in the mouth is as light as
+ * the lips before it are open (as on stage, by one place of them instead of all); between closed ones it is their wet dark red.
+ */
 export const SKIN_VERTEX = `${ROWS}
 in uint row;
+in uint upperRow; // of the lips before it
+in uint lowerRow;
 in vec2 uv;
 in vec4 tint;
+const vec3 SEAM = vec3(0.05, 0.012, 0.01);
+
+vec3 inMouth(vec3 colour, vec3 here) {
+  vec3 upper = texelFetch(positions, texel(int(upperRow)), 0).xyz;
+  vec3 lower = texelFetch(positions, texel(int(lowerRow)), 0).xyz;
+  float high = max(upper.y - lower.y, 0.0);
+  float deep = max(0.5 * (upper.z + lower.z) - here.z, 0.0);
+  float area = 0.06 * high; // metres times metres: mouths are some 5 cm wide
+  float sky = area / (area + 2.5 * deep * deep + 1e-5); // lamps shine straight in too
+  return mix(SEAM, colour * sky, smoothstep(0.0, 0.004, high));
+}
 out vec2 vUv;
 out vec3 vNormal;
 out vec4 vTint;
 void main() {
   vUv = uv;
-  vTint = tint;
   ivec2 at = texel(int(row));
+  vec3 place = texelFetch(positions, at, 0).xyz;
+  vTint = tint;
+  if (tint.a > 0.0) vTint.rgb = inMouth(tint.rgb, place);
   vNormal = texelFetch(normals, at, 0).xyz;
-  gl_Position = matrix * vec4(texelFetch(positions, at, 0).xyz, 1.0);
+  gl_Position = matrix * vec4(place, 1.0);
 }
 `;
 

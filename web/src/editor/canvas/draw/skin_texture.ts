@@ -21,7 +21,6 @@ const TRAITS = [
   "scalp",
 ] as const;
 const LAYERS = ["mask", "marks", "patches"] as const;
-const BARE_TRAITS: Readonly<Partial<Record<(typeof TRAITS)[number], number>>> = { scalp: 0 }; // no hair grows here
 
 /** Twice: over the whole picture, so that no seam is bare, then the head itself with what is known by its rows. */
 const PAINT_VERTEX = `#version 300 es
@@ -121,7 +120,7 @@ export class SkinTextures {
     });
     gl.activeTexture(gl.TEXTURE0);
     for (const name of COLOURS) gl.uniform3fv(gl.getUniformLocation(program, name), [...decodeSrgb(look[name])]);
-    for (const name of TRAITS) gl.uniform1f(gl.getUniformLocation(program, name), BARE_TRAITS[name] ?? look[name]);
+    for (const name of TRAITS) gl.uniform1f(gl.getUniformLocation(program, name), look[name]);
   }
 
   private array(uv: Float32Array, traits: Float32Array, triangles: Uint32Array): WebGLVertexArrayObject {

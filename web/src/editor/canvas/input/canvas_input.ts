@@ -36,7 +36,8 @@ export class CanvasInput {
   /** The corners of the rubber band, CSS pixels. */
   band: [number, number, number, number] | undefined;
   readonly picker: NeedlePicker;
-  private readonly pointers = new Map<number, Pair>();
+  /** Where the pointers are that are held down, by their ids. */
+  readonly pointers = new Map<number, Pair>();
   private press: { what: Press; from: Pair; last: Pair; moved: boolean } | undefined;
   private readonly cameraControl: CameraControl;
   private nudging = false;

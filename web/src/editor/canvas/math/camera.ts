@@ -70,6 +70,9 @@ export class Camera {
   readonly back: Triple;
   /** From world to clip space, column by column. */
   readonly matrix: Float32Array;
+  /** The same in two steps: from the world to the camera, from there to clip space. */
+  readonly view: Matrix4;
+  readonly projection: Matrix4;
   /** What the camera looks at. */
   readonly middle: Triple;
   private readonly far: number;
@@ -87,7 +90,9 @@ export class Camera {
     this.far = (1.06 * bounds.radius) / (LENS * Math.min(1, aspect * 1.12) * view.zoom) + 0.4 * bounds.radius;
     this.middle = add(bounds.centre, add(times(this.right, view.pan[0]), times(this.up, view.pan[1])));
     this.eye = add(this.middle, times(this.back, this.far));
-    this.matrix = Float32Array.from(this.projection(aspect, bounds.radius).multiply(this.viewMatrix()).elements);
+    this.projection = this.perspective(aspect, bounds.radius);
+    this.view = this.viewMatrix();
+    this.matrix = Float32Array.from(this.projection.clone().multiply(this.view).elements);
   }
 
   /** Where a point is on the canvas, CSS pixels, and how far in front of the camera, metres. */
@@ -137,7 +142,7 @@ export class Camera {
     return world.setPosition(...this.eye).invert();
   }
 
-  private projection(aspect: number, radius: number): Matrix4 {
+  private perspective(aspect: number, radius: number): Matrix4 {
     const near = Math.max(0.02 * radius, this.far - 3 * radius);
     const top = LENS * near;
     return new Matrix4().makePerspective(-top * aspect, top * aspect, top, -top, near, this.far + 3 * radius);

@@ -64,7 +64,8 @@ export function gazeOf(recipe: Recipe | null, hand: Gaze, manifest: Manifest): {
   if (recipe === null) return { angles: [0, 0, 0, 0], pupil: 0 };
   const angles: number[] = [...hand.turns];
   let { pupil } = hand;
-  for (const { source, weight, region, mirrored } of recipe.layers) {
+  for (const { source, weight, region, mirrored, muted } of recipe.layers) {
+    if (muted) continue;
     const known = manifest.expressions.find((one) => one.source === source);
     if (known === undefined || (region !== null && region !== "eyes")) continue;
     const [leftYaw, leftPitch, rightYaw, rightPitch] = known.eyes;

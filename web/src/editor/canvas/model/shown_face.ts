@@ -9,6 +9,8 @@ export interface ShownFace {
   source: string;
   document: FaceDocument;
   figure: Figure;
+  /** At rest, (rows, 3) metres: what its hair is posed on. */
+  rest: Float32Array;
   bounds: Bounds;
   skinTexture: WebGLTexture;
   block: number;

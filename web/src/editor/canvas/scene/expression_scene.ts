@@ -172,7 +172,7 @@ export class ExpressionScene {
     const figure = new Figure(document.name, positions, tangents);
     const skinTexture = this.skinTextures.paint(document.look, this.side);
     const bounds = boundsOf(positions);
-    const member = { source, document, figure, bounds, skinTexture, block: -1 };
+    const member = { source, document, figure, rest: positions, bounds, skinTexture, block: -1 };
     this.members.set(source, member);
     return member;
   }

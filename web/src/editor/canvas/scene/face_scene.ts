@@ -8,10 +8,11 @@ import { type Handles, handlesOf, loadHandles } from "../../session/face_handles
 import { MOST_BLOCKS } from "../draw/atlas_shaders";
 import type { FaceAtlas } from "../draw/face_atlas";
 import type { SkinTextures } from "../draw/skin_texture";
-import { type Bounds, boundsOf } from "../math/camera";
+import { boundsOf } from "../math/camera";
 import { ChangedRows } from "../model/changed_rows";
 import { type Difference, Figure } from "../model/figure";
 import { type HandleDeform, handleDeform } from "../model/handle_deform";
+import type { ShownFace } from "../model/shown_face";
 
 /** What the face wears, the first at rest: the sum of expressions, and what people read. */
 const WORN: readonly { label: string; expressions: readonly string[] }[] = [
@@ -21,14 +22,8 @@ const WORN: readonly { label: string; expressions: readonly string[] }[] = [
   { label: "Jaw open", expressions: ["jawOpen"] },
 ];
 
-/** One picture of the face: the fields that the canvas draws of any face. */
-export interface FacePicture {
-  source: string;
-  document: FaceDocument;
-  figure: Figure;
-  bounds: Bounds;
-  skinTexture: WebGLTexture;
-  block: number;
+/** One picture of the face, as the canvas draws any face. */
+export interface FacePicture extends ShownFace {
   /** What it wears, for people. */
   label: string;
   /** What the server made, (rows, 3) metres. */
@@ -159,6 +154,7 @@ export class FaceScene {
     this.made = shape.at(handles.moves).slice();
     this.dress(document.look);
     for (const picture of this.all) {
+      picture.rest = truths[0] as Float32Array;
       picture.truth = truths[WORN.findIndex(({ label }) => label === picture.label)] as Float32Array;
       [picture.source, picture.document] = [content, { ...document, label: picture.label }];
     }
@@ -179,6 +175,7 @@ export class FaceScene {
         source: "",
         document,
         figure: new Figure(label, truth, undefined),
+        rest: truths[0] as Float32Array,
         bounds,
         skinTexture,
         block,

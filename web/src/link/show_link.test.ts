@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { Backoff } from "./backoff";
-import { Newest } from "./newest";
+import { Newest } from "./show_link";
 
 describe("the newest state", () => {
   it("wins: a lower (epoch, number) is ignored and counted", () => {
