@@ -116,11 +116,9 @@ def test_the_manifest_counts_what_there_is(cast: Cast) -> None:
 def test_the_manifest_says_how_a_face_answers_and_how_heads_turn(cast: Cast) -> None:
     loud = dataclasses.replace(cast.faces["long"], gains=(Gain("brows", 2.0), Gain("head", 1.0, "smile")))
     nod = dataclasses.replace(cast.expressions["smile"], head=np.array([0.0, 0.1, -0.2]))
-    manifest = written(
-        dataclasses.replace(cast, faces={**cast.faces, "long": loud}, expressions={**cast.expressions, "smile": nod})
-    )
+    manifest = written(cast.with_faces(loud).with_expressions(smile=nod))
     gains = {face.name: [(row.region, row.value, row.expression) for row in face.gains] for face in manifest.faces}
-    assert gains == {**dict.fromkeys(cast.faces, []), "long": [("brows", 2.0, None), ("head", 1.0, "smile")]}
+    assert gains == {"generic": [], "broad": [], "long": [("brows", 2.0, None), ("head", 1.0, "smile")]}
     heads = {expression.name: expression.head for expression in manifest.expressions}
     assert heads == {**dict.fromkeys(cast.expressions, (0.0, 0.0, 0.0)), "smile": (0.0, 0.1, -0.2)}
 
