@@ -20,10 +20,11 @@ from omote.model.extraction.smooth_map_inverse import invert_smooth_map
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.space.gain import answer, ask
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.space.parts import eye_angles, eye_rotation
-from omote.model.transfer.compound import compound, predict_part
-from omote.model.transfer.paper_map import refuse_foreign
+from omote.model.transfer.compound import apply_expression, predict_part
+from omote.model.transfer.paper_map import compile_expression, refuse_foreign
 from omote.model.transfer.smooth_map import prepare_smooth_map
 
 Values = NDArray[np.float64]
@@ -92,8 +93,10 @@ def extract(
         raise ValueError(
             f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
         )
-    bare, near = _measure_sheet(space, face, moved, known)
-    return _with_parts(space, face, _with_inner_skin(space, face, bare, moved, near), parts or {})
+    answered = [answer(space, face.gains, expression) for expression in known]
+    bare, near = _measure_sheet(space, face, moved, answered)
+    worn = _with_parts(space, face, _with_inner_skin(space, face, bare, moved, near), parts or {})
+    return ask(space, face.gains, worn)
 
 
 def _measure_sheet(
@@ -121,7 +124,7 @@ def _with_inner_skin(
 def _with_parts(space: ParameterSpace, face: Face, skin: Expression, parts: Mapping[str, ArrayLike]) -> Expression:
     """The expression with what parts do over what the skin's motion predicts."""
     fitted = fit(space, face)
-    sheet = compound(space, face, skin).astype(np.float64) - face.positions
+    sheet = apply_expression(space, face, compile_expression(space, skin)).astype(np.float64) - face.positions
     eyes = np.zeros((2, 2))
     rest: dict[str, Values] = {}
     for name, given in parts.items():

@@ -16,7 +16,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.compound import compound
+from omote.model.transfer.compound import apply_expression
 from omote.model.transfer.paper_map import compile_expression, displace_generic
 from omote.model.transfer.pipeline import LINEAR_INNER_STAGES, SHEET_STAGES, STAGES, run, start
 
@@ -37,7 +37,7 @@ def solve_inner_residual(
     """
     inner, scale = space.inner.vertices, fit(space, face).scale[:, None].astype(np.float64)
     if space.transfer == "paper":
-        worn = compound(space, face, bare).astype(np.float64)[inner]
+        worn = apply_expression(space, face, compile_expression(space, bare)).astype(np.float64)[inner]
         return (goal - worn) / scale
     sheet = run(
         SHEET_STAGES, start(space, face, displace_generic(space, compile_expression(space, bare)), _still(bare))
