@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import omote
+from omote.model.extraction.extract import extract
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.gain import (
@@ -31,7 +32,6 @@ from omote.model.space.gain import (
 )
 from omote.model.space.head_regions import region_mask
 from omote.model.transfer.compound import compound, compound_parts
-from omote.model.transfer.extract import extract
 
 CAST = omote.load_cast()
 DOG = CAST.faces["dog"]

@@ -17,6 +17,7 @@ from omote.geometry import mesh
 from omote.model.extraction.inner_skin_residual import solve_inner_residual
 from omote.model.extraction.sheet_field import REST, measure_field
 from omote.model.extraction.smooth_map_inverse import invert_smooth_map
+from omote.model.space.ears import turn_ears
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
@@ -95,8 +96,21 @@ def extract(
         )
     answered = [answer(space, face.gains, expression) for expression in known]
     bare, near = _measure_sheet(space, face, moved, answered)
+    still = moved if near is None else _without_ears(space, face, moved, near.ears)
+    if near is not None and still is not moved:
+        ears, (bare, near) = near.ears, _measure_sheet(space, face, still, answered)
+        bare = replace(bare, ears=ears)
     worn = _with_parts(space, face, _with_inner_skin(space, face, bare, moved, near), parts or {})
     return ask(space, face.gains, worn)
+
+
+def _without_ears(space: ParameterSpace, face: Face, moved: Values, ears: Values) -> Values:
+    """The displacement (V, 3) with the ears turned back by turns (2, 3), where that brings them nearer to rest."""
+    if not ears.any():
+        return moved
+    rest = face.positions
+    still = turn_ears(space, rest, (rest + moved).astype(np.float32), -ears).astype(np.float64) - rest
+    return still if (still**2).sum() < (moved**2).sum() else moved
 
 
 def _measure_sheet(

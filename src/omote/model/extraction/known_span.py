@@ -34,7 +34,7 @@ _LEAST_RATIO = 0.05
 
 
 def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expression], /) -> Expression:
-    """The weighted sum of known expressions nearest to a field on the sheet, with its residual of the inner skin.
+    """The weighted sum of known expressions nearest to a field on the sheet, with what they do to inner skin and ears.
 
     Parameters
     ----------
@@ -65,6 +65,7 @@ def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expressi
         _add(share, [each.dh for each in known]),
         np.maximum(ratio, _LEAST_RATIO),
         _add(share, [each.residual for each in known]),
+        ears=_add(share, [each.ears for each in known]),
         radius=space.radius,
         transfer=space.transfer,
     )

@@ -199,10 +199,14 @@ def answer(space: ParameterSpace, gains: Sequence[Gain], expression: Expression,
 
 
 def ask(space: ParameterSpace, gains: Sequence[Gain], answered: Expression, /) -> Expression:
-    """The expression whose field is answered so by a face with these gains: what extraction from that face needs.
+    """The expression that is answered so by a face with these gains, by its field and ears: what extraction from that
+    face needs.
 
-    Where a gain is 0 only rest can be answered: the field rests there.
+    Where a gain is 0 only rest can be answered: the field rests there, and so do ears.
     """
+    if answered.ears.any():
+        gain = gain_of(gains, "ears", answered.name)
+        answered = replace(answered, ears=answered.ears / gain if gain > _LEAST_INVERTED else 0.0 * answered.ears)
     factor = field_gain(space, gains, answered.name)
     if factor is None:
         return answered
