@@ -28,9 +28,9 @@ def leather(texels: Texels) -> Floats:
 
 
 def dark_rims(texels: Texels) -> Floats:
-    """The dark skin along the openings of a face with fur (n,), 0 to 1: rims of the lids, the eyes' inner corners, lips."""
+    """The dark skin along the openings of a face with fur (n,), 0 to 1: lids, the eyes' inner corners, lips."""
     places = texels.places
-    lids = ramp(texels.lid_rings, 3.4, 1.6)
+    lids = ramp(texels.lid_rings, 4.2, 2.2)
     corner = blob(places, (0.018, -0.006, 0.138), (0.004, 0.006, 0.02))
     lips = ramp(texels.lip_rings, 3.2, 1.6)
     return np.asarray(np.maximum.reduce([lids, 0.8 * corner, lips]))
