@@ -72,7 +72,7 @@ def test_all_units_are_there_by_their_exact_names() -> None:
     expected["own"] = [*OWN]
     assert kinds == expected
     assert {kind: len(names) for kind, names in kinds.items()} == {
-        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "own": 2,
+        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "own": 6,
     }  # fmt: skip
     assert {
         "smile",

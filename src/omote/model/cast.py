@@ -104,6 +104,7 @@ def _refuse_others_at_rest(cast: Cast) -> None:
     if generic is not None and not np.array_equal(generic.positions, cast.space.points.astype(np.float32)):
         raise ValueError(f"face {GENERIC!r} is not the face the space was built from; give it another name")
     rests = (neutral.dtheta, neutral.dh, neutral.ratio - 1.0, neutral.residual, neutral.eyes, *neutral.parts.values())
+    rests += (neutral.ears, neutral.head)
     if neutral.pupil or any(np.abs(values).max(initial=0.0) > _REST for values in rests):
         raise ValueError(f"expression {NEUTRAL!r} moves something; expected the field at rest: give it another name")
 
@@ -285,6 +286,8 @@ class Cast:
                 expression.residual,
                 expression.eyes,
                 np.array(expression.pupil),
+                expression.ears,
+                expression.head,
                 *expression.parts.values(),
             ]
         arrays += [array for style in self.hair.values() for array in style.arrays]
@@ -295,4 +298,7 @@ class Cast:
                 (*self.faces, *self.expressions, *self.looks.values(), *self.titles.values(), *self.space.rules)
             ).encode()
         )
+        gains = [face.gains for face in self.faces.values()]
+        if any(gains):
+            state.update(repr((gains, [expression.name for expression in self.expressions.values()])).encode())
         return state.hexdigest()

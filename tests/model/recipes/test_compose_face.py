@@ -16,9 +16,10 @@ from omote.model.recipes.face_handles import default_handles, drag_handles
 from omote.model.recipes.recipe import FaceRecipe
 from omote.model.sculpting.caricature import caricature
 from omote.model.sculpting.extrapolation import find_folds
-from omote.model.sculpting.regions import REGIONS, regional
+from omote.model.sculpting.regions import regional
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.space.head_regions import REGIONS
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.performer import Performer
 

@@ -9,7 +9,7 @@ export const EDITING_LIMIT = 65536;
  * A face made from faces (`compose_face`): a mix, regions from others, caricature, then handles.
  * base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
  * amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,
- * regions and amount put them.
+ * regions and amount put them; gains: in place of those that base and regions bring.
  */
 export interface FaceRecipe {
   kind: "face";
@@ -18,6 +18,7 @@ export interface FaceRecipe {
   amount: number;
   points: number[];
   moves: [number, number, number][];
+  gains: GainRow[];
 }
 
 /**
