@@ -98,6 +98,13 @@ class Title:
     region: str = "whole"
 
 
+def _numbers(expression: Expression) -> list[np.ndarray]:
+    """Every number of an expression."""
+    turns = (expression.eyes, np.array(expression.pupil), expression.ears, expression.head)
+    fields = (expression.dtheta, expression.dh, expression.ratio, expression.residual)
+    return [*fields, *turns, *expression.parts.values()]
+
+
 def _refuse_others_at_rest(cast: Cast) -> None:
     """Rejects another face or expression under a reserved name: panic and every start of a show return to these two."""
     generic, neutral = cast.faces.get(GENERIC), cast.expressions[NEUTRAL]
@@ -279,26 +286,12 @@ class Cast:
         for face in self.faces.values():
             arrays += [face.positions, *face.parts.values()]
         for expression in self.expressions.values():
-            arrays += [
-                expression.dtheta,
-                expression.dh,
-                expression.ratio,
-                expression.residual,
-                expression.eyes,
-                np.array(expression.pupil),
-                expression.ears,
-                expression.head,
-                *expression.parts.values(),
-            ]
+            arrays += _numbers(expression)
         arrays += [array for style in self.hair.values() for array in style.arrays]
         for array in arrays:
             state.update(np.ascontiguousarray(array).data)
-        state.update(
-            repr(
-                (*self.faces, *self.expressions, *self.looks.values(), *self.titles.values(), *self.space.rules)
-            ).encode()
-        )
+        texts = (*self.faces, *self.expressions, *self.looks.values(), *self.titles.values(), *self.space.rules)
+        state.update(repr(texts).encode())
         gains = [face.gains for face in self.faces.values()]
-        if any(gains):
-            state.update(repr((gains, [expression.name for expression in self.expressions.values()])).encode())
+        state.update(repr((gains, [expression.name for expression in self.expressions.values()])).encode())
         return state.hexdigest()

@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const EDITING_VERSION = 2;
+export const EDITING_VERSION = 3;
 export const EDITING_PATH = "/editing";
 /** Bytes; no message of an editor is longer. */
 export const EDITING_LIMIT = 65536;
@@ -19,6 +19,16 @@ export interface FaceRecipe {
   points: number[];
   moves: [number, number, number][];
   gains: GainRow[];
+}
+
+/**
+ * A gain that a recipe sets: its region (`space.gain.GAIN_REGIONS`), value, and the expression that alone it is
+ * for, by name, or None.
+ */
+export interface GainRow {
+  region: string;
+  value: number;
+  expression: string | null;
 }
 
 /**
