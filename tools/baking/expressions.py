@@ -103,7 +103,7 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
 
 # What they do to the pupils: 1 as wide as they go, -1 as narrow (method: fear, surprise and liking widen).
 PUPILS: Mapping[str, float] = {
-    "smile": 0.15, "joy": 0.3, "laugh": 0.15, "sad": 0.25, "cry": 0.1, "angry": -0.5, "shout": -0.2, "surprise": 0.7,
+    "smile": 0.15, "joy": 0.3, "laugh": 0.15, "sad": 0.45, "cry": 0.1, "angry": -0.5, "shout": -0.2, "surprise": 0.7,
     "fear": 1.0, "disgust": -0.6, "contempt": -0.35, "sleepy": -0.3, "kiss": 0.4, "doubt": -0.2, "pain": 0.4,
     "pout": -0.1, "cheeky": 0.2,
 }  # fmt: skip
