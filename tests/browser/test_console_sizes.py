@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -137,6 +138,32 @@ def test_the_console_is_played_by_fingers(console: Console, width: int, height: 
     check_surface(page, width, height)
     page.locator(".panic").tap()
     wait_for(page, f"state.face_call?.target === '{state(page)['home_face']}'")
+
+
+STRONG = """(face) => {
+    const store = document.querySelector("omote-console").context.store;
+    const gains = [["brows", 1.6, null], ["mouth", 2, "angry"], ["ears", 1.5, null]].map(
+        ([region, value, expression]) => ({ region, value, expression }));
+    const faces = store.manifest.faces.map((one) => (one.name === face ? { ...one, gains } : one));
+    store.setManifest({ ...store.manifest, faces });
+}"""
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES)
+def test_the_gains_of_a_face_have_their_place_and_all_are_listed(console: Console, width: int, height: int) -> None:
+    page = console(width=width, height=height, has_touch=True)
+    page.evaluate(STRONG, "kaori")
+    expect(page.locator("omote-answers button")).to_have_count(0)
+    tile(page, "kaori").tap()
+    gains = page.locator("omote-answers button")
+    expect(gains).to_have_attribute("title", re.compile("^Kaori answers: brows .1.6, mouth in angry .2.0, ears .1.5$"))
+    check_surface(page, width, height)
+    gains.tap()
+    answers = page.get_by_role("dialog", name="How Kaori answers")
+    expect(answers).to_be_in_viewport(ratio=1)
+    tile(page, "child").tap()
+    expect(answers).to_have_count(0)
+    expect(gains).to_have_count(0)
 
 
 @pytest.mark.parametrize(("width", "height"), [(1024, 768), (1440, 900), (1920, 1080)])

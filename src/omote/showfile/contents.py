@@ -206,7 +206,8 @@ def _inflate(packed: bytes) -> bytes:
 
 
 def _unless_still(values: Numbers) -> _Array | None:
-    return _dense(values, DOUBLE) if values.any() else None
+    """None for what is all rest, to the bit: contents of before say nothing of it."""
+    return _dense(values, DOUBLE) if np.ascontiguousarray(values, DOUBLE).view("<u8").any() else None
 
 
 def _dense(values: Numbers, dtype: np.dtype[Any]) -> _Array:

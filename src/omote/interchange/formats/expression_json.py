@@ -70,8 +70,8 @@ class Dense(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaul
     pupil: Annotated[float, msgspec.Meta(ge=-10.0, le=10.0)]
     radius: Literal["origin", "surface"]
     transfer: Literal["smooth", "paper"]
-    ears: tuple[Turn, Turn, Turn, Turn, Turn, Turn] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    head: tuple[Turn, Turn, Turn] = (0.0, 0.0, 0.0)
+    ears: tuple[Turn, Turn, Turn, Turn, Turn, Turn] | None = None
+    head: tuple[Turn, Turn, Turn] | None = None
 
 
 class ExpressionFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -109,9 +109,13 @@ def to_dense(expression: Expression, /) -> Dense:
         pupil=expression.pupil,
         radius=msgspec.convert(expression.radius, Literal["origin", "surface"]),
         transfer=msgspec.convert(expression.transfer, Literal["smooth", "paper"]),
-        ears=msgspec.convert(expression.ears.ravel().tolist(), tuple[float, float, float, float, float, float]),
-        head=msgspec.convert(expression.head.tolist(), tuple[float, float, float]),
+        ears=msgspec.convert(_turns(expression.ears), tuple[float, float, float, float, float, float] | None),
+        head=msgspec.convert(_turns(expression.head), tuple[float, float, float] | None),
     )
+
+
+def _turns(angles: NDArray[np.float64]) -> list[float] | None:
+    return angles.ravel().tolist() if angles.any() else None
 
 
 def from_dense(space: ParameterSpace, dense: Dense, /) -> Expression:
@@ -136,8 +140,8 @@ def from_dense(space: ParameterSpace, dense: Dense, /) -> Expression:
         radius=dense.radius,
         transfer=dense.transfer,
         pupil=dense.pupil,
-        ears=np.reshape(dense.ears, (2, 3)),
-        head=np.array(dense.head),
+        ears=np.reshape(dense.ears or np.zeros(6), (2, 3)),
+        head=np.array(dense.head or np.zeros(3)),
     )
 
 

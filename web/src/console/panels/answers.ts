@@ -1,7 +1,7 @@
 /** How the faces on air answer expressions: their gains, as a line, and all of them in a list. */
 
 import { css, html, nothing } from "lit";
-import { customElement, state } from "lit/decorators.js";
+import { customElement, property, state } from "lit/decorators.js";
 import { type Gain, gainOf, mixGains } from "../../face/pose/gains";
 import { openLayer } from "../../ui/key_presses";
 import { base } from "../../ui/theme";
@@ -14,6 +14,8 @@ export class Answers extends AnimatedElement {
   @state() private gains: readonly Gain[] = [];
   @state() private faces = "";
   @state() private open = false;
+  /** Nothing is to be read: it takes no room. */
+  @property({ type: Boolean, reflect: true }) empty = true;
   #shown = "";
   #takeAway = (): void => undefined;
 
@@ -23,6 +25,9 @@ export class Answers extends AnimatedElement {
       :host {
         flex: 1;
         min-width: 0;
+      }
+      :host([empty]) {
+        display: none;
       }
       button {
         width: 100%;
@@ -48,6 +53,12 @@ export class Answers extends AnimatedElement {
         }
       }
       @media (max-width: 899px) {
+        :host {
+          flex: 0 0 40px;
+        }
+        button {
+          padding: 0;
+        }
         button .line {
           display: none; /* there is room for a word */
         }
@@ -90,7 +101,7 @@ export class Answers extends AnimatedElement {
   }
 
   override render() {
-    if (this.gains.length === 0) return nothing;
+    if (this.empty) return nothing;
     const line = this.gains.map((gain) => `${this.#where(gain)} ${times(gain)}`).join(", ");
     return html`<button aria-expanded=${this.open} aria-label="${this.faces} answers: ${line}" title="${this.faces} answers: ${line}"
         @click=${this.#toggle}><span class="line">${line}</span><span class="short">gains</span></button>
@@ -146,8 +157,8 @@ export class Answers extends AnimatedElement {
     const shown = JSON.stringify([faces, gains.map((gain) => [this.#where(gain), times(gain)])]);
     if (shown === this.#shown) return;
     this.#shown = shown;
-    [this.gains, this.faces] = [gains, faces];
-    if (gains.length === 0) this.#close();
+    [this.gains, this.faces, this.empty] = [gains, faces, gains.length === 0];
+    if (this.empty) this.#close();
   }
 }
 
