@@ -83,3 +83,27 @@ def test_a_sculpt_is_named_as_its_file_and_not_as_a_person(tmp_path: Path) -> No
     (tmp_path / "old.toml").write_text(text.replace("NAME", "old"))
     with pytest.raises(BakeError, match="and no person's"):
         read_sculpts(tmp_path)
+
+
+def test_closed_lips_of_dog_and_cat_gape_no_wider_beside_the_corners_than_the_generic_faces() -> None:
+    lips = next(line for line in CAST.space.lines if line.kind == "lips")
+    beside = np.r_[1:6, 26:31]
+
+    def widest(name: str) -> float:
+        return float(lips.rungs(CAST.faces[name].positions.astype(np.float64))[beside, 1].max())
+
+    for name in ("dog", "cat"):
+        assert widest(name) < widest("generic"), name
+
+
+def test_eyes_of_dog_and_cat_are_larger_and_rounder_than_peoples() -> None:
+    lids = next(line for line in CAST.space.lines if line.name == "lid_left")
+
+    def opening(name: str) -> tuple[float, float]:
+        points = CAST.faces[name].positions[lids.loop].astype(np.float64)
+        return float(np.ptp(points[:, 0])), float(np.ptp(points[:, 1]))
+
+    across, high = opening("generic")
+    for name in ("dog", "cat"):
+        assert opening(name)[1] > 1.5 * high, name
+        assert opening(name)[1] / opening(name)[0] > 1.5 * high / across, name
