@@ -39,7 +39,7 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
     "smile": {"mouthSmile*": 0.62, "cheekSquint*": 0.35, "eyeSquint*": 0.15, "mouthDimple*": 0.15},
     "joy": {
         "mouthSmile*": 0.85, "cheekSquint*": 0.6, "eyeSquint*": 0.25, "mouthUpperUp*": 0.3, "mouthLowerDown*": 0.3,
-        "jawOpen": 0.12, "browInnerUp": 0.2, "browOuterUp*": 0.2,
+        "jawOpen": 0.2, "browInnerUp": 0.2, "browOuterUp*": 0.2,
     },
     "laugh": {
         "mouthSmile*": 0.9, "cheekSquint*": 0.9, "eyeSquint*": 0.55, "eyeBlink*": 0.25, "jawOpen": 0.5,
@@ -55,8 +55,8 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
         "noseSneer*": 0.3,
     },
     "angry": {
-        "browDown*": 1.25, "eyeSquint*": 0.45, "noseSneer*": 0.8, "mouthPress*": 0.6, "mouthFrown*": 0.7,
-        "jawForward": 0.25, "mouthRollLower": 0.2,
+        "browDown*": 1.25, "eyeSquint*": 0.45, "noseSneer*": 0.8, "mouthPress*": 0.3, "mouthFrown*": 0.7,
+        "mouthUpperUp*": 0.3, "mouthLowerDown*": 0.25, "mouthStretch*": 0.15, "jawForward": 0.25,
     },
     "shout": {
         "browDown*": 1.0, "eyeWide*": 0.3, "noseSneer*": 0.7, "jawOpen": 0.7, "mouthUpperUp*": 0.6,
@@ -103,7 +103,7 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
 
 # What they do to the pupils: 1 as wide as they go, -1 as narrow (method: fear, surprise and liking widen).
 PUPILS: Mapping[str, float] = {
-    "smile": 0.15, "joy": 0.3, "laugh": 0.15, "sad": -0.15, "cry": 0.1, "angry": -0.5, "shout": -0.2, "surprise": 0.7,
+    "smile": 0.15, "joy": 0.3, "laugh": 0.15, "sad": 0.45, "cry": 0.1, "angry": -0.5, "shout": -0.2, "surprise": 0.7,
     "fear": 1.0, "disgust": -0.6, "contempt": -0.35, "sleepy": -0.3, "kiss": 0.4, "doubt": -0.2, "pain": 0.4,
     "pout": -0.1, "cheeky": 0.2,
 }  # fmt: skip

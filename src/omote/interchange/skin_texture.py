@@ -17,8 +17,9 @@ from omote.model.cast import Look
 Values = NDArray[Any]
 Points = NDArray[np.float64]
 
-LAYERS = ("mask", "marks", "patches", "relief", "finish")
+LAYERS = ("mask", "marks", "patches", "relief", "finish", "pelt")
 LINING = (0.62, 0.16, 0.14)
+RIM = 0.22  # of the brows' colour, the dark skin along lids and lips under fur
 
 # Angle from straight ahead, radians, and the height where hair begins, metres over the eyes.
 HAIRLINE = np.array(
@@ -36,7 +37,7 @@ class Canvas:
 
 
 def build_canvas(layers: Picture, skin: BakedMesh, generic: Points) -> Canvas:
-    """Builds the canvas of a cast from layers (5k, k, 4), as the bake paints them, the skin's mesh and the generic face
+    """Builds the canvas of a cast from layers (6k, k, 4), as the bake paints them, the skin's mesh and the generic face
     (V, 3)."""
     size = layers.shape[1]
     parts = layers.reshape(len(LAYERS), size, size, 4).astype(np.float32) / np.float32(255.0)
@@ -76,11 +77,10 @@ def _albedo(at: Canvas, look: Look) -> Values:
     grown = at.hair + (marks[..., 3] - 0.5) * 2.8 * at.hair * (1.0 - at.hair)
     lips, lining = _lips(at, look)
     fur = look.fur * (1.0 - lips)
-    leather = smooth_ramp(0.80, 0.92, patches[..., 0])
     seen = _mix(
         _paint_bare_skin(at, look, skin, lip, brow), lip * _grey(0.86 + 0.28 * at.layers["finish"][..., 3]), lips * 0.9
     )
-    seen = _mix(seen, _mix(_paint_fur(at, look, skin, brow), lip, leather), fur)
+    seen = _mix(seen, _mix(_paint_fur(at, look, skin, brow), lip, patches[..., 0]), fur)
     hairs = clamp_unit((mask[..., 1] - (1.0 - 1.12 * look.brows)) * 2.6)
     seen = _mix(seen, brow, hairs * 0.92)
     seen = _mix(seen, brow * 0.5, patches[..., 3] * look.lacquer)
@@ -114,10 +114,11 @@ def _paint_bare_skin(at: Canvas, look: Look, skin: Values, lip: Values, brow: Va
 
 
 def _paint_fur(at: Canvas, look: Look, skin: Values, brow: Values) -> Values:
-    patches, strand = at.layers["patches"], at.layers["marks"][..., 3] - 0.5
-    seen = _mix(skin, decode_srgb(look.coat), smooth_ramp(0.04, 0.66, patches[..., 0]))
-    seen = _mix(seen, brow, smooth_ramp(0.0, 0.5, patches[..., 1]) * look.stripes * 0.85)
-    seen = _mix(seen, brow, smooth_ramp(0.5, 0.95, patches[..., 1]) * 0.85)
+    pelt, strand = at.layers["pelt"], at.layers["marks"][..., 3] - 0.5
+    pale = pelt[..., 0] + (pelt[..., 2] - pelt[..., 0]) * look.stripes
+    dark = pelt[..., 1] + (pelt[..., 3] - pelt[..., 1]) * look.stripes
+    seen = _mix(_mix(skin, decode_srgb(look.coat), pale), brow, dark * 0.9)
+    seen = _mix(seen, brow * RIM, at.layers["patches"][..., 1] * 0.92)
     found: Values = seen * _grey(1.0 + 1.15 * strand) + _grey(np.maximum(strand, 0.0) * 0.10)
     return found
 

@@ -41,8 +41,8 @@ class Look:
     iris_size: the iris' radius over a person's; slit: 0 a round pupil, 1 an upright slit; lashes: how many there are;
     coat: the second colour of a fur (muzzle, throat, blaze).
     Of the skin, 0 to 1: pores; age (lines, spots, thin lips); freckles; stubble; brows (0 none, 1 bushy); makeup of the
-    eyes; gloss of the lips; fur instead of bare skin, its stripes; lacquer, the painted white of a mask; scalp, the
-    shadow of hair on the skin.
+    eyes; gloss of the lips; fur instead of bare skin; stripes, from a hound's coat (0) to a tabby's (1); lacquer, the
+    painted white of a mask; scalp, the shadow of hair on the skin.
     """
 
     skin: str = "#d9a98c"

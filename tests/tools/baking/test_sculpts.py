@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import omote
 from omote.builtin.binding import EYES
@@ -83,3 +85,42 @@ def test_a_sculpt_is_named_as_its_file_and_not_as_a_person(tmp_path: Path) -> No
     (tmp_path / "old.toml").write_text(text.replace("NAME", "old"))
     with pytest.raises(BakeError, match="and no person's"):
         read_sculpts(tmp_path)
+
+
+def test_closed_lips_of_dog_and_cat_gape_no_wider_beside_the_corners_than_the_generic_faces() -> None:
+    lips = next(line for line in CAST.space.lines if line.kind == "lips")
+    beside = np.r_[1:6, 26:31]
+
+    def widest(name: str) -> float:
+        return float(lips.rungs(CAST.faces[name].positions.astype(np.float64))[beside, 1].max())
+
+    for name in ("dog", "cat"):
+        assert widest(name) < widest("generic"), name
+
+
+def test_eyes_of_dog_and_cat_are_larger_and_rounder_than_peoples() -> None:
+    lids = next(line for line in CAST.space.lines if line.name == "lid_left")
+
+    def opening(name: str) -> tuple[float, float]:
+        points = CAST.faces[name].positions[lids.loop].astype(np.float64)
+        return float(np.ptp(points[:, 0])), float(np.ptp(points[:, 1]))
+
+    across, high = opening("generic")
+    for name in ("dog", "cat"):
+        assert opening(name)[1] > 1.5 * high, name
+        assert opening(name)[1] / opening(name)[0] > 1.5 * high / across, name
+
+
+@pytest.mark.parametrize("animal", ["dog", "cat"])
+def test_an_animals_emotions_part_further_than_a_persons(animal: str) -> None:
+    """Each pair of them, so that none is taken for another: ears, brows and muzzle answer by the sculpt's gains."""
+    sheet = np.unique(CAST.space.sheet_triangles)
+
+    def worn(face: str) -> list[NDArray[np.float64]]:
+        return [
+            omote.compound(CAST.space, CAST.faces[face], CAST.expressions[name])[sheet].astype(np.float64)
+            for name in ("neutral", "joy", "sad", "angry", "fear", "surprise", "disgust")
+        ]
+
+    for (a, b), (c, d) in zip(combinations(worn(animal), 2), combinations(worn("generic"), 2), strict=True):
+        assert np.sqrt(((a - b) ** 2).sum(axis=1).mean()) > 1.2 * np.sqrt(((c - d) ** 2).sum(axis=1).mean())

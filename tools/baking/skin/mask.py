@@ -4,7 +4,7 @@ Painted by this code from the generic head alone, so that every face can wear th
 The layers lie one below the other in one picture, in the order of LAYERS:
 mask = lips (0 outside, 0.5 at their border, 1 at the mouth's line), brows (hair by hair: the thicker the brow a hair
 belongs to, the fainter it is), blush, light that is left (1 = untouched): cavities and lash lines;
-marks, coat, relief, finish: see skin_marks, skin_coat, skin_relief, skin_finish.
+marks, patches, relief, finish, pelt: see marks.py, coat.py, relief.py, finish.py, pelt.py.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from tools.baking.skin.brows import brow_cover
 from tools.baking.skin.coat import paint_patches
 from tools.baking.skin.finish import paint_finish
 from tools.baking.skin.marks import paint_marks
+from tools.baking.skin.pelt import paint_pelt
 from tools.baking.skin.relief import paint_relief
 from tools.baking.skin.texels import Texels, ramp, texels_of
 
@@ -36,7 +37,7 @@ BLUSH = (
 
 
 def paint_layers(skin: Piece, points: Floats, layout: Floats) -> NDArray[np.uint8]:
-    """The layers (SIZE * 5, SIZE, 4) of the generic head: points (n, 3) metres, layout (k, 2)."""
+    """The layers (SIZE * 6, SIZE, 4) of the generic head: points (n, 3) metres, layout (k, 2)."""
     texels = texels_of(skin, points, layout)
     return np.concatenate([as_bytes(name, paint(texels)) for name, paint in LAYERS.items()])
 
@@ -63,6 +64,7 @@ LAYERS: Mapping[str, Callable[[Texels], Floats]] = {
     "patches": paint_patches,
     "relief": paint_relief,
     "finish": paint_finish,
+    "pelt": paint_pelt,
 }
 """The layers in the order in which they lie in the picture, and who paints them."""
 

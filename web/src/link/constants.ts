@@ -25,7 +25,7 @@ export const SOCKET_FAR = 1.6;
 /** Metres in which the warp of the handles counts lengths. */
 export const WARP_UNIT = 0.05;
 /** The layers of the skin's picture, from the top. */
-export const SKIN_LAYERS = ["mask", "marks", "patches", "relief", "finish"] as const;
+export const SKIN_LAYERS = ["mask", "marks", "patches", "relief", "finish", "pelt"] as const;
 /** How far a face may turn or stretch one piece of a strand of hair, of its own length. */
 export const STRETCH = 0.75;
 /** Radians from straight ahead, and the metres over the eyes where hair begins. */

@@ -1,27 +1,23 @@
 """What colours the skin at large."""
 
 import numpy as np
-from scipy.spatial import KDTree
 
-from tools.baking.skin.coat import ALWAYS, PATCH, dark_marks, make_up, mask_paint, patches
+from tools.baking.skin.coat import dark_rims, leather, make_up, mask_paint
 from tools.baking.skin.texels import Texels
 
 
-def test_leather_lies_inside_a_patch(texels: Texels) -> None:
-    """One channel holds both, so every way to the leather leads over the patch."""
-    places, found = texels.places, patches(texels)
-    tip = places[:, 2] > 0.166
-    assert found[tip].min() > PATCH
-    outer = ~texels.inner
-    leather = KDTree(places[outer & (found > 0.85)])
-    assert found[outer & (leather.query(places, distance_upper_bound=0.0008)[0] < 0.0008)].min() > 0.5
+def test_the_tip_of_the_nose_is_bare_and_the_cheeks_are_not(texels: Texels) -> None:
+    places, found = texels.places, leather(texels)
+    assert found[places[:, 2] > 0.166].min() > 0.95
+    assert found[np.abs(places[:, 0]) > 0.03].max() == 0.0
 
 
-def test_what_every_coat_has_lies_above_the_stripes(texels: Texels) -> None:
-    places, marks = texels.places, dark_marks(texels)
-    assert marks[texels.lid_rings < 1.0].min() > ALWAYS
-    crown = (places[:, 1] > 0.05) & (places[:, 2] > 0.08)
-    assert 0.0 < marks[crown].max() <= ALWAYS
+def test_lids_and_lips_have_dark_rims_and_nothing_far_from_them_has(texels: Texels) -> None:
+    found = dark_rims(texels)
+    assert found[(texels.lid_rings < 1.0) | (texels.lip_rings < 1.0)].min() > 0.95
+    far = (texels.lid_rings > 9.0) & (texels.lip_rings > 9.0)
+    assert found[far & (np.abs(texels.places[:, 0]) > 0.035)].max() < 0.01
+    assert found[far].mean() < 0.01  # beside the eyes' inner corners some more
 
 
 def test_make_up_is_on_the_lids_only(texels: Texels) -> None:

@@ -8,6 +8,7 @@ export const SKIN_COLOURS = `
 uniform sampler2D mask;
 uniform sampler2D marks;
 uniform sampler2D patches;
+uniform sampler2D pelt;
 uniform vec3 skin;
 uniform vec3 lip;
 uniform vec3 brow;
@@ -25,12 +26,15 @@ uniform float stripes;
 uniform float lacquer;
 uniform float scalp;
 
+const float RIM = 0.22; // of the brows' colour, the dark skin along lids and lips under fur
+
 /** The skin's layers at one place (tools/baking paints them). */
 struct Layers {
   vec4 mask; // lips, brows, blush, light that is left
   vec4 marks; // age, freckles, stubble, strands of fur
-  vec4 patches; // patches of a coat and leather, dark marks, make-up, paint of a mask
+  vec4 patches; // leather, dark rims, make-up, paint of a mask
   vec4 finish; // oil, thinness, fine hollows, mottling of the blood
+  vec4 pelt; // a hound's pale and dark fur, a tabby's pale and dark fur
 };
 
 /** What the light falls on: the colour, and how much of it is lip, hair (brows too), fur, bare leather, or lining (0..1 each). */
@@ -49,10 +53,10 @@ vec3 bare(Layers at) {
   return mix(seen, brow * 0.6 + lip * 0.18, at.patches.b * makeup * 0.85);
 }
 
-vec3 pelt(Layers at) {
-  vec3 seen = mix(skin, coat, smoothstep(0.04, 0.66, at.patches.r));
-  seen = mix(seen, brow, smoothstep(0.0, 0.5, at.patches.g) * stripes * 0.85);
-  seen = mix(seen, brow, smoothstep(0.5, 0.95, at.patches.g) * 0.85);
+vec3 furred(Layers at) {
+  vec2 drawn = mix(at.pelt.rg, at.pelt.ba, stripes);
+  vec3 seen = mix(mix(skin, coat, drawn.r), brow, drawn.g * 0.9);
+  seen = mix(seen, brow * RIM, at.patches.g * 0.92);
   float strand = at.marks.a - 0.5;
   return seen * (1.0 + 1.15 * strand) + max(strand, 0.0) * 0.10;
 }
@@ -68,10 +72,10 @@ Ground ground(Layers at, float hairline) {
   found.lips = max(found.lips, lining);
   found.lining = lining;
   found.fur = fur * (1.0 - found.lips);
-  float leather = smoothstep(0.80, 0.92, at.patches.r);
+  float leather = at.patches.r;
   found.leather = found.fur * leather;
   vec3 seen = mix(bare(at), lip * (0.86 + 0.28 * at.finish.a), found.lips * 0.9);
-  seen = mix(seen, mix(pelt(at), lip, leather), found.fur);
+  seen = mix(seen, mix(furred(at), lip, leather), found.fur);
   float hairs = browHairs(at.mask.g);
   seen = mix(seen, brow, hairs * 0.92);
   seen = mix(seen, brow * 0.5, at.patches.a * lacquer);

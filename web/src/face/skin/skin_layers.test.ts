@@ -22,7 +22,7 @@ test("one face alone wears its own traits, and other fields of its look stay out
 
 test("a skin without pictures is plain: every layer is one texel", () => {
   const uniforms = skinUniforms();
-  for (const name of ["mask", "marks", "patches", "relief", "finish"] as const)
+  for (const name of ["mask", "marks", "patches", "relief", "finish", "pelt"] as const)
     expect(uniforms[name].value.image).toMatchObject({ width: 1, height: 1 });
   for (const name of SKIN_TRAITS) expect(uniforms[name].value).toBe(0);
 });

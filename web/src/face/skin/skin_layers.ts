@@ -14,6 +14,7 @@ const BLANKS = {
   patches: [0, 0, 0, 0],
   relief: [128, 128, 128, 128],
   finish: [115, 51, 255, 128],
+  pelt: [0, 0, 0, 0],
 } as const satisfies Record<Layer, readonly [number, number, number, number]>;
 
 /** What of a look is a number for the skin's shaders, by the same name. */

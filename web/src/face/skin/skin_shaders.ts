@@ -204,7 +204,7 @@ void main() {
 #else
   const vec4 finished = vec4(0.45, 0.2, 1.0, 0.5);
 #endif
-  Layers layers = Layers(texture(mask, vUv), texture(marks, vUv), texture(patches, vUv), finished);
+  Layers layers = Layers(texture(mask, vUv), texture(marks, vUv), texture(patches, vUv), finished, fur > 0.0 ? texture(pelt, vUv) : vec4(0.0));
   Ground at = ground(layers, vTraits.y);
 #ifdef FAST
   float oil = (0.05 + 0.13 * at.lips * gloss + 0.06 * lacquer) * (1.0 - at.hair) * (1.0 - 0.7 * at.fur) * vTraits.x;

@@ -5,6 +5,7 @@ import { createProgram } from "../../../face/gpu/gl";
 import { decodeSrgb } from "../../../face/light/tone";
 import { SKIN_COLOURS } from "../../../face/skin/skin_colour_shaders";
 import type { Library, Mesh } from "../../../link/assets";
+import { SKIN_LAYERS } from "../../../link/constants";
 import type { Look } from "../../../link/messages";
 
 const COLOURS = ["skin", "lip", "brow", "blush", "hair", "coat"] as const;
@@ -20,7 +21,7 @@ const TRAITS = [
   "lacquer",
   "scalp",
 ] as const;
-const LAYERS = ["mask", "marks", "patches"] as const;
+const LAYERS = ["mask", "marks", "patches", "pelt"] as const;
 
 /** Twice: over the whole picture, so that no seam is bare, then the head itself with what is known by its rows. */
 const PAINT_VERTEX = `#version 300 es
@@ -43,7 +44,7 @@ in vec2 vTrait;
 out vec4 painted;
 ${SKIN_COLOURS}
 void main() {
-  Layers layers = Layers(texture(mask, vUv), texture(marks, vUv), texture(patches, vUv), vec4(0.45, 0.2, 1.0, 0.5));
+  Layers layers = Layers(texture(mask, vUv), texture(marks, vUv), texture(patches, vUv), vec4(0.45, 0.2, 1.0, 0.5), texture(pelt, vUv));
   Ground at = ground(layers, vTrait.x);
   float open = smoothstep(-0.25, 0.75, vTrait.y);
   vec3 shade = mix(vec3(0.34, 0.24, 0.22), vec3(1.0), open); // hollows stay warm
@@ -65,7 +66,7 @@ export class SkinTextures {
     traits: Float32Array,
   ) {
     this.program = createProgram(gl, PAINT_VERTEX, PAINT_FRAGMENT);
-    this.layers = LAYERS.map((_, place) => layerTexture(gl, pictures[place] as ImageBitmap));
+    this.layers = LAYERS.map((name) => layerTexture(gl, pictures[SKIN_LAYERS.indexOf(name)] as ImageBitmap));
     const pairs = new Float32Array(2 * skin.source.length);
     skin.source.forEach((row, n) => {
       pairs.set([traits[4 * row + 2] as number, traits[4 * row + 1] as number], 2 * n);
