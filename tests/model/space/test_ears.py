@@ -27,7 +27,7 @@ def tips(points: NDArray[np.floating]) -> NDArray[np.float64]:
 
 def turned(name: str, back: float = 0.0, up: float = 0.0, out: float = 0.0) -> NDArray[np.float32]:
     rest = CAST.faces[name].positions
-    return turn_ears(CAST.space, rest, rest, np.array([[back, up, out]] * 2))  # type: ignore[arg-type]
+    return turn_ears(CAST.space, rest, rest, np.array([[back, up, out]] * 2))
 
 
 def test_each_ear_is_on_its_side_and_no_skin_ahead_belongs_to_any() -> None:

@@ -91,7 +91,7 @@ def test_the_gains_of_all_regions_are_smooth_over_the_skin() -> None:
 
 def test_brows_with_a_gain_rise_higher_and_the_mouth_does_not() -> None:
     plain, strong = (compound(CAST.space, one, CAST.expressions["surprise"]) for one in (DOG, face(Gain("brows", 2.0))))
-    brows, mouth = (region_mask(CAST.space, region).skin > 0.7 for region in ("brows", "mouth"))  # type: ignore[arg-type]
+    brows, mouth = (region_mask(CAST.space, region).skin > 0.7 for region in ("brows", "mouth"))
     risen = [(worn - DOG.positions)[brows, 1].mean() for worn in (plain, strong)]
     assert 1.6 * risen[0] < risen[1] < 2.4 * risen[0]
     assert np.abs(strong - plain)[mouth].max() < 2e-4

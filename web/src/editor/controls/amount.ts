@@ -16,6 +16,8 @@ export class Amount extends LitElement {
   @property({ type: Number }) value = 0;
   @property({ type: Number }) low = 0;
   @property({ type: Number }) high = 1;
+  /** Where a double-click puts it. */
+  @property({ type: Number }) rest = 0;
   @property({ type: Boolean }) disabled = false;
 
   static override styles = [
@@ -55,7 +57,7 @@ export class Amount extends LitElement {
         aria-valuetext="${shown(this.value, unit)} ${unit.name}"
         @input=${(event: Event) => this.#tell("live", Number((event.target as HTMLInputElement).value) / unit.per)}
         @change=${(event: Event) => this.#tell("done", Number((event.target as HTMLInputElement).value) / unit.per)}
-        @dblclick=${() => this.#tell("done", Math.max(this.low, Math.min(this.high, 0)))} />
+        @dblclick=${() => this.#tell("done", Math.max(this.low, Math.min(this.high, this.rest)))} />
       <input type="text" inputmode="decimal" aria-label="${this.label}, ${unit.name}" ?disabled=${this.disabled}
         .value=${shown(this.value, unit)} @change=${this.#type} />
       <span class="unit">${unit.name}</span>

@@ -12,6 +12,7 @@ export interface Unit {
 export const DEGREES: Unit = { name: "°", per: 1 / DEGREE, decimals: 2 };
 export const MILLIMETRES: Unit = { name: "mm", per: 1000, decimals: 2 };
 export const PERCENT: Unit = { name: "%", per: 100, decimals: 0 };
+export const GAIN: Unit = { name: "×", per: 1, decimals: 2 };
 export const RATIO: Unit = { name: "×", per: 1, decimals: 3 };
 
 /** A number with its unit's decimals; never minus nothing. */

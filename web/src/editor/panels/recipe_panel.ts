@@ -18,7 +18,7 @@ import { amountOf } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
-import { MILLIMETRES, PERCENT, RATIO, shown } from "../controls/units";
+import { GAIN, MILLIMETRES, PERCENT, shown } from "../controls/units";
 import type { Topic } from "../session/draft_store";
 import { loadHandles } from "../session/face_handles";
 import { normalised } from "../session/item_commands";
@@ -126,20 +126,21 @@ export class FaceRecipePanel extends EditorElement {
 
   /** One fader per region, and one for each gain of a single expression; double-click: as its faces answer. */
   #gains(recipe: FaceRecipe) {
-    const known = (this.store.manifest?.faces ?? []) as readonly { source: string; gains: readonly Gain[] }[];
-    const inherited = inheritedGains(recipe, (source) => known.find((face) => face.source === source)?.gains ?? []);
+    const faces = this.store.manifest?.faces ?? [];
+    const inherited = inheritedGains(recipe, (source) => faces.find((face) => face.source === source)?.gains ?? []);
     const now = overrideGains(inherited, recipe.gains);
-    const single = now.filter(({ expression }) => expression !== null);
+    const named = [...inherited, ...recipe.gains].filter(({ expression }) => expression !== null);
+    const single = [...new Map(named.map((gain) => [`${gain.region}:${gain.expression}`, gain])).values()];
     const put = (gains: readonly Gain[], what: string): void => this.#set({ gains: [...gains] }, what);
     return html`<h2>How strongly it answers</h2>
       <p class="note">1 as every expression says, 0 not at all. Ears and head turn only where a face sets them.</p>
-      ${GAIN_REGIONS.map((region) => this.#gain(recipe, { region, value: gainOf(now, region), expression: null }))}
-      ${single.map((gain) => this.#gain(recipe, gain))}
+      ${GAIN_REGIONS.map((region) => this.#gain(recipe, { region, value: gainOf(now, region), expression: null }, inherited))}
+      ${single.map((gain) => this.#gain(recipe, gain, inherited))}
       ${this.#oneExpression(recipe, now)}
       ${recipe.gains.length === 0 ? nothing : html`<button @click=${() => put([], "gains of its faces")}>As its faces answer</button>`}`;
   }
 
-  #gain(recipe: FaceRecipe, gain: Gain) {
+  #gain(recipe: FaceRecipe, gain: Gain, inherited: readonly Gain[]) {
     const { region, expression } = gain;
     const name = expression === null ? titled(region) : `${titled(region)}, ${this.#expressionLabel(expression)}`;
     const others = recipe.gains.filter((one) => one.region !== region || one.expression !== expression);
@@ -147,8 +148,8 @@ export class FaceRecipePanel extends EditorElement {
       const value = Math.min(GAIN_RANGE[1], Math.max(GAIN_RANGE[0], amountOf(event)));
       this.#set({ gains: [...others, { ...gain, value }] }, `gain of ${name.toLowerCase()}`);
     };
-    return html`<omote-amount data-gain="${region}${expression === null ? "" : `:${expression}`}" label=${name} .unit=${RATIO}
-      .low=${GAIN_RANGE[0]} .high=${GAIN_RANGE[1]} .value=${gain.value}
+    return html`<omote-amount data-gain="${region}${expression === null ? "" : `:${expression}`}" label=${name} .unit=${GAIN}
+      .low=${GAIN_RANGE[0]} .high=${GAIN_RANGE[1]} .value=${gain.value} .rest=${gainOf(inherited, region, expression)}
       hint="How strongly ${expression === null ? "it answers all expressions" : "it answers this expression"} here" @done=${done}></omote-amount>`;
   }
 
@@ -164,10 +165,10 @@ export class FaceRecipePanel extends EditorElement {
         label: "A gain for one expression",
         first: "+ for one expression…",
         chosen: (source) => {
-          const gain = { region, value: gainOf(now, region), expression: source };
-          const other = gain.value === 1 ? 1.5 : 1; // what says nothing new would be left out
-          if (source !== "")
-            this.#set({ gains: [...recipe.gains, { ...gain, value: other }] }, "gain of one expression");
+          const value = gainOf(now, region) === 1 ? 1.5 : 1; // what says nothing new would be left out
+          const others = recipe.gains.filter((one) => one.region !== region || one.expression !== source);
+          const gains = [...others, { region, value, expression: source }];
+          if (source !== "") this.#set({ gains }, "gain of one expression");
         },
       })}</div>`;
   }
