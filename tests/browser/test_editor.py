@@ -267,12 +267,11 @@ def test_layers_show_while_weighed_and_are_muted_and_heard_alone(editor: Editor)
 def test_what_is_loading_is_said_instead_of_a_blank_page(editor: Editor) -> None:
     page = editor()
     held: list[Route] = []
-    page.route("**/manifest", held.append)
+    page.route("**/manifest", lambda route: held.append(route))
     page.reload(wait_until="commit")
     bar = page.get_by_role("progressbar", name="Loading the faces")
     expect(bar).to_be_visible()
     expect(page.get_by_text("Fetching the cast")).to_be_visible()
-    page.unroute("**/manifest")
     held[0].continue_()
     expect(bar).to_have_count(0)
 
