@@ -125,7 +125,8 @@ async def show_pages(page: Page, pages: Path) -> None:
 async def processor_time(session: CDPSession) -> float:
     """Milliseconds of processor time that pages and renderer have taken since the browser began."""
     found = await session.send("SystemInfo.getProcessInfo")
-    return sum(1000.0 * each["cpuTime"] for each in found["processInfo"] if each["type"] in ("GPU", "renderer"))
+    taken = [float(each["cpuTime"]) for each in found["processInfo"] if each["type"] in ("GPU", "renderer")]
+    return 1000.0 * sum(taken)
 
 
 async def drag(page: Page, session: CDPSession, goal: tuple[float, float, float], costs: Costs) -> None:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from playwright.sync_api import Locator, Page, WebSocketRoute, expect
+from playwright.sync_api import Locator, Page, Route, WebSocketRoute, expect
 
 from tests.browser.waiting import floats, wait_until
 
@@ -224,6 +224,56 @@ def test_layers_muscles_and_eyes_make_steps_and_bake_into_one(editor: Editor) ->
     assert bench(page, "recipe.pulls.length") == 0
     # the wire rounds compounds to counts
     np.testing.assert_allclose(positions(page, "dog"), composed, atol=2e-5)
+
+
+def test_layers_show_while_weighed_and_are_muted_and_heard_alone(editor: Editor) -> None:
+    page = editor()
+    make(page, "Weighed", start="Smile")
+    smiling = positions(page, "dog")
+    page.locator("[data-tab=layers]").click()
+    weight = page.locator("[data-layer='0'] input[type=range]")
+    box = weight.bounding_box()
+    assert box is not None
+    y = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + box["width"] * 0.7, y)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 12, y, steps=4)
+    wait_for(page, f"bench.layerPreview.content !== null && {SETTLED}")
+    assert np.abs(positions(page, "dog") - smiling).max() > 1e-3, "all faces follow before the hand lets go"
+    assert (bench(page, "draft.undo"), bench(page, "recipe.layers[0].weight")) == (0, 1)
+    page.mouse.up()
+    wait_for(page, f"bench.draft.undo === 1 && bench.layerPreview.content === null && {SETTLED}")
+    weighed = positions(page, "dog")
+    page.get_by_label("Add a layer").select_option(label="Surprise")
+    wait_for(page, f"bench.draft.undo === 2 && {SETTLED}")
+    both = positions(page, "dog")
+    mute = page.get_by_role("button", name="Mute Surprise")
+    mute.press("Enter")
+    wait_for(page, f"bench.draft.undo === 3 && {SETTLED}")
+    expect(mute).to_have_attribute("aria-pressed", "true")
+    np.testing.assert_allclose(positions(page, "dog"), weighed, atol=2e-5)
+    page.get_by_role("button", name="Solo Surprise").press("Enter")
+    expect(page.locator(".looking")).to_contain_text('"Surprise" alone')
+    wait_for(page, f"bench.layerPreview.content !== null && {SETTLED}")
+    assert np.abs(positions(page, "dog") - both).max() > 1e-3
+    assert np.abs(positions(page, "dog") - weighed).max() > 1e-3
+    page.locator("canvas[tabindex='0']").focus()
+    page.keyboard.press("Escape")
+    wait_for(page, f"bench.layerPreview.solo.size === 0 && {SETTLED}")
+    np.testing.assert_allclose(positions(page, "dog"), weighed, atol=2e-5)
+    assert bench(page, "draft.undo") == 3, "solo is no step"
+
+
+def test_what_is_loading_is_said_instead_of_a_blank_page(editor: Editor) -> None:
+    page = editor()
+    held: list[Route] = []
+    page.route("**/manifest", lambda route: held.append(route))
+    page.reload(wait_until="commit")
+    bar = page.get_by_role("progressbar", name="Loading the faces")
+    expect(bar).to_be_visible()
+    expect(page.get_by_text("Fetching the cast")).to_be_visible()
+    held[0].continue_()
+    expect(bar).to_have_count(0)
 
 
 def test_an_old_revision_is_looked_at_compared_and_brought_back(editor: Editor) -> None:

@@ -13,7 +13,7 @@ import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import { MILLIMETRES, shown } from "../controls/units";
 import type { DraftStore } from "../session/draft_store";
-import { distances, drawShape, heat, largest, SKIN } from "./shape_difference";
+import { distances, drawShape, FINER, heat, largest, SKIN } from "./shape_difference";
 
 /** One of two things that are compared: a content, and what people call it. */
 export interface Side {
@@ -104,8 +104,10 @@ export class Comparison extends EditorElement {
       const { content } = this.sides[at] as Side;
       const sitting =
         this.store.face === null ? { face: work, expression: content } : { face: content, expression: "neutral" };
-      const picture = await thumbnailRenderer.picture(sitting, canvas.width, canvas.height).catch(() => null);
-      if (picture !== null) canvas.getContext("2d")?.drawImage(picture, 0, 0);
+      const picture = await thumbnailRenderer
+        .picture(sitting, FINER * canvas.width, FINER * canvas.height)
+        .catch(() => null);
+      if (picture !== null) canvas.getContext("2d")?.drawImage(picture, 0, 0, canvas.width, canvas.height);
     }
   }
 

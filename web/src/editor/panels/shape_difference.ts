@@ -74,7 +74,7 @@ function crossOf(positions: Float32Array, a: number, b: number, c: number): [num
 const FRAME = { x: 0, y: -0.012, height: 0.25 } as const;
 const GROUND = [11, 13, 15] as const;
 /** Pixels that are drawn for each of the picture's, along a side: they are then mixed, so that edges are smooth. */
-const FINER = 2;
+export const FINER = 2;
 
 /** Pixels from above, four bytes each, and how near each is, metres. */
 interface Raster {
