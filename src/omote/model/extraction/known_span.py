@@ -26,9 +26,7 @@ _POWER = 0.1
 _RIDGE = 1e-12
 # Members count whose weight is more than the first of these shares of the largest one with which every vertex that all
 # known explain, to within so many metres, stays explained.
-_CUTS, _EXPLAINED = (0.1, 0.03, 0.01, 0.003, 0.001), 2e-6
-# It is a sum of the known where they explain so large a share of the vertices that move.
-_MOST = 0.3
+_CUTS, _EXPLAINED = (0.1, 0.02, 0.004), 2e-6
 # A sum may bring a radius no nearer to the axis than to this share of itself.
 _LEAST_RATIO = 0.05
 
@@ -85,9 +83,6 @@ def _fit_sparsely(basis: Values, target: Values) -> Values:
     """The weights (k,) of the fewest of a basis (k, n, 3) that explain the target (n, 3) as well as all of it."""
     everything = _fit_robustly(basis, target)
     explained = _measure_distance(everything, basis, target) < _EXPLAINED
-    moved = np.linalg.norm(target, axis=1) > _EXPLAINED
-    if explained[moved].sum() < _MOST * moved.sum():
-        return everything  # no sum of the known
     for cut in _CUTS:
         few = np.flatnonzero(np.abs(everything) > cut * np.abs(everything).max())
         share: Values = np.zeros(len(basis))
