@@ -24,17 +24,16 @@ _COARSE, _FINE, _ROUNDS = 1e-3, 1e-7, 20
 _POWER = 0.1
 # Weights that the field does not tell stay small: this share of the mean diagonal.
 _RIDGE = 1e-12
-# Members count whose weight is more than the first of these shares of the largest one with which every vertex that all
-# known explain, to within so many metres, stays explained.
-_CUTS, _EXPLAINED = (0.1, 0.03, 0.01, 0.003, 0.001), 2e-6
-# It is a sum of the known where they explain so large a share of the vertices that move.
-_MOST = 0.3
+# Members whose weight is less than one of these shares of the largest one are left out: the others hold their weights
+# better without them.
+_CUTS = (0.1, 0.02, 0.004)
 # A sum may bring a radius no nearer to the axis than to this share of itself.
 _LEAST_RATIO = 0.05
 
 
-def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expression], /) -> Expression:
-    """The weighted sum of known expressions nearest to a field on the sheet, with what they do to inner skin and ears.
+def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expression], /) -> list[Expression]:
+    """Weighted sums of known expressions near a field on the sheet, of few and of all; with what they do to the
+    inner skin and the ears.
 
     Parameters
     ----------
@@ -47,18 +46,25 @@ def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expressi
 
     Returns
     -------
-    Expression
-        Without parts; at rest where none of the known moves any skin.
+    list of Expression
+        One for each share of members that is left out; without parts; at rest where none of the known moves any skin.
     """
     rows = np.unique(space.sheet_triangles)
     metric = np.maximum(space.cylinder.unroll(space.points)[2][rows], 1e-3)
     basis = np.stack([_as_metres(each, rows, metric) for each in known])
     sizes = np.sqrt((basis**2).sum(axis=(1, 2)))
     moving = np.flatnonzero(sizes > 1e-6)
-    share = np.zeros(len(known))
+    shares = [np.zeros(len(known))]
     if len(moving):
         scaled = basis[moving] / sizes[moving, None, None]
-        share[moving] = _fit_sparsely(scaled, _as_metres(field, rows, metric)) / sizes[moving]
+        shares = [np.zeros(len(known)) for _ in (*_CUTS, 0.0)]
+        for share, found in zip(shares, _fit_sparsely(scaled, _as_metres(field, rows, metric)), strict=True):
+            share[moving] = found / sizes[moving]
+    return [_sum_known(space, share, known) for share in shares]
+
+
+def _sum_known(space: ParameterSpace, share: Values, known: Sequence[Expression]) -> Expression:
+    """The sum of expressions, each with its share (k,)."""
     ratio = 1.0 + _add(share, [each.ratio - 1.0 for each in known])
     return Expression(
         _add(share, [each.dtheta for each in known]),
@@ -82,20 +88,16 @@ def _as_metres(expression: Expression, rows: NDArray[np.int32], metric: Values) 
     return np.stack([across, expression.dh[rows], out], axis=1)
 
 
-def _fit_sparsely(basis: Values, target: Values) -> Values:
-    """The weights (k,) of the fewest of a basis (k, n, 3) that explain the target (n, 3) as well as all of it."""
+def _fit_sparsely(basis: Values, target: Values) -> list[Values]:
+    """Weights (k,) of a basis (k, n, 3) near the target (n, 3): without small members, at each cut, and with all."""
     everything = _fit_robustly(basis, target)
-    explained = _measure_distance(everything, basis, target) < _EXPLAINED
-    moved = np.linalg.norm(target, axis=1) > _EXPLAINED
-    if explained[moved].sum() < _MOST * moved.sum():
-        return everything  # no sum of the known
+    found = list[Values]()
     for cut in _CUTS:
         few = np.flatnonzero(np.abs(everything) > cut * np.abs(everything).max())
         share: Values = np.zeros(len(basis))
         share[few] = _fit_robustly(basis[few], target)
-        if (_measure_distance(share, basis, target)[explained] < 2.0 * _EXPLAINED).all():
-            return share
-    return everything
+        found.append(share)
+    return [*found, everything]
 
 
 def _fit_robustly(basis: Values, target: Values) -> Values:

@@ -89,8 +89,8 @@ def invert_smooth_map(
     if not known:
         return _finish(target, _solve_all_stages(target, smooth), None)
     field = measure_field(space, ready.generic, target.spread(smooth)[space.welded])
-    sum_of_known = fit_known(space, field, known)
-    guess = displace_generic(space, compile_expression(space, sum_of_known))[target.rows]
+    sums = [(each, _displace(target, each)) for each in fit_known(space, field, known)]
+    sum_of_known, guess = min(sums, key=lambda each: float(np.linalg.norm(target.measure_lack(each[1]))))
     by_known = _solve_all_stages(target, guess)
     if by_known.error < _GOOD and np.abs(target.measure_lack(guess)).max() < _SAME:
         return _finish(target, by_known, sum_of_known)
@@ -101,6 +101,11 @@ def invert_smooth_map(
     return _finish(
         target, min(good, key=lambda root: measure_roughness(space, root.displacement - guess)), sum_of_known
     )
+
+
+def _displace(target: Target, expression: Expression) -> Values:
+    """What an expression does to the generic face's sheet, (n, 3) metres."""
+    return displace_generic(target.space, compile_expression(target.space, expression))[target.rows]
 
 
 def _finish(target: Target, root: Root, known: Expression | None) -> InverseResult:
