@@ -7,9 +7,11 @@ import pytest
 
 import omote
 from omote.model.space.face_fit import fit
-from omote.model.transfer.compound import compound, move_parts
+from omote.model.transfer.compound import move_parts
 from omote.model.transfer.mouth.gum_binding import bind_to_gums, carry_bag, share_jaws
 from omote.model.transfer.mouth.gum_line import find_gum_line
+from omote.model.transfer.paper_map import compile_expression
+from omote.model.transfer.pipeline import LINEAR_INNER_STAGES, transfer_expression
 from tests.synthetic import space
 
 CAST = omote.load_cast()
@@ -22,25 +24,26 @@ def test_shares_are_none_at_the_lips_and_whole_behind_the_gums() -> None:
     shares = np.stack(share_jaws(CAST.space, LINE))
     assert (shares >= 0).all()
     assert (shares.sum(axis=0) <= 1 + 1e-9).all()
-    assert np.allclose(shares.sum(axis=0)[LINE.bag.distance > 0.022], 1.0)
+    assert np.allclose(shares.sum(axis=0)[LINE.bag.distance > 0.028], 1.0)
     assert shares[:, LINE.bag.distance.argmin()].sum() < 0.1
 
 
 @pytest.mark.parametrize("name", CAST.faces)
 def test_lining_and_gum_stay_together_in_every_expression(name: str) -> None:
-    """What holds the edge of a gum moves as that gum does, but for what the skin in front pushes back."""
+    """What holds the edge of a gum moves as that gum does, before the skin in front of it may push it back."""
     assert LINE is not None
     face = CAST.faces[name]
     fitted = fit(CAST.space, face)
     edge = np.flatnonzero(LINE.edge)
     for unit in JAWS:
         expression = CAST.expressions[unit]
-        skin = compound(CAST.space, face, expression).astype(np.float64)
+        compiled = compile_expression(CAST.space, expression)
+        skin = transfer_expression(CAST.space, face, compiled, LINEAR_INNER_STAGES).astype(np.float64)
         parts = move_parts(CAST.space, fitted, skin.astype(np.float32), expression.parts)
         teeth = LINE.gather(parts) - LINE.gather(dict(fitted.parts))
         lining = (LINE.weights[..., None] * (skin - face.positions)[LINE.corners]).sum(axis=1)
         off = np.linalg.norm(lining - teeth, axis=1)[edge]
-        assert np.quantile(off, 0.9) < 0.0015, unit
+        assert np.quantile(off, 0.9) < 0.0005, unit
 
 
 def test_a_carried_displacement_moves_the_gums_with_the_teeth_and_leaves_all_other_skin() -> None:

@@ -7,10 +7,9 @@ import pytest
 from numpy.typing import NDArray
 
 import omote
-from omote.geometry import mesh
 from omote.geometry.proximity import nearest_triangles, winding_numbers
 from omote.model.space.face_fit import fit
-from omote.model.transfer.mouth.gum_line import GUMS, find_gum_line, meet_gums
+from omote.model.transfer.mouth.gum_line import find_gum_line, meet_gums
 from tests.synthetic import space
 
 CAST = omote.load_cast()
@@ -24,9 +23,9 @@ def walls(positions: Values) -> Values:
 
 
 def gum_edges(parts: dict[str, Values]) -> Values:
-    return np.concatenate(
-        [parts[name][np.unique(mesh.boundary_edges(CAST.space.parts[name].triangles))] for name in GUMS]
-    )
+    line = find_gum_line(CAST.space)
+    assert line is not None
+    return np.asarray(line.gather(parts)[line.edge])
 
 
 def placed(name: str) -> dict[str, Values]:

@@ -8,17 +8,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.geometry.proximity import nearest_triangles
-from omote.geometry.ramp import smooth_ramp
+from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.model.space.parameter_space import InnerSkin, ParameterSpace
 from omote.model.space.parts import Part
 from omote.model.transfer.mouth.gum_line import GUMS, GumLine, find_gum_line
 
 Values = NDArray[np.float64]
 
-# Along the mesh from the sheet, metres: up to the first the bag goes with the lips, from the second on with the jaws.
-LIPS, JAWS = 0.001, 0.022
+# Along the mesh from the sheet, metres: up to the first the bag goes with the lips, from the second on with the jaws;
+# between them evenly: steeper anywhere, and walls that a raised lip pushes together would turn over.
+LIPS, JAWS = 0.001, 0.028
 # What holds a gum's edge by so much goes with its jaw, wherever it is.
-HOLDS = 0.12
+HOLDS = 0.02
 
 
 def bind_to_gums(space: ParameterSpace, /) -> ParameterSpace:
@@ -49,7 +50,7 @@ def share_jaws(space: ParameterSpace, line: GumLine, /) -> tuple[Values, Values]
     points = np.ascontiguousarray(space.points[bag.vertices])
     away = [_distance(space.parts[name], points) for name in GUMS]
     lower = smooth_ramp(0.0, 1.0, 0.5 + (away[0] - away[1]) / np.maximum(away[0] + away[1], 1e-6))
-    whole = smooth_ramp(LIPS, JAWS, bag.distance)
+    whole = clamp_unit((bag.distance - LIPS) / (JAWS - LIPS))
     shares = [whole * (1.0 - lower), whole * lower]
     for number, name in enumerate(GUMS):
         edge = line.places[np.flatnonzero(line.edge & (line.names == name))]

@@ -29,6 +29,8 @@ GUMS = {"teeth_upper": 1.0, "teeth_lower": -1.0}
 FAR, BEHIND = 0.03, 0.006
 # A gum's edge that is so much nearer to the middle of the arch than the crown beside it is an inner one, metres.
 INNER = 0.004
+# An outer one lies OVER metres nearer to the jaw than the crowns within AROUND metres.
+OVER, AROUND = 0.002, 0.01
 # The bag lies this far outside of the crowns, and covers this much of the gums, metres.
 CLEAR, COVERED = 0.0008, 0.0006
 # How firmly it is held there, against the stiffness of the bag, and over which length a push dies out, metres.
@@ -92,7 +94,8 @@ def _search(space: ParameterSpace, bag: MouthBag) -> GumLine:
 def _rays(part: Part, upward: float) -> tuple[Values, Mask]:
     """The way from each vertex of a gum's part to the bag (n, 3), and which lie on the gum's edge (n,).
 
-    From the outer side outward, at its edge also toward the gum; from the inner edge straight to the gum.
+    From the outer side outward, at its edge also toward the gum; from the inner edge straight to the gum. A row of
+    teeth is open at its back too: what lies there on the height of the crowns is no gum.
     """
     points = part.points
     edge = np.zeros(len(points), np.bool_)
@@ -102,6 +105,9 @@ def _rays(part: Part, upward: float) -> tuple[Values, Mask]:
     crowns = np.flatnonzero(~edge)
     beside = crowns[np.abs(angle[crowns] - angle[:, None]).argmin(axis=1)]
     inner = edge & (radius < radius[beside] - INNER)
+    around = np.linalg.norm(points[crowns] - points[:, None], axis=2) < AROUND
+    highest = np.where(around, upward * points[crowns, 1], -np.inf).max(axis=1)
+    edge &= inner | (upward * points[:, 1] > highest + OVER)
     ways = off / radius[:, None] + np.where(edge, 0.5 * upward, 0.0)[:, None] * [0.0, 1.0, 0.0]
     ways[inner] = [0.0, upward, 0.0]
     return ways / np.linalg.norm(ways, axis=1, keepdims=True), edge

@@ -23,7 +23,7 @@ STATIONS = 41
 PITCHES = (-0.35, 0.0, 0.35)
 # Closed lips press on each other by so much, metres; what is nearer than MET meets.
 PRESS, MET = 0.0002, 0.00002
-ROUNDS = 6
+ROUNDS = 20
 
 
 @dataclass(frozen=True, eq=False)
