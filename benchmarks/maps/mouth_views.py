@@ -79,7 +79,9 @@ class MouthViews:
             *(_gum_edges(space, name, start) for name, start in zip(TEETH, starts, strict=False)), strict=True
         )
 
-    def look(self, skin: Values, parts: Mapping[str, Values], turns: Sequence[tuple[int, int]] = TURNS) -> Seen:
+    def look(
+        self, skin: Values, parts: Mapping[str, NDArray[np.floating]], turns: Sequence[tuple[int, int]] = TURNS
+    ) -> Seen:
         """What is seen of a face with skin (V, 3) and parts (n, 3)."""
         points = np.concatenate([skin, *(parts[name] for name in PARTS)]).astype(np.float64)
         gums, bare = self._air(points)
@@ -146,7 +148,7 @@ class MouthViews:
             order = np.argsort(turned[self._lips, 0])
             columns = low[0] + (np.arange(size[1]) + 0.5) * PIXEL
             surface = np.interp(columns, turned[self._lips, 0][order], turned[self._lips, 2][order])
-            within = _inside(turned[self._lips], low - [0.0, 0.0], size)
+            within = _inside(turned[self._lips], low, size)
             within = within | np.roll(within, 2, axis=0) | np.roll(within, -2, axis=0)
             run = np.zeros(size[1], np.int64)
             for through in within & ((depth < surface - BEHIND) | (first < 0)):
@@ -178,7 +180,8 @@ def _gum_edges(space: ParameterSpace, name: str, start: int) -> tuple[Indices, I
 def _turn(yaw: float, pitch: float) -> Values:
     """The rotation (3, 3) of a head, degrees: yaw to its left, pitch down."""
     (cy, sy), (cp, sp) = ((np.cos(angle), np.sin(angle)) for angle in np.radians([yaw, pitch]))
-    return np.array([[cy, 0, sy], [0, 1, 0], [-sy, 0, cy]]) @ np.array([[1, 0, 0], [0, cp, sp], [0, -sp, cp]])
+    pitched = np.array([[1, 0, 0], [0, cp, sp], [0, -sp, cp]])
+    return np.asarray(np.array([[cy, 0, sy], [0, 1, 0], [-sy, 0, cy]]) @ pitched)
 
 
 def _frame(points: Values) -> tuple[Values, tuple[int, int]]:

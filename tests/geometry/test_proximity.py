@@ -18,7 +18,7 @@ def cube() -> NDArray[np.float64]:
 
 
 def outside_of(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.linalg.norm(points - np.clip(points, 0.0, 1.0), axis=1)
+    return np.asarray(np.linalg.norm(points - np.clip(points, 0.0, 1.0), axis=1))
 
 
 def test_the_distance_to_a_cube_is_what_it_is_in_theory() -> None:

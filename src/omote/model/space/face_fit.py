@@ -95,7 +95,7 @@ def _scale_residuals(
     if jaw is None:
         return scale
     share = np.where(np.isin(inner.anchors, jaw.anchors[0]), inner.weights, 0.0).sum(axis=1)
-    return scale + share * (sizes[jaw.name] - scale)
+    return np.asarray(scale + share * (sizes[jaw.name] - scale))
 
 
 def _refuse_misfit(space: ParameterSpace, face: Face) -> None:

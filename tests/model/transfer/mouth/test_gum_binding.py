@@ -40,7 +40,7 @@ def test_lining_and_gum_stay_together_in_every_expression(name: str) -> None:
         compiled = compile_expression(CAST.space, expression)
         skin = transfer_expression(CAST.space, face, compiled, LINEAR_INNER_STAGES).astype(np.float64)
         parts = move_parts(CAST.space, fitted, skin.astype(np.float32), expression.parts)
-        teeth = LINE.gather(parts) - LINE.gather(dict(fitted.parts))
+        teeth = LINE.gather(parts) - LINE.gather(fitted.parts)
         lining = (LINE.weights[..., None] * (skin - face.positions)[LINE.corners]).sum(axis=1)
         off = np.linalg.norm(lining - teeth, axis=1)[edge]
         assert np.quantile(off, 0.9) < 0.0005, unit

@@ -6,6 +6,7 @@ faces. On a face at rest these places go to the gums' edges, and out of the crow
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
@@ -58,9 +59,10 @@ class GumLine:
     places: sparse.csr_array
     stiffness: sparse.csr_array
 
-    def gather(self, parts: dict[str, Values]) -> Values:
+    def gather(self, parts: Mapping[str, NDArray[np.floating]]) -> Values:
         """The teeth's vertices (n, 3) of placed parts."""
-        return np.stack([parts[name][row] for name, row in zip(self.names, self.rows, strict=True)])
+        found = [parts[str(name)][row] for name, row in zip(self.names, self.rows, strict=True)]
+        return np.asarray(found, np.float64)
 
 
 _lines: WeakKeyDictionary[ParameterSpace, tuple[GumLine, ...]] = WeakKeyDictionary()
@@ -134,7 +136,7 @@ def _stiffness(space: ParameterSpace, bag: MouthBag) -> sparse.csr_array:
     return sparse.csr_array(slopes.T @ sparse.diags_array(pull) @ slopes + sparse.diags_array(springs))
 
 
-def meet_gums(line: GumLine, positions: Values, parts: dict[str, Values], /) -> Values:
+def meet_gums(line: GumLine, positions: Values, parts: Mapping[str, NDArray[np.floating]], /) -> Values:
     """Where the bag of a face at rest (V, 3) goes, (m, 3), to meet the gums of its placed parts.
 
     Least squares against the bag's stiffness; crowns that lie in the bag's walls join as constraints, round by round

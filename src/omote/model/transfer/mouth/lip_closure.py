@@ -37,7 +37,7 @@ class _Lips:
     side: Values
 
 
-def close_lips(space: ParameterSpace, positions: Values, /) -> Values:
+def close_lips(space: ParameterSpace, positions: NDArray[np.floating], /) -> Values:
     """Positions of a face at rest (V, 3) whose lips meet all along the mouth: both give way by half, upward and
     downward; who has them closed keeps them. Where no lips are named the positions come back as they are."""
     line = next((line for line in space.lines if line.kind == "lips"), None)
@@ -56,7 +56,7 @@ def close_lips(space: ParameterSpace, positions: Values, /) -> Values:
     return result
 
 
-def measure_slits(space: ParameterSpace, positions: Values, /) -> Values:
+def measure_slits(space: ParameterSpace, positions: NDArray[np.floating], /) -> Values:
     """How far one can look through between the lips of positions (V, 3), metres, at places along the mouth."""
     line = next(line for line in space.lines if line.kind == "lips")
     return _look_through(_find_lips(space, space.welded[line.loop]), positions.astype(np.float64))[1]

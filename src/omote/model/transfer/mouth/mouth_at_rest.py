@@ -33,6 +33,6 @@ def fit_mouth_at_rest(
     line = find_gum_line(space)
     if line is None:
         return fit_mouth_bag_at_rest(space, closed.astype(np.float32))
-    placed = meet_gums(line, closed, {name: np.asarray(points, np.float64) for name, points in parts.items()})
+    placed = meet_gums(line, closed, parts)
     inside = fit_mouth_bag_at_rest(space, place_bag(space, line.bag, closed.astype(np.float32), placed))
     return close_lips(space, inside).astype(np.float32)  # the bag begins at the lips' inner edge
