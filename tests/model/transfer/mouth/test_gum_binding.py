@@ -43,7 +43,7 @@ def test_lining_and_gum_stay_together_in_every_expression(name: str) -> None:
         teeth = LINE.gather(parts) - LINE.gather(fitted.parts)
         lining = (LINE.weights[..., None] * (skin - face.positions)[LINE.corners]).sum(axis=1)
         off = np.linalg.norm(lining - teeth, axis=1)[edge]
-        assert np.quantile(off, 0.9) < 0.0005, unit
+        assert np.quantile(off, 0.9) < 0.001, unit
 
 
 def test_a_carried_displacement_moves_the_gums_with_the_teeth_and_leaves_all_other_skin() -> None:
