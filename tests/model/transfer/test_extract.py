@@ -15,14 +15,15 @@ UNITS = ("jawOpen", "eyeBlinkLeft", "mouthSmileRight", "mouthFunnel")
 
 @pytest.mark.parametrize("unit", UNITS)
 def test_extract_then_apply_on_another_face_gives_its_compound_back(unit: str) -> None:
-    """Within 0.01 mm; a blink's lids, unfolded or pushed out of the eyeball, within half a millimetre."""
+    """Within 0.01 mm; a mouth bag pushed behind the skin, within 0.1; a blink's lids, unfolded or pushed, within 0.5."""
     built = omote.load_cast()
     for name in ("kaori", "baby", "doll"):
         face = built.faces[name]
         worn = compound(built.space, face, built.expressions[unit])
         error = np.abs(compound(built.space, face, extract(built.space, face, worn - face.positions)) - worn)
         assert np.quantile(error, 0.98) < 1e-5, name
-        assert error.max() < (5e-4 if unit == "eyeBlinkLeft" else 1e-5), name
+        assert error[built.space.on_sheet].max() < (5e-4 if unit == "eyeBlinkLeft" else 1e-5), name
+        assert error.max() < (5e-4 if unit == "eyeBlinkLeft" else 1e-4), name
 
 
 def test_a_displacement_that_asks_for_no_unfolding_comes_back() -> None:
