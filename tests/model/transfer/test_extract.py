@@ -15,7 +15,7 @@ UNITS = ("jawOpen", "eyeBlinkLeft", "mouthSmileRight", "mouthFunnel")
 
 @pytest.mark.parametrize("unit", UNITS)
 def test_extract_then_apply_on_another_face_gives_its_compound_back(unit: str) -> None:
-    """Within 0.01 mm; a mouth bag pushed behind the skin, within 0.1; a blink's lids, unfolded or pushed, within 0.5."""
+    """Within 0.01 mm; a mouth bag pushed behind the skin within 0.1, the lids of a blink within 0.5."""
     built = omote.load_cast()
     for name in ("kaori", "baby", "doll"):
         face = built.faces[name]
