@@ -10,7 +10,8 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import Progress
 
-from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, fit_mouth_bags, mesh_arrays, space_of
+from omote.model.cast import GENERIC
+from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, fit_mouths, mesh_arrays, space_of
 from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
 from tools.baking.hair.strands import hair_arrays
 from tools.baking.hair.styles import GROOMS
@@ -53,10 +54,11 @@ def cast_arrays(package: Package, base: BaseMesh, head: Head, layout: Floats, st
     moves = all_moves(package, base, head)
     step("targets of the units")
     arrays["jaw"] = jaw_vertices(moves)
+    fit_mouths(arrays, space_of(arrays), [GENERIC])  # the space of all is that of the generic face with closed lips
     space, sculpts = space_of(arrays), read_sculpts()
-    fit_mouth_bags(arrays, space, PEOPLE)
+    fit_mouths(arrays, space, [name for name in PEOPLE if name != GENERIC])
     arrays.update(sculpt_arrays(arrays, space, sculpts, step))
-    fit_mouth_bags(arrays, space, [sculpt.name for sculpt in sculpts])
+    fit_mouths(arrays, space, [sculpt.name for sculpt in sculpts])
     arrays.update(field_arrays(arrays, space, moves, step))
     arrays.update(hair_arrays(space, step))
     arrays.update(about(moves, sculpts))

@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from omote import builtin, load_cast
-from omote.builtin.castfile import cast_of, meshes_of
+from omote.builtin.castfile import FORMAT, cast_of, meshes_of
 from omote.model.space.gain import Gain
 
 Arrays = dict[str, NDArray[Any]]
@@ -69,7 +69,7 @@ def refusal(tmp_path: Path, arrays: Arrays) -> str:
 
 def test_another_format_is_refused(tmp_path: Path, arrays: Arrays) -> None:
     arrays["format"] = np.array(99)
-    assert "it has format 99, this version reads format 1" in refusal(tmp_path, arrays)
+    assert f"it has format 99, this version reads format {FORMAT}" in refusal(tmp_path, arrays)
 
 
 @pytest.mark.parametrize(

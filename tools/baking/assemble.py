@@ -18,7 +18,8 @@ from omote.model.sculpting.sculpt import Sculpt
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.mouth_bag_fit import fit_mouth_bag_at_rest
+from omote.model.transfer.mouth.gum_binding import carry_bag
+from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
 from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, ear_turns, head_turn, region
 from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head, Piece
@@ -81,14 +82,12 @@ def space_of(arrays: Arrays) -> ParameterSpace:
     return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
 
 
-def fit_mouth_bags(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
-    """Puts the mouth bags of all faces but the generic one as far behind their skin as its own lies, in place."""
+def fit_mouths(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
+    """Closes the lips of faces, in place, and puts their mouth bags to their gums and behind their skin."""
     for name in names:
-        if name != GENERIC:
-            placed = np.round(
-                fit_mouth_bag_at_rest(space, arrays[f"face/{name}"]).astype(np.float64), 9
-            )  # no machine's last bits
-            arrays[f"face/{name}"] = np.asarray(placed + 0.0, np.float32)
+        parts = {part: arrays[f"face/{name}/{part}"] for part in PARTS}
+        placed = fit_mouth_at_rest(space, arrays[f"face/{name}"], parts).astype(np.float64)
+        arrays[f"face/{name}"] = np.asarray(np.round(placed, 9) + 0.0, np.float32)  # no machine's last bits
 
 
 def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move], step: Step) -> Arrays:
@@ -97,7 +96,8 @@ def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move
     generic = face_of(arrays, GENERIC)
     expressions = [_at_rest(space)]
     for name, move in moves.items():
-        taken = extract(space, generic, move.skin, parts=move.parts)
+        skin = carry_bag(space, move.skin, move.parts["teeth_lower"])
+        taken = extract(space, generic, skin, parts=move.parts)
         expressions.append(replace(taken, pupil=PUPILS.get(name, 0.0), ears=ear_turns(name), head=head_turn(name)))
         step(name)
     for name, pupil in OWN.items():

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import Part, bind_to_head, bind_to_jaw, bind_to_skin
+from omote.model.transfer.mouth.gum_binding import bind_to_gums
 
 AXIS = (0.0, 0.02)  # x and z of the cylinder axis, metres (docs/method.md, "The cylinder")
 EYES = {"eye_left": "left", "eye_right": "right"}
@@ -34,7 +35,8 @@ class PartMesh:
 def head_space(
     points: NDArray[np.float64], triangles: NDArray[np.int32], parts: Mapping[str, PartMesh], jaw: NDArray[np.int32]
 ) -> ParameterSpace:
-    """The parameter space of the baked head with its parts bound, its lids and lips named.
+    """The parameter space of the baked head with its parts bound, its lids and lips named, its gums bound to
+    the jaws.
 
     points (V, 3) metres, triangles (F, 3) of the generic skin; parts by the names in PARTS; jaw (m,): the skin vertices
     that show where the jaw is.
@@ -45,7 +47,8 @@ def head_space(
     bound = space.with_parts(*(_bind(name, parts[name], space.points, sheet, jaw) for name in PARTS))
     for line, eye in LIDS.items():
         bound = bound.with_line(line, "lids", parts[eye].points.mean(axis=0))
-    return bound.with_line(LIPS, "lips", np.concatenate([parts[name].points for name in TEETH]).mean(axis=0))
+    bound = bound.with_line(LIPS, "lips", np.concatenate([parts[name].points for name in TEETH]).mean(axis=0))
+    return bind_to_gums(bound)
 
 
 def _bind(

@@ -33,7 +33,7 @@ from omote.model.space.face import Face
 from omote.model.space.gain import Gain
 from omote.model.space.parameter_space import ParameterSpace
 
-FORMAT = 1
+FORMAT = 2
 SKIN = "skin"
 Arrays = Mapping[str, NDArray[Any]]
 

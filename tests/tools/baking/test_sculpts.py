@@ -14,7 +14,7 @@ from omote.builtin.binding import EYES
 from omote.model.sculpting.sculpt import Sculpt, sculpted, warp
 from omote.model.space.eye_socket import ball_heights
 from omote.model.space.face import Face
-from omote.model.transfer.mouth_bag_fit import fit_mouth_bag_at_rest
+from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
 from tools.baking.package import BakeError
 from tools.baking.sculpts import read_sculpts
 
@@ -35,8 +35,8 @@ def test_the_sculpts_of_the_cast() -> None:
 def test_the_cast_has_the_sculpt_with_its_eyes_in_place(sculpt: Sculpt) -> None:
     face, baked = made(sculpt), CAST.faces[sculpt.name]
     shift = baked.positions - face.positions
-    placed = fit_mouth_bag_at_rest(CAST.space, face.positions + np.median(shift, axis=0))
-    assert np.abs(baked.positions - placed).max() < 1e-6
+    placed = fit_mouth_at_rest(CAST.space, face.positions + np.median(shift, axis=0), baked.parts)
+    assert np.abs(baked.positions - placed).max() < 1e-5
     for part, points in baked.parts.items():
         assert np.allclose(points - face.parts[part], np.median(shift, axis=0), atol=1e-6)
     assert CAST.looks[sculpt.name] == sculpt.look

@@ -100,7 +100,7 @@ def extract(
     if near is not None and still is not moved:
         ears, (bare, near) = near.ears, _measure_sheet(space, face, still, answered)
         bare = replace(bare, ears=ears)
-    worn = _with_parts(space, face, _with_inner_skin(space, face, bare, moved, near), parts or {})
+    worn = _with_parts(space, face, _with_inner_skin(space, face, bare, still, near), parts or {})
     return ask(space, face.gains, worn)
 
 

@@ -72,17 +72,30 @@ def _fit(space: ParameterSpace, face: Face) -> FittedFace:
         name: np.asarray(face.parts.get(name, place(part, space.points, points)), np.float32)
         for name, part in space.parts.items()
     }
+    sizes = {name: size_ratio(part, parts[name].astype(np.float64)) for name, part in space.parts.items()}
     _, _, radii = space.cylinder.unroll(points)
     return FittedFace(
         positions=np.asarray(face.positions, np.float32),
         radii=radii.astype(np.float32),
-        scale=smoothed_scale(space, points)[space.inner.vertices].astype(np.float32),
+        scale=_scale_residuals(space, points, sizes).astype(np.float32),
         parts=MappingProxyType(parts),
-        sizes=MappingProxyType(
-            {name: size_ratio(part, parts[name].astype(np.float64)) for name, part in space.parts.items()}
-        ),
+        sizes=MappingProxyType(sizes),
         centres=MappingProxyType({name: points.astype(np.float64).mean(axis=0) for name, points in parts.items()}),
     )
+
+
+def _scale_residuals(
+    space: ParameterSpace, points: NDArray[np.float64], sizes: Mapping[str, float]
+) -> NDArray[np.float64]:  # fmt: skip
+    """The local size of the face at each vertex of the inner skin, (inner,); where it goes with the jaw, the size of
+    what else does: they move together."""
+    inner = space.inner
+    scale = smoothed_scale(space, points)[inner.vertices]
+    jaw = next((part for part in space.parts.values() if part.follows_jaw), None)
+    if jaw is None:
+        return scale
+    share = np.where(np.isin(inner.anchors, jaw.anchors[0]), inner.weights, 0.0).sum(axis=1)
+    return np.asarray(scale + share * (sizes[jaw.name] - scale))
 
 
 def _refuse_misfit(space: ParameterSpace, face: Face) -> None:

@@ -46,6 +46,11 @@ class Part:
         if self.eye not in ("", "left", "right"):
             raise ValueError(f"part {self.name!r} is the {self.eye!r} eye; expected 'left', 'right' or ''")
 
+    @property
+    def follows_jaw(self) -> bool:
+        """Whether all of it moves alike with some vertices of the skin: the jaw's."""
+        return bool(self.weights.any() and (self.anchors == self.anchors[0]).all())
+
 
 def bind_to_head(
     name: str,

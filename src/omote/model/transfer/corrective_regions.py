@@ -96,7 +96,9 @@ def _search(space: ParameterSpace) -> CorrectiveRegions:
         triangles=np.ascontiguousarray(corners[(corners >= 0).all(axis=1)]),
         lids=np.flatnonzero(eye >= 0).astype(np.int32), eye=eye[eye >= 0], eyes=tuple(eyes),
         followers=followers, anchors=anchors, weights=weights,
-        attached_parts=tuple(name for name, part in space.parts.items() if _is_attached(part)),
+        attached_parts=tuple(
+            name for name, part in space.parts.items() if part.weights.any() and not part.follows_jaw
+        ),
     )  # fmt: skip
 
 
@@ -123,18 +125,15 @@ def _nearest_eye(points: Values, eyes: list[Part]) -> Indices:
     return result
 
 
-def _is_attached(part: Part) -> bool:
-    """Whether the part's vertices move each with the skin under it, not all alike with the jaw or the head."""
-    return bool(part.weights.any() and (part.anchors != part.anchors[0]).any())
-
-
 def _followers(space: ParameterSpace, place: Indices) -> tuple[Indices, NDArray[np.float32], Indices]:
-    """Anchors, weights and vertices of the inner skin that hangs on rows; anchors elsewhere weigh nothing."""
+    """Anchors, weights and vertices of the inner skin that hangs on rows; anchors elsewhere weigh nothing, nor do the
+    jaw's: gums stay with the teeth, which no corrective moves."""
     inner = space.inner
-    anchors = place[inner.anchors]
+    jaw = [part.anchors[0] for part in space.parts.values() if part.follows_jaw]
+    anchors = np.where(np.isin(inner.anchors, jaw), -1, place[inner.anchors])
     weights = np.where(anchors >= 0, inner.weights, np.float32(0.0)).astype(np.float32)
-    hangs = weights.any(axis=1)
-    return np.maximum(anchors, 0)[hangs], weights[hangs], inner.vertices[hangs]
+    hangs, used = weights.any(axis=1), weights.any(axis=0)
+    return np.maximum(anchors, 0)[hangs][:, used], weights[hangs][:, used], inner.vertices[hangs]
 
 
 # ---- how far skin moves around a line

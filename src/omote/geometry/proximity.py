@@ -1,0 +1,102 @@
+"""Points against a mesh in space: the nearest triangle, the first along a ray, in or out; by brute force."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Values = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# Barycentric slack of a ray that passes an edge: it belongs to both triangles.
+SLACK = 1e-6
+
+
+@njit(cache=True)
+def nearest_triangles(corners: Values, points: Values) -> tuple[Values, Indices]:
+    """The distance (n,) of points (n, 3) to a mesh with triangles (t, 3, 3), and which of them is nearest (n,)."""
+    best, at = np.full(len(points), np.inf), np.zeros(len(points), np.int64)
+    for t in range(len(corners)):
+        a, u, v = corners[t, 0], corners[t, 1] - corners[t, 0], corners[t, 2] - corners[t, 0]
+        reach = np.sqrt(max((u * u).sum(), (v * v).sum()))
+        for n in range(len(points)):
+            x, y, z = points[n, 0] - a[0], points[n, 1] - a[1], points[n, 2] - a[2]
+            if x * x + y * y + z * z > (best[n] + reach) ** 2:
+                continue
+            away = _distance(x, y, z, u, v)
+            if away < best[n]:
+                best[n], at[n] = away, t
+    return best, at
+
+
+@njit(cache=True)
+def _distance(x: float, y: float, z: float, u: Values, v: Values) -> float:
+    """How far (x, y, z) is from the triangle of the origin, u and v (Ericson 2005, section 5.1.5)."""
+    uu, uv, vv = (u * u).sum(), (u * v).sum(), (v * v).sum()
+    area = uu * vv - uv * uv
+    along, across = u[0] * x + u[1] * y + u[2] * z, v[0] * x + v[1] * y + v[2] * z
+    if area > 0.0:
+        b, c = (vv * along - uv * across) / area, (uu * across - uv * along) / area
+        if b >= 0.0 and c >= 0.0 and b + c <= 1.0:
+            return _length(x - b * u[0] - c * v[0], y - b * u[1] - c * v[1], z - b * u[2] - c * v[2])
+    result = min(_to_edge(x, y, z, u), _to_edge(x, y, z, v))
+    return min(result, _to_edge(x - u[0], y - u[1], z - u[2], v - u))
+
+
+@njit(cache=True)
+def _to_edge(x: float, y: float, z: float, edge: Values) -> float:
+    share = (edge[0] * x + edge[1] * y + edge[2] * z) / max((edge * edge).sum(), 1e-30)
+    share = min(max(share, 0.0), 1.0)
+    return _length(x - share * edge[0], y - share * edge[1], z - share * edge[2])
+
+
+@njit(cache=True)
+def _length(x: float, y: float, z: float) -> float:
+    return np.sqrt(x * x + y * y + z * z)  # type: ignore[no-any-return]
+
+
+@njit(cache=True)
+def cast_rays(corners: Values, origins: Values, ways: Values, behind: float) -> tuple[Values, Indices, Values]:
+    """Where rays from origins (n, 3) along unit ways (n, 3) first meet triangles (t, 3, 3), from so far behind on.
+
+    Moeller and Trumbore (1997): distances (n,), infinity where none is met; triangles (n,), weights (n, 3).
+    """
+    best, at, weights = np.full(len(origins), np.inf), np.zeros(len(origins), np.int64), np.zeros((len(origins), 3))
+    for t in range(len(corners)):
+        a, u, v = corners[t, 0], corners[t, 1] - corners[t, 0], corners[t, 2] - corners[t, 0]
+        for n in range(len(origins)):
+            across = np.cross(ways[n], v)
+            volume = (u * across).sum()
+            if abs(volume) < 1e-18:
+                continue
+            off = origins[n] - a
+            b = (off * across).sum() / volume
+            if b < -SLACK or b > 1.0 + SLACK:
+                continue
+            over = np.cross(off, u)
+            c = (ways[n] * over).sum() / volume
+            far = (v * over).sum() / volume
+            if c >= -SLACK and b + c <= 1.0 + SLACK and -behind < far < best[n]:
+                best[n], at[n] = far, t
+                weights[n, 0], weights[n, 1], weights[n, 2] = 1.0 - b - c, b, c
+    return best, at, weights
+
+
+@njit(cache=True)
+def winding_numbers(corners: Values, points: Values) -> Values:
+    """How often triangles (t, 3, 3) go around points (n, 3): 1 inside a closed mesh that faces outward, 0 outside it
+    (van Oosterom and Strackee 1983); between them where the mesh has holes (Jacobson et al. 2013)."""
+    result = np.zeros(len(points))
+    for n in range(len(points)):
+        total = 0.0
+        for t in range(len(corners)):
+            ax, ay, az = corners[t, 0] - points[n]
+            bx, by, bz = corners[t, 1] - points[n]
+            cx, cy, cz = corners[t, 2] - points[n]
+            a, b, c = _length(ax, ay, az), _length(bx, by, bz), _length(cx, cy, cz)
+            volume = ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx)
+            ab, bc, ca = ax * bx + ay * by + az * bz, bx * cx + by * cy + bz * cz, cx * ax + cy * ay + cz * az
+            total += np.arctan2(volume, a * b * c + ab * c + bc * a + ca * b)
+        result[n] = total / (2.0 * np.pi)
+    return result

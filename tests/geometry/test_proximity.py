@@ -1,0 +1,52 @@
+"""Points against a mesh: distances, rays and winding numbers on shapes where they are known."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.geometry.proximity import cast_rays, nearest_triangles, winding_numbers
+
+RNG = np.random.default_rng(75)
+
+
+def cube() -> NDArray[np.float64]:
+    """The unit cube's twelve triangles (12, 3, 3), facing outward."""
+    square = np.array([[[0, 0, 1], [1, 0, 1], [1, 1, 1]], [[0, 0, 1], [1, 1, 1], [0, 1, 1]]], np.float64)
+    turned = [np.roll(square, shift, axis=2) for shift in range(3)]
+    return np.concatenate([*turned, *(1.0 - side[:, ::-1] for side in turned)])
+
+
+def outside_of(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.asarray(np.linalg.norm(points - np.clip(points, 0.0, 1.0), axis=1))
+
+
+def test_the_distance_to_a_cube_is_what_it_is_in_theory() -> None:
+    points = RNG.uniform(-1.0, 2.0, (400, 3))
+    inside = np.minimum(points, 1.0 - points).min(axis=1)
+    found, triangles = nearest_triangles(cube(), points)
+    assert np.allclose(found, np.where(inside > 0, inside, outside_of(points)), atol=1e-12)
+    assert np.allclose(
+        [nearest_triangles(cube()[t : t + 1], p[None])[0][0] for t, p in zip(triangles, points, strict=True)], found
+    )
+
+
+def test_the_winding_number_says_what_is_inside() -> None:
+    points = RNG.uniform(-1.0, 2.0, (400, 3))
+    assert np.allclose(winding_numbers(cube(), points), (outside_of(points) == 0).astype(float), atol=1e-9)
+
+
+def test_a_ray_from_the_middle_meets_the_cube_where_it_leaves_it() -> None:
+    ways = RNG.normal(size=(200, 3))
+    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+    origins = np.full((200, 3), 0.5)
+    far, triangles, weights = cast_rays(cube(), origins, ways, 0.0)
+    assert np.allclose(far, 0.5 / np.abs(ways).max(axis=1))
+    met = (weights[..., None] * cube()[triangles]).sum(axis=1)
+    assert np.allclose(met, origins + far[:, None] * ways, atol=1e-9)
+
+
+def test_a_ray_that_meets_nothing_says_so_and_one_may_begin_behind() -> None:
+    origins, up = np.array([[0.5, 0.5, 1.25]]), np.array([[0.0, 0.0, 1.0]])
+    assert np.isinf(cast_rays(cube(), origins, up, 0.0)[0][0])
+    assert np.isclose(cast_rays(cube(), origins, up, 0.3)[0][0], -0.25)
