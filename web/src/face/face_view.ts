@@ -149,7 +149,7 @@ export class FaceView {
     this.pose = this.sourceCrossfade.pose(this.called, seconds, arrival, atOnce);
     this.blend(seconds, atOnce);
     this.hair.dress(this.residency.faces(this.pose, this.blender), seconds, atOnce || !this.whole);
-    this.whole ||= this.blended !== "" && this.hair.here;
+    this.whole ||= this.blended !== "" && (atOnce || this.hair.here); // at once: what is wanted for later may be on its way
     if (this.nextHead !== undefined) this.exchange(this.nextHead);
     this.head.visible = this.whole;
     this.paint();
