@@ -157,7 +157,7 @@ def test_consoles_are_told_of_each_life_that_was_spent(show: Show) -> None:
         told = notices(show, spent)
         assert len(told) == spent
         assert "The show's process ended at " in told[-1].text
-        assert "what was on air goes on." in told[-1].text
+        assert "what was on air went on." in told[-1].text
     assert ["time in this show" in notice.text for notice in told] == [False, True, True]
     assert "3rd time" in told[-1].text
     assert len({notice.id for notice in told}) == spent
