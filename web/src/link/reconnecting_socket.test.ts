@@ -31,7 +31,9 @@ class FakeSocket {
 }
 
 /** The page is busy for so many seconds: the clock goes on, no timer fires. */
-const draw = (seconds: number): void => void (busy += 1000 * seconds);
+const draw = (seconds: number): void => {
+  busy += 1000 * seconds;
+};
 let busy = 0; // milliseconds
 
 const LONGEST_PAUSE = 751; // milliseconds, of `Backoff`

@@ -1,7 +1,6 @@
 /** The editor's link to the server. */
 
 import { encode } from "@msgpack/msgpack";
-import { now } from "../../link/clock";
 import {
   EDITING_LIMIT,
   EDITING_PATH,
