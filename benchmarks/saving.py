@@ -51,7 +51,7 @@ from omote.showfile.changes import (
 from omote.showfile.contents import content_key, pack_expression
 from omote.showfile.inspection import verdicts
 from omote.showfile.schema import migrate
-from omote.showfile.show_file import JournalEntry, ShowFile, open_show
+from omote.showfile.show_file import FilePlace, JournalEntry, ShowFile, open_show
 
 ITEMS, STEPS = 7, 4
 """Items that are edited in turn, and lists of changes that make one save of one."""
@@ -187,7 +187,7 @@ class Reference:
         connection = sqlite3.connect(":memory:", check_same_thread=False)
         connection.execute("PRAGMA foreign_keys = ON")
         migrate(connection, 0)
-        self.show = ShowFile(connection, Path(":memory:"))
+        self.show = ShowFile(connection, FilePlace(Path(":memory:")))
         self.made = 0
 
     def make(self, count: int, vertices: int = VERTICES) -> None:

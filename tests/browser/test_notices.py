@@ -80,7 +80,7 @@ def test_a_recovered_file_and_a_killed_process_are_told_until_they_are_dismissed
     os.kill(process_of(file), signal.SIGKILL)
     wait_until(page, f"{STORE}.online && {epoch} < {STORE}.state.epoch && {STORE}.state.expressions.smile === 1")
     expect(notice(page)).to_contain_text("The show's process ended at ")
-    expect(notice(page)).to_contain_text("what was on air goes on.")
+    expect(notice(page)).to_contain_text("what was on air went on.")
     expect(notice(page).locator("small")).to_have_text("1 more")
 
     page.reload()

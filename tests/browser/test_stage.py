@@ -324,3 +324,23 @@ def test_an_older_state_is_ignored(open_page: OpenPage) -> None:
     wire.send(msgspec.structs.replace(newest, number=0, faces=other))
     wait_for(page, "stage.counters().ignored === 2")
     assert page.evaluate("window.omoteStage.pose().faces") == newest.faces
+
+
+SLOW = """() => {
+    const ask = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (draw) => ask((time) => {
+        for (const end = performance.now() + 2000; performance.now() < end; );
+        draw(time);
+    });
+}"""
+
+
+def test_a_stage_whose_frames_take_seconds_keeps_its_link(stage: Callable[..., Page]) -> None:
+    page = stage("?quality=lowest", live=True)
+    page.evaluate(SLOW)
+    before = page.evaluate("window.omoteStage.counters()")
+    wait_for(page, f"stage.counters().drawn >= {before['drawn'] + 4}")
+    after = page.evaluate("window.omoteStage.counters()")
+    assert after["connected"]
+    assert after["received"] - before["received"] > 0.5 * (after["number"] - before["number"]) > 60
+    assert after["fps"] < 1

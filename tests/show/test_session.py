@@ -14,7 +14,15 @@ from omote.perform.lights import LIGHTS
 from omote.perform.panic import PANIC_SECONDS
 from omote.perform.performer import Performer
 from omote.show import messages as wire
-from omote.show.session import REMEMBERED_CALLS, SILENCE, KeepRequest, Outgoing, SessionSnapshot, ShowSession
+from omote.show.session import (
+    LOST_SECONDS,
+    REMEMBERED_CALLS,
+    SILENCE,
+    KeepRequest,
+    Outgoing,
+    SessionSnapshot,
+    ShowSession,
+)
 from omote.show.state import EYE_SECONDS
 from omote.show.wire import encode
 from tests import synthetic
@@ -216,9 +224,25 @@ def test_the_crew_is_who_said_hello_and_silent_stages_show(cast: Cast) -> None:
     session.receive("s", wire.Drawing(60.0, "high"), 10.0)
     assert session.crew_now(10.0 + SILENCE) == wire.Crew(stages=[wire.StageReport(60.0, "high"), None], consoles=2)
     session.leave("s")
-    session.leave("b")
+    session.leave("b", lost=99.0)  # a console says so itself
     session.leave("nobody")
     assert session.crew_now(99.0) == wire.Crew(stages=[None], consoles=1)
+
+
+def test_a_stage_whose_link_broke_is_missed_until_one_comes_back_or_for_some_minutes(cast: Cast) -> None:
+    session = opened(cast)
+    for who in ("s", "t", "u"):
+        session.receive(who, wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    session.leave("s", lost=100.0)
+    session.leave("t", lost=200.0)
+    session.leave("u")  # its page was closed
+    session.leave("t", lost=201.0)  # is not lost twice
+    assert session.crew_now(201.0) == wire.Crew(stages=[], consoles=0, lost=2)
+    session.receive("v", wire.Hello("stage", wire.PROTOCOL_VERSION), 202.0)
+    session.receive("v", wire.Hello("stage", wire.PROTOCOL_VERSION), 202.0)
+    assert session.crew_now(203.0).lost == 1
+    assert session.crew_now(200.0 + LOST_SECONDS).lost == 1
+    assert session.crew_now(201.0 + LOST_SECONDS).lost == 0
 
 
 def test_who_leaves_lets_nothing_drop(cast: Cast) -> None:

@@ -16,7 +16,7 @@ from omote.showfile.contents import content_key
 from omote.showfile.identification import MAGIC, ForeignFileError
 from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.schema import CorruptShowFileError
-from omote.showfile.show_file import JournalEntry, ShowFile, open_show
+from omote.showfile.show_file import FilePlace, JournalEntry, ShowFile, open_show
 
 DATA = bytes(20_000)
 
@@ -163,7 +163,7 @@ def test_a_file_without_its_first_page_is_damaged_and_leaves_the_backup_of_befor
     back_up(show)
     before = backup_paths(show.path)[0].read_bytes()
     show.close()
-    again = ShowFile(sqlite3.connect(show.path), show.path)
+    again = ShowFile(sqlite3.connect(show.path), FilePlace(show.path))
     show.path.write_bytes(bytes(4096) + show.path.read_bytes()[4096:])
     with pytest.raises(CorruptShowFileError, match=r"a\.omote is damaged: its beginning is lost or overwritten\."):
         back_up(again)

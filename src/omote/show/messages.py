@@ -269,10 +269,14 @@ class StageReport(msgspec.Struct, frozen=True):
 
 
 class Crew(Message, frozen=True):
-    """Who is connected, once a second, with each stage's last report (`None`: it is silent)."""
+    """Who is connected, once a second, with each stage's last report (`None`: it is silent).
+
+    `lost`: stages whose link broke while their page was open, and that have not come back.
+    """
 
     stages: list[StageReport | None]
     consoles: int
+    lost: int = 0
 
 
 FromClient = (

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from omote.perform.snapshot import Playable
 
 REMEMBERED_CALLS = 512
+LOST_SECONDS = 600.0
+"""How long a stage that does not come back is missed: after that somebody has put it away."""
 SILENCE = 3.0
 """Seconds without a heartbeat after which a stage counts as not drawing."""
 
@@ -69,6 +71,7 @@ class ShowSession:
         self.crew: dict[str, Member] = {}
         self.wishes: list[KeepRequest] = []
         self.notices: list[wire.Notice] = []
+        self._lost_stages: list[float] = []  # when the links broke
         self._calls: dict[str, None] = {}
         self._now: float | None = None
         self._time = performer.snapshot().time
@@ -140,15 +143,19 @@ class ShowSession:
         """The show's clock at `now`, as in `State.time`: it runs on through a restart of the server."""
         return self._time if self._now is None else self._time + max(0.0, now - self._now)
 
-    def leave(self, who: str) -> None:
-        """Removes a client; T-bars and channels that it held stay as they are."""
-        self.crew.pop(who, None)
+    def leave(self, who: str, *, lost: float | None = None) -> None:
+        """Removes a client; T-bars and channels that it held stay as they are. lost: when its link broke, where its
+        page was not closed."""
+        member = self.crew.pop(who, None)
+        if member is not None and member.role == "stage" and lost is not None:
+            self._lost_stages.append(lost)
 
     def crew_now(self, now: float) -> wire.Crew:
         """Who is connected, and what each stage draws."""
         members = list(self.crew.values())
         stages = [m.report if now - m.heard <= SILENCE else None for m in members if m.role == "stage"]
-        return wire.Crew(stages=stages, consoles=sum(m.role == "console" for m in members))
+        lost = sum(now - broke <= LOST_SECONDS for broke in self._lost_stages)
+        return wire.Crew(stages, sum(m.role == "console" for m in members), lost)
 
     def notices_for(self, who: str) -> list[Outgoing]:
         """All notices for a console; nothing where there are none, or for a stage."""
@@ -218,6 +225,8 @@ class ShowSession:
         if hello.version != wire.PROTOCOL_VERSION:
             versions = f"version {hello.version}, the server {wire.PROTOCOL_VERSION}"
             raise Refusal(f"the page speaks {versions}: reload the page.")
+        if hello.role == "stage" and who not in self.crew:
+            del self._lost_stages[:1]  # one of them is back, or another in its place
         self.crew[who] = Member(hello.role)
         return wire.Welcome(wire.PROTOCOL_VERSION, self.epoch, self.revision, self.cast.digest)
 

@@ -6,6 +6,7 @@ Each is verified before it takes the newest one's place, and whenever the power 
 from __future__ import annotations
 
 import contextlib
+import errno
 import fcntl
 import os
 import sqlite3
@@ -41,14 +42,15 @@ def back_up(show: ShowFile, /) -> bool:
                 refuse_foreign(each, show.path)
             try:
                 remove(draft)
-                _copy_verified(show, draft)
+                copy_verified(show, draft)
                 _rotate(draft, show.path)
             finally:
                 remove(draft)
         return alone
 
 
-def _copy_verified(show: ShowFile, draft: Path) -> None:
+def copy_verified(show: ShowFile, draft: Path, /) -> None:
+    """Copies a show file as it is now and proves the copy; CorruptShowFileError where the file is damaged."""
     try:
         show.copy_into(draft)
         verify_integrity(draft)
@@ -108,6 +110,20 @@ def put_in_place(draft: Path, path: Path, /) -> None:
     """Renames a file so that, whenever the power goes, one of the two is there whole."""
     _sync(draft)
     draft.replace(path)
+    _sync(path.absolute().parent)
+
+
+def put_in_free_place(draft: Path, path: Path, /) -> None:
+    """Renames a file to where none lies; FileExistsError where one has come, which stays."""
+    _sync(draft)
+    try:
+        path.hardlink_to(draft)
+    except FileExistsError:
+        raise
+    except OSError:  # the disk knows no links
+        if path.exists():
+            raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(path)) from None
+        draft.replace(path)
     _sync(path.absolute().parent)
 
 

@@ -10,7 +10,7 @@ import contextlib
 import os
 import sqlite3
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from omote.showfile.authored_rows import apply_changes, read_all, read_contents, row_checksum
@@ -29,6 +29,47 @@ HIGHEST_EPOCH = 2**53
 """Epochs are numbers in the browser too; beyond this they would not be told apart."""
 
 
+FileId = tuple[int, int]
+"""Device and number of a file on it: a file keeps them when it is renamed, another one in its place has others."""
+
+
+@dataclass(eq=False)
+class FilePlace:
+    """Where an open show file lies, and which files of the disk it and its log are (None: not known).
+
+    moves: how often it was made anew; opened: all connections to it.
+    """
+
+    path: Path
+    file: FileId | None = None
+    log: FileId | None = None
+    moves: int = 0
+    opened: list[ShowFile] = field(default_factory=list)
+
+    @property
+    def log_path(self) -> Path:
+        """Where its write-ahead log belongs."""
+        return self.path.with_name(self.path.name + "-wal")
+
+    def remember(self) -> None:
+        """What lies there now is what is open."""
+        self.file, self.log = identify_file(self.path), identify_file(self.log_path)
+
+    def is_kept(self) -> bool:
+        """Whether what is open lies there still; OSError where the disk does not say."""
+        self.log = self.log or identify_file(self.log_path)  # made by the first commit, and there until the end
+        return (identify_file(self.path), identify_file(self.log_path)) == (self.file, self.log)
+
+
+def identify_file(path: Path, /) -> FileId | None:
+    """Which file of the disk lies at a path, None where there is none; OSError where the disk does not say."""
+    try:
+        found = path.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        return None
+    return found.st_dev, found.st_ino
+
+
 @dataclass(frozen=True)
 class JournalEntry:
     """The last state of a show: under which epoch, at what monotonic time (s) it was written, the snapshot if any."""
@@ -39,12 +80,18 @@ class JournalEntry:
 
 
 class ShowFile:
-    """An open show file; made by `open_show`."""
+    """An open show file; made by `open_show`. place: shared by all that `again` opens."""
 
-    def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
+    def __init__(self, connection: sqlite3.Connection, place: FilePlace) -> None:
         self._connection = connection
-        self._flushed: int | None = None
-        self.path = path
+        self._flushed: tuple[int, int] | None = None
+        self.place = place
+        place.opened.append(self)
+
+    @property
+    def path(self) -> Path:
+        """Where it lies."""
+        return self.place.path
 
     def stored(self) -> Stored:
         """All authored work but the contents' bytes; sqlite3.Error where it cannot be read."""
@@ -96,14 +143,34 @@ class ShowFile:
             self._connection.execute("UPDATE journal SET snapshot = NULL")
 
     def again(self) -> ShowFile:
-        """Opens the same file a second time, for another thread."""
-        connection = _connect(self.path)
+        """Opens the same file a second time, for another thread; sqlite3.OperationalError where it is not there."""
+        if not self.place.is_kept():
+            raise sqlite3.OperationalError("the file is not in its place")
+        return ShowFile(_configured(_connect(self.path)), self.place)
+
+    def follow(self, path: Path) -> None:
+        """Goes on with another file of the same contents, and so do all that `again` opened; none may be in use.
+
+        sqlite3.Error where that cannot be opened: all go on with the old one.
+        """
+        place, made = self.place, list[sqlite3.Connection]()
         try:
-            _configure(connection)
+            for _ in place.opened:
+                made.append(_configured(_connect(path)))
         except sqlite3.Error:
-            connection.close()
+            for each in made:
+                each.close()
             raise
-        return ShowFile(connection, self.path)
+        place.path, place.moves = path, place.moves + 1
+        place.remember()
+        for file, connection in zip(place.opened, made, strict=True):
+            file._connection.close()
+            file._connection = connection
+            file._flushed = None
+
+    def merge_log(self) -> None:
+        """Writes all commits of the log into the file itself, as far as no other program reads it."""
+        self._connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()
 
     def flush(self) -> None:
         """Flushes to the disk, so that all commits survive a loss of power.
@@ -116,10 +183,10 @@ class ShowFile:
         self._connection.execute("PRAGMA wal_checkpoint(PASSIVE)").fetchone()
         self._flushed = self.data_version()
 
-    def data_version(self) -> int:
-        """A number that is another one after another connection has committed (SQLite's `data_version`)."""
+    def data_version(self) -> tuple[int, int]:
+        """Numbers that are others after another connection has committed (SQLite's `data_version`)."""
         (version,) = self._connection.execute("PRAGMA data_version").fetchone()
-        return int(version)
+        return self.place.moves, int(version)
 
     def copy_into(self, path: Path) -> None:
         """Copies the file as it is now, log and all, into a new file without a log; others may write meanwhile."""
@@ -134,6 +201,8 @@ class ShowFile:
     def close(self) -> None:
         """Closes the file; its write-ahead log is merged."""
         self._connection.close()
+        if self in self.place.opened:
+            self.place.opened.remove(self)
 
 
 def open_show(path: Path) -> ShowFile:
@@ -146,7 +215,6 @@ def open_show(path: Path) -> ShowFile:
     except (OSError, sqlite3.Error) as error:
         raise ShowFileError(f"{path} cannot be opened ({explain_database_error(error)}); name another file.") from error
     try:
-        connection.execute("PRAGMA journal_mode = WAL").fetchone()
         _configure(connection)
         migrate(connection, version)
     except sqlite3.OperationalError as error:
@@ -157,7 +225,9 @@ def open_show(path: Path) -> ShowFile:
     except sqlite3.DatabaseError as error:
         connection.close()
         raise CorruptShowFileError(f"{path} is damaged: {explain_database_error(error)}.") from error
-    return ShowFile(connection, path)
+    place = FilePlace(path)
+    place.remember()
+    return ShowFile(connection, place)
 
 
 def default_path(environment: Mapping[str, str] = os.environ) -> Path:
@@ -171,6 +241,17 @@ def _connect(path: Path) -> sqlite3.Connection:
     return sqlite3.connect(path, timeout=1.0, check_same_thread=False)
 
 
+def _configured(connection: sqlite3.Connection) -> sqlite3.Connection:
+    try:
+        _configure(connection)
+    except sqlite3.Error:
+        connection.close()
+        raise
+    return connection
+
+
 def _configure(connection: sqlite3.Connection) -> None:
+    connection.execute("PRAGMA journal_mode = WAL").fetchone()
     connection.execute("PRAGMA foreign_keys = ON")
     connection.execute("PRAGMA synchronous = NORMAL")
+    connection.execute("SELECT 1 FROM sqlite_schema").fetchone()  # opens the log, by its name: later it may be gone

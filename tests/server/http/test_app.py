@@ -78,6 +78,20 @@ async def test_the_crew_is_broadcast(show_harness: ShowHarness) -> None:
     assert await answer(stage) == await answer(console) == wire.Crew(stages=[wire.StageReport(59.5, "low")], consoles=1)
 
 
+@pytest.mark.parametrize("code", [1000, 1001, 4000, None])
+async def test_a_stage_whose_link_breaks_is_told_from_one_whose_page_is_closed(
+    show_harness: ShowHarness, code: int | None
+) -> None:
+    stage, console = await show_harness.link("stage"), await show_harness.link("console")
+    if code is None:
+        next(iter(show_harness.show.links)).transport.abort()  # as one that has been behind for too long
+    else:
+        await stage.close(code=code)
+    await send_and_wait(console)
+    show_harness.show.broadcast_crew()
+    assert await answer(console) == wire.Crew(stages=[], consoles=1, lost=0 if code in (1000, 1001) else 1)
+
+
 async def test_who_goes_is_gone(show_harness: ShowHarness) -> None:
     stage, console = await show_harness.link("stage"), await show_harness.link("console")
     await stage.close()

@@ -67,7 +67,9 @@ def test_a_kind_of_expressions_is_asked_for_by_its_name(playing: PlayingCast, ki
 
 @pytest.mark.asyncio
 async def test_a_download_is_what_the_command_writes(playing: PlayingCast) -> None:
-    answer = await Downloads(SHOW, (sys.executable, "-c", SCRIBBLE)).respond(asked("crooked_smile.json"), playing)
+    answer = await Downloads(lambda: SHOW, (sys.executable, "-c", SCRIBBLE)).respond(
+        asked("crooked_smile.json"), playing
+    )
     assert answer.body == b"file export"
     assert answer.headers["Content-Disposition"] == 'attachment; filename="crooked_smile.json"'
     assert answer.content_type == "application/json"
@@ -76,16 +78,16 @@ async def test_a_download_is_what_the_command_writes(playing: PlayingCast) -> No
 @pytest.mark.asyncio
 async def test_what_the_command_says_is_the_reason(playing: PlayingCast) -> None:
     with pytest.raises(web.HTTPServiceUnavailable) as refused:
-        await Downloads(SHOW, (sys.executable, "-c", FAILS)).respond(asked("broad.glb"), playing)
+        await Downloads(lambda: SHOW, (sys.executable, "-c", FAILS)).respond(asked("broad.glb"), playing)
     assert refused.value.text == "the cast is missing: run make bake"
     with pytest.raises(web.HTTPNotFound):
-        await Downloads(SHOW).respond(asked("nobody.glb"), playing)
+        await Downloads(lambda: SHOW).respond(asked("nobody.glb"), playing)
 
 
 @pytest.mark.asyncio
 async def test_the_real_command_writes_a_document(tmp_path: Path, playing: PlayingCast) -> None:
     with pytest.raises(web.HTTPServiceUnavailable) as refused:
-        await Downloads(tmp_path / "none.omote", COMMAND).respond(asked("smile.json"), playing)
+        await Downloads(lambda: tmp_path / "none.omote", COMMAND).respond(asked("smile.json"), playing)
     assert "there is no show file" in (refused.value.text or "")
 
 

@@ -100,11 +100,11 @@ def test_where_nothing_is_committed_nothing_is_copied_again(
 ) -> None:
     made = counted(monkeypatch)
     show = open_show(tmp_path / "a.omote")
-    asked: list[int] = []
+    asked: list[tuple[int, int]] = []
     own = show.again()
     version = own.data_version
 
-    def counting() -> int:
+    def counting() -> tuple[int, int]:
         asked.append(version())
         return asked[-1]
 

@@ -5,7 +5,7 @@ import re
 import shutil
 import sqlite3
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import msgspec
@@ -288,15 +288,30 @@ def test_after_a_failover_it_is_said_when_for_how_long_and_what_is_on_air(
 ) -> None:
     show = kept(tmp_path / "a.omote", cast)
     ended = time.monotonic() - 2.0
+    show.write_journal(replace(show.journal(), written=ended - 1.0))
     before = time.time_ns() / 1e9 - 2.0
     restore(cast, show, Order(1, neutral=False, failover=Failover(count, ended, hung)), report)
     (said,) = report.said
     assert f"the show's process {'stopped answering' if hung else 'ended'} at " in said
-    at = re.search(r" at (\d\d:\d\d:\d\d) and was started again after (\d+\.\d) s; what was on air goes on\.", said)
+    at = re.search(r" at (\d\d:\d\d:\d\d) and was started again after (\d+\.\d) s; what was on air went on\.", said)
     assert at is not None
     assert float(at[2]) >= 2.0
     assert at[1] in {time.strftime("%H:%M:%S", time.localtime(before + late)) for late in range(60)}
     assert ("2nd time in this show" in said) == (count == 2)
+    show.close()
+
+
+@pytest.mark.parametrize("age", [5.0, 24.0, -1e6])
+def test_after_a_failover_it_is_said_that_only_an_old_state_was_there(
+    tmp_path: Path, cast: Cast, report: Terminal, age: float
+) -> None:
+    """A backup's, for example; of one that was written before the machine was started nobody knows the age."""
+    show = kept(tmp_path / "a.omote", cast)
+    ended = time.monotonic()
+    show.write_journal(replace(show.journal(), written=ended - age))
+    restore(cast, show, Order(1, neutral=False, failover=Failover(1, ended, hung=False)), report)
+    when = f"{age:.0f} s before" if age > 0 else "earlier"
+    assert f"; nothing newer was left than what was on air {when}, and that went on." in report.said[0]
     show.close()
 
 
@@ -307,8 +322,8 @@ def test_after_a_failover_without_a_state_it_is_said_that_the_show_starts_neutra
     failover = Failover(3, time.monotonic(), hung=False)
     restore(cast, show, Order(1, neutral=True, failover=failover), report)
     restore(cast, None, Order(1, neutral=False, failover=failover), report)
-    assert "the show starts neutral, because processes kept ending on its last state. This" in report.said[0]
-    assert "; the show starts neutral. This was the 3rd" in report.said[1]
+    assert "the show started neutral, because processes kept ending on its last state. This" in report.said[0]
+    assert "; the show started neutral. This was the 3rd" in report.said[1]
     show.close()
 
 

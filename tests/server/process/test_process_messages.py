@@ -16,6 +16,7 @@ from omote.server.process.process_messages import (
     News,
     Order,
     Ready,
+    ShowMoved,
     Started,
     read_news,
     read_pulse,
@@ -91,6 +92,12 @@ def test_an_order_brings_what_the_crew_was_told() -> None:
         os.close(descriptor)
 
 
+def test_a_pulse_tells_where_the_show_file_is_from_now_on() -> None:
+    moved, notice = ShowMoved('/x/a "b"-2.omote'), Notice("1", 1.0, "moved")
+    stream = TICK + write_notice(moved) + TICK + write_notice(notice) + TICK
+    assert read_pulse(stream) == ([moved, notice], b"")
+
+
 @given(notices=NOTICES, ticks=st.lists(st.integers(0, 3), min_size=6, max_size=6), size=st.integers(1, 50))
 def test_notices_come_through_a_pulse_between_ticks_however_it_is_cut(
     notices: list[Notice], ticks: list[int], size: int
@@ -98,7 +105,7 @@ def test_notices_come_through_a_pulse_between_ticks_however_it_is_cut(
     stream = TICK * ticks[5] + b"".join(
         TICK * count + write_notice(notice) for count, notice in zip(ticks, notices, strict=False)
     )
-    found, rest = list[Notice](), b""
+    found, rest = list[Notice | ShowMoved](), b""
     for start in range(0, len(stream), size):
         new, rest = read_pulse(rest + stream[start : start + size])
         found += new

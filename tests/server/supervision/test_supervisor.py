@@ -157,10 +157,39 @@ def test_consoles_are_told_of_each_life_that_was_spent(show: Show) -> None:
         told = notices(show, spent)
         assert len(told) == spent
         assert "The show's process ended at " in told[-1].text
-        assert "what was on air goes on." in told[-1].text
+        assert "what was on air went on." in told[-1].text
     assert ["time in this show" in notice.text for notice in told] == [False, True, True]
     assert "3rd time" in told[-1].text
     assert len({notice.id for notice in told}) == spent
+
+
+def replace_by_text(path: Path) -> None:
+    text = path.with_name("notes.txt")
+    text.write_text("milk and eggs")
+    text.replace(path)
+
+
+@pytest.mark.parametrize("beside", [False, True])
+def test_a_killed_server_goes_on_although_its_file_was_moved_or_replaced(show: Show, beside: bool) -> None:
+    path = Path(show.process.args[-1])  # type: ignore[index, arg-type]
+    if beside:
+        replace_by_text(path)
+        show.heard("another file took the place of")
+    else:
+        path.rename(path.with_name("moved.omote"))
+        show.heard("It was made anew there")
+    before = ask(show, wire.SetChannel("jawOpen", 0.5))
+    while not journalled(show, b"jawOpen", "a-2.omote" if beside else "a.omote"):
+        before = ask(show)
+    for _ in range(2):
+        os.kill(show.server(), signal.SIGKILL)
+        after = ask(show, above=before.epoch)
+        assert after.channels == {"jawOpen": 0.5}
+        before = after
+    told = notices(show, 3)
+    assert "during the show" in told[0].text
+    assert "what was on air went on." in told[1].text
+    assert (path.read_bytes() == b"milk and eggs") == beside
 
 
 def test_a_killed_server_is_replaced_by_one_that_has_the_own_face_on_air(show: Show) -> None:
@@ -179,9 +208,9 @@ def test_a_killed_server_is_replaced_by_one_that_has_the_own_face_on_air(show: S
     assert ask(show, above=before.epoch).faces == {"cousin": 1.0}
 
 
-def journalled(show: Show, word: bytes) -> bool:
+def journalled(show: Show, word: bytes, name: str = "a.omote") -> bool:
     """Whether the show file holds this word in its last state."""
-    path = Path(show.process.args[-1])  # type: ignore[index, arg-type]
+    path = Path(show.process.args[-1]).with_name(name)  # type: ignore[index, arg-type]
     file = open_show(path)
     snapshot = file.journal().snapshot
     file.close()

@@ -235,11 +235,15 @@ export interface StageReport {
   level: "lowest" | "low" | "medium" | "high";
 }
 
-/** Who is connected, once a second, with each stage's last report (`None`: it is silent). */
+/**
+ * Who is connected, once a second, with each stage's last report (`None`: it is silent).
+ * `lost`: stages whose link broke while their page was open, and that have not come back.
+ */
 export interface Crew {
   type: "crew";
   stages: (StageReport | null)[];
   consoles: number;
+  lost: number;
 }
 
 /** Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`). */

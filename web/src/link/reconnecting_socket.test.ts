@@ -30,6 +30,12 @@ class FakeSocket {
   }
 }
 
+/** The page is busy for so many seconds: the clock goes on, no timer fires. */
+const draw = (seconds: number): void => {
+  busy += 1000 * seconds;
+};
+let busy = 0; // milliseconds
+
 const LONGEST_PAUSE = 751; // milliseconds, of `Backoff`
 const last = (): FakeSocket => FakeSocket.made.at(-1) as FakeSocket;
 
@@ -40,6 +46,8 @@ describe("a reconnecting socket", () => {
 
   beforeEach(() => {
     vi.useFakeTimers({ toFake: ["setTimeout", "setInterval", "clearTimeout", "clearInterval", "performance"] });
+    const clock = performance.now.bind(performance);
+    vi.spyOn(performance, "now").mockImplementation(() => clock() + busy);
     vi.stubGlobal("WebSocket", FakeSocket);
     vi.stubGlobal("location", { protocol: "https:", host: "show.example" });
     FakeSocket.made.length = 0;
@@ -57,6 +65,7 @@ describe("a reconnecting socket", () => {
 
   afterEach(() => {
     socket.close();
+    vi.restoreAllMocks();
     vi.useRealTimers();
     vi.unstubAllGlobals();
   });
@@ -99,6 +108,38 @@ describe("a reconnecting socket", () => {
     vi.advanceTimersByTime(300 + LONGEST_PAUSE);
     expect(FakeSocket.made.length).toBe(2);
     expect([first.readyState, first.onmessage]).toEqual([3, null]);
+  });
+
+  it("leaves a page that draws for seconds the turns in which it is greeted and hears", () => {
+    const first = last();
+    for (let frame = 0; frame < 12; frame++) {
+      draw(2.5);
+      vi.advanceTimersByTime(100); // the look comes before what the socket has to say
+      if (frame === 6) first.open();
+      if (frame > 6 && frame % 3 === 0) first.onmessage?.({ data: encode(`state ${frame}`) });
+    }
+    expect(FakeSocket.made.length).toBe(1);
+    expect(told).toEqual(["opened", "state 9"]);
+  });
+
+  it("gives up a dead connection on a page that draws for seconds too, after so many looks", () => {
+    last().open();
+    for (let frame = 0; frame < 25; frame++) {
+      draw(2.5);
+      vi.advanceTimersByTime(100);
+    }
+    expect(told).toEqual(["opened", "failed"]);
+  });
+
+  it("counts silence only from where a message is due", () => {
+    expects = false;
+    vi.advanceTimersByTime(60_000);
+    expects = true;
+    socket.awaitMessage();
+    vi.advanceTimersByTime(1900);
+    expect(FakeSocket.made.length).toBe(1);
+    vi.advanceTimersByTime(300 + LONGEST_PAUSE);
+    expect(FakeSocket.made.length).toBe(2);
   });
 
   it("bears silence while nothing is due", () => {

@@ -6,7 +6,8 @@ import { now } from "./clock";
 
 /** What a link does with its socket. */
 export interface SocketOwner<Incoming> {
-  /** Seconds without a message after which the connection counts as dead. */
+  /** Seconds without a message after which the connection counts as dead; those in which the page itself was busy, so
+   * that no message could be handled, do not count. */
   readonly silence: number;
   /** Milliseconds between two looks at the silence. */
   readonly interval: number;
@@ -27,11 +28,13 @@ const addressOf = (path: string, page: Location = location): string =>
 
 /** One connection at a time; a lost one is opened again, for ever, after the pauses of `Backoff`. */
 export class ReconnectingSocket<Incoming, Outgoing> {
-  /** When the last message came, or waiting for one began; seconds on the page's clock. */
+  /** When the last message came, or the connection was begun; seconds on the page's clock. */
   heard = 0;
   #socket: WebSocket | null = null;
   #up = false;
   #closed = false;
+  #silent = 0; // seconds
+  #looked = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
   readonly #backoff = new Backoff();
   readonly #watch: ReturnType<typeof setInterval>;
@@ -53,6 +56,12 @@ export class ReconnectingSocket<Incoming, Outgoing> {
   accept(): void {
     this.#backoff.reset();
     this.#up = true;
+  }
+
+  /** Nothing was due before: silence counts from here. */
+  awaitMessage(): void {
+    this.#silent = 0;
+    this.#looked = now();
   }
 
   /** Sends a message; false where no connection is open (the message is not kept). */
@@ -82,6 +91,7 @@ export class ReconnectingSocket<Incoming, Outgoing> {
     socket.binaryType = "arraybuffer";
     this.#socket = socket;
     this.heard = now();
+    this.awaitMessage();
     socket.onopen = () => this.owner.opened();
     socket.onmessage = (event: MessageEvent<ArrayBuffer>) => this.#receive(event.data);
     socket.onclose = () => this.reconnect();
@@ -96,13 +106,19 @@ export class ReconnectingSocket<Incoming, Outgoing> {
     this.owner.lost(wasUp);
   }
 
+  /** A page that draws for seconds hears nothing meanwhile, and its looks are late: each counts as one that is in time,
+   * and between two of them messages have their turn. */
   #look(): void {
-    if (this.owner.expects() && now() - this.heard > this.owner.silence) this.reconnect();
+    const time = now();
+    this.#silent += Math.min(time - this.#looked, this.owner.interval / 1000);
+    this.#looked = time;
+    if (this.owner.expects() && this.#silent > this.owner.silence) this.reconnect();
     this.owner.looked?.();
   }
 
   #receive(data: ArrayBuffer): void {
     this.heard = now();
+    this.#silent = 0;
     let message: Incoming;
     try {
       message = decode(data) as Incoming;

@@ -7,7 +7,7 @@ import time
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import replace
 
-from aiohttp import WSMsgType, web
+from aiohttp import WSCloseCode, WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.edit.store.on_air_recipes import OnAir, read_on_air
@@ -26,6 +26,8 @@ from omote.show.wire import encode
 
 CACHE_FOREVER = "public, max-age=31536000, immutable"
 NO_CACHE = "no-cache"
+PAGE_CLOSED = (WSCloseCode.OK, WSCloseCode.GOING_AWAY)
+"""How a browser ends the link of a page that is closed or loaded anew."""
 MESSAGEPACK = "application/msgpack"
 
 Clock = Callable[[], float]
@@ -139,7 +141,7 @@ class ShowServer:
             await self._listen(link)
         finally:
             self.links.close(link)
-            self.session.leave(link.who)
+            self.session.leave(link.who, lost=None if ws.close_code in PAGE_CLOSED else self.clock())
         return ws
 
     async def manifest(self, request: web.Request) -> web.Response:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -41,15 +41,15 @@ class Download:
 
 
 class Downloads:
-    """Writes exports of a show file's own work and of the cast, and responds with them."""
+    """Writes exports of a show file's own work and of the cast, and responds with them; show: where the file lies."""
 
-    def __init__(self, show: Path, command: Sequence[str] = COMMAND) -> None:
+    def __init__(self, show: Callable[[], Path], command: Sequence[str] = COMMAND) -> None:
         self._show, self._command, self._turn = show, tuple(command), asyncio.Lock()
 
     async def respond(self, request: web.Request, playing: PlayingCast) -> web.Response:
         """Responds with the file; 404 or 503 with a sentence for the person who asked."""
         try:
-            wanted = plan_download(self._show, request.match_info["file"], request.query, playing)
+            wanted = plan_download(self._show(), request.match_info["file"], request.query, playing)
         except ValueError as error:
             raise web.HTTPNotFound(text=f"{error}.") from error
         async with self._turn:

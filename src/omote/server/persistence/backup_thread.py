@@ -6,6 +6,7 @@ import sqlite3
 import threading
 from collections.abc import Callable
 
+from omote.server.persistence.file_gate import FileGate
 from omote.showfile.backup import back_up
 from omote.showfile.database_errors import explain_database_error
 from omote.showfile.schema import CorruptShowFileError, ShowFileError
@@ -21,21 +22,22 @@ class BackupThread:
     """A thread that keeps whole backups of a show file.
 
     show: the thread's own (`ShowFile.again`); it closes it. damage: why the file is not whole, "" while it is; what is
-    committed to a damaged file is in no backup.
+    committed to a damaged file is in no backup. gate: passed for each use of the file.
     """
 
     def __init__(
         self,
         show: ShowFile,
         report: Callable[[str], None],
+        gate: FileGate | None = None,
         *,
         first_seconds: float = FIRST_SECONDS,
         backup_seconds: float = BACKUP_SECONDS,
     ) -> None:
-        self._show, self._report = show, report
+        self._show, self._report, self._gate = show, report, gate or FileGate()
         self._first_seconds, self._backup_seconds = first_seconds, backup_seconds
         self._closing = threading.Event()
-        self._backed_up: int | None = None
+        self._backed_up: tuple[int, int] | None = None
         self._said = self.damage = ""
         self._thread = threading.Thread(target=self._run, name="backup", daemon=True)
         self._thread.start()
@@ -51,11 +53,13 @@ class BackupThread:
             self._tried()
             wait = self._backup_seconds
         self._tried()
-        self._show.close()
+        with self._gate:
+            self._show.close()
 
     def _tried(self) -> None:
         try:
-            self._back_up_changes()
+            with self._gate:
+                self._back_up_changes()
             self._said = self.damage = ""
         except CorruptShowFileError as error:
             self.damage = str(error)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from omote.server.persistence.backup_thread import BackupThread
+from omote.server.persistence.file_gate import FileGate
 from omote.showfile.changes import Change
 from omote.showfile.database_errors import explain_database_error
 from omote.showfile.show_file import ShowFile
@@ -43,7 +44,7 @@ class CommitThread:
     """A thread that commits lists of changes one after the other.
 
     show: the thread's own connection (`ShowFile.again`), which it closes. backup: of the same file; nothing is
-    committed to a file that it found damaged. Outcomes are told on this thread.
+    committed to a file that it found damaged. gate: passed for each use of the file. Outcomes are told on this thread.
     """
 
     def __init__(
@@ -51,11 +52,12 @@ class CommitThread:
         show: ShowFile,
         report: Callable[[str], None],
         backup: BackupThread | None = None,
+        gate: FileGate | None = None,
         *,
         retry_seconds: float = RETRY_SECONDS,
     ) -> None:
         self._show, self._report, self._backup = show, report, backup
-        self._retry_seconds = retry_seconds
+        self._gate, self._retry_seconds = gate or FileGate(), retry_seconds
         self._queue: deque[_Job] = deque()
         self._waiting = threading.Condition()
         self._closing = self._failing = False
@@ -87,7 +89,8 @@ class CommitThread:
                 job = self._queue[0]
             self._carry_out(job)
             self._queue.popleft()
-        self._show.close()
+        with self._gate:
+            self._show.close()
 
     def _carry_out(self, job: _Job) -> None:
         outcome = self._try_commit(job)
@@ -107,7 +110,8 @@ class CommitThread:
                 "refused", f"{self._backup.damage} This is not kept: start the show again, and repeat it."
             )
         try:
-            self._show.apply(job.changes)
+            with self._gate:
+                self._show.apply(job.changes)
         except sqlite3.OperationalError as error:
             sentence = (
                 f"{self._show.path} cannot be written ({explain_database_error(error)}): your work is kept in memory "

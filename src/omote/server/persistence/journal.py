@@ -7,6 +7,7 @@ import threading
 from collections.abc import Callable
 from functools import partial
 
+from omote.server.persistence.file_gate import FileGate
 from omote.showfile.database_errors import explain_database_error
 from omote.showfile.show_file import JournalEntry, ShowFile
 
@@ -17,11 +18,19 @@ FLUSH_SECONDS = 1.0
 class JournalWriter:
     """Writes the newest state in a thread; older states that it could not write in time are dropped.
 
-    A second thread flushes: syncing a disk takes tens of milliseconds, and a state must not wait for it.
+    A second thread flushes: syncing a disk takes tens of milliseconds, and a state must not wait for it. gate: passed
+    for each use of the file.
     """
 
-    def __init__(self, show: ShowFile, report: Callable[[str], None], *, flush_seconds: float = FLUSH_SECONDS) -> None:
-        self._show, self._report = show, report
+    def __init__(
+        self,
+        show: ShowFile,
+        report: Callable[[str], None],
+        gate: FileGate | None = None,
+        *,
+        flush_seconds: float = FLUSH_SECONDS,
+    ) -> None:
+        self._show, self._report, self._gate = show, report, gate or FileGate()
         self._newest: JournalEntry | None = None
         self._closing = False
         self._waiting = threading.Condition()
@@ -55,17 +64,21 @@ class JournalWriter:
                 break
             self._failing = not self._try_write(partial(self._show.write_journal, entry))
         self._done.set()
-        self._show.close()
+        with self._gate:
+            self._show.close()
 
     def _flush(self) -> None:
-        show = self._show.again()
+        with self._gate:
+            show = self._show.again()
         while not self._done.wait(self._flush_seconds):
             self._try_write(show.flush)
-        show.close()
+        with self._gate:
+            show.close()
 
     def _try_write(self, work: Callable[[], None]) -> bool:
         try:
-            work()
+            with self._gate:
+                work()
         except sqlite3.Error as error:
             if not self._failing:
                 self._report(

@@ -26,6 +26,11 @@ def lock_show(path: Path) -> int:
     if path.name.endswith(BACKUP_SUFFIXES):
         raise ShowFileError(f"{path} is the good copy of another show: copy it under a name of its own, and open that.")
     reject_unproven(path)
+    return take_lock(path)
+
+
+def take_lock(path: Path) -> int:
+    """The lock alone: what lies there is not looked at, for that would free SQLite's own locks of an open file."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         descriptor = os.open(path.with_name(path.name + ".lock"), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)

@@ -22,6 +22,9 @@ from omote.showfile.show_file import CorruptShowFileError, JournalEntry, ShowFil
 
 Report = Callable[[str], None]
 
+FRESH_SECONDS = 3.0
+"""A state that is not older is what was on air: a resting show writes one a second."""
+
 
 def open_journal(path: Path, report: Report) -> ShowFile | None:
     """The show file, or its newest whole backup (`open_newest`); None when the disk allows no file at all."""
@@ -80,7 +83,8 @@ def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report)
     epoch = next_epoch(last.epoch, order.epoch)
     session = None if order.neutral else _try_restore(cast, last, epoch, report)
     if order.failover is not None:
-        report(_failover_sentence(order, order.failover, resumed=session is not None, now=time.monotonic()))
+        written = None if session is None else last.written
+        report(_failover_sentence(order, order.failover, written, now=time.monotonic()))
     if session is not None:
         _record(show, session, None, report)
         return session
@@ -89,17 +93,35 @@ def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report)
     return session
 
 
-def _failover_sentence(order: Order, failover: Failover, *, resumed: bool, now: float) -> str:
-    """When the process before ended, how long nothing was sent, and what is on air now."""
+def _failover_sentence(order: Order, failover: Failover, written: float | None, *, now: float) -> str:
+    """When the process before ended, how long nothing was sent, and what was on air then.
+
+    written: when what is restored was on air; None where the show starts neutral. The sentence stays on consoles, so
+    it says what was, not what is.
+    """
     seconds = now - failover.ended
     wall = time.time() - seconds  # noqa: TID251  (for people to read; drives nothing)
     how = "stopped answering" if failover.hung else "ended"
     at = time.strftime("%H:%M:%S", time.localtime(wall))
     pause = "less than 0.1 s" if seconds < 0.1 else f"{seconds:.1f} s"
-    neutral = "the show starts neutral" + (", because processes kept ending on its last state" if order.neutral else "")
-    what = "what was on air goes on" if resumed else neutral
+    if written is None:
+        why = ", because processes kept ending on its last state" if order.neutral else ""
+        what = f"the show started neutral{why}"
+    else:
+        what = _resumed(failover.ended - written)
     times = f" This was the {ordinal(failover.count)} time in this show." if failover.count > 1 else ""
     return f"the show's process {how} at {at} and was started again after {pause}; {what}.{times}"
+
+
+def _resumed(age: float) -> str:
+    """What went on: a state that was written so many seconds before the end, by the clock of this start of the machine.
+
+    While the process before still played it may have written a state after its last sign of life.
+    """
+    if abs(age) <= FRESH_SECONDS:
+        return "what was on air went on"
+    when = f"{age:.0f} s before" if age > 0 else "earlier"
+    return f"nothing newer was left than what was on air {when}, and that went on"
 
 
 def ordinal(number: int) -> str:

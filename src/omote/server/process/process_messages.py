@@ -14,8 +14,8 @@ TICK = b"t"
 """A server's pulse, on a pipe to the supervisor: it plays."""
 PULSE_TICKS = 6
 """Ticks between two pulses: ten pulses a second."""
-
-
+MOVED = b'{"show":'
+"""How a line of a pulse begins that is no notice."""
 LONGEST_ORDER = 65536
 """Bytes of an order with all its notices."""
 
@@ -31,12 +31,19 @@ class Failover(msgspec.Struct, frozen=True):
 
 class Order(msgspec.Struct, frozen=True):
     """Supervisor to standby, with two pipes: play, at least under this epoch; `neutral`: not from the journal;
-    `failover`: in whose place; `notices`: what the crew was told so far."""
+    `failover`: in whose place; `notices`: what the crew was told so far; `show`: the show file ("": the standby's)."""
 
     epoch: int
     neutral: bool
     failover: Failover | None = None
     notices: list[Notice] = []
+    show: str = ""
+
+
+class ShowMoved(msgspec.Struct, frozen=True):
+    """Show process to supervisor, in its pulse: the show file was made anew, and is opened there from now on."""
+
+    show: str
 
 
 class Ready(msgspec.Struct, frozen=True, tag="ready"):
@@ -60,6 +67,7 @@ News = Ready | Started | Ended
 
 _news: msgspec.json.Decoder[News] = msgspec.json.Decoder(News)
 _notice: msgspec.json.Decoder[Notice] = msgspec.json.Decoder(Notice)
+_moved: msgspec.json.Decoder[ShowMoved] = msgspec.json.Decoder(ShowMoved)
 _order: msgspec.json.Decoder[Order] = msgspec.json.Decoder(Order)
 
 
@@ -92,16 +100,16 @@ def read_news(lines: bytes) -> list[News]:
     return [_news.decode(line) for line in lines.splitlines()]
 
 
-def write_notice(notice: Notice) -> bytes:
-    """A notice as a show process writes it into its pulse, between two ticks."""
+def write_notice(notice: Notice | ShowMoved) -> bytes:
+    """What a show process tells its supervisor, as it writes it into its pulse, between two ticks."""
     return msgspec.json.encode(notice) + b"\n"
 
 
-def read_pulse(data: bytes) -> tuple[list[Notice], bytes]:
-    """The notices in what came through a pulse, and the beginning of one whose rest is still to come."""
+def read_pulse(data: bytes) -> tuple[list[Notice | ShowMoved], bytes]:
+    """What is told in what came through a pulse, and the beginning of a line whose rest is still to come."""
     *lines, rest = (line[line.find(b"{") :] if b"{" in line else b"" for line in data.split(b"\n"))
-    found = []
+    found = list[Notice | ShowMoved]()
     for line in filter(None, lines):
         with contextlib.suppress(msgspec.DecodeError, UnicodeDecodeError):  # a process may die while it writes
-            found.append(_notice.decode(line))
+            found.append(_moved.decode(line) if line.startswith(MOVED) else _notice.decode(line))
     return found, rest

@@ -10,6 +10,7 @@ import sys
 from collections.abc import Callable, Coroutine, Mapping
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from aiohttp import web
@@ -24,11 +25,13 @@ from omote.server.http.static_pages import Page, read_pages
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
 from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitThread
+from omote.server.persistence.file_gate import FileGate
+from omote.server.persistence.file_watch import FileWatch
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry, open_journal, restore
 from omote.server.process.notice_board import NoticeBoard
-from omote.server.process.process_messages import Order
-from omote.server.supervision.tick_loop import ShowTick, run_ticks
+from omote.server.process.process_messages import Order, ShowMoved, write_notice
+from omote.server.supervision.tick_loop import ShowTick, run_ticks, send_pulse
 from omote.server.workers.workshop import open_workshop
 from omote.showfile.show_file import ShowFile
 
@@ -86,14 +89,15 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
     """Plays until the control pipe ends or SIGTERM comes; raises what a tick raises."""
     os.set_blocking(pipes.pulse, False)  # a supervisor that does not read holds up no tick
     tell = board.with_report(report)
-    file, documents = open_journal(show, tell), material.documents
-    backup = BackupThread(file.again(), tell) if file else None
-    authored_work, reopen = open_reopenable_work(file, documents, tell, backup)
+    file, documents, gate = open_journal(show, tell), material.documents, FileGate()
+    backup = BackupThread(file.again(), tell, gate) if file else None
+    authored_work, reopen = open_reopenable_work(file, documents, tell, backup, gate)
     server = ShowServer(restore(documents.playing, file, order, tell), documents, material.pages)
     server.post(board.notices)
     server.enable_editing(authored_work, reopen, tell)
-    server.downloads = Downloads(show) if file else None
-    journal = JournalWriter(file, tell) if file else None
+    server.downloads = Downloads(lambda: file.path) if file else None
+    journal = JournalWriter(file, tell, gate) if file else None
+    watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
     runner = await start_serving(server, pipes.listen)
     try:
         await run_until_ended(run_ticks(ShowTick(server, journal, pipes.pulse, board).tick), pipes.control)
@@ -101,13 +105,16 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
         await server.close_all()
         await runner.cleanup()
         documents.close()
-        if authored_work:
-            authored_work.committer.close()
         if journal:
             journal.offer(journal_entry(server.session))
-            journal.close()
-        if backup:
-            backup.close()
+        for thread in (watch, authored_work and authored_work.committer, journal, backup):
+            if thread:
+                thread.close()
+
+
+def tell_moved(pulse: int, path: Path) -> None:
+    """Tells the supervisor from where the next process is to open the show file."""
+    send_pulse(pulse, write_notice(ShowMoved(str(path))))
 
 
 async def start_serving(server: ShowServer, listen: int) -> web.AppRunner:
@@ -119,15 +126,20 @@ async def start_serving(server: ShowServer, listen: int) -> web.AppRunner:
 
 
 def open_reopenable_work(
-    file: ShowFile | None, documents: CastDocuments, report: Callable[[str], None], backup: BackupThread | None = None
+    file: ShowFile | None,
+    documents: CastDocuments,
+    report: Callable[[str], None],
+    backup: BackupThread | None = None,
+    gate: FileGate | None = None,
 ) -> tuple[AuthoredWork | None, Callable[[], AuthoredWork | None]]:
     """Opens the authored work of a show file and adds it to the cast; also returns the function that reopens it."""
     if file is None:
         return None, lambda: None
-    committer = CommitThread(file.again(), report, backup)
+    gate = gate or FileGate()
+    committer = CommitThread(file.again(), report, backup, gate)
 
     def reopen() -> AuthoredWork | None:
-        with closing(file.again()) as own:  # the journal's thread writes with the other connection
+        with gate, closing(file.again()) as own:  # the journal's thread writes with the other connection
             return open_authored_work(own, committer, documents.worker, report)
 
     authored_work = reopen()

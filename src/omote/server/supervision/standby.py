@@ -49,7 +49,7 @@ def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = 
 
         def start(order: Order, control: int, pulse: int) -> int:
             pipes = Pipes(options.listen, control, pulse)
-            return fork_server(line, lambda: run(material, order, show=options.show, pipes=pipes))
+            return fork_server(line, lambda: run(material, order, show=Path(order.show or options.show), pipes=pipes))
 
         raise_priority()
         send_news(line, Ready())

@@ -29,6 +29,7 @@ from omote.server.process.process_messages import (
     News,
     Order,
     Ready,
+    ShowMoved,
     Started,
     read_news,
     read_pulse,
@@ -173,7 +174,7 @@ class Supervisor:
         control, ours = os.pipe()
         theirs, pulse = os.pipe()
         try:
-            order = Order(self._epoch, neutral, self._failover, self._notices)
+            order = Order(self._epoch, neutral, self._failover, self._notices, str(self._show))
             send_order(standby.line, order, control, pulse)
         except OSError:
             os.close(ours)
@@ -220,8 +221,9 @@ class Supervisor:
             self._drop_server(server)
             return
         server.heard = time.monotonic()
-        new, server.rest = read_pulse(server.rest + data)
-        self._notices = [*self._notices, *new][-MOST_NOTICES:]
+        told, server.rest = read_pulse(server.rest + data)
+        self._notices = [*self._notices, *(each for each in told if isinstance(each, Notice))][-MOST_NOTICES:]
+        self._show = next((Path(each.show) for each in reversed(told) if isinstance(each, ShowMoved)), self._show)
         if not server.playing:
             server.playing = True
             self._failures = 0

@@ -106,7 +106,8 @@ export class StatusBar extends ConsoleElement {
       <div class="item link"><span class="lamp"></span><b>live</b> ${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</div>
       <div class="item stages ${crew !== null && stages.length === 0 ? "slow" : ""}">
         <b>${stages.length}</b> ${stages.length === 1 ? "stage" : "stages"}
-        ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stage?.level ?? "silent"}>${stage === null ? "–" : Math.round(stage.fps)}</b>`)}
+        ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stage?.level ?? "silent"}>${stage === null ? "–" : stage.fps < 1 ? stage.fps.toFixed(1) : Math.round(stage.fps)}</b>`)}
+        ${crew?.lost ? html`<b class="slow" title="The link broke while the page was open, and has not come back">${crew.lost} lost</b>` : nothing}
         ${stages.length > 0 ? "fps" : nothing} <span class="level" title="quality">${levelsOf(stages)}</span>
       </div>
       <div class="item consoles"><b>${crew?.consoles ?? 0}</b> ${crew?.consoles === 1 ? "console" : "consoles"}</div>

@@ -1,7 +1,6 @@
 /** The editor's link to the server. */
 
 import { encode } from "@msgpack/msgpack";
-import { now } from "../../link/clock";
 import {
   EDITING_LIMIT,
   EDITING_PATH,
@@ -53,7 +52,7 @@ export class EditorLink {
     const size = encode(request).length;
     if (size > EDITING_LIMIT - 16)
       throw new Error(`This edit is ${size} bytes, expected at most ${EDITING_LIMIT}: use fewer points or layers.`);
-    if (this.#pending.size === 0) this.#socket.heard = now(); // silence counts from here
+    if (this.#pending.size === 0) this.#socket.awaitMessage();
     return this.#pending.ask(request);
   }
 
