@@ -17,7 +17,7 @@ from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
-from omote.model.sculpting.regions import REGIONS
+from omote.model.space.head_regions import REGIONS
 from omote.show.messages import Message
 from omote.showfile.changes import (
     Change,

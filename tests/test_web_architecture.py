@@ -37,7 +37,7 @@ USED: dict[str, str] = {
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
     "editor/controls": "ui editor/session",
-    "editor/panels": "link ui editor/session editor/controls",
+    "editor/panels": "link ui face/pose editor/session editor/controls",
     "editor/page": "link ui editor/session editor/controls",
     "editor/canvas/math": "link face/anatomy",
     "editor/canvas/model": "link face/pose face/anatomy editor/session editor/canvas/math",

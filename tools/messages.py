@@ -22,6 +22,7 @@ from omote.interchange.skin_texture import HAIRLINE, LAYERS
 from omote.model.hair import STRETCH
 from omote.model.sculpting.sculpt import WARP_UNIT
 from omote.model.space.eye_socket import FAR, NEAR
+from omote.model.space.gain import LEAST_GAIN, MOST_GAIN, NEUTRAL_GAINS
 from omote.model.space.lid_lip_lines import RUNGS
 from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
@@ -82,6 +83,8 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
     "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(messages.Level)),
     "CHANNEL_RANGE": ("The lowest and the highest weight of a channel.", (CHANNEL_LOWEST, CHANNEL_HIGHEST)),
+    "NEUTRAL_GAINS": ("A face's gains where it sets none, by region, in the order of the panels.", dict(NEUTRAL_GAINS)),
+    "GAIN_RANGE": ("The lowest and the highest gain.", (LEAST_GAIN, MOST_GAIN)),
     "RUNGS": ("Pairs of points between the edges of lids and lips that corrective shapes keep apart.", RUNGS),
     "SOCKET_NEAR": ("In radii of an eyeball: skin below keeps its height over it exactly.", NEAR),
     "SOCKET_FAR": ("In radii of an eyeball: skin above moves freely.", FAR),
@@ -124,7 +127,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _literal(value: object) -> str:
-    return json.dumps(value) + (" as const" if isinstance(value, tuple | list) else "")
+    return json.dumps(value) + (" as const" if isinstance(value, tuple | list | dict) else "")
 
 
 def _module(source: ModuleType, constants: list[str], structs: list[type[msgspec.Struct]], unions: list[str]) -> str:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from omote.model.sculpting.sculpt import sculpted as sculpted
     from omote.model.space.expression import Expression as Expression
     from omote.model.space.face import Face as Face
+    from omote.model.space.gain import Gain as Gain
     from omote.model.space.parameter_space import ParameterSpace as ParameterSpace
     from omote.model.transfer.compound import compound as compound
     from omote.model.transfer.extract import extract as extract
@@ -32,6 +33,7 @@ _HOMES = {
     "ControlNet": "omote.model.controls.control_net",
     "Expression": "omote.model.space.expression",
     "Face": "omote.model.space.face",
+    "Gain": "omote.model.space.gain",
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
     "Sculpt": "omote.model.sculpting.sculpt",

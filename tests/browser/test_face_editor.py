@@ -8,12 +8,14 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
+from tests.browser.test_console import console
 from tests.browser.test_editor import BENCH, SETTLED, bench, editor, positions, save, wait_for
 
-__all__ = ["editor"]
+__all__ = ["console", "editor"]
 
+Console = Callable[..., Page]
 Editor = Callable[..., Page]
 
 REACH = 5e-5
@@ -142,3 +144,49 @@ def test_arrows_move_what_is_chosen_and_the_panel_puts_it_back(editor: Editor) -
     page.get_by_role("button", name="Reset chin").click()
     wait_for(page, f"bench.draft.undo === 5 && {SETTLED}")
     assert np.allclose(positions(page, "At rest"), first, atol=1e-6)
+
+
+def set_gain(page: Page, region: str, value: float) -> None:
+    """Types a gain into its field and waits until the server has baked it."""
+    undo = int(bench(page, "draft.undo"))
+    field = page.locator(f"omote-recipe omote-amount[data-gain='{region}'] input[type=text]")
+    field.fill(str(value))
+    field.press("Enter")
+    field.blur()
+    wait_for(page, f"bench.draft.undo === {undo + 1} && {SETTLED}")
+
+
+def test_a_gain_makes_an_expression_stronger_there_is_undone_saved_and_read_on_the_console(
+    editor: Editor, console: Console
+) -> None:
+    page = editor()
+    make_face(page, "Loud Kaori")
+    rest, smiling = positions(page, "At rest"), positions(page, "Smile")
+    set_gain(page, "mouth", 2)
+    louder = positions(page, "Smile")
+    row = row_of(page, "left mouth corner")
+    plain, loud = (np.linalg.norm((worn - rest)[row]) for worn in (smiling, louder))
+    assert loud > 1.3 * plain
+    assert np.allclose(positions(page, "At rest"), rest, atol=1e-7)
+    page.keyboard.press("Control+z")
+    wait_for(page, f"bench.draft.undo === 0 && {SETTLED}")
+    assert np.allclose(positions(page, "Smile"), smiling, atol=1e-6)
+    page.keyboard.press("Control+Shift+z")
+    wait_for(page, f"bench.draft.undo === 1 && {SETTLED}")
+    set_gain(page, "ears", 1.5)
+    page.get_by_label("A gain for one expression", exact=True).select_option("angry")
+    wait_for(page, f"bench.face.gains.length === 3 && {SETTLED}")
+    set_gain(page, "mouth:angry", 0.5)
+    save(page)
+    desk = console()
+    name = bench(page, "item.name")
+    desk.locator(f"omote-palette .tile[data-name='{name}']").click()
+    line = desk.locator("omote-answers button")
+    expect(line).to_contain_text("mouth \N{MULTIPLICATION SIGN}2.0, mouth in angry \N{MULTIPLICATION SIGN}0.5, ears")
+    line.click()
+    answers = desk.get_by_role("dialog", name="How Loud Kaori answers")
+    expect(answers).to_contain_text("mouth in angry")
+    desk.keyboard.press("Escape")
+    expect(answers).to_have_count(0)
+    desk.locator("omote-palette .tile[data-name='old']").click()
+    expect(line).to_have_count(0)

@@ -14,7 +14,7 @@ from omote.model.space.face import Face
 from omote.model.space.skin_sheet import refuse_axis_outside
 from omote.model.transfer.compound import compound_parts
 from tests.pictures import read_png
-from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED, PUPILS
+from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED, PUPILS, ear_turns, head_turn
 
 CAST = omote.load_cast()
 GENERIC = CAST.faces["generic"]
@@ -72,7 +72,7 @@ def test_all_units_are_there_by_their_exact_names() -> None:
     expected["own"] = [*OWN]
     assert kinds == expected
     assert {kind: len(names) for kind, names in kinds.items()} == {
-        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "own": 2,
+        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "own": 6,
     }  # fmt: skip
     assert {
         "smile",
@@ -89,7 +89,7 @@ def test_all_units_are_there_by_their_exact_names() -> None:
 
 
 def test_titles_name_a_region_of_the_face() -> None:
-    regions = {"brows", "eyes", "nose", "cheeks", "mouth", "jaw", "tongue", "whole"}
+    regions = {"brows", "eyes", "nose", "cheeks", "mouth", "jaw", "tongue", "ears", "whole"}
     assert {title.region for title in CAST.titles.values()} == regions
     assert CAST.titles["mouth-corner-puller"].label == "Smile with closed lips"
 
@@ -105,6 +105,14 @@ def test_every_expression_but_neutral_moves_something() -> None:
 def test_pupils_move_by_what_the_table_says() -> None:
     for name, expression in CAST.expressions.items():
         assert expression.pupil == pytest.approx({**PUPILS, **OWN}.get(name, 0.0)), name
+
+
+def test_ears_and_heads_turn_by_what_the_tables_say_and_no_persons_do() -> None:
+    for name, expression in CAST.expressions.items():
+        assert expression.name == name
+        np.testing.assert_allclose(expression.ears, ear_turns(name), atol=1e-7)
+        np.testing.assert_allclose(expression.head, head_turn(name), atol=1e-7)
+    assert not any(CAST.faces[name].gains for name in ("generic", "kaori", "old"))
 
 
 @pytest.mark.parametrize("face", FACES, ids=name_of)

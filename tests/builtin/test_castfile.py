@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from omote import builtin, load_cast
 from omote.builtin.castfile import cast_of, meshes_of
+from omote.model.space.gain import Gain
 
 Arrays = dict[str, NDArray[Any]]
 
@@ -31,6 +32,16 @@ def test_fields_are_what_the_arrays_say(arrays: Arrays) -> None:
     np.testing.assert_array_equal(smile.dtheta, arrays["dtheta"][row])
     np.testing.assert_array_equal(smile.ratio, 1.0 + arrays["swell"][row].astype(np.float64))
     np.testing.assert_array_equal(smile.residual, arrays["residual"][row])
+
+
+def test_gains_come_with_their_faces(arrays: Arrays) -> None:
+    about = json.loads(arrays["about"].tobytes())
+    about["gains"] = {"dog": [{"region": "ears", "value": 1.5, "expression": None}]}
+    arrays["about"] = np.frombuffer(json.dumps(about).encode(), np.uint8)
+    cast = cast_of(arrays)
+    assert cast.faces["dog"].gains == (Gain("ears", 1.5),)
+    assert not cast.faces["kaori"].gains
+    assert cast.digest != load_cast().digest
 
 
 def test_every_vertex_is_drawn(arrays: Arrays) -> None:

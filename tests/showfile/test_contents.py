@@ -14,6 +14,7 @@ from hypothesis.extra.numpy import arrays
 from omote.model.cast import TRAITS, Cast, Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
+from omote.model.space.gain import GAIN_REGIONS, Gain
 from omote.showfile import contents
 from omote.showfile.contents import (
     ContentError,
@@ -54,6 +55,8 @@ def expressions(draw: st.DrawFn) -> Expression:
         radius=draw(st.sampled_from(["origin", "other"])),
         transfer=draw(st.sampled_from(["smooth", "paper"])),
         pupil=draw(numbers),
+        ears=draw(arrays(np.float64, (2, 3), elements=numbers)),
+        head=draw(arrays(np.float64, 3, elements=numbers)),
     )
 
 
@@ -63,12 +66,14 @@ def faces(draw: st.DrawFn) -> Face:
     single = st.floats(-1e6, 1e6, width=32)
     shape = st.integers(1, 30).map(lambda count: (count, 3))
     parts = {name: draw(arrays(np.float32, shape, elements=single)) for name in draw(st.lists(names, max_size=2))}
-    return Face("any", draw(arrays(np.float32, shape, elements=single)), parts)
+    gains = st.builds(Gain, st.sampled_from(GAIN_REGIONS), st.floats(0.0, 4.0), st.sampled_from([None, "joy"]))
+    own = draw(st.lists(gains, max_size=4, unique_by=lambda gain: (gain.region, gain.expression)))
+    return Face("any", draw(arrays(np.float32, shape, elements=single)), parts, tuple(own))
 
 
 def bits(expression: Expression) -> list[object]:
     """Everything of an expression, to the bit, parts in order of their names."""
-    own = [getattr(expression, name) for name in ("dtheta", "dh", "ratio", "residual", "eyes")]
+    own = [getattr(expression, name) for name in ("dtheta", "dh", "ratio", "residual", "eyes", "ears", "head")]
     parts = sorted(expression.parts.items())
     numbers = [(array.shape, array.tobytes()) for array in (*own, np.array(expression.pupil), *(p for _, p in parts))]
     return [*numbers, [name for name, _ in parts], expression.radius, expression.transfer]
@@ -89,6 +94,7 @@ def test_a_face_comes_back_to_the_bit(face: Face, look: Look) -> None:
     again, its_look = unpack_face(data, "new name")
     assert again.name == "new name"
     assert its_look == look
+    assert again.gains == face.gains
     assert again.positions.tobytes() == face.positions.tobytes()
     assert {name: part.tobytes() for name, part in again.parts.items()} == {
         name: part.tobytes() for name, part in face.parts.items()
@@ -262,6 +268,16 @@ def test_a_look_of_before_a_trait_takes_its_usual_value() -> None:
     face, look = unpack_face(packed(document | {"look": {"pores": 0.1}}), "a")
     assert look == replace(Look(), pores=0.1)
     assert len(face.positions) == 3
+
+
+def test_what_moves_no_ears_and_what_has_no_gains_is_packed_as_before_there_were_any() -> None:
+    assert not {"ears", "head"} & plain(pack_expression(simple())).keys()
+    document = plain(pack_face(Face("a", np.eye(3)), Look()))
+    assert "gains" not in document
+    with pytest.raises(ContentError, match="no face: a gain is of region 'tail'"):
+        unpack_face(packed(document | {"gains": [["tail", 1.0, None]]}), "a")
+    with pytest.raises(ContentError, match="no face: the gain of mouth is 9"):
+        unpack_face(packed(document | {"gains": [["mouth", 9.0, None]]}), "a")
 
 
 def test_a_content_that_could_not_be_read_again_is_not_packed(monkeypatch: pytest.MonkeyPatch) -> None:

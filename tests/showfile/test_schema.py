@@ -42,12 +42,29 @@ def first(tmp_path: Path) -> Path:
     return path
 
 
+def as_of(path: Path, version: int) -> Path:
+    """A show file as an Omote of that version made it."""
+    connection = sqlite3.connect(path)
+    steps = "".join(schema.MIGRATIONS[:version])
+    connection.executescript(
+        f"BEGIN; PRAGMA application_id = {APPLICATION_ID}; PRAGMA user_version = {version}; {steps} COMMIT;"
+    )
+    connection.close()
+    return path
+
+
 def version(path: Path) -> int:
     """What the header says."""
     connection = sqlite3.connect(path)
     (found,) = connection.execute("PRAGMA user_version").fetchone()
     connection.close()
     return int(found)
+
+
+def test_a_file_of_before_gains_is_brought_up_so_that_an_older_omote_says_update(tmp_path: Path) -> None:
+    path = as_of(tmp_path / "second.omote", 2)
+    open_show(path).close()
+    assert version(path) == SCHEMA_VERSION > 2
 
 
 def test_a_file_of_the_first_version_is_brought_up_and_keeps_its_state(first: Path) -> None:

@@ -11,6 +11,7 @@ from hypothesis.extra import numpy as hnp
 
 from omote.builtin import BakedMesh
 from omote.model.cast import Cast, Title
+from omote.model.space.gain import Gain
 from omote.model.transfer.compound import compound, compound_parts
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.frame import Frame
@@ -110,6 +111,18 @@ def test_the_manifest_counts_what_there_is(cast: Cast) -> None:
     assert [face.name for face in manifest.faces] == list(cast.faces)
     assert [expression.name for expression in manifest.expressions] == list(cast.expressions)
     assert encode(manifest) == encode(written(cast))
+
+
+def test_the_manifest_says_how_a_face_answers_and_how_heads_turn(cast: Cast) -> None:
+    loud = dataclasses.replace(cast.faces["long"], gains=(Gain("brows", 2.0), Gain("head", 1.0, "smile")))
+    nod = dataclasses.replace(cast.expressions["smile"], head=np.array([0.0, 0.1, -0.2]))
+    manifest = written(
+        dataclasses.replace(cast, faces={**cast.faces, "long": loud}, expressions={**cast.expressions, "smile": nod})
+    )
+    gains = {face.name: [(row.region, row.value, row.expression) for row in face.gains] for face in manifest.faces}
+    assert gains == {**dict.fromkeys(cast.faces, []), "long": [("brows", 2.0, None), ("head", 1.0, "smile")]}
+    heads = {expression.name: expression.head for expression in manifest.expressions}
+    assert heads == {**dict.fromkeys(cast.expressions, (0.0, 0.0, 0.0)), "smile": (0.0, 0.1, -0.2)}
 
 
 def test_meshes_draw_their_own_rows(cast: Cast) -> None:

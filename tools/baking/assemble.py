@@ -19,7 +19,7 @@ from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.extract import extract
 from omote.model.transfer.mouth_bag_fit import fit_mouth_bag_at_rest
-from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, region
+from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, ear_turns, head_turn, region
 from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head, Piece
 from tools.baking.heads.moves import Move
@@ -93,15 +93,15 @@ def fit_mouth_bags(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) 
 
 def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move], step: Step) -> Arrays:
     """Every expression as a field on S, taken from the generic face by the paper's map; first the one at rest, last
-    those that move only the pupils."""
+    those that move no skin of people."""
     generic = face_of(arrays, GENERIC)
     expressions = [_at_rest(space)]
     for name, move in moves.items():
         taken = extract(space, generic, move.skin, parts=move.parts)
-        expressions.append(replace(taken, pupil=PUPILS.get(name, 0.0)))
+        expressions.append(replace(taken, pupil=PUPILS.get(name, 0.0), ears=ear_turns(name), head=head_turn(name)))
         step(name)
     for name, pupil in OWN.items():
-        expressions.append(replace(_at_rest(space), pupil=pupil))
+        expressions.append(replace(_at_rest(space), pupil=pupil, ears=ear_turns(name), head=head_turn(name)))
         step(name)
     return _stack(expressions, space)
 
@@ -119,6 +119,8 @@ def _stack(expressions: list[Expression], space: ParameterSpace) -> Arrays:
         "swell": [expression.ratio - 1.0 for expression in expressions],
         "residual": [expression.residual for expression in expressions],
         "eyes": [expression.eyes for expression in expressions],
+        "ears": [expression.ears for expression in expressions],
+        "head": [expression.head for expression in expressions],
         "pupil": [np.array(expression.pupil) for expression in expressions],
     }
     for part in PARTS:
@@ -135,7 +137,8 @@ def about(moves: Mapping[str, Move], sculpts: Sequence[Sculpt]) -> Arrays:
     rows += [
         {"name": name, "label": label(name), "kind": _kind(name), "region": region(name)} for name in (*moves, *OWN)
     ]
-    text = json.dumps({"faces": faces, "expressions": rows}, indent=1)
+    gains = {sculpt.name: [asdict(gain) for gain in sculpt.gains] for sculpt in sculpts if sculpt.gains}
+    text = json.dumps({"faces": faces, "gains": gains, "expressions": rows}, indent=1)
     return {"format": np.array(FORMAT), "about": np.frombuffer(text.encode(), dtype=np.uint8)}
 
 

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 ARKIT: Sequence[str] = (
     "browDownLeft", "browDownRight", "browInnerUp", "browOuterUpLeft", "browOuterUpRight",
     "cheekPuff", "cheekSquintLeft", "cheekSquintRight",
@@ -105,13 +108,38 @@ PUPILS: Mapping[str, float] = {
     "pout": -0.1, "cheeky": 0.2,
 }  # fmt: skip
 
-# They move the pupils and nothing else.
-OWN: Mapping[str, float] = {"pupils-wide": 1.0, "pupils-narrow": -1.0}
+# They move the pupils, or ears (of a face that answers with its ears), and nothing else; by what they do to the pupils.
+OWN: Mapping[str, float] = {
+    "pupils-wide": 1.0, "pupils-narrow": -1.0, "ears-up": 0.0, "ears-down": 0.0, "ears-back": 0.0, "ears-out": 0.0,
+}  # fmt: skip
+
+# How far both ears go back, up and out, in degrees, on a face that answers with its ears by a gain of 1 (people's do
+# not). Performed ones after what dogs and cats show: pricked with attention, laid back in fear and rage, let down in
+# sorrow. The units' are small, so that a tracked performer's brows and lids stir the ears too.
+EARS: Mapping[str, tuple[float, float, float]] = {
+    "smile": (4, 4, 4), "joy": (-4, 14, 4), "laugh": (8, 8, 10), "sad": (6, -22, 10), "cry": (12, -24, 6),
+    "angry": (26, -4, 14), "shout": (24, 0, 12), "surprise": (-14, 26, 0), "fear": (34, -14, 6),
+    "disgust": (16, -8, 16), "contempt": (6, 0, 6), "sleepy": (2, -12, 6), "asleep": (2, -16, 6), "kiss": (2, 4, 2),
+    "wink": (0, 6, 4), "doubt": (-6, 10, 0), "pain": (30, -8, 6), "pout": (4, -14, 6), "puff": (0, 8, 0),
+    "cheeky": (-4, 12, 4),
+    "browInnerUp": (-4, 12, 0), "browOuterUpLeft": (-2, 6, 0), "browOuterUpRight": (-2, 6, 0),
+    "browDownLeft": (8, -2, 4), "browDownRight": (8, -2, 4), "eyeWideLeft": (-3, 6, 0), "eyeWideRight": (-3, 6, 0),
+    "ears-up": (0, 30, 0), "ears-down": (0, -30, 0), "ears-back": (30, 0, 0), "ears-out": (0, 0, 30),
+}  # fmt: skip
+
+# Yaw, pitch and roll of the head, in degrees, on a face that answers with its head by a gain of 1 (people's do not).
+HEADS: Mapping[str, tuple[float, float, float]] = {
+    "joy": (0, 4, 3), "laugh": (0, 6, 4), "sad": (0, -9, 3), "cry": (0, -11, 0), "angry": (0, -6, 0),
+    "surprise": (0, 5, 0), "fear": (4, -5, -3), "disgust": (9, 3, 5), "contempt": (7, 5, 3), "doubt": (4, 0, 13),
+    "sleepy": (0, -7, 5), "asleep": (0, -12, 6), "wink": (0, 0, 6), "kiss": (0, 3, 3), "pout": (0, -6, 0),
+    "cheeky": (0, 2, 7),
+}  # fmt: skip
 
 _REGIONS = {
     "brow": "brows",
     "eye": "eyes",
     "pupils": "eyes",
+    "ears": "ears",
     "nose": "nose",
     "cheek": "cheeks",
     "mouth": "mouth",
@@ -123,6 +151,17 @@ _REGIONS = {
 def unit_weights(recipe: Mapping[str, float]) -> dict[str, float]:
     """A performed expression's weight of every ARKit unit it uses, `*` written out."""
     return {name.replace("*", side): weight for name, weight in recipe.items() for side in _sides(name)}
+
+
+def ear_turns(name: str) -> NDArray[np.float64]:
+    """How far the left and the right ear turn back, up and out, (2, 3) radians; `Left` and `Right` name one of them."""
+    turn = np.radians(EARS.get(name, (0.0, 0.0, 0.0)))
+    return np.stack([turn * (not name.endswith("Right")), turn * (not name.endswith("Left"))])
+
+
+def head_turn(name: str) -> NDArray[np.float64]:
+    """Yaw, pitch and roll of the head, (3,) radians."""
+    return np.radians(HEADS.get(name, (0.0, 0.0, 0.0)))
 
 
 def _sides(name: str) -> tuple[str, ...]:

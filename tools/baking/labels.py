@@ -67,6 +67,10 @@ LABELS: Mapping[str, str] = {
     "nose-*-elevation": "Raise nostril",
     "pupils-wide": "Widen pupils",
     "pupils-narrow": "Narrow pupils",
+    "ears-up": "Ears up",
+    "ears-down": "Ears down",
+    "ears-back": "Ears back",
+    "ears-out": "Ears out",
 }
 SIDES = (("Left", "left"), ("Right", "right"), ("left", "left"), ("right", "right"))
 

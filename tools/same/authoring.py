@@ -23,10 +23,11 @@ from omote.model.recipes.compose_face import FaceWithLook, compose_face
 from omote.model.recipes.face_handles import default_handles, drag_handles, handle_basis
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
 from omote.model.sculpting.caricature import caricature
-from omote.model.sculpting.regions import REGIONS, region_weights, regional
+from omote.model.sculpting.regions import regional
 from omote.model.sculpting.sculpt import sculpted
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
+from omote.model.space.head_regions import REGIONS, region_weights
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound, compound_parts
 from omote.model.transfer.extract import extract

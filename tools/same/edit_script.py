@@ -13,7 +13,7 @@ from omote.model.cast import Cast
 from omote.model.controls.face_muscles import muscle_fields
 from omote.model.recipes.face_handles import default_handles
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull
-from omote.model.sculpting.regions import REGIONS
+from omote.model.space.head_regions import REGIONS
 from omote.show.messages import Message
 
 Value = TypeVar("Value")

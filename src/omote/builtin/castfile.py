@@ -3,12 +3,14 @@
 Arrays, V vertices of the skin, n of a part, E expressions:
 
     format              the number FORMAT
-    about               JSON text as bytes: faces {name: look}, expressions [{name, label, kind, region}]
+    about               JSON text as bytes: faces {name: look}, gains {name: [{region, value, expression}]} of those
+                        who set any, expressions [{name, label, kind, region}]
     triangles (F, 3)    of the skin                  jaw (m,)            skin vertices that show where the jaw is
     face/NAME (V, 3)    metres                       face/NAME/PART (n, 3)
     part/PART (t, 3)    triangles of a part
     dtheta, dh, swell (E, V)                         fields on S, radians, metres and R - 1
     residual (E, i, 3)  of the inner skin            rest/PART (E, n, 3)  eyes (E, 2, 2)  pupil (E,)
+    ears (E, 2, 3)      radians, head (E, 3) radians: what ears and heads do that answer
     hair/STYLE/WHAT     of a HairStyle: points, rows, weights, anchors, facing, light, width
     drawn/MESH/source (k,), drawn/MESH/uv (k, 2), drawn/MESH/triangles (t, 3)
 """
@@ -16,7 +18,7 @@ Arrays, V vertices of the skin, n of a part, E expressions:
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -28,6 +30,7 @@ from omote.model.cast import GENERIC, Cast, Look, Title
 from omote.model.hair import HairStyle
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
+from omote.model.space.gain import Gain
 from omote.model.space.parameter_space import ParameterSpace
 
 FORMAT = 1
@@ -53,13 +56,14 @@ def cast_of(arrays: Arrays) -> Cast:
     if int(arrays["format"]) != FORMAT:
         raise ValueError(f"it has format {int(arrays['format'])}, this version reads format {FORMAT}")
     about = json.loads(arrays["about"].tobytes())
-    faces = {name: _face(arrays, name) for name in about["faces"]}
+    gains = about.get("gains", {})
+    faces = {name: _face(arrays, name, gains.get(name, ())) for name in about["faces"]}
     space = _space(arrays, faces[GENERIC])
     titles = {row["name"]: Title(row["label"], row["kind"], row["region"]) for row in about["expressions"]}
     return Cast(
         space=space,
         faces=faces,
-        expressions={name: _expression(arrays, row, space) for row, name in enumerate(titles)},
+        expressions={name: _expression(arrays, name, row, space) for row, name in enumerate(titles)},
         looks={name: Look(**look) for name, look in about["faces"].items()},
         titles=titles,
         hair=_hair(arrays),
@@ -85,8 +89,9 @@ def _hair(arrays: Arrays) -> dict[str, HairStyle]:
     }
 
 
-def _face(arrays: Arrays, name: str) -> Face:
-    return Face(name, arrays[f"face/{name}"], {part: arrays[f"face/{name}/{part}"] for part in PARTS})
+def _face(arrays: Arrays, name: str, gains: Iterable[Mapping[str, Any]]) -> Face:
+    parts = {part: arrays[f"face/{name}/{part}"] for part in PARTS}
+    return Face(name, arrays[f"face/{name}"], parts, tuple(Gain(**gain) for gain in gains))
 
 
 def _space(arrays: Arrays, generic: Face) -> ParameterSpace:
@@ -94,7 +99,7 @@ def _space(arrays: Arrays, generic: Face) -> ParameterSpace:
     return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
 
 
-def _expression(arrays: Arrays, row: int, space: ParameterSpace) -> Expression:
+def _expression(arrays: Arrays, name: str, row: int, space: ParameterSpace) -> Expression:
     rests = {part: arrays[f"rest/{part}"][row] for part in PARTS}
     inner = len(arrays["residual"][row])
     if inner != len(space.inner.vertices):
@@ -111,4 +116,7 @@ def _expression(arrays: Arrays, row: int, space: ParameterSpace) -> Expression:
         radius=space.radius,
         transfer=space.transfer,
         pupil=float(arrays["pupil"][row]),
+        name=name,
+        ears=arrays["ears"][row] if "ears" in arrays else np.zeros((2, 3)),
+        head=arrays["head"][row] if "head" in arrays else np.zeros(3),
     )

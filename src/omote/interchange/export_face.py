@@ -21,8 +21,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.compound import apply_expression, move_parts, turn_eyes
-from omote.model.transfer.paper_map import compile_expression
+from omote.model.transfer.compound import apply_expression, compile_answer, move_parts, turn_eyes
 from omote.perform.limits import check_known
 from omote.perform.name_lookup import find_name
 
@@ -85,7 +84,7 @@ def named_compound_meshes(cast: Cast, face: str, expression: str, /) -> Meshes:
 
 def compound_meshes(space: ParameterSpace, face: Face, expression: Expression, /) -> Meshes:
     """The vertices of skin and parts of any face wearing any expression: {mesh: (n, 3)} metres, eyeballs turned."""
-    compiled, fitted = compile_expression(space, expression), fit(space, face)
+    compiled, fitted = compile_answer(space, face, expression), fit(space, face)
     skin = apply_expression(space, face, compiled)
     parts = turn_eyes(space, move_parts(space, fitted, skin, compiled.parts), fitted.centres, expression.eyes)
     return {name: points.astype(np.float64) for name, points in {SKIN: skin, **parts}.items()}

@@ -98,12 +98,20 @@ class Title:
     region: str = "whole"
 
 
+def _numbers(expression: Expression) -> list[np.ndarray]:
+    """Every number of an expression."""
+    turns = (expression.eyes, np.array(expression.pupil), expression.ears, expression.head)
+    fields = (expression.dtheta, expression.dh, expression.ratio, expression.residual)
+    return [*fields, *turns, *expression.parts.values()]
+
+
 def _refuse_others_at_rest(cast: Cast) -> None:
     """Rejects another face or expression under a reserved name: panic and every start of a show return to these two."""
     generic, neutral = cast.faces.get(GENERIC), cast.expressions[NEUTRAL]
     if generic is not None and not np.array_equal(generic.positions, cast.space.points.astype(np.float32)):
         raise ValueError(f"face {GENERIC!r} is not the face the space was built from; give it another name")
     rests = (neutral.dtheta, neutral.dh, neutral.ratio - 1.0, neutral.residual, neutral.eyes, *neutral.parts.values())
+    rests += (neutral.ears, neutral.head)
     if neutral.pupil or any(np.abs(values).max(initial=0.0) > _REST for values in rests):
         raise ValueError(f"expression {NEUTRAL!r} moves something; expected the field at rest: give it another name")
 
@@ -278,21 +286,12 @@ class Cast:
         for face in self.faces.values():
             arrays += [face.positions, *face.parts.values()]
         for expression in self.expressions.values():
-            arrays += [
-                expression.dtheta,
-                expression.dh,
-                expression.ratio,
-                expression.residual,
-                expression.eyes,
-                np.array(expression.pupil),
-                *expression.parts.values(),
-            ]
+            arrays += _numbers(expression)
         arrays += [array for style in self.hair.values() for array in style.arrays]
         for array in arrays:
             state.update(np.ascontiguousarray(array).data)
-        state.update(
-            repr(
-                (*self.faces, *self.expressions, *self.looks.values(), *self.titles.values(), *self.space.rules)
-            ).encode()
-        )
+        texts = (*self.faces, *self.expressions, *self.looks.values(), *self.titles.values(), *self.space.rules)
+        state.update(repr(texts).encode())
+        gains = [face.gains for face in self.faces.values()]
+        state.update(repr((gains, [expression.name for expression in self.expressions.values()])).encode())
         return state.hexdigest()

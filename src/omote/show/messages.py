@@ -345,12 +345,21 @@ class MeshDocument(msgspec.Struct, frozen=True):
     triangles: bytes
 
 
+class FaceGain(msgspec.Struct, frozen=True):
+    """In which strength a face answers expressions in a region, 0 to 4; `expression`: the one that alone it is for."""
+
+    region: str
+    value: float
+    expression: str | None = None
+
+
 class FaceDocument(msgspec.Struct, frozen=True):
     """A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
 
     `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the farthest points
     of skin and hair, least then greatest x, y and z, metres: what a picture has to hold. `source`: its name in the
     addresses of compounds, `#` and a content key for an own face; `tags`, `place`: for palettes.
+    `gains`: those that differ from a person's.
     """
 
     name: str
@@ -364,11 +373,13 @@ class FaceDocument(msgspec.Struct, frozen=True):
     source: str
     tags: list[str] = []
     place: float = 0.0
+    gains: list[FaceGain] = []
 
 
 class ExpressionDocument(msgspec.Struct, frozen=True):
     """An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
-    what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face."""
+    what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face. `head`:
+    yaw, pitch and roll, radians, of a face that answers with its head."""
 
     name: str
     label: str
@@ -379,6 +390,7 @@ class ExpressionDocument(msgspec.Struct, frozen=True):
     source: str
     tags: list[str] = []
     place: float = 0.0
+    head: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 class HairDocument(msgspec.Struct, frozen=True):

@@ -19,6 +19,7 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.model.cast import Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
+from omote.model.space.gain import Gain, check_gain_region
 from omote.showfile.changes import Kind
 
 MAGIC, VERSION = b"OMOC", 1
@@ -44,7 +45,9 @@ class _Array(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields
     values: bytes
 
 
-class _Expression(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="expression"):
+class _Expression(
+    msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True, tag_field="kind", tag="expression"
+):
     dtheta: _Array
     dh: _Array
     ratio: _Array
@@ -54,12 +57,21 @@ class _Expression(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_f
     radius: str
     transfer: str
     pupil: float
+    ears: _Array | None = None
+    head: _Array | None = None
 
 
-class _Face(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="face"):
+class _Gain(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields=True):
+    region: str
+    value: float
+    expression: str | None
+
+
+class _Face(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True, tag_field="kind", tag="face"):
     positions: _Array
     parts: dict[str, _Array]
     look: dict[str, str | float]
+    gains: tuple[_Gain, ...] = ()
 
 
 _Content = _Expression | _Face
@@ -88,6 +100,8 @@ def pack_expression(expression: Expression, /) -> bytes:
             radius=expression.radius,
             transfer=expression.transfer,
             pupil=expression.pupil,
+            ears=_unless_still(expression.ears),
+            head=_unless_still(expression.head),
         )
     )
 
@@ -100,24 +114,31 @@ def unpack_expression(data: bytes, /) -> Expression:
     found = _decompress(data)
     if not isinstance(found, _Expression):
         raise ContentError("this content is a face; expected an expression")
-    _refuse_too_many(found.dtheta, found.dh, found.ratio, found.residual, found.eyes, *found.parts.values())
+    ears, head = found.ears or _dense(np.zeros((2, 3)), DOUBLE), found.head or _dense(np.zeros(3), DOUBLE)
+    _refuse_too_many(found.dtheta, found.dh, found.ratio, found.residual, found.eyes, ears, head, *found.parts.values())
     try:
         return Expression(
-            **{name: _fill(getattr(found, name)) for name in ("dtheta", "dh", "residual", "eyes")},
+            dtheta=_fill(found.dtheta),
+            dh=_fill(found.dh),
             ratio=_fill(found.ratio, rest=1.0),
+            residual=_fill(found.residual),
             parts={name: _fill(part) for name, part in found.parts.items()},
+            eyes=_fill(found.eyes),
             radius=found.radius,
             transfer=found.transfer,
             pupil=found.pupil,
+            ears=_fill(ears),
+            head=_fill(head),
         )
     except (ValueError, TypeError) as error:
         raise ContentError(f"this content holds no expression: {error}") from error
 
 
 def pack_face(face: Face, look: Look, /) -> bytes:
-    """Packs a face and its look, without its name."""
+    """Packs a face with its gains and its look, without its name."""
     parts = {name: _dense(face.parts[name], SINGLE) for name in sorted(face.parts)}
-    return _compress(_Face(_dense(face.positions, SINGLE), parts, dict(vars(look))))
+    gains = tuple(_Gain(gain.region, gain.value, gain.expression) for gain in face.gains)
+    return _compress(_Face(_dense(face.positions, SINGLE), parts, dict(vars(look)), gains))
 
 
 def unpack_face(data: bytes, /, name: str) -> tuple[Face, Look]:
@@ -131,7 +152,8 @@ def unpack_face(data: bytes, /, name: str) -> tuple[Face, Look]:
     _refuse_too_many(found.positions, *found.parts.values())
     try:
         parts = {part: _fill(points, dtype=SINGLE) for part, points in found.parts.items()}
-        return Face(name, _fill(found.positions, dtype=SINGLE), parts), _look(found.look)
+        gains = tuple(Gain(check_gain_region(row.region), row.value, row.expression) for row in found.gains)
+        return Face(name, _fill(found.positions, dtype=SINGLE), parts, gains), _look(found.look)
     except (ValueError, TypeError) as error:
         raise ContentError(f"this content holds no face: {error}") from error
 
@@ -181,6 +203,11 @@ def _inflate(packed: bytes) -> bytes:
         what = "goes on after its end" if inflater.eof else "is cut off"
         raise ContentError(f"this content {what}; take it from another copy")
     return plain
+
+
+def _unless_still(values: Numbers) -> _Array | None:
+    """None for what is all rest, to the bit: contents of before say nothing of it."""
+    return _dense(values, DOUBLE) if np.ascontiguousarray(values, DOUBLE).view("<u8").any() else None
 
 
 def _dense(values: Numbers, dtype: np.dtype[Any]) -> _Array:

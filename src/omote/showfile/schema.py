@@ -86,7 +86,10 @@ CREATE TRIGGER revisions_are_not_removed BEFORE DELETE ON revision
 CREATE TRIGGER items_keep_their_name BEFORE UPDATE ON item WHEN new.name != old.name OR new.kind != old.kind
     BEGIN SELECT RAISE(ABORT, 'an item keeps its kind and its name for ever'); END;
 """
-MIGRATIONS = (_JOURNAL, _AUTHORED)
+# The same tables: from here on recipes and contents of faces may carry gains, and expressions turns of ears and head,
+# which an older Omote could not read.
+_GAINS = ""
+MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS)
 """Statements that migrate version n to n + 1; never changed once released."""
 SCHEMA_VERSION = len(MIGRATIONS)
 

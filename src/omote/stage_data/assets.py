@@ -17,8 +17,7 @@ from omote.model.recipes.recipe import KEY
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.transfer.compound import apply_expression, move_parts
-from omote.model.transfer.paper_map import compile_expression
+from omote.model.transfer.compound import apply_expression, compile_answer, move_parts
 from omote.perform.lights import LIGHTS
 from omote.show import messages as wire
 from omote.show.messages import (
@@ -28,6 +27,7 @@ from omote.show.messages import (
     ExpressionDocument,
     FaceAsset,
     FaceDocument,
+    FaceGain,
     HairAsset,
     HairDocument,
     Kind,
@@ -110,7 +110,7 @@ def rest_positions(cast: Cast, face: Face) -> Points:
 
 def compound_positions(cast: Cast, face: Face, expression: Expression) -> Points:
     """The positions of a face wearing an expression, (vertices, 3) metres; eyeballs before their turn."""
-    fitted, compiled = fit(cast.space, face), compile_expression(cast.space, expression)
+    fitted, compiled = fit(cast.space, face), compile_answer(cast.space, face, expression)
     skin = apply_expression(cast.space, face, compiled)
     parts = move_parts(cast.space, fitted, skin, compiled.parts)
     return np.concatenate([skin, *(parts[name] for name in cast.space.parts)])
@@ -192,6 +192,7 @@ def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, s
         extremes=[_vector(point) for point in extremes(outline(cast, face, look.hair_style))],
         look=wire.Look(**asdict(look)),
         source=source,
+        gains=[FaceGain(gain.region, gain.value, gain.expression) for gain in face.gains],
     )
 
 
@@ -226,6 +227,7 @@ def expression_document(name: str, expression: Expression, title: Title, source:
         eyes=(eyes[0], eyes[1], eyes[2], eyes[3]),
         pupil=expression.pupil,
         source=source,
+        head=_vector(expression.head),
     )
 
 

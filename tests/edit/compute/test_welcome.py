@@ -8,7 +8,7 @@ import omote
 from omote.edit.compute.welcome import build_welcome, followers
 from omote.edit.protocol.wire import encode
 from omote.model.controls.face_muscles import muscle_fields
-from omote.model.sculpting.regions import REGIONS, region_weights
+from omote.model.space.head_regions import REGIONS, region_weights
 
 CAST = omote.load_cast()
 

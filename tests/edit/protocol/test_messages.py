@@ -7,7 +7,7 @@ from omote.edit.protocol import messages as wire
 from omote.edit.protocol.validation import MOST_LAYERS, MOST_POINTS, MOST_PULLS
 from omote.edit.protocol.wire import decode, encode
 from omote.model.recipes.recipe import Layer, Pull
-from omote.model.sculpting.regions import REGIONS
+from omote.model.space.head_regions import REGIONS
 from omote.show.validation import Refusal
 
 

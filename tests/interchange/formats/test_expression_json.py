@@ -1,6 +1,7 @@
 """Expressions as JSON: number for number there and back, and nothing that no head could do."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -42,12 +43,21 @@ def moved(expression: Expression, part: str) -> bool:
 
 def same(one: Expression, other: Expression) -> bool:
     """Whether two expressions are the same in every number."""
-    fields = ("dtheta", "dh", "ratio", "residual", "eyes")
+    fields = ("dtheta", "dh", "ratio", "residual", "eyes", "ears", "head")
     parts = {*one.parts, *other.parts}
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in fields) and all(
         not (moved(one, name) or moved(other, name)) or np.array_equal(one.parts[name], other.parts[name])
         for name in parts
     )
+
+
+def test_turns_of_ears_and_head_come_back_and_are_left_out_where_there_are_none(cast: Cast) -> None:
+    still = cast.expressions["smile"]
+    turning = replace(still, ears=np.arange(6.0).reshape(2, 3) / 10, head=np.array([0.1, -0.2, 0.3]))
+    read = decode(encode(document(dense=to_dense(turning)))).dense
+    assert read is not None
+    assert same(from_dense(cast.space, read), turning)
+    assert b'"ears"' not in encode(document(dense=to_dense(still)))
 
 
 @pytest.mark.parametrize("name", synthetic.EXPRESSIONS)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from omote.interchange.formats.sculpt_toml import SculptFileError, parse_sculpt, read_sculpt
+from omote.model.space.gain import Gain
 
 TEXT = """
 name = "a"
@@ -50,6 +51,26 @@ def test_a_brush_says_where_the_skin_is_smoothed() -> None:
 def test_a_brush_that_is_none_is_refused(line: str, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
         parse_sculpt(f"{TEXT}[smooth]\n{line}")
+
+
+def test_gains_say_how_strongly_the_face_answers_by_region_and_by_expression() -> None:
+    gains = parse_sculpt(TEXT + "[gains]\nears = 1.5\nbrows = 2\nmouth = { all = 1.2, angry = 1.8 }").gains
+    assert gains == (Gain("brows", 2.0), Gain("mouth", 1.2), Gain("mouth", 1.8, "angry"), Gain("ears", 1.5))
+    assert parse_sculpt(TEXT).gains == ()
+
+
+@pytest.mark.parametrize(
+    ("line", "sentence"),
+    [
+        ("tail = 2", "a gain is of region 'tail'; expected one of brows"),
+        ("mouth = 5", "the gain of mouth is 5; expected a number from 0"),
+        ('mouth = "much"', "the gain of mouth is 'much'"),
+        ('mouth = { "" = 1.5 }', "the gain of mouth is for expression ''"),
+    ],
+)
+def test_a_gain_that_is_none_is_refused(line: str, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        parse_sculpt(f"{TEXT}[gains]\n{line}")
 
 
 def test_metres_may_be_asked_for() -> None:

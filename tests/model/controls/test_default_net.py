@@ -11,7 +11,7 @@ from omote.model.controls.mirror import mirror_rows
 from omote.model.controls.net_field import build_net_field
 from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import Recipe
-from omote.model.sculpting.regions import region_weights
+from omote.model.space.head_regions import region_weights
 from omote.model.space.lid_lip_lines import chains
 from omote.model.transfer.compound import compound
 from tests import synthetic

@@ -18,8 +18,8 @@ from omote.model.controls.mirror import mirror_expression
 from omote.model.controls.net_field import NetField, build_net_field
 from omote.model.recipes.compose_expression import add_field, change_net, compose_expression, find_muscle_field
 from omote.model.recipes.recipe import Layer, Pull, Recipe, Vector
-from omote.model.sculpting.regions import REGIONS
 from omote.model.space.expression import Expression
+from omote.model.space.head_regions import REGIONS
 from omote.model.space.parameter_space import ParameterSpace
 
 CAST = omote.load_cast()

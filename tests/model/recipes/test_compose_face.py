@@ -13,12 +13,14 @@ from omote.builtin import load_cast
 from omote.model.cast import Look
 from omote.model.recipes.compose_face import MOST_AMOUNT, FaceWithLook, compose_face, mix_faces, mix_looks
 from omote.model.recipes.face_handles import default_handles, drag_handles
-from omote.model.recipes.recipe import FaceRecipe
+from omote.model.recipes.recipe import FaceRecipe, GainRow
 from omote.model.sculpting.caricature import caricature
 from omote.model.sculpting.extrapolation import find_folds
-from omote.model.sculpting.regions import REGIONS, regional
+from omote.model.sculpting.regions import regional
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.space.gain import Gain
+from omote.model.space.head_regions import REGIONS
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.performer import Performer
 
@@ -168,6 +170,7 @@ def test_mixes_regions_and_some_caricature_fold_next_to_nothing(
         (FaceRecipe({"kaori": 1.0}, {"nose": "nobody"}), "no face 'nobody'"),
         (FaceRecipe({"kaori": 1.0}, amount=2 * MOST_AMOUNT), "amount of caricature is 6.0"),
         (FaceRecipe({"kaori": 1.0}, amount=float("nan")), "amount of caricature is nan"),
+        (FaceRecipe({"kaori": 1.0}, gains=(GainRow("tail", 1.0),)), "a gain is of region 'tail'"),
         (FaceRecipe({"kaori": 1.0}, points=(1,)), "moves of handles has shape"),
         (FaceRecipe({"kaori": 1.0}, moves=((0.0, 0.0, 0.0),)), "expected a list of rows"),
         (FaceRecipe({"kaori": 1.0}, points=(-4,), moves=((0.0, 0.0, 0.0),)), "stands on row -4"),
@@ -176,6 +179,21 @@ def test_mixes_regions_and_some_caricature_fold_next_to_nothing(
 def test_what_makes_no_face_is_refused_with_a_sentence(recipe: FaceRecipe, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
         made(recipe)
+
+
+def test_gains_are_those_of_the_faces_and_of_the_recipe_before_all() -> None:
+    dog = SOURCES["dog"]
+    loud = FaceWithLook(replace(dog.face, gains=(Gain("mouth", 2.0), Gain("ears", 1.0))), dog.look)
+    sources = {**SOURCES, "dog": loud}
+
+    def gains(recipe: FaceRecipe) -> tuple[Gain, ...]:
+        return compose_face(SPACE, "new", recipe, sources).face.gains
+
+    assert gains(FaceRecipe({"dog": 1.0})) == loud.face.gains
+    assert gains(FaceRecipe({"dog": 0.5, "kaori": 0.5})) == (Gain("mouth", 1.5), Gain("ears", 0.5))
+    assert gains(FaceRecipe({"kaori": 1.0}, {"ears": "dog"}, 1.2)) == (Gain("ears", 1.0),)
+    rows = (GainRow("mouth", 1.0), GainRow("ears", 3.0, "joy"))
+    assert gains(FaceRecipe({"dog": 1.0}, gains=rows)) == (Gain("ears", 1.0), Gain("ears", 3.0, "joy"))
 
 
 def test_weights_that_were_rounded_on_air_are_scaled() -> None:

@@ -9,10 +9,11 @@ import pytest
 
 import omote
 from omote.geometry.laplacian import smoothing_matrix
-from omote.model.sculpting.regions import REGIONS, Region, region_weights, regional
+from omote.model.sculpting.regions import regional
 from omote.model.space.eye_socket import NEAR, ball_heights
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.space.head_regions import REGIONS, Region, region_weights
 from omote.model.space.similarity import fit_similarity
 from tests.synthetic import FACES, cast, space
 
@@ -21,35 +22,6 @@ CAST = omote.load_cast()
 
 def everywhere(face: Face) -> dict[Region, Face]:
     return dict.fromkeys(REGIONS, face)
-
-
-def test_the_regions_share_every_point_and_sum_to_one() -> None:
-    for points in (None, np.random.default_rng(1).normal(0.0, 0.3, (500, 3))):
-        weights = np.stack(list(region_weights(CAST.space, points).values()))
-        assert (weights >= 0).all()
-        assert np.allclose(weights.sum(axis=0), 1.0)
-
-
-def test_every_region_owns_its_feature_and_both_sides_alike() -> None:
-    features = {
-        "brows": (0.03, 0.026, 0.145), "eyes": (0.031, 0.004, 0.141), "nose": (0.0, -0.036, 0.168),
-        "cheeks": (0.045, -0.04, 0.125), "mouth": (0.0, -0.066, 0.155), "jaw": (0.0, -0.1, 0.148),
-        "ears": (0.085, -0.004, 0.035), "skull": (0.0, 0.1, 0.0),
-    }  # fmt: skip
-    for name, point in features.items():
-        both = np.array([point, np.multiply(point, [-1, 1, 1])])
-        weights = {str(region): row for region, row in region_weights(CAST.space, both).items()}
-        assert weights[name][0] > 0.5, name
-        assert max(weights, key=lambda region: float(weights[region][0])) == name
-        for row in weights.values():
-            assert np.isclose(row[0], row[1], atol=1e-3)
-
-
-def test_weights_change_smoothly_over_the_skin() -> None:
-    a, b = CAST.space.triangles[:, :2].T
-    length = np.linalg.norm(CAST.space.points[a] - CAST.space.points[b], axis=1)
-    for region, row in region_weights(CAST.space).items():
-        assert (np.abs(row[a] - row[b]) <= length / 0.004).all(), region  # the steepest border is 4 mm wide
 
 
 @pytest.mark.parametrize("name", FACES)

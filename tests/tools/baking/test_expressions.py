@@ -1,19 +1,48 @@
 """The table of units and recipes."""
 
+import numpy as np
 import pytest
 
-from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED, PUPILS, region, unit_weights
+from tools.baking.expressions import (
+    ARKIT,
+    EARS,
+    HEADS,
+    MAKEHUMAN,
+    OWN,
+    PERFORMED,
+    PUPILS,
+    ear_turns,
+    head_turn,
+    region,
+    unit_weights,
+)  # fmt: skip
 
 
 def test_no_name_stands_twice() -> None:
     names = [*ARKIT, *MAKEHUMAN, *PERFORMED, *OWN]
-    assert len(set(names)) == len(names) == 52 + 34 + 20 + 2
+    assert len(set(names)) == len(names) == 52 + 34 + 20 + 6
 
 
 def test_fear_and_surprise_widen_the_pupils_anger_and_disgust_narrow_them() -> None:
     assert PUPILS.keys() <= PERFORMED.keys()
     assert min(PUPILS["fear"], PUPILS["surprise"]) > 0.0 > max(PUPILS["angry"], PUPILS["disgust"])
     assert all(-1.0 <= pupil <= 1.0 for pupil in (*PUPILS.values(), *OWN.values()))
+
+
+def test_ears_and_heads_turn_by_degrees_that_ears_and_heads_can() -> None:
+    assert EARS.keys() <= {*ARKIT, *PERFORMED, *OWN}
+    assert HEADS.keys() <= PERFORMED.keys()
+    assert max(abs(angle) for turn in (*EARS.values(), *HEADS.values()) for angle in turn) <= 40.0
+    assert np.allclose(ear_turns("fear"), np.radians([EARS["fear"]] * 2))
+    assert not ear_turns("browDownLeft")[1].any()
+    assert ear_turns("browDownLeft")[0].any()
+    assert not head_turn("browDownLeft").any()
+
+
+def test_ears_rise_with_surprise_lie_back_with_fear_and_rage_and_hang_with_sorrow() -> None:
+    back, up = ({name: turn[axis] for name, turn in EARS.items()} for axis in (0, 1))
+    assert up["surprise"] > 0 > max(up["sad"], up["cry"])
+    assert min(back["fear"], back["angry"], back["pain"]) > 15 > 0 > back["surprise"]
 
 
 @pytest.mark.parametrize("name", PERFORMED)
@@ -34,7 +63,7 @@ def test_a_star_stands_for_left_and_right() -> None:
     [
         ("eyebrows-left-up", "brows"), ("eye-left-slit", "eyes"), ("jawOpen", "jaw"), ("tongueOut", "tongue"),
         ("neck-platysma", "whole"), ("smile", "whole"), ("noseSneerLeft", "nose"), ("mouth-open", "mouth"),
-        ("pupils-wide", "eyes"),
+        ("pupils-wide", "eyes"), ("ears-back", "ears"),
     ],
 )  # fmt: skip
 def test_regions(name: str, where: str) -> None:

@@ -17,6 +17,7 @@ import { writeLight } from "./light/light_uniforms";
 import { before, mixLights } from "./light/lights";
 import { Shadow } from "./light/shadow";
 import type { Triple } from "./light/tone";
+import { headOf } from "./pose/head_answer";
 import { type Pose, restPose, writeTurn } from "./pose/pose";
 import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
 import { FEATURES, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
@@ -282,7 +283,7 @@ export class FaceView {
 
   /** Head: yaw, then pitch, then roll; + is the character's left, up, tilt to its left. */
   private turnHead(): void {
-    const [yaw, pitch, roll] = this.pose.head;
+    const [yaw, pitch, roll] = headOf(this.pose, this.library);
     const turn = new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(-pitch, yaw, -roll, "YXZ"));
     this.shared.headTurn.value.setFromMatrix4(turn);
     const pivot = this.shared.pivot.value;

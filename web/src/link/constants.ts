@@ -12,6 +12,10 @@ export const DEFAULT_EASING = "smooth";
 export const LEVELS = ["lowest", "low", "medium", "high"] as const;
 /** The lowest and the highest weight of a channel. */
 export const CHANNEL_RANGE = [-0.5, 1.5] as const;
+/** A face's gains where it sets none, by region, in the order of the panels. */
+export const NEUTRAL_GAINS = {"brows": 1.0, "eyes": 1.0, "nose": 1.0, "cheeks": 1.0, "mouth": 1.0, "jaw": 1.0, "ears": 0.0, "head": 0.0} as const;
+/** The lowest and the highest gain. */
+export const GAIN_RANGE = [0.0, 4.0] as const;
 /** Pairs of points between the edges of lids and lips that corrective shapes keep apart. */
 export const RUNGS = 32;
 /** In radii of an eyeball: skin below keeps its height over it exactly. */

@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const EDITING_VERSION = 2;
+export const EDITING_VERSION = 3;
 export const EDITING_PATH = "/editing";
 /** Bytes; no message of an editor is longer. */
 export const EDITING_LIMIT = 65536;
@@ -9,7 +9,7 @@ export const EDITING_LIMIT = 65536;
  * A face made from faces (`compose_face`): a mix, regions from others, caricature, then handles.
  * base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
  * amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,
- * regions and amount put them.
+ * regions and amount put them; gains: in place of those that base and regions bring.
  */
 export interface FaceRecipe {
   kind: "face";
@@ -18,6 +18,17 @@ export interface FaceRecipe {
   amount: number;
   points: number[];
   moves: [number, number, number][];
+  gains: GainRow[];
+}
+
+/**
+ * A gain that a recipe sets: its region (`space.gain.GAIN_REGIONS`), value, and the expression that alone it is
+ * for, by name, or None.
+ */
+export interface GainRow {
+  region: string;
+  value: number;
+  expression: string | null;
 }
 
 /**

@@ -285,11 +285,19 @@ export interface MeshDocument {
   triangles: Uint8Array;
 }
 
+/** In which strength a face answers expressions in a region, 0 to 4; `expression`: the one that alone it is for. */
+export interface FaceGain {
+  region: string;
+  value: number;
+  expression: string | null;
+}
+
 /**
  * A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
  * `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the farthest points
  * of skin and hair, least then greatest x, y and z, metres: what a picture has to hold. `source`: its name in the
  * addresses of compounds, `#` and a content key for an own face; `tags`, `place`: for palettes.
+ * `gains`: those that differ from a person's.
  */
 export interface FaceDocument {
   name: string;
@@ -303,11 +311,13 @@ export interface FaceDocument {
   source: string;
   tags: string[];
   place: number;
+  gains: FaceGain[];
 }
 
 /**
  * An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
- * what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face.
+ * what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face. `head`:
+ * yaw, pitch and roll, radians, of a face that answers with its head.
  */
 export interface ExpressionDocument {
   name: string;
@@ -319,6 +329,7 @@ export interface ExpressionDocument {
   source: string;
   tags: string[];
   place: number;
+  head: [number, number, number];
 }
 
 /** A hair style: where its strands are. */

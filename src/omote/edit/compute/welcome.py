@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from omote.edit.protocol.messages import EDITING_VERSION, Greeted, MuscleDocument
 from omote.model.cast import Cast
 from omote.model.controls.face_muscles import muscle_fields, muscles
-from omote.model.sculpting.regions import REGIONS, region_weights
+from omote.model.space.head_regions import REGIONS, region_weights
 from omote.model.space.parameter_space import ParameterSpace
 from omote.show.wire import le_bytes
 

@@ -11,11 +11,11 @@ from typing import Annotated, Literal, get_args
 
 import msgspec
 
-from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
+from omote.model.recipes.recipe import FaceRecipe, GainRow, Layer, Pull, Recipe, Vector  # noqa: F401  (the same)
 from omote.show.messages import Message, Name, Notice, Notices  # noqa: F401  (the mirror has every struct)
 from omote.showfile.changes import Kind
 
-EDITING_VERSION = 2
+EDITING_VERSION = 3
 EDITING_PATH = "/editing"
 EDITING_LIMIT = 65536
 """Bytes; no message of an editor is longer."""

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.recipes.recipe import FaceRecipe, Recipe, Vector
-from omote.model.sculpting.regions import REGIONS
+from omote.model.recipes.recipe import FaceRecipe, GainRow, Recipe, Vector
+from omote.model.space.gain import Gain, check_gain_region, validate_gains
+from omote.model.space.head_regions import REGIONS
 from omote.show.validation import Quantity, Refusal, validate_number
 
 DTHETA = Quantity("dtheta of a control point (radians)", -math.pi, math.pi)
@@ -26,7 +27,7 @@ MOVE = Quantity("a handle's move (metres)", -0.5, 0.5)
 PLACE = Quantity("a place in the list", -1e9, 1e9)
 
 FEWEST_POINTS, MOST_POINTS = 3, 400
-MOST_LAYERS, MOST_PULLS, MOST_FACES = 200, 40, 40
+MOST_LAYERS, MOST_PULLS, MOST_FACES, MOST_GAINS = 200, 40, 40, 400
 LONGEST_LABEL = 200
 _UNITY = 1e-3
 """How far the weights of a mix of faces may sum from one."""
@@ -107,6 +108,7 @@ def _check_face(recipe: FaceRecipe, bounds: Bounds) -> None:
         raise Refusal(f"the weights of the faces sum to {whole:.4g}: a mix of faces sums to 1.")
     for region in recipe.regions:
         _check_region(region)
+    _check_gains(recipe.gains)
     validate_number(recipe.amount, AMOUNT)
     if len(recipe.moves) != len(recipe.points):
         raise Refusal(f"there are {len(recipe.moves)} moves for {len(recipe.points)} handles: send one for each.")
@@ -115,6 +117,15 @@ def _check_face(recipe: FaceRecipe, bounds: Bounds) -> None:
     for move in recipe.moves:
         for coordinate in move:
             validate_number(coordinate, MOVE)
+
+
+def _check_gains(rows: Sequence[GainRow]) -> None:
+    _check_count(len(rows), MOST_GAINS, "gains")
+    try:
+        gains = [Gain(check_gain_region(row.region[:80]), row.value, row.expression) for row in rows]
+        validate_gains(gains, "this face")
+    except ValueError as error:
+        raise Refusal(f"{error}.") from error
 
 
 def _check_rows(rows: Sequence[int], count: int, what: str) -> None:

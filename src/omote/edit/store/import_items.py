@@ -157,7 +157,7 @@ def _recipe_of_control(space: ParameterSpace, control: Control) -> Recipe:
 
 
 def _same(one: Expression, other: Expression) -> bool:
-    fields = ("dtheta", "dh", "ratio", "residual", "eyes")
+    fields = ("dtheta", "dh", "ratio", "residual", "eyes", "ears", "head")
     off = [np.abs(getattr(one, name) - getattr(other, name)).max(initial=0.0) for name in fields]
     still = not any(rest.any() for each in (one, other) for rest in each.parts.values())
     return max(off) <= EXACT and still and one.pupil == other.pupil

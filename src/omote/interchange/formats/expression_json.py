@@ -59,8 +59,9 @@ class Rest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     moves: Vectors
 
 
-class Dense(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """An expression, number for number; inner: rows of the inner skin; eyes: yaw and pitch, left and right."""
+class Dense(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """An expression, number for number; inner: rows of the inner skin; eyes: yaw and pitch, left and right; ears: how
+    far the left and the right one go back, up and out; head: yaw, pitch, roll; radians."""
 
     sheet: Sheet
     inner: Rest
@@ -69,6 +70,8 @@ class Dense(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     pupil: Annotated[float, msgspec.Meta(ge=-10.0, le=10.0)]
     radius: Literal["origin", "surface"]
     transfer: Literal["smooth", "paper"]
+    ears: tuple[Turn, Turn, Turn, Turn, Turn, Turn] | None = None
+    head: tuple[Turn, Turn, Turn] | None = None
 
 
 class ExpressionFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -106,7 +109,13 @@ def to_dense(expression: Expression, /) -> Dense:
         pupil=expression.pupil,
         radius=msgspec.convert(expression.radius, Literal["origin", "surface"]),
         transfer=msgspec.convert(expression.transfer, Literal["smooth", "paper"]),
+        ears=msgspec.convert(_turns(expression.ears), tuple[float, float, float, float, float, float] | None),
+        head=msgspec.convert(_turns(expression.head), tuple[float, float, float] | None),
     )
+
+
+def _turns(angles: NDArray[np.float64]) -> list[float] | None:
+    return angles.ravel().tolist() if angles.any() else None
 
 
 def from_dense(space: ParameterSpace, dense: Dense, /) -> Expression:
@@ -122,13 +131,17 @@ def from_dense(space: ParameterSpace, dense: Dense, /) -> Expression:
     if strange:
         raise ValueError(f"the document moves a part {strange[0]!r}; expected some of {', '.join(space.parts)}")
     return Expression(
-        **fields,
+        dtheta=fields["dtheta"],
+        dh=fields["dh"],
+        ratio=fields["ratio"],
         residual=_scatter(dense.inner, len(space.inner.vertices), "inner skin"),
         parts={name: _scatter(rest, len(space.parts[name].points), name) for name, rest in dense.parts.items()},
         eyes=np.reshape(dense.eyes, (2, 2)),
         radius=dense.radius,
         transfer=dense.transfer,
         pupil=dense.pupil,
+        ears=np.reshape(dense.ears or np.zeros(6), (2, 3)),
+        head=np.array(dense.head or np.zeros(3)),
     )
 
 

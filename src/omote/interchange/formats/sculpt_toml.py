@@ -15,12 +15,15 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.model.cast import Look
 from omote.model.sculpting.sculpt import KERNELS, Sculpt
 from omote.model.sculpting.smoothing_brush import Brush
+from omote.model.space.gain import Gain
 
 Values = NDArray[np.float64]
 
 UNITS = {"mm": 0.001, "m": 1.0}
-HEADINGS = ("name", "unit", "symmetric", "kernel", "teeth", "base", "look", "points", "smooth")
+HEADINGS = ("name", "unit", "symmetric", "kernel", "teeth", "base", "look", "gains", "points", "smooth")
 POINT_KEYS = ("at", "to", "by", "reach", "size")
+ALL = "all"
+"""Of a region's gains: that of all expressions which have none of their own."""
 BRUSH_KEYS = ("at", "reach", "rounds")
 
 
@@ -91,6 +94,7 @@ def parse_sculpt(text: str, /) -> Sculpt:
         look=_look(_table(table, "look")),
         base={name: _number(f"base {name!r}", weight) for name, weight in _table(table, "base").items()},
         brushes=tuple(_brush(name, row, UNITS[unit]) for name, row in _table(table, "smooth").items()),
+        gains=_gains(_table(table, "gains")),
     )
 
 
@@ -135,6 +139,15 @@ def _brush(name: str, row: Any, unit: float) -> Brush:
         )
     x, y, z = (_triple(f"`at` of brush {name!r}", row["at"]) * unit).tolist()
     return Brush((x, y, z), _number(f"`reach` of brush {name!r}", row["reach"]) * unit, row["rounds"])
+
+
+def _gains(table: Mapping[str, Any]) -> tuple[Gain, ...]:
+    """[gains]: for each region a number for all expressions, or numbers by expression and ALL for the others."""
+    found = []
+    for region, row in table.items():
+        values = row if isinstance(row, dict) else {ALL: row}
+        found += [Gain(region, value, None if name == ALL else name) for name, value in values.items()]  # type: ignore[arg-type]
+    return tuple(found)
 
 
 def _look(table: Mapping[str, Any]) -> Look:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.controls.mirror import mirror_rows
-from omote.model.sculpting.regions import Region, eye_frame, region_weights
+from omote.model.space.head_regions import Region, eye_frame, region_weights
 from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.space.parameter_space import ParameterSpace
 

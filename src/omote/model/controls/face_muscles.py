@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from omote.model.controls.mirror import mirror_rows
 from omote.model.controls.muscle import Lip, Muscle, metric_of, pull_field
-from omote.model.sculpting.regions import eye_frame
+from omote.model.space.head_regions import eye_frame
 from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.space.parameter_space import ParameterSpace
 

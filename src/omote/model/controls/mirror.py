@@ -51,7 +51,7 @@ def mirror_rows(space: ParameterSpace, /) -> Rows:
 
 
 def mirror_expression(space: ParameterSpace, expression: Expression, /) -> Expression:
-    """Exchanges left and right of an expression: its field, its residuals and its eyes."""
+    """Exchanges left and right of an expression: its field, its residuals, its eyes, ears and head."""
     mirror = mirror_of(space)
     parts = {other: expression.parts[name][rows] * _ACROSS for other, (name, rows) in mirror.parts.items()
              if name in expression.parts}  # fmt: skip
@@ -63,6 +63,9 @@ def mirror_expression(space: ParameterSpace, expression: Expression, /) -> Expre
         residual=expression.residual[mirror.inner] * _ACROSS,
         parts=parts,
         eyes=expression.eyes[::-1] * [-1.0, 1.0],
+        ears=expression.ears[::-1],
+        head=expression.head * [-1.0, 1.0, -1.0],
+        name="",
     )
 
 

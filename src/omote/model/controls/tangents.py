@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.space.face import Face
+from omote.model.space.gain import field_gain
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.smooth_map import prepare_smooth_map
 
@@ -27,5 +28,6 @@ def generic_tangents(space: ParameterSpace, /) -> Values:
 def tangents(space: ParameterSpace, face: Face, /) -> Values:
     """How each vertex of a face's sheet answers to the field there, (3, V, 3): metres per radian of dtheta, metre of dh
     and unit of R - 1; ValueError where the face does not belong to the space."""
-    ready = prepare_smooth_map(space, face)
-    return generic_tangents(space) * ready.gain[:, None]
+    ready, gain = prepare_smooth_map(space, face), field_gain(space, face.gains)
+    growth = ready.gain if gain is None else ready.gain * gain.skin
+    return generic_tangents(space) * growth[:, None]

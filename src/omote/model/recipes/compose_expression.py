@@ -14,8 +14,8 @@ from omote.model.controls.face_muscles import muscle_fields
 from omote.model.controls.mirror import mirror_expression
 from omote.model.controls.net_field import NetField, build_net_field
 from omote.model.recipes.recipe import KEY, Layer, Recipe
-from omote.model.sculpting.regions import REGIONS, Region, region_weights
 from omote.model.space.expression import Expression
+from omote.model.space.head_regions import RegionMask, check_region, region_mask
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.paper_map import compile_expression
 
@@ -27,20 +27,23 @@ HEAVIEST = 4.0
 
 @dataclass
 class _Sum:
-    """What is added up: field (V, 3) of dtheta, dh and R - 1, residual (inner, 3), parts, eyes (2, 2), pupil."""
+    """What is added up: field (V, 3) of dtheta, dh and R - 1, residual (inner, 3), parts, eyes (2, 2), pupil,
+    ears (2, 3), head (3,)."""
 
     field: Values
     residual: Values
     parts: dict[str, Values]
     eyes: Values
+    ears: Values
+    head: Values
     pupil: float = 0.0
 
 
 def compose_expression(
     space: ParameterSpace, recipe: Recipe, sources: Mapping[str, Expression], /, net_field: NetField | None = None
 ) -> Expression:  # fmt: skip
-    """Composes the expression of a recipe: fields add as dtheta, dh and R - 1, and so do residuals, parts, eyes and
-    pupils.
+    """Composes the expression of a recipe: fields add as dtheta, dh and R - 1, and so do residuals, parts, eyes,
+    pupils, ears and head.
 
     sources: the expressions that it names; net_field: of its net, where it is known. Raises ValueError on what it names
     and nobody knows, numbers that are not finite, weights beyond HEAVIEST and radii that are not positive.
@@ -84,7 +87,7 @@ def add_field(
 
 def _zero_sum(space: ParameterSpace) -> _Sum:
     still = np.zeros((len(space.inner.vertices), 3))
-    return _Sum(np.zeros((space.vertex_count, 3)), still, {}, np.zeros((2, 2)))
+    return _Sum(np.zeros((space.vertex_count, 3)), still, {}, np.zeros((2, 2)), np.zeros((2, 3)), np.zeros(3))
 
 
 def _find_source(space: ParameterSpace, sources: Mapping[str, Expression], name: str) -> Expression:
@@ -111,45 +114,21 @@ def _add(space: ParameterSpace, total: _Sum, expression: Expression, layer: Laye
         total.parts[name] = total.parts.get(name, 0.0) + weight * mask.parts[name][:, None] * rest
     total.eyes += weight * mask.eyes[:, None] * expression.eyes
     total.pupil += weight * float(mask.eyes.mean()) * expression.pupil
+    total.ears += weight * (layer.region in (None, "ears")) * expression.ears
+    total.head += weight * (layer.region is None) * expression.head
 
 
-@dataclass(frozen=True, eq=False)
-class _Mask:
-    """How much of everything a layer moves: skin (V,), parts (n,) by name, the eyeballs' turn (2,)."""
-
-    skin: Values
-    parts: Mapping[str, Values]
-    eyes: Values
+_whole: WeakKeyDictionary[ParameterSpace, RegionMask] = WeakKeyDictionary()
 
 
-_masks: WeakKeyDictionary[ParameterSpace, dict[str | None, _Mask]] = WeakKeyDictionary()
-
-
-def _mask(space: ParameterSpace, region: str | None) -> _Mask:
-    """The mask of a region, None for everything, made once."""
-    known = _masks.setdefault(space, {})
-    if region not in known:
-        known[region] = _make_mask(space, region)
-    return known[region]
-
-
-def _make_mask(space: ParameterSpace, region: str | None) -> _Mask:
-    if region is None:
-        whole = {name: np.ones(len(part.points)) for name, part in space.parts.items()}
-        return _Mask(np.ones(space.vertex_count), whole, np.ones(2))
-    if region not in REGIONS:
-        raise ValueError(f"there is no region {region!r}; expected one of {', '.join(REGIONS)}")
-    return _make_region_mask(space, region)
-
-
-def _make_region_mask(space: ParameterSpace, region: Region) -> _Mask:
-    """Parts by where they lie; eyeballs and their turn belong to the eyes alone, who looks half-way looks nowhere."""
-    eyes = 1.0 if region == "eyes" else 0.0
-    parts = {
-        name: np.full(len(part.points), eyes) if part.eye else region_weights(space, part.points)[region]
-        for name, part in space.parts.items()
-    }
-    return _Mask(region_weights(space)[region], parts, np.full(2, eyes))
+def _mask(space: ParameterSpace, region: str | None) -> RegionMask:
+    """The mask of a region, None for everything."""
+    if region is not None:
+        return region_mask(space, check_region(region))
+    if space not in _whole:
+        parts = {name: np.ones(len(part.points)) for name, part in space.parts.items()}
+        _whole[space] = RegionMask(np.ones(space.vertex_count), parts, np.ones(2))
+    return _whole[space]
 
 
 def _expression(space: ParameterSpace, total: _Sum) -> Expression:
@@ -162,8 +141,9 @@ def _expression(space: ParameterSpace, total: _Sum) -> Expression:
             "give layers and muscles less weight, or pull the points there less deep"
         )
     return Expression(
-        dtheta, dh, 1.0 + over, total.residual, total.parts, total.eyes, space.radius, space.transfer, total.pupil
-    )
+        dtheta, dh, 1.0 + over, total.residual, total.parts, total.eyes, space.radius, space.transfer, total.pupil,
+        ears=total.ears, head=total.head,
+    )  # fmt: skip
 
 
 def change_net(

@@ -12,9 +12,11 @@ from omote.model.cast import TRAITS, Look
 from omote.model.recipes.face_handles import drag_handles
 from omote.model.recipes.recipe import FaceRecipe
 from omote.model.sculpting.caricature import caricature
-from omote.model.sculpting.regions import REGIONS, Region, regional
+from omote.model.sculpting.regions import regional
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.space.gain import Gain, check_gain_region, mix_gains, override_gains
+from omote.model.space.head_regions import Region, check_region
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
@@ -45,13 +47,14 @@ class FaceWithLook:
 def compose_face(
     space: ParameterSpace, name: str, recipe: FaceRecipe, sources: Mapping[str, FaceWithLook], /
 ) -> FaceWithLook:  # fmt: skip
-    """Composes the face of a recipe, under a name: base, then regions, then caricature, then handles.
+    """Composes the face of a recipe, under a name: base, then regions, then caricature, then handles; its gains
+    are those of the base and of the regions' faces, except where the recipe sets its own.
 
     sources: the faces that it names. Raises ValueError on faces, regions and handles that nobody knows, weights that do
     not sum to one, and what makes no face of this space.
     """
     shares = _shares(recipe, sources)
-    chosen = {_region(region): _find_source(sources, source) for region, source in recipe.regions.items()}
+    chosen = {check_region(region): _find_source(sources, source) for region, source in recipe.regions.items()}
     face = mix_faces(space, name, [(sources[source].face, share) for source, share in shares.items()])
     if chosen:
         face = regional(space, name, {region: one.face for region, one in chosen.items()}, rest=face)
@@ -66,11 +69,16 @@ def compose_face(
         face = drag_handles(space, face, name, rows=recipe.points, moves=recipe.moves)
     look = mix_looks([(sources[source].look, share) for source, share in shares.items()])
     worn = {trait: getattr(one.look, trait) for region, one in chosen.items() for trait in _OF_REGIONS.get(region, ())}
-    return FaceWithLook(Face(name, face.positions, face.parts), Look(**{**vars(look), **worn}))
+    gains = override_gains(face.gains, _gains(recipe))
+    return FaceWithLook(Face(name, face.positions, face.parts, gains), Look(**{**vars(look), **worn}))
+
+
+def _gains(recipe: FaceRecipe) -> tuple[Gain, ...]:
+    return tuple(Gain(check_gain_region(row.region), row.value, row.expression) for row in recipe.gains)
 
 
 def mix_faces(space: ParameterSpace, name: str, faces: Sequence[tuple[Face, float]], /) -> Face:
-    """Mixes faces by shares that sum to one, skin and parts; named `name`."""
+    """Mixes faces by shares that sum to one: skin, parts and gains; named `name`."""
     skin = np.zeros(space.points.shape)
     parts = {part: np.zeros(one.points.shape) for part, one in space.parts.items()}
     for face, share in faces:
@@ -78,7 +86,7 @@ def mix_faces(space: ParameterSpace, name: str, faces: Sequence[tuple[Face, floa
         skin += share * fitted.positions.astype(np.float64)
         for part, points in parts.items():
             points += share * fitted.parts[part].astype(np.float64)
-    return Face(name, skin, parts)
+    return Face(name, skin, parts, mix_gains([(face.gains, share) for face, share in faces]))
 
 
 def mix_looks(looks: Sequence[tuple[Look, float]], /) -> Look:
@@ -149,10 +157,3 @@ def _find_source(sources: Mapping[str, FaceWithLook], source: str) -> FaceWithLo
     if source not in sources:
         raise ValueError(f"there is no face {source!r}; expected one of {', '.join(sources) or 'none'}")
     return sources[source]
-
-
-def _region(name: str) -> Region:
-    for region in REGIONS:
-        if region == name:
-            return region
-    raise ValueError(f"there is no region {name!r}; expected some of {', '.join(REGIONS)}")

@@ -133,14 +133,14 @@ def drag_handles(space: ParameterSpace, face: Face, name: str, /, *, rows: Array
     fitted = fit(space, face)
     before = {part: fitted.parts[part].astype(np.float64) for part in space.parts}
     if not far.any():
-        return Face(name, fitted.positions, before)
+        return Face(name, fitted.positions, before, face.gains)
     skin = fitted.positions.astype(np.float64)
     move = warp(Sculpt(name, skin[where], far, symmetric=False))
     parts = {
         part.name: move_ball(ball, ball, move(ball)) if part.eye else move(ball)
         for part, ball in zip(space.parts.values(), before.values(), strict=True)
     }
-    result = Face(name, _keep_lids(space, fitted, move(skin), parts), parts)
+    result = Face(name, _keep_lids(space, fitted, move(skin), parts), parts, face.gains)
     fit(space, result)
     return result
 

@@ -48,12 +48,21 @@ class Recipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field=
     pupil: float = 0.0
 
 
+class GainRow(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A gain that a recipe sets: its region (`space.gain.GAIN_REGIONS`), value, and the expression that alone it is
+    for, by name, or None."""
+
+    region: str
+    value: float
+    expression: str | None = None
+
+
 class FaceRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="face"):
     """A face made from faces (`compose_face`): a mix, regions from others, caricature, then handles.
 
     base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
     amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,
-    regions and amount put them.
+    regions and amount put them; gains: in place of those that base and regions bring.
     """
 
     base: dict[str, float]
@@ -61,6 +70,7 @@ class FaceRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_fi
     amount: float = 1.0
     points: tuple[int, ...] = ()
     moves: tuple[Vector, ...] = ()
+    gains: tuple[GainRow, ...] = ()
 
 
 def sources(recipe: Recipe | FaceRecipe, /) -> frozenset[str]:

@@ -7,10 +7,11 @@ from numpy.typing import NDArray
 from scipy.spatial.distance import cdist
 
 from omote.model.sculpting.extrapolation import extrapolate, repair_folds
-from omote.model.sculpting.regions import eye_frame, fit_with_lids, vertex_areas
+from omote.model.sculpting.regions import fit_with_lids, vertex_areas
 from omote.model.space.eye_socket import ball_heights, radius_of, set_ball_heights
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.space.head_regions import eye_frame
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
@@ -60,7 +61,7 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     skin = space.points + within * (fitted.positions - space.points)
     parts = {name: part.points + within * (fitted.parts[name] - part.points) for name, part in space.parts.items()}
     if beyond == 0.0:
-        return fit_with_lids(space, name, skin, parts, {})
+        return fit_with_lids(space, name, skin, parts, {}, face.gains)
     further = extrapolate(space.points, skin, space.triangles, beyond, _BELL * eye_frame(space)[1])
     for part in space.parts.values():
         moves = _bell(space, further - skin, part.points)
@@ -73,7 +74,7 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
         {eye: parts[eye] for eye in eyes},
         {eye: ball_heights(fitted.positions, fitted.parts[eye]) for eye in eyes},
     )
-    return fit_with_lids(space, name, repair_folds(skin, lidded, space.skin_triangles), parts, {})
+    return fit_with_lids(space, name, repair_folds(skin, lidded, space.skin_triangles), parts, {}, face.gains)
 
 
 def _extrapolate_ball(ball: Values, moves: Values, generic: Values, beyond: float) -> Values:

@@ -1,10 +1,8 @@
-"""Soft masks of facial regions, faces mixed region by region, and caricature (extrapolation of identity)."""
+"""Faces mixed region by region, smooth at the borders."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,58 +11,13 @@ from omote.geometry import mesh
 from omote.model.space.eye_socket import ball_heights, set_ball_heights
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit
+from omote.model.space.gain import Gain, regional_gains
+from omote.model.space.head_regions import REGIONS, Region, region_weights
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import Similarity, fit_similarity
 
 Values = NDArray[np.float64]
-Region = Literal["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "ears", "skull"]
-REGIONS: tuple[Region, ...] = get_args(Region)
 _NOWHERE = np.zeros((1, 3))
-
-# What a caricature enlarges are the turns and stretches that a bell of this width leaves, in distances between the
-# eyes.
-
-
-@dataclass(frozen=True)
-class _Spot:
-    """Where a region lies on the generic head: its middle and its half-widths."""
-
-    region: Region
-    middle: tuple[float, float, float]
-    widths: tuple[float, float, float]
-
-
-# In distances between the eyes, from the point midway between them; x counts on both sides.
-_SPOTS = (
-    _Spot("brows", (0.45, 0.40, 0.30), (0.55, 0.20, 0.45)),
-    _Spot("eyes", (0.50, 0.00, 0.15), (0.32, 0.20, 0.40)),
-    _Spot("nose", (0.00, -0.42, 0.50), (0.24, 0.42, 0.45)),
-    _Spot("cheeks", (0.80, -0.65, 0.00), (0.30, 0.40, 0.50)),
-    _Spot("mouth", (0.00, -1.10, 0.35), (0.50, 0.25, 0.50)),
-    _Spot("jaw", (0.35, -1.60, 0.10), (0.70, 0.35, 0.80)),
-    _Spot("ears", (1.30, -0.20, -1.35), (0.25, 0.75, 0.55)),
-    _Spot("skull", (0.00, 1.20, -1.10), (1.20, 0.80, 1.40)),
-    _Spot("skull", (0.00, -0.40, -2.00), (1.00, 1.60, 0.90)),
-)
-
-
-def region_weights(space: ParameterSpace, where: Values | None = None, /) -> dict[Region, Values]:
-    """How much each region owns of each point, (n,) from 0 to 1, summing to one; without points: of the skin (V, 3).
-
-    A soft choice of the nearest spot (Gaussian falloff), so it changes smoothly over the skin and through space. Raises
-    ValueError where the space has no two eyeballs to measure the head by.
-    """
-    points = space.points if where is None else where
-    middle, unit = eye_frame(space)
-    local = (points - middle) / unit
-    local[:, 0] = np.abs(local[:, 0])
-    nearness = np.stack([-(((local - spot.middle) / spot.widths) ** 2).sum(axis=1) for spot in _SPOTS])
-    share = np.exp(nearness - nearness.max(axis=0))
-    share /= share.sum(axis=0)
-    found: dict[Region, Values] = {region: np.zeros(len(points)) for region in REGIONS}
-    for spot, row in zip(_SPOTS, share, strict=True):
-        found[spot.region] = found[spot.region] + row
-    return found
 
 
 def regional(
@@ -89,7 +42,8 @@ def regional(
     Returns
     -------
     Face
-        Its lids lie on its eyeballs as those of the faces that it has its eyes from.
+        Its lids lie on its eyeballs as those of the faces that it has its eyes from; it answers each
+        region as that region's face does.
 
     Raises
     ------
@@ -127,7 +81,8 @@ def regional(
     for eye in _eyes(space):
         over = ((weights[region], _heights(face, eye)) for region, face in chosen.items())
         wanted[eye] = sum((weight * height for weight, height in over), np.zeros(1))
-    return fit_with_lids(space, name, skin, parts, wanted)
+    gains = regional_gains(generic.gains, {region: face.gains for region, face in faces.items()})
+    return fit_with_lids(space, name, skin, parts, wanted, gains)
 
 
 def _align_regions(
@@ -150,17 +105,6 @@ def vertex_areas(space: ParameterSpace) -> Values:
     return area
 
 
-def eye_frame(space: ParameterSpace) -> tuple[Values, float]:
-    """The point midway between the eyes (3,) and their distance, metres, on the generic face; ValueError where
-    it has no two eyeballs."""
-    eyes = [part.points.mean(axis=0) for part in space.parts.values() if part.eye]
-    if len(eyes) != 2:
-        raise ValueError(
-            f"the space has {len(eyes)} eyeballs; expected two, by which the regions of the head are measured"
-        )
-    return (eyes[0] + eyes[1]) / 2, float(np.linalg.norm(eyes[0] - eyes[1]))
-
-
 def _eyes(space: ParameterSpace) -> list[str]:
     return [name for name, part in space.parts.items() if part.eye]
 
@@ -170,9 +114,10 @@ def _heights(fitted: FittedFace, eye: str) -> Values:
 
 
 def fit_with_lids(
-    space: ParameterSpace, name: str, skin: Values, parts: dict[str, Values], wanted: Mapping[str, Values]
+    space: ParameterSpace, name: str, skin: Values, parts: dict[str, Values], wanted: Mapping[str, Values],
+    gains: tuple[Gain, ...],
 ) -> Face:  # fmt: skip
     """The face, fitted, its lids at the wanted heights over its eyeballs."""
-    face = Face(name, set_ball_heights(skin, {eye: parts[eye] for eye in wanted}, wanted), parts)
+    face = Face(name, set_ball_heights(skin, {eye: parts[eye] for eye in wanted}, wanted), parts, gains)
     fit(space, face)
     return face

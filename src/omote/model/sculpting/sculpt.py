@@ -18,6 +18,7 @@ from omote.model.sculpting.smoothing_brush import Brush, apply_brushes
 from omote.model.space.eye_socket import ball_heights, move_ball, set_ball_heights
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.space.gain import Gain, validate_gains
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
@@ -55,6 +56,8 @@ class Sculpt:
         The scale of teeth and tongue about their middle, so that they stay behind the lips; 0.5 to 1.5.
     brushes : tuple of Brush
         Where the skin is smoothed.
+    gains : tuple of Gain
+        In which strength the face answers expressions, region by region.
 
     Raises
     ------
@@ -81,6 +84,7 @@ class Sculpt:
     base: Mapping[str, float] = field(default_factory=dict)
     teeth: float = 1.0
     brushes: tuple[Brush, ...] = ()
+    gains: tuple[Gain, ...] = ()
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name:
@@ -97,6 +101,7 @@ class Sculpt:
             rows.setflags(write=False)
             object.__setattr__(self, attribute, rows)
         object.__setattr__(self, "base", MappingProxyType({name: float(w) for name, w in self.base.items()}))
+        object.__setattr__(self, "gains", validate_gains(self.gains, f"sculpt {self.name!r}"))
         _refuse_weights(self)
         _refuse_contradiction(self)
 
@@ -184,7 +189,7 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
         there = move(part.points)
         parts[name] = move_ball(parts[name], part.points, there) if part.eye else parts[name] + there - part.points
     _scale_mouth(parts, sculpt.teeth)
-    face = Face(sculpt.name, set_ball_heights(skin, {name: parts[name] for name in eyes}, wanted), parts)
+    face = Face(sculpt.name, set_ball_heights(skin, {name: parts[name] for name in eyes}, wanted), parts, sculpt.gains)
     fit(space, face)
     return face
 

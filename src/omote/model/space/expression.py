@@ -34,6 +34,12 @@ class Expression:
         The rules under which it was taken.
     pupil : float
         What it adds to the pupils, 1 as wide as they go, -1 as narrow.
+    name : str
+        Of a built-in expression, by which a face's gain may single it out; others have none.
+    ears : array_like, (2, 3)
+        How far the left and the right ear turn back, up and out, radians; only faces with a gain for ears answer it.
+    head : array_like, (3,)
+        Yaw, pitch and roll of the head, radians; only faces with a gain for the head answer it.
 
     Raises
     ------
@@ -62,6 +68,9 @@ class Expression:
     radius: str = "origin"
     transfer: str = "smooth"
     pupil: float = 0.0
+    name: str = ""
+    ears: Values = field(default_factory=lambda: np.zeros((2, 3)))
+    head: Values = field(default_factory=lambda: np.zeros(3))
 
     def __post_init__(self) -> None:
         count = np.shape(self.dtheta)
@@ -71,6 +80,8 @@ class Expression:
             ("ratio", count),
             ("residual", (*np.shape(self.residual)[:1], 3)),
             ("eyes", (2, 2)),
+            ("ears", (2, 3)),
+            ("head", (3,)),
         ):
             object.__setattr__(self, name, _validate(getattr(self, name), name, shape))
         object.__setattr__(self, "pupil", float(_validate([self.pupil], "pupil", (1,))[0]))

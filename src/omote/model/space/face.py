@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
+from omote.model.space.gain import Gain, validate_gains
 from omote.model.space.parts import fit_similarity
 
 LONGEST_NAME = 80
@@ -29,14 +30,16 @@ class Face:
         Skin and inner skin, metres; kept as float32, read-only.
     parts : mapping of array_like (n, 3), by the name of a part
         Where the face knows better than the bindings where its eyeballs, teeth, tongue and lashes are.
+    gains : iterable of Gain
+        In which strength it answers expressions, region by region; kept as a tuple without those that change nothing.
 
     Raises
     ------
     ValueError
         On other shapes, values that are not finite and names that nobody could call. That a face fits a space is
-        checked where it is used.
+        checked where it is used. Where two gains are of one region and expression.
     TypeError
-        Where parts is no mapping.
+        Where parts is no mapping, or a gain is none.
 
     Examples
     --------
@@ -52,6 +55,7 @@ class Face:
     name: str
     positions: NDArray[np.floating]
     parts: Mapping[str, NDArray[np.floating]] = field(default_factory=lambda: MappingProxyType({}))
+    gains: tuple[Gain, ...] = ()
 
     def __post_init__(self) -> None:
         refuse_name(self.name, "a face")
@@ -62,6 +66,7 @@ class Face:
         object.__setattr__(self, "positions", _freeze(self.positions, f"positions of face {self.name!r}"))
         parts = {part: _freeze(points, f"part {part!r} of face {self.name!r}") for part, points in self.parts.items()}
         object.__setattr__(self, "parts", MappingProxyType(parts))
+        object.__setattr__(self, "gains", validate_gains(self.gains, f"face {self.name!r}"))
 
 
 def refuse_name(name: object, what: str, /) -> None:

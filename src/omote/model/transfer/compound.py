@@ -10,9 +10,11 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.space.ears import turn_ears
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit
+from omote.model.space.gain import answer
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression
@@ -24,8 +26,9 @@ Floats = NDArray[np.float32]
 def compound(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> Floats:
     """A face wearing an expression (a blendshape of this face, retargeted from the field on S).
 
-    With transfer="paper" by the paper's map; with transfer="smooth" the generic face wears it by the paper's map, and
-    what it does there is carried over: lids and lips meet, nothing folds.
+    The face answers in its own strength where it has gains. With transfer="paper" it wears the field by the paper's
+    map; with transfer="smooth" the generic face does, and what it does there is carried over: lids and lips meet,
+    nothing folds.
 
     Parameters
     ----------
@@ -61,14 +64,20 @@ def compound(space: ParameterSpace, face: Face, expression: Expression, /, weigh
     ----------
     K. Arai (1993), sections 2.2 and 2.4; docs/method.md, "The smooth map".
     """
-    return apply_expression(space, face, compile_expression(space, expression, weight))
+    return apply_expression(space, face, compile_answer(space, face, expression, weight))
+
+
+def compile_answer(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> Compiled:
+    """The expression as a face answers it (`omote.model.space.gain`), located on S; errors as `compile_expression`."""
+    return compile_expression(space, answer(space, face.gains, expression), weight)
 
 
 def apply_expression(space: ParameterSpace, face: Face, compiled: Compiled, /) -> Floats:
-    """A face wearing a compiled expression: (V, 3) float32, metres."""
-    if space.transfer == "paper":
-        return apply_paper_map(space, fit(space, face), compiled)
-    return transfer_expression(space, face, compiled)
+    """A face wearing a compiled expression: (V, 3) float32, metres; its gains are not applied, its ears are turned."""
+    fitted = fit(space, face)
+    paper = space.transfer == "paper"
+    skin = apply_paper_map(space, fitted, compiled) if paper else transfer_expression(space, face, compiled)
+    return turn_ears(space, fitted.positions, skin, compiled.ears) if compiled.ears.any() else skin
 
 
 def predict_part(space: ParameterSpace, name: str, displacement: NDArray[np.float64], /) -> NDArray[np.float64]:
@@ -82,7 +91,7 @@ def compound_parts(
     space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0
 ) -> dict[str, Floats]:
     """The parts of a face wearing an expression: {part: (n, 3)} metres; eyeballs before their turn."""
-    compiled = compile_expression(space, expression, weight)
+    compiled = compile_answer(space, face, expression, weight)
     return move_parts(space, fit(space, face), apply_expression(space, face, compiled), compiled.parts)
 
 

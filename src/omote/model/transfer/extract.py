@@ -18,9 +18,10 @@ from omote.geometry.cylinder import wrap
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.space.gain import ask
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.space.parts import eye_angles, eye_rotation
-from omote.model.transfer.compound import compound, predict_part
+from omote.model.transfer.compound import apply_expression, predict_part
 from omote.model.transfer.paper_map import compile_expression, project_to_surface
 from omote.model.transfer.pipeline import (
     CONTINUOUS_STAGES,
@@ -98,7 +99,7 @@ def extract(
         bare = _field(space, ready.generic, invert_smooth_map(space, face, goal))
     else:
         bare = _field(space, face.positions.astype(np.float64), moved)
-    return _with_rest(space, face, bare, moved, parts or {})
+    return ask(space, face.gains, _with_rest(space, face, bare, moved, parts or {}))
 
 
 def invert_smooth_map(space: ParameterSpace, face: Face, goal: Values, /) -> Values:
@@ -174,7 +175,7 @@ def _with_rest(
 ) -> Expression:  # fmt: skip
     """The expression with its residuals: what inner skin and parts do over what the sheet's motion predicts."""
     fitted = fit(space, face)
-    sheet = compound(space, face, bare).astype(np.float64) - face.positions
+    sheet = _wear(space, face, bare)
     inner = space.inner.vertices
     residual = (moved[inner] - _before_mouth_bag(space, face, bare)[inner]) / fitted.scale[:, None]
     residual[np.abs(residual).max(axis=1) < _REST] = 0.0
@@ -197,9 +198,14 @@ def _with_rest(
     return Expression(bare.dtheta, bare.dh, bare.ratio, residual, rest, eyes, space.radius, space.transfer)
 
 
+def _wear(space: ParameterSpace, face: Face, bare: Expression) -> Values:
+    """What the skin (V, 3) does under a field as it is, whatever gains the face has."""
+    return apply_expression(space, face, compile_expression(space, bare)).astype(np.float64) - face.positions
+
+
 def _before_mouth_bag(space: ParameterSpace, face: Face, bare: Expression) -> Values:
     """What the skin (V, 3) is predicted to do before the mouth bag is fitted, which needs the residual."""
     if space.transfer == "paper":
-        return compound(space, face, bare).astype(np.float64) - face.positions
+        return _wear(space, face, bare)
     compiled = compile_expression(space, bare)
     return transfer_expression(space, face, compiled, LINEAR_INNER_STAGES).astype(np.float64) - face.positions

@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from numbers import Real
 
 import numpy as np
@@ -31,7 +31,8 @@ class Compiled:
     """An expression located once, for any face: vertex v goes to weights[v] of indices[v] (V, 3), its radius times
     ratios[v].
 
-    residual (inner, 3) and the expression's parts come weighted; inside (V,) tells which walks ended in a triangle.
+    residual (inner, 3), the expression's parts and its turn of the ears (2, 3) come weighted; inside (V,) tells which
+    walks ended in a triangle.
     """
 
     indices: Indices
@@ -40,6 +41,7 @@ class Compiled:
     residual: Floats
     parts: Mapping[str, NDArray[np.float64]]
     inside: NDArray[np.bool_]
+    ears: NDArray[np.float64] = field(default_factory=lambda: np.zeros((2, 3)))
 
 
 def _checked_weight(weight: object) -> float:
@@ -108,10 +110,11 @@ def compile_expression(space: ParameterSpace, expression: Expression, /, weight:
         raise ValueError(
             f"weight {weight} brings a radius to {ratios.min():.3g} of itself; expected a weight that keeps it positive"
         )
-    return locate_field(
+    located = locate_field(
         space, weight * expression.dtheta, weight * expression.dh, ratios, weight * expression.residual,
         {name: weight * rest for name, rest in expression.parts.items()},
     )  # fmt: skip
+    return replace(located, ears=weight * expression.ears) if expression.ears.any() else located
 
 
 def locate_field(

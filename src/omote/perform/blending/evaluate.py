@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import NEUTRAL, Cast
+from omote.model.space.ears import turn_ears
 from omote.model.space.face_fit import FittedFace, fit, generic_face
 from omote.model.transfer.compound import move_parts, predict_part, turn_eyes
 from omote.model.transfer.corrective_regions import find_corrective_regions
-from omote.model.transfer.paper_map import Compiled, apply_paper_map
+from omote.model.transfer.paper_map import apply_paper_map
+from omote.perform.blending.answered_mix import AnsweredMix, answered_mix
 from omote.perform.blending.compound_cache import compound_cache
 from omote.perform.blending.correctives import Eyeballs, correct_combination
-from omote.perform.blending.expression_tables import tables_of
 from omote.perform.blending.weighted_sum import weighted_sum
 from omote.perform.channels import effective_channels, eye_angles
 from omote.perform.frame import Frame
@@ -187,22 +188,24 @@ def _correct_parts(
 
 
 def _exact(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
-    weights = combine(((1.0, frame.expressions), (1.0, channels)))
-    worn = tables_of(cast).mix(weights)
-    if cast.space.transfer == "paper":
-        return apply_paper_map(cast.space, _mix_faces(cast, frame.faces), worn)
-    return _bilinear(cast, frame, channels) + _nonlinear_part(cast, weights, worn)
+    worn = answered_mix(cast, frame.faces, combine(((1.0, frame.expressions), (1.0, channels))))
+    if cast.space.transfer == "smooth":
+        return _bilinear(cast, frame, channels) + _nonlinear_part(cast, worn)
+    face = _mix_faces(cast, frame.faces)
+    skin = apply_paper_map(cast.space, face, worn.compile())
+    return turn_ears(cast.space, face.positions, skin, worn.ears) if worn.ears.any() else skin
 
 
-def _nonlinear_part(cast: Cast, weights: Mapping[str, float], worn: Compiled) -> Floats:
+def _nonlinear_part(cast: Cast, worn: AnsweredMix) -> Floats:
     """What the generic face wears when fields add on S, less the same mix of its compounds: (V, 3), metres.
 
     The smooth map carries displacements, and carries this one as it is: nothing where one expression is worn.
     """
     source = fit(cast.space, generic_face(cast.space))
-    compounds = compound_cache(cast)
-    terms = [(apply_paper_map(cast.space, source, worn), 1.0), (source.positions, math.fsum(weights.values()) - 1.0)]
-    terms += [(compounds.source(name), -weight) for name, weight in weights.items()]
+    alone = worn.compounds()
+    total = math.fsum(weight for _, weight in alone)
+    terms = [(apply_paper_map(cast.space, source, worn.compile()), 1.0), (source.positions, total - 1.0)]
+    terms += [(positions, -weight) for positions, weight in alone]
     return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
 
 
@@ -227,13 +230,12 @@ def _mix_faces(cast: Cast, weights: Mapping[str, float]) -> FittedFace:
 
 
 def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> dict[str, Floats]:
-    worn = combine(((1.0, frame.expressions), (1.0, channels)))
-    face = _mix_faces(cast, frame.faces)
-    moving = {part: [name for name in worn if part in cast.expressions[name].parts] for part in cast.space.parts}
+    worn = answered_mix(cast, frame.faces, combine(((1.0, frame.expressions), (1.0, channels)))).expressions()
     rest = {
-        part: _sum((worn[name], cast.expressions[name].parts[part]) for name in names) for part, names in moving.items()
+        part: _sum((weight, expression.parts[part]) for expression, weight in worn if part in expression.parts)
+        for part in cast.space.parts
     }
-    return move_parts(cast.space, face, mixed, rest)
+    return move_parts(cast.space, _mix_faces(cast, frame.faces), mixed, rest)
 
 
 def _bilinear_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dict[str, Floats]:

@@ -1,11 +1,12 @@
 /** The list of what is on air on one axis, heaviest first. */
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
 import { type Axis, onAir } from "../store/axis";
 import { remainingLabel } from "../store/timing";
+import "./answers";
 
 const ROWS = 4;
 
@@ -154,6 +155,7 @@ export class Mix extends AnimatedElement {
     return html`
       <header>
         <h2>${this.axis === "face" ? "Face" : "Expression"}</h2>
+        ${this.axis === "face" ? html`<omote-answers .context=${this.context}></omote-answers>` : nothing}
         <button
           data-keep=${this.axis}
           aria-label="Keep ${this.axis}"

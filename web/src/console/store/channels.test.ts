@@ -12,6 +12,7 @@ const unit = (name: string, kind: ExpressionDocument["kind"] = "arkit", region =
   source: name,
   tags: [],
   place: 0,
+  head: [0, 0, 0],
 });
 
 describe("the region of an expression", () => {

@@ -2,7 +2,7 @@
 
 import type { ExpressionDocument } from "../../link/messages";
 
-export const REGIONS = ["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "tongue", "neck", "face"] as const;
+export const REGIONS = ["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "tongue", "ears", "neck", "face"] as const;
 export type Region = (typeof REGIONS)[number];
 export type Side = "left" | "right";
 
@@ -27,6 +27,7 @@ const BEGINNINGS: readonly (readonly [string, Region])[] = [
   ["lip", "mouth"],
   ["jaw", "jaw"],
   ["tongue", "tongue"],
+  ["ear", "ears"],
   ["neck", "neck"],
 ];
 

@@ -1,26 +1,39 @@
-/** The panel that makes a face from faces: a mix, regions, caricature, handles. */
+/** The panel that makes a face from faces: a mix, regions, caricature, handles, gains. */
 
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import {
+  GAIN_REGIONS,
+  type Gain,
+  type GainRegion,
+  gainOf,
+  mixGains,
+  overrideGains,
+  regionalGains,
+} from "../../face/pose/gains";
+import { GAIN_RANGE } from "../../link/constants";
 import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
 import { amountOf } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
-import { EditorElement } from "../controls/editor_element";
+import { EditorElement, textOf } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
-import { MILLIMETRES, PERCENT, shown } from "../controls/units";
+import { MILLIMETRES, PERCENT, RATIO, shown } from "../controls/units";
 import type { Topic } from "../session/draft_store";
 import { loadHandles } from "../session/face_handles";
 import { normalised } from "../session/item_commands";
 import { labelOf, type Source, sourcesOf } from "../session/sources";
 
-/** How a face is made from faces: a mix, regions from others, caricature, handles. */
+/** How a face is made from faces: a mix, regions from others, caricature, handles; and how strongly it answers. */
 @customElement("omote-recipe")
 export class FaceRecipePanel extends EditorElement {
   static override styles = [base, controls, panel];
 
   /** What the head's handles are called; null until the server has told. */
   @state() private handles: HandlesAsset | null = null;
+
+  /** Where the next gain for one expression goes. */
+  @state() private region: GainRegion = "mouth";
 
   protected override topics(): readonly Topic[] {
     return ["draft", "items", "cast", "selection"];
@@ -50,7 +63,7 @@ export class FaceRecipePanel extends EditorElement {
       <omote-amount label="Exaggerate" .unit=${PERCENT} .low=${1} .high=${2} .value=${recipe.amount}
         hint="How far its own traits are taken; 100 % as it is"
         @done=${(event: Event) => this.#set({ amount: Math.min(2, Math.max(1, amountOf(event))) }, "caricature")}></omote-amount>
-      ${this.#handles(recipe)}
+      ${this.#handles(recipe)} ${this.#gains(recipe)}
     `;
   }
 
@@ -111,7 +124,70 @@ export class FaceRecipePanel extends EditorElement {
       ${moved.length < 2 ? nothing : html`<button @click=${() => reset(moved)}>All handles back</button>`}`;
   }
 
+  /** One fader per region, and one for each gain of a single expression; double-click: as its faces answer. */
+  #gains(recipe: FaceRecipe) {
+    const known = (this.store.manifest?.faces ?? []) as readonly { source: string; gains: readonly Gain[] }[];
+    const inherited = inheritedGains(recipe, (source) => known.find((face) => face.source === source)?.gains ?? []);
+    const now = overrideGains(inherited, recipe.gains);
+    const single = now.filter(({ expression }) => expression !== null);
+    const put = (gains: readonly Gain[], what: string): void => this.#set({ gains: [...gains] }, what);
+    return html`<h2>How strongly it answers</h2>
+      <p class="note">1 as every expression says, 0 not at all. Ears and head turn only where a face sets them.</p>
+      ${GAIN_REGIONS.map((region) => this.#gain(recipe, { region, value: gainOf(now, region), expression: null }))}
+      ${single.map((gain) => this.#gain(recipe, gain))}
+      ${this.#oneExpression(recipe, now)}
+      ${recipe.gains.length === 0 ? nothing : html`<button @click=${() => put([], "gains of its faces")}>As its faces answer</button>`}`;
+  }
+
+  #gain(recipe: FaceRecipe, gain: Gain) {
+    const { region, expression } = gain;
+    const name = expression === null ? titled(region) : `${titled(region)}, ${this.#expressionLabel(expression)}`;
+    const others = recipe.gains.filter((one) => one.region !== region || one.expression !== expression);
+    const done = (event: Event): void => {
+      const value = Math.min(GAIN_RANGE[1], Math.max(GAIN_RANGE[0], amountOf(event)));
+      this.#set({ gains: [...others, { ...gain, value }] }, `gain of ${name.toLowerCase()}`);
+    };
+    return html`<omote-amount data-gain="${region}${expression === null ? "" : `:${expression}`}" label=${name} .unit=${RATIO}
+      .low=${GAIN_RANGE[0]} .high=${GAIN_RANGE[1]} .value=${gain.value}
+      hint="How strongly ${expression === null ? "it answers all expressions" : "it answers this expression"} here" @done=${done}></omote-amount>`;
+  }
+
+  /** Adds a gain for one expression, in the region that is chosen first. */
+  #oneExpression(recipe: FaceRecipe, now: readonly Gain[]) {
+    const region = this.region;
+    const sources = sourcesOf(this.store, "expression").filter(({ source }) => !source.startsWith("#"));
+    return html`<div class="row">
+      <select aria-label="Region of a gain for one expression" @change=${(event: Event) => {
+        this.region = textOf(event) as GainRegion;
+      }}>${GAIN_REGIONS.map((one) => html`<option value=${one} ?selected=${one === region}>${titled(one)}</option>`)}</select>
+      ${sourceChoice(sources, {
+        label: "A gain for one expression",
+        first: "+ for one expression…",
+        chosen: (source) => {
+          const gain = { region, value: gainOf(now, region), expression: source };
+          const other = gain.value === 1 ? 1.5 : 1; // what says nothing new would be left out
+          if (source !== "")
+            this.#set({ gains: [...recipe.gains, { ...gain, value: other }] }, "gain of one expression");
+        },
+      })}</div>`;
+  }
+
+  #expressionLabel(name: string): string {
+    return this.store.manifest?.expressions.find((one) => one.name === name)?.label ?? name;
+  }
+
   #label(row: number, at: number): string {
     return this.handles?.labels[this.handles.points.indexOf(row)] ?? `handle ${at + 1}`;
   }
+}
+
+const titled = (name: string): string => name[0]?.toUpperCase() + name.slice(1);
+
+/** The gains that a recipe's faces bring: mixed as its base, a region's from the face that the region is of. */
+function inheritedGains({ base: mix, regions }: FaceRecipe, of: (source: string) => readonly Gain[]): Gain[] {
+  const mixed = mixGains(Object.entries(mix).map(([source, share]) => [of(source), share] as const));
+  return regionalGains(
+    mixed,
+    Object.fromEntries(Object.entries(regions).map(([region, source]) => [region, of(source)])),
+  );
 }

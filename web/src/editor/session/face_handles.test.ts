@@ -10,7 +10,15 @@ const ASSET: HandlesAsset = {
   labels: ["chin", "left ear", "right ear", "nose tip"],
   mirror: [0, 2, 1, 3],
 };
-const PLAIN: FaceRecipe = { kind: "face", base: { generic: 1 }, regions: {}, amount: 1, points: [], moves: [] };
+const PLAIN: FaceRecipe = {
+  kind: "face",
+  base: { generic: 1 },
+  regions: {},
+  amount: 1,
+  points: [],
+  moves: [],
+  gains: [],
+};
 const HANDLES = handlesOf(ASSET, PLAIN);
 const CAMERA = new Camera(
   { ...FIRST_VIEW, yaw: 0.7, pitch: -0.3 },

@@ -1,6 +1,7 @@
 /** Traits of the eyes that are plain numbers: iris, slit, lashes, pupil. */
 
-import type { ExpressionDocument, FaceDocument } from "../../link/messages";
+import type { FaceDocument } from "../../link/messages";
+import type { Documents } from "../pose/head_answer";
 import { expressionWeights, faceWeights } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
 
@@ -11,15 +12,6 @@ export interface EyeTraits {
   lashes: number;
   /** Sum of what expressions and channels add: 1 as wide as pupils go, -1 as narrow; beyond that the shader clamps. */
   pupil: number;
-}
-
-type Faces = ReadonlyMap<string, FaceDocument>;
-type Expressions = ReadonlyMap<string, ExpressionDocument>;
-
-/** Documents by source. */
-export interface Documents {
-  faces: Faces;
-  expressions: Expressions;
 }
 
 /** The traits of a pose: linear in the faces' weights, the pupils in those of expressions and channels. */

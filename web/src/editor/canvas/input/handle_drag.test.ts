@@ -23,6 +23,7 @@ const recipeOf = (more: Partial<FaceRecipe> = {}): FaceRecipe => ({
   amount: 1,
   points: [],
   moves: [],
+  gains: [],
   ...more,
 });
 

@@ -1,0 +1,99 @@
+"""Ears that turn about their roots, as eyeballs turn about their centres: back, up and out, whatever way they hang."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.geometry.laplacian import smoothing_matrix
+from omote.geometry.ramp import smooth_ramp
+from omote.model.space.head_regions import eye_frame
+from omote.model.space.parameter_space import ParameterSpace
+
+Floats = NDArray[np.float32]
+Values = NDArray[np.float64]
+
+# In distances between the eyes, from the point midway between them: the height over a plane (x, z, constant) on which
+# an ear's root and the skull behind it stand, and from where to where it makes an ear; the same of y, below and above.
+# The border is then spread over so many rings of the mesh; less than the first share of an ear is skull, more than the
+# second is ear.
+_PLANE, _HEIGHT = (2.86, -0.38, -3.64), (0.05, 0.12)
+_LOW, _HIGH = (-1.15, -0.95), (0.42, 0.62)
+_RINGS, _NOTHING, _WHOLE = 10, 0.05, 0.7
+_SIDES = (1.0, -1.0)
+_SMALL = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Ear:
+    """An ear of a face: root (3,) metres, about which it turns, and the unit direction (3,) from there to its tip."""
+
+    root: Values
+    direction: Values
+
+
+_weights: WeakKeyDictionary[ParameterSpace, Values] = WeakKeyDictionary()
+
+
+def ear_weights(space: ParameterSpace, /) -> Values:
+    """How far each vertex of the skin turns with the left and with the right ear, (2, V) from 0 (skull) to 1 (ear).
+
+    Raises ValueError where the space has no two eyeballs, by which the head is measured.
+    """
+    if space not in _weights:
+        middle, unit = eye_frame(space)
+        x, y, z = ((space.points - middle) / unit).T
+        spread = smoothing_matrix(space.welded[space.triangles], space.vertex_count)
+        tall = smooth_ramp(*_LOW, y) * (1.0 - smooth_ramp(*_HIGH, y))
+        sides = [tall * smooth_ramp(*_HEIGHT, _PLANE[0] * side * x + _PLANE[1] * z + _PLANE[2]) for side in _SIDES]
+        weights = np.stack(sides, axis=1)
+        for _ in range(_RINGS):
+            weights = spread @ weights
+        _weights[space] = smooth_ramp(_NOTHING, _WHOLE, weights[space.welded].T)
+    return _weights[space]
+
+
+def find_ear(weights: Values, rest: Values, /) -> Ear | None:
+    """The ear on a face at rest, (V, 3) metres, from its weights (V,); None where the head has none there.
+
+    Its root is the middle of the skin between skull and ear.
+    """
+    border = weights * (1.0 - weights)
+    if border.sum() < _SMALL:
+        return None
+    root = border @ rest / border.sum()
+    away = weights @ rest / weights.sum() - root
+    length = float(np.linalg.norm(away))
+    return Ear(root, away / length) if length > _SMALL else None
+
+
+def turn_ears(space: ParameterSpace, rest: Floats, skin: Floats, turns: Values, /) -> Floats:
+    """The skin (V, 3) of a face at rest (V, 3) with its ears turned, metres, float32.
+
+    turns (2, 3): how far the left and the right one go back, up and out, radians: each is a rotation about the root,
+    at right angles to the ear and to the way it goes. An ear that already points there does not turn, one across it
+    turns the whole angle (the sine of what is between them, so nothing jumps).
+    """
+    moved = skin.astype(np.float64)
+    for weights, side, turn in zip(ear_weights(space), _SIDES, turns, strict=True):
+        ear = find_ear(weights, rest.astype(np.float64)) if turn.any() else None
+        if ear is None:
+            continue
+        ways = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [side, 0.0, 0.0]])
+        axis = turn @ np.cross(ear.direction, ways)
+        rows = np.flatnonzero(weights)
+        moved[rows] = ear.root + _rotate(weights[rows, None] * axis, moved[rows] - ear.root)
+    return moved.astype(np.float32)
+
+
+def _rotate(turns: Values, points: Values) -> Values:
+    """Points (n, 3) rotated about the origin by rotation vectors (n, 3), radians (Rodrigues)."""
+    angle = np.linalg.norm(turns, axis=1, keepdims=True)
+    axis = turns / np.maximum(angle, _SMALL)
+    along = (axis * points).sum(axis=1, keepdims=True)
+    across = np.cross(axis, points)
+    result: Values = points * np.cos(angle) + across * np.sin(angle) + axis * along * (1.0 - np.cos(angle))
+    return result

@@ -1,0 +1,58 @@
+"""The mix as faces answer it: the plain one without gains, else each face's own fields by the weight of both."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import omote
+from omote.model.cast import Cast
+from omote.model.space.gain import Gain
+from omote.perform.blending.answered_mix import answered_mix
+from omote.perform.blending.evaluate import evaluate, evaluate_parts
+from omote.perform.frame import Frame
+
+PLAIN = omote.load_cast()
+LOUD = PLAIN.with_faces(replace(PLAIN.faces["dog"], gains=(Gain("brows", 2.0), Gain("mouth", 0.5), Gain("ears", 2.0))))
+MIX = {"surprise": 0.6, "smile": 0.4}
+
+
+def test_without_gains_the_mix_is_the_casts_own() -> None:
+    mix = answered_mix(LOUD, {"kaori": 0.5, "old": 0.5}, MIX)
+    assert mix.plain == MIX
+    assert not mix.own
+    assert not mix.ears.any()
+
+
+def test_faces_with_gains_bring_their_own_fields_by_their_weight() -> None:
+    mix = answered_mix(LOUD, {"dog": 0.25, "kaori": 0.75}, MIX)
+    assert mix.plain == pytest.approx({"surprise": 0.45, "smile": 0.3})
+    assert [weight for _, weight in mix.own] == pytest.approx([0.15, 0.1])
+    assert mix.ears.any()
+    alone = answered_mix(LOUD, {"dog": 1.0}, MIX)
+    assert not alone.plain
+    assert sum(weight for _, weight in alone.own) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("cast", [LOUD, LOUD.under("paper")], ids=["smooth", "paper"])
+def test_both_evaluators_agree_where_one_face_wears_one_expression(cast: Cast) -> None:
+    frame = Frame({"dog": 1.0}, {"surprise": 1.0})
+    exact, bilinear = evaluate(cast, frame, "exact"), evaluate(cast, frame, "bilinear")
+    assert np.abs(exact - bilinear).max() < 2e-6
+    parts = evaluate_parts(cast, frame, "exact"), evaluate_parts(cast, frame, "bilinear")
+    assert all(np.abs(parts[0][name] - parts[1][name]).max() < 2e-6 for name in parts[0])
+
+
+@pytest.mark.parametrize("cast", [LOUD, LOUD.under("paper")], ids=["smooth", "paper"])
+def test_evaluators_stay_near_each_other_along_a_mix(cast: Cast) -> None:
+    """The approximation error of the paper stays millimetres: gains change what is worn, not how it mixes."""
+    frame = Frame({"dog": 0.5, "kaori": 0.5}, MIX, {"jawOpen": 0.3})
+    assert np.abs(evaluate(cast, frame, "exact") - evaluate(cast, frame, "bilinear")).max() < 0.012
+
+
+def test_a_mixed_face_is_the_weighted_mean_of_what_each_answers() -> None:
+    mixed = evaluate(LOUD, Frame({"dog": 0.5, "kaori": 0.5}, {"surprise": 1.0}))
+    alone = [evaluate(LOUD, Frame({face: 1.0}, {"surprise": 1.0})) for face in ("dog", "kaori")]
+    np.testing.assert_allclose(mixed, (alone[0] + alone[1]) / 2, atol=3e-5)  # correctives
