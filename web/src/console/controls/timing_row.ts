@@ -26,7 +26,7 @@ export class TimingRow extends ConsoleElement {
       }
       .row {
         display: flex;
-        flex: 1 1 210px;
+        flex: 1 1 290px;
         min-width: 0;
         gap: 2px;
       }
@@ -79,10 +79,20 @@ export class TimingRow extends ConsoleElement {
         .curves {
           display: none;
         }
-        @container (max-width: 200px) {
-          .lists .easing {
-            display: none; /* it is in the set-up */
-          }
+      }
+      @container (max-width: 230px) {
+        .lists {
+          display: flex;
+          gap: 4px;
+        }
+        .chips,
+        .curves {
+          display: none;
+        }
+      }
+      @container (max-width: 200px) {
+        .lists .easing {
+          display: none; /* it is in the set-up */
         }
       }
       svg {

@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { short } from "../controls/screen_sizes";
 
 export const style = css`
   :host {
@@ -56,6 +57,22 @@ export const style = css`
     flex: 1 1 100px;
     min-width: 0;
   }
+  @container (max-width: 260px) {
+    h2 {
+      display: none;
+    }
+    .kinds {
+      display: block;
+      flex: 1.2 1 56px;
+    }
+    .kinds + .tabs {
+      display: none;
+    }
+    input {
+      flex: 1 1 44px;
+      padding: 0 6px;
+    }
+  }
   @media (pointer: coarse) {
     @container (max-width: 420px) {
       .kinds {
@@ -63,18 +80,6 @@ export const style = css`
       }
       .kinds + .tabs {
         display: none;
-      }
-    }
-    @container (max-width: 240px) {
-      h2 {
-        display: none;
-      }
-      .kinds {
-        flex: 0 1 100px;
-      }
-      input {
-        flex-basis: 60px;
-        padding: 0 6px;
       }
     }
     .tile {
@@ -221,7 +226,11 @@ export const style = css`
   .none a {
     color: var(--text);
   }
-  @media (max-width: 599px) {
+  @media ${short} {
+    :host {
+      gap: 4px;
+      padding: 6px;
+    }
     .tile .name {
       padding: 1px 0 3px;
       font-size: 10.5px;

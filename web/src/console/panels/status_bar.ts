@@ -103,7 +103,7 @@ export class StatusBar extends ConsoleElement {
     const { crew, latency } = this.store;
     const stages = crew?.stages ?? [];
     return html`
-      <div class="item link"><span class="lamp"></span><b>live</b> ${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</div>
+      <div class="item link"><span class="lamp"></span><b>live</b> <span class="trip">${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</span></div>
       <div class="item stages ${crew !== null && stages.length === 0 ? "slow" : ""}">
         <b>${stages.length}</b> ${stages.length === 1 ? "stage" : "stages"}
         ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stage?.level ?? "silent"}>${stage === null ? "–" : Math.round(stage.fps)}</b>`)}

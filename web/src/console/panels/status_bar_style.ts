@@ -134,9 +134,11 @@ export const style = css`
       display: none; /* no keyboard */
     }
     .panic {
-      flex: 1 0 170px;
+      flex: 1 1 170px;
+      min-width: 120px;
     }
     .setup {
+      flex: none;
       padding: 0 6px;
     }
     .lost {
@@ -154,6 +156,22 @@ export const style = css`
     }
     .notice.none {
       display: none;
+    }
+  }
+  @media (max-width: 379px) {
+    :host {
+      gap: 6px;
+    }
+    .item.link,
+    .item.stages {
+      font-size: 11px;
+      gap: 3px;
+    }
+    .trip {
+      display: none;
+    }
+    .panic {
+      letter-spacing: 0.1em;
     }
   }
 `;
