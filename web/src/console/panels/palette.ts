@@ -5,7 +5,7 @@ import { customElement, property, query, queryAll, state } from "lit/decorators.
 import { repeat } from "lit/directives/repeat.js";
 import { EDITOR, EDITOR_TAB, editorAddress } from "../../link/editor_address";
 import type { ExpressionDocument, FaceDocument } from "../../link/messages";
-import { onRoam } from "../../ui/gestures";
+import { onHold, onRoam } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
 import { AnimatedElement, chosenIn, StyleWriter } from "../controls/console_element";
@@ -38,6 +38,8 @@ export class Palette extends AnimatedElement {
   @state() private search = "";
   /** The face that the expressions are shown on. */
   @state() private model = "generic";
+  /** The own tile that a finger held: its pencil is there until the next touch. */
+  @state() private held: string | null = null;
   @query(".tiles") private list!: HTMLElement;
   @query("input") private input!: HTMLInputElement | null;
   @queryAll(".tile") private tiles!: NodeListOf<HTMLElement>;
@@ -104,7 +106,7 @@ export class Palette extends AnimatedElement {
   override render() {
     return html`
       <header>${this.axis === "face" ? this.#ownSwitch() : this.#tabs()} ${this.#searchField()}</header>
-      <div class="tiles" @scroll=${this.#hint}>${this.#tiles()}</div>
+      <div class="tiles" @scroll=${this.#hint} @pointerdown=${this.#letGo}>${this.#tiles()}</div>
       <omote-timing .context=${this.context} .axis=${this.axis}></omote-timing>
     `;
   }
@@ -180,7 +182,8 @@ export class Palette extends AnimatedElement {
     );
   }
 
-  /** A tile, and over a corner of an own one the way to the editor, which never calls. */
+  /** A tile, and over a corner of an own one the way to the editor, which never calls: for a mouse on it, for the
+   * keyboard, and for a finger once it has held the tile; a tap calls, wherever it falls. */
   #place(one: Tile, index: number) {
     const edit = isOwn(one)
       ? html`<a
@@ -189,11 +192,24 @@ export class Palette extends AnimatedElement {
           target=${EDITOR_TAB}
           aria-label="Edit ${one.label}"
           title="Edit ${one.label} in the editor"
+          @click=${(event: MouseEvent) => this.#edit(event, one)}
           ><span aria-hidden="true">✎</span></a
         >`
       : nothing;
-    return html`<div class="place">${this.#tile(one, index)}${edit}</div>`;
+    return html`<div class="place ${one.name === this.held ? "held" : ""}">${this.#tile(one, index)}${edit}</div>`;
   }
+
+  #edit(event: MouseEvent, one: Tile): void {
+    const tapped = event instanceof PointerEvent && event.pointerType === "touch" && this.held !== one.name;
+    this.held = null;
+    if (!tapped) return;
+    event.preventDefault();
+    this.store.call(this.axis, one.name);
+  }
+
+  readonly #letGo = (event: Event): void => {
+    if (!event.composedPath().some((one) => one instanceof Element && one.matches(".held .edit"))) this.held = null;
+  };
 
   #tile(one: Tile, index: number) {
     const key = keyLabel(this.axis, index);
@@ -214,6 +230,9 @@ export class Palette extends AnimatedElement {
 
   override firstUpdated(): void {
     onRoam(this.list, ".tile");
+    onHold(this.list, ".tile.own", (tile) => {
+      this.held = tile.dataset.name ?? null;
+    });
     new ResizeObserver(this.#hint).observe(this.list);
   }
 

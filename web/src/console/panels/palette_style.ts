@@ -126,6 +126,7 @@ export const style = css`
     border-radius: 5px;
     background: #000;
     color: var(--text);
+    -webkit-touch-callout: none;
   }
   .tile canvas {
     display: block;
@@ -164,7 +165,16 @@ export const style = css`
     border-radius: 50%;
     background: #000a;
   }
+  .edit:not(:focus-visible) {
+    opacity: 0;
+  }
+  .held .edit {
+    opacity: 1;
+  }
   @media (hover: hover) {
+    .place:hover .edit {
+      opacity: 1;
+    }
     .edit:hover span {
       color: #000;
       background: var(--hand);
@@ -174,6 +184,17 @@ export const style = css`
     .edit {
       width: 40px;
       height: 40px;
+      pointer-events: none;
+    }
+    .held .edit {
+      pointer-events: auto;
+    }
+    .held .edit span {
+      width: 32px;
+      line-height: 32px;
+      font-size: 16px;
+      color: #000;
+      background: var(--hand);
     }
   }
   .tile .key {
