@@ -69,6 +69,68 @@ describe("calls", () => {
   });
 });
 
+describe("a T-bar that was left in the middle", () => {
+  const call = {
+    target: "old",
+    progress: 0.4,
+    remaining: null,
+    by_hand: true,
+    fader: 0.4,
+    pickup: 0.4,
+    start: { generic: 1 },
+  };
+  const types = (): unknown[] => sent.map((message) => [message.type, "value" in message ? message.value : null]);
+
+  it("goes to its nearest end at a new call: before it where nothing runs, after it where it would move the old one", () => {
+    for (const [stands, end] of [
+      [0.4, 0],
+      [0.7, 1],
+    ] as const) {
+      sent.length = 0;
+      now += 10_000;
+      store.receiveState({ ...REST, face_fader: stands });
+      now += 10_000;
+      store.call("face", "old");
+      expect(types()).toEqual([
+        ["fade_face", end],
+        ["call_face", null],
+      ]);
+    }
+    sent.length = 0;
+    store.receiveState({ ...REST, face_fader: 0.4, face_call: call });
+    now += 10_000;
+    store.setTiming("face", { byHand: true });
+    store.call("face", "kaori");
+    store.flush();
+    expect(types()).toEqual([
+      ["call_face", null],
+      ["fade_face", 0],
+    ]);
+  });
+
+  it("stays where a hand may be on it, here or elsewhere, and where a timed call would be picked up", () => {
+    store.receiveState({ ...REST, face_fader: 0.4 }); // moved just now
+    store.call("face", "old");
+    now += 10_000;
+    store.bar("face").grip(0.5);
+    store.call("face", "old");
+    store.bar("face").leave();
+    now += 10_000;
+    store.receiveState({ ...REST, face_fader: 0.5, face_call: call });
+    now += 10_000;
+    store.call("face", "kaori");
+    store.flush();
+    expect(types().filter(([type, value]) => type === "fade_face" && value !== 0.5)).toEqual([]);
+  });
+
+  it("has nothing to release in a call by hand, and says so", () => {
+    store.receiveState({ ...REST, number: 2, face_call: call });
+    expect(store.releasable("face")).toBe(false);
+    store.release("face");
+    expect([sent, store.notice]).toEqual([[], expect.stringContaining("Nothing to release")]);
+  });
+});
+
 describe("calls by hand", () => {
   it("wait for the T-bar, and the seconds of before are there again afterwards", () => {
     store.setTiming("face", { seconds: 4 });

@@ -15,7 +15,7 @@ import type {
   Manifest,
   State,
 } from "../../link/messages";
-import { type Axis, callOf } from "./axis";
+import { type Axis, callOf, type Followed, follow, UNKNOWN } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
 import { type ConsoleLayout, FIRST } from "./console_layout";
 import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./knob";
@@ -26,6 +26,9 @@ import type { Seconds, Timing } from "./timing";
 export type Topic = "cast" | "crew" | "link" | "timing" | "layout" | "call" | "notice" | "panic";
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
+const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to run on in.";
+/** Milliseconds after which a T-bar that another console moved is taken to be let go. */
+const LET_GO = 1000;
 
 export class ConsoleStore {
   manifest: Manifest | null = null;
@@ -44,6 +47,7 @@ export class ConsoleStore {
   #strips: Strip[] = [];
   #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
   #calls = 0;
+  readonly #followed: Record<Axis, Followed> = { face: UNKNOWN, expression: UNKNOWN };
   readonly #knobs: Knobs;
   readonly #outbox: Outbox;
   readonly #listeners = new Map<Topic, Set<() => void>>();
@@ -98,6 +102,10 @@ export class ConsoleStore {
   receiveState(state: State): void {
     const last = this.state;
     this.state = state;
+    for (const axis of ["face", "expression"] as const) {
+      const own = this.bar(axis).counts(this.now());
+      this.#followed[axis] = follow(this.#followed[axis], axis, [last, state], own, this.now());
+    }
     const turned = (axis: Axis): boolean => (last ? callOf(last, axis)?.target : null) !== callOf(state, axis)?.target;
     if (turned("face") || turned("expression")) this.#tell("call");
     if (last !== null && last.panics !== state.panics) this.#handsOff();
@@ -186,9 +194,21 @@ export class ConsoleStore {
 
   call(axis: Axis, name: string): void {
     if (!this.#mayAct()) return;
-    const id = this.#nextId();
+    const [id, seconds, rest] = [this.#nextId(), this.callSeconds(axis), this.#restOf(axis)];
+    const running = this.callOf(axis) !== null;
+    if (rest !== null && !running) this.bar(axis).nudge(rest);
     const type = axis === "face" ? "call_face" : "call_expression";
-    this.#outbox.push({ type, id, name, seconds: this.callSeconds(axis), easing: this.timing[axis].easing });
+    this.#outbox.push({ type, id, name, seconds, easing: this.timing[axis].easing });
+    if (rest !== null && running && seconds === null) this.bar(axis).nudge(rest); // before, it would move the old call
+  }
+
+  /** The end that a T-bar in the middle goes to at a new call; null where a hand may be on it, here or elsewhere. */
+  #restOf(axis: Axis): number | null {
+    if (this.state === null || this.bar(axis).gripped()) return null;
+    if (this.now() - this.#followed[axis].movedElsewhere < LET_GO) return null;
+    const stands = this.bar(axis).value(this.now());
+    const end = stands > 0.5 ? 1 : 0; // as the engine turns a call round
+    return stands === end ? null : end;
   }
 
   /** Calls a light in the time of a face, also while faces are called by hand: a light has no T-bar. */
@@ -204,8 +224,17 @@ export class ConsoleStore {
     if (this.#mayAct()) this.#outbox.push({ type: axis === "face" ? "keep_face" : "keep_expression", id });
   }
 
+  /** Whether the call is timed and a T-bar has it, so that it runs on once the hand is off. */
+  releasable(axis: Axis): boolean {
+    return this.callOf(axis)?.by_hand === true && this.#followed[axis].timed !== false;
+  }
+
   release(axis: Axis): void {
     if (!this.#mayAct()) return;
+    if (this.#followed[axis].timed === false) {
+      this.say(NOTHING_TO_RELEASE);
+      return;
+    }
     this.#outbox.push({ type: axis === "face" ? "release_face" : "release_expression" });
   }
 
