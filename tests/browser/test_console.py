@@ -129,10 +129,25 @@ def test_typed_seconds_and_the_easing_go_with_the_call(console: Console) -> None
     tile(page, "sad").click()
     wait_for(page, "state.expression_call?.target === 'sad' && state.expression_call.remaining > 30")
     assert page.evaluate(f"{DESK}.timing.expression.easing") == "late"
+    expect(entry).not_to_be_focused()
     entry.fill("soon")
     entry.press("Enter")
     expect(page.locator(".notice")).to_contain_text('"soon" is not a duration')
+    expect(page.locator(".notice")).to_contain_text("Calls go on taking 300 s")
     assert page.evaluate(f"{DESK}.timing.expression.seconds") == 300
+    entry.press("3")  # over what is selected
+    assert page.evaluate(f"{DESK}.timing.expression.seconds") == 300  # typed, not yet meant
+    tile(page, "joy").click()
+    wait_for(page, "state.expression_call?.target === 'joy' && state.expression_call.remaining <= 3")
+    expect(entry).to_have_value("3")
+    expect(page.locator(".notice")).to_have_text("")
+    entry.click()
+    page.keyboard.type("12")
+    page.keyboard.press("Enter")
+    assert page.evaluate(f"{DESK}.timing.expression.seconds") == 12
+    entry.fill("never")
+    tile(page, "sad").click()
+    expect(entry).to_have_value("12")  # what counts is what is read
 
 
 def test_what_is_on_air_and_what_is_coming_is_told_by_name(console: Console) -> None:

@@ -123,6 +123,14 @@ describe("a T-bar that was left in the middle", () => {
     expect(types().filter(([type, value]) => type === "fade_face" && value !== 0.5)).toEqual([]);
   });
 
+  it("is left to a panic that is on its way", () => {
+    store.receiveState({ ...REST, face_fader: 0.7 });
+    now += 10_000;
+    store.panic();
+    store.call("face", "old");
+    expect(types().map(([type]) => type)).toEqual(["panic", "call_face"]);
+  });
+
   it("has nothing to release in a call by hand, and says so", () => {
     store.receiveState({ ...REST, number: 2, face_call: call });
     expect(store.releasable("face")).toBe(false);

@@ -47,6 +47,8 @@ export class ConsoleStore {
   #strips: Strip[] = [];
   #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
   #calls = 0;
+  /** A panic of this console, which puts the bars to their rest, has not been heard yet. */
+  #panicking = false;
   readonly #followed: Record<Axis, Followed> = { face: UNKNOWN, expression: UNKNOWN };
   readonly #knobs: Knobs;
   readonly #outbox: Outbox;
@@ -108,7 +110,10 @@ export class ConsoleStore {
     }
     const turned = (axis: Axis): boolean => (last ? callOf(last, axis)?.target : null) !== callOf(state, axis)?.target;
     if (turned("face") || turned("expression")) this.#tell("call");
-    if (last !== null && last.panics !== state.panics) this.#handsOff();
+    if (last !== null && last.panics !== state.panics) {
+      this.#panicking = false;
+      this.#handsOff();
+    }
     const { home_face: face, home_seconds: seconds, home_next: next } = state;
     if (last?.home_face !== face || last.home_seconds !== seconds || last.home_next !== next) this.#tell("panic");
   }
@@ -139,6 +144,7 @@ export class ConsoleStore {
     this.#knobs.clear();
     this.#outbox.clear();
     if (!online) this.latency = null;
+    this.#panicking = false;
     this.#tell("link");
   }
 
@@ -204,7 +210,7 @@ export class ConsoleStore {
 
   /** The end that a T-bar in the middle goes to at a new call; null where a hand may be on it, here or elsewhere. */
   #restOf(axis: Axis): number | null {
-    if (this.state === null || this.bar(axis).gripped()) return null;
+    if (this.state === null || this.#panicking || this.bar(axis).gripped()) return null;
     if (this.now() - this.#followed[axis].movedElsewhere < LET_GO) return null;
     const stands = this.bar(axis).value(this.now());
     const end = stands > 0.5 ? 1 : 0; // as the engine turns a call round
@@ -240,7 +246,9 @@ export class ConsoleStore {
 
   panic(): void {
     this.#handsOff();
-    if (this.#mayAct()) this.#outbox.push({ type: "panic" });
+    if (!this.#mayAct()) return;
+    this.#panicking = true;
+    this.#outbox.push({ type: "panic" });
   }
 
   /** Chooses the face that a second panic brings, and the seconds that it takes. */
