@@ -1,7 +1,7 @@
 /** The console's page: faces on the left, expressions on the right, what is on air between them, pads and faders below. */
 
 import { html, nothing } from "lit";
-import { customElement, query, state } from "lit/decorators.js";
+import { customElement, property, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";
 import { listenToKeys } from "../ui/key_presses";
 import { base, palette } from "../ui/theme";
@@ -31,6 +31,8 @@ import "./controls/t_bar";
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")
 export class ConsolePage extends ConsoleElement {
+  /** The notices of the show, which have their place in the bar. */
+  @property({ attribute: false }) notices: HTMLElement | null = null;
   @state() private dialog: "help" | "setup" | null = null;
   #deaf: () => void = () => undefined;
   @query("omote-monitor") private monitor!: Monitor;
@@ -69,7 +71,8 @@ export class ConsolePage extends ConsoleElement {
         .context=${context}
         @help=${() => this.#show("help")}
         @setup=${() => this.#show("setup")}
-      ></omote-status>
+        >${this.notices}</omote-status
+      >
       <omote-palette class="panel faces live" .context=${context} .axis=${"face"}></omote-palette>
       <omote-tbar class="panel facebar live" .context=${context} .axis=${"face"}></omote-tbar>
       <section class="panel air live" aria-label="On air and coming">

@@ -24,6 +24,8 @@ export const style = css`
   }
   omote-status {
     grid-area: status;
+    position: relative; /* its messages may hang over what is below */
+    z-index: 6;
   }
   .faces {
     grid-area: faces;

@@ -61,9 +61,12 @@ export class StatusBar extends ConsoleElement {
     return html`
       <div class="mark">OMOTE</div>
       ${this.store.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
-      <div class="notice ${this.store.offer === null ? "" : "done"} ${this.store.notice === null ? "none" : ""}" role="status">
-        ${this.store.notice ?? ""}
-        ${this.#offer()}
+      <div class="messages">
+        <div class="notice ${this.store.tone} ${this.store.notice === null ? "none" : ""}" role="status">
+          ${this.store.notice ?? ""}
+          ${this.#offer()}
+        </div>
+        <slot></slot>
       </div>
       <button class="setup" title="Home face and layouts" @click=${() => this.dispatchEvent(new CustomEvent("setup"))}>Set-up</button>
       <button class="help" title="Keys" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>

@@ -15,6 +15,12 @@ export function faderOf(state: State, axis: Axis): number {
   return axis === "face" ? state.face_fader : state.expression_fader;
 }
 
+/** The end of its travel that a T-bar in the middle goes to, as the engine turns a call round; null at an end. */
+export function endFrom(stands: number): 0 | 1 | null {
+  const end = stands > 0.5 ? 1 : 0;
+  return stands === end ? null : end;
+}
+
 /** What a console knows of an axis by following it: when a hand elsewhere last moved its bar, and whether its call has
  * seconds of its own to run on in; null where it was not there from the call's beginning. */
 export interface Followed {

@@ -69,6 +69,16 @@ describe("calls", () => {
   });
 });
 
+it("keeps once where Keep is pressed twice, each axis by itself", () => {
+  store.keep("face");
+  now += 200;
+  store.keep("face");
+  store.keep("expression");
+  now += 5000;
+  store.keep("face");
+  expect(sent.map(({ type }) => type)).toEqual(["keep_face", "keep_expression", "keep_face"]);
+});
+
 describe("a T-bar that was left in the middle", () => {
   const call = {
     target: "old",
@@ -79,7 +89,8 @@ describe("a T-bar that was left in the middle", () => {
     pickup: 0.4,
     start: { generic: 1 },
   };
-  const types = (): unknown[] => sent.map((message) => [message.type, "value" in message ? message.value : null]);
+  const types = (): [string, unknown][] =>
+    sent.map((message) => [message.type, "value" in message ? message.value : null]);
 
   it("goes to its nearest end at a new call: before it where nothing runs, after it where it would move the old one", () => {
     for (const [stands, end] of [
@@ -156,7 +167,9 @@ describe("calls by hand", () => {
 describe("keeping what is on air", () => {
   it("asks for a face or an expression, each time under an id of its own", () => {
     store.keep("face");
+    now += 5000;
     store.keep("expression");
+    now += 5000;
     store.keep("expression");
     expect(sent).toMatchObject([{ type: "keep_face" }, { type: "keep_expression" }, { type: "keep_expression" }]);
     expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(3);
