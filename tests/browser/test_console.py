@@ -170,6 +170,13 @@ def test_units_are_found_by_their_region(console: Console) -> None:
     expect(tile(page, "browInnerUp")).to_have_count(0)
     tile(page, "jawOpen").click()
     wait_for(page, "state.expressions.jawOpen > 0")
+    page.keyboard.press("Space")  # the tile has not kept the focus
+    search = page.get_by_label("Search expressions")
+    search.fill("surpr")
+    search.press("Enter")
+    wait_for(page, "state.expressions.surprise > 0")
+    search.press("ArrowDown")
+    expect(tile(page, "surprise")).to_be_focused()
 
 
 # --- T-bars ----------------------------------------------------------------------------------------------------------

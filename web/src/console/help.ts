@@ -2,7 +2,7 @@
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { curtain, keysPage } from "../ui/dialog_style";
+import { closeOutside, curtain, keysPage } from "../ui/dialog_style";
 import { layerWhileShown } from "../ui/key_presses";
 import { base } from "../ui/theme";
 import { ConsoleElement } from "./controls/console_element";
@@ -38,6 +38,7 @@ export class Help extends ConsoleElement {
 
   constructor() {
     super();
+    closeOutside(this, () => this.#close());
     layerWhileShown(this, "dialog", () => this.#close());
   }
 
