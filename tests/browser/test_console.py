@@ -129,10 +129,25 @@ def test_typed_seconds_and_the_easing_go_with_the_call(console: Console) -> None
     tile(page, "sad").click()
     wait_for(page, "state.expression_call?.target === 'sad' && state.expression_call.remaining > 30")
     assert page.evaluate(f"{DESK}.timing.expression.easing") == "late"
+    expect(entry).not_to_be_focused()
     entry.fill("soon")
     entry.press("Enter")
     expect(page.locator(".notice")).to_contain_text('"soon" is not a duration')
+    expect(page.locator(".notice")).to_contain_text("Calls go on taking 300 s")
     assert page.evaluate(f"{DESK}.timing.expression.seconds") == 300
+    entry.press("3")  # over what is selected
+    assert page.evaluate(f"{DESK}.timing.expression.seconds") == 300  # typed, not yet meant
+    tile(page, "joy").click()
+    wait_for(page, "state.expression_call?.target === 'joy' && state.expression_call.remaining <= 3")
+    expect(entry).to_have_value("3")
+    expect(page.locator(".notice")).to_have_text("")
+    entry.click()
+    page.keyboard.type("12")
+    page.keyboard.press("Enter")
+    assert page.evaluate(f"{DESK}.timing.expression.seconds") == 12
+    entry.fill("never")
+    tile(page, "sad").click()
+    expect(entry).to_have_value("12")  # what counts is what is read
 
 
 def test_what_is_on_air_and_what_is_coming_is_told_by_name(console: Console) -> None:
@@ -155,6 +170,13 @@ def test_units_are_found_by_their_region(console: Console) -> None:
     expect(tile(page, "browInnerUp")).to_have_count(0)
     tile(page, "jawOpen").click()
     wait_for(page, "state.expressions.jawOpen > 0")
+    page.keyboard.press("Space")  # the tile has not kept the focus
+    search = page.get_by_label("Search expressions")
+    search.fill("surpr")
+    search.press("Enter")
+    wait_for(page, "state.expressions.surprise > 0")
+    search.press("ArrowDown")
+    expect(tile(page, "surprise")).to_be_focused()
 
 
 # --- T-bars ----------------------------------------------------------------------------------------------------------
@@ -176,21 +198,40 @@ def test_a_t_bar_moves_a_call_by_hand_to_its_end_and_the_next_one_back(console: 
     wait_for(page, "Math.abs(state.faces.generic - 0.75) < 0.02")
 
 
-def test_a_t_bar_that_was_left_in_the_middle_waits_until_it_meets_the_value(console: Console) -> None:
+def test_a_t_bar_under_a_hand_waits_until_it_meets_the_value_of_a_new_call(console: Console) -> None:
     page = console()
-    drag(page, bar(page, "Expression"), (0.5, 1.0), (0.5, 0.6))
-    wait_for(page, "Math.abs(state.expression_fader - 0.4) < 0.02")
     choose(page, "expression", "hand")
-    tile(page, "smile").click()
-    wait_for(page, "state.expression_call?.by_hand")
+    box = bar(page, "Expression").bounding_box()
+    assert box is not None
+    x, low = box["x"] + box["width"] / 2, box["y"] + box["height"]
+    page.mouse.move(x, low)
+    page.mouse.down()
+    page.mouse.move(x, low - 0.4 * box["height"], steps=4)
+    wait_for(page, "Math.abs(state.expression_fader - 0.4) < 0.02")
+    page.keyboard.press("w")
+    wait_for(page, "state.expression_call?.target === 'smile'")
     expect(page.locator(".exprbar .mode")).to_contain_text("pick up")
     expect(page.locator(".exprbar .hand")).to_have_class("carrier hand ghost")
-    drag(page, bar(page, "Expression"), (0.5, 0.6), (0.5, 0.3))
+    page.mouse.move(x, low - 0.7 * box["height"], steps=4)
     wait_for(page, "Math.abs(state.expression_fader - 0.7) < 0.02")
     assert state(page)["expression_call"]["progress"] == 0
-    drag(page, bar(page, "Expression"), (0.5, 0.3), (0.5, 1.1))
-    drag(page, bar(page, "Expression"), (0.5, 1.0), (0.5, 0.5))
+    page.mouse.move(x, low, steps=4)
+    page.mouse.move(x, low - 0.5 * box["height"], steps=4)
+    page.mouse.up()
     wait_for(page, "Math.abs(state.expressions.smile - 0.5) < 0.02")
+    expect(page.locator(".exprbar .release")).to_be_disabled()
+
+
+def test_a_t_bar_that_was_left_in_the_middle_is_at_its_rest_for_the_next_call(console: Console) -> None:
+    page = console()
+    choose(page, "expression", "hand")
+    for name, where in (("smile", 0.4), ("sad", 0.7), ("joy", 0.3)):
+        tile(page, name).click()
+        wait_for(page, f"state.expression_call?.target === {name!r} && [0, 1].includes(state.expression_fader)")
+        assert state(page)["expression_call"]["progress"] == 0
+        low = 1.0 - state(page)["expression_fader"]
+        drag(page, bar(page, "Expression"), (0.5, low), (0.5, abs(low - where)))
+        wait_for(page, f"Math.abs(state.expressions[{name!r}] - {where}) < 0.05")
 
 
 def test_a_released_t_bar_lets_a_timed_call_run_on(console: Console) -> None:

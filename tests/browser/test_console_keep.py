@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page, expect
 
 from tests.browser.pictures import picture
-from tests.browser.test_console import DESK, choose, console, region, tile, wait_for
+from tests.browser.test_console import DESK, choose, console, region, state, tile, wait_for
 from tests.browser.waiting import draw_on_demand, floats, wait_until
 
 __all__ = ["console"]
@@ -131,6 +131,37 @@ def test_the_pencil_of_an_own_thing_opens_it_and_calls_nothing(console: Console)
     assert len(page.context.pages) == before + 1
     assert page.evaluate(f"{DESK}.state.face_call") is None
     assert page.evaluate(f"{DESK}.state.faces") == {"generic": 1}
+
+
+@pytest.mark.parametrize("width", [390, 1024])
+def test_a_tap_on_an_own_tile_calls_wherever_it_falls_and_a_held_finger_brings_the_pencil(
+    console: Console, width: int
+) -> None:
+    page = console(width=width, height=800, has_touch=True)
+    kept = keep(page, "face")
+    own = tile(page, kept["name"])
+    own.scroll_into_view_if_needed()
+    box = own.bounding_box()
+    assert box is not None
+    pages = len(page.context.pages)
+    choose(page, "face", "hand")
+    page.touchscreen.tap(box["x"] + box["width"] - 12, box["y"] + 12)  # where the pencil would be
+    wait_for(page, f"state.face_call?.target === {kept['name']!r}")
+    tile(page, "dog").tap()
+    wait_for(page, "state.face_call?.target === 'dog'")
+    own.scroll_into_view_if_needed()
+    box = own.bounding_box()
+    assert box is not None
+    session = page.context.new_cdp_session(page)
+    points = [{"x": box["x"] + box["width"] / 2, "y": box["y"] + box["height"] / 2, "id": 0}]
+    session.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": points})
+    expect(page.locator(".place.held .tile")).to_have_attribute("data-name", kept["name"])
+    session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    assert len(page.context.pages) == pages
+    with page.context.expect_page() as opened:
+        page.get_by_label(f"Edit {kept['label']}", exact=True).tap()
+    wait_until(opened.value, f"document.querySelector('omote-editor')?.context?.store.item?.name === {kept['name']!r}")
+    assert state(page)["face_call"]["target"] == "dog"
 
 
 def test_own_faces_are_at_hand_and_hot_keys_stay_where_they_are(console: Console) -> None:

@@ -77,6 +77,17 @@ def test_a_layout_is_saved_by_name_and_chosen_at_another_console(console: Consol
     other.get_by_role("button", name="mouths").click()
     wait_for(other, "desk.layout.kind === 'arkit'")
     assert other.evaluate(f"{DESK}.layout") == arranged
+    other.get_by_role("button", name="Back to how it was").click()
+    assert other.evaluate(f"{DESK}.layout") == FIRST
+    other.get_by_label("Name of the layout").fill("  ")
+    other.get_by_role("button", name="Save as").click()
+    expect(other.locator(".notice")).to_contain_text("type a name")
+    other.get_by_label("Name of the layout").fill("MOUTHS")
+    other.get_by_role("button", name="Save as").click()
+    expect(other.locator(".notice")).to_contain_text("has a layout mouths")
+    other.get_by_role("button", name="mouths").click()
+    wait_for(other, "desk.layout.kind === 'arkit'")  # nothing was replaced
+    expect(other.locator(".notice")).to_contain_text("Laid out as mouths")
     other.get_by_role("button", name="Default").click()
     wait_for(other, "desk.layout.kind === 'performed'")
     assert other.evaluate(f"{DESK}.layout") == FIRST

@@ -1,4 +1,4 @@
-"""The console on the four sizes that it is made for, played by fingers: everything at hand, nothing cut off."""
+"""The console on the sizes that it is made for and on those that come: everything at hand, nothing cut off."""
 
 from __future__ import annotations
 
@@ -9,13 +9,19 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.test_console import bar, console, fader, region, state, tile, wait_for
+from tests.browser.test_console import DESK, TWO_FRAMES, bar, console, fader, region, state, tile, wait_for
 
 __all__ = ["console"]
 
 Console = Callable[..., Page]
 
 SIZES = [(1440, 900), (1024, 768), (768, 1024), (390, 844)]
+OTHERS = [
+    *[(1366, 640), (1280, 640), (1280, 600), (1024, 640), (1024, 600), (960, 600), (960, 541), (900, 540)],
+    *[(1440, 500), (844, 390), (800, 600), (768, 700), (720, 450), (600, 400), (667, 375)],
+    *[(430, 932), (375, 667), (360, 640), (320, 568), (320, 480)],
+]
+"""Windows of laptops with a zoom, phones on their side, small phones."""
 FINGER = 40
 
 CONTROLS = """() => {
@@ -61,24 +67,32 @@ def overlap(one: dict[str, Any], other: dict[str, Any]) -> bool:
     return bool(across > 1.5 and down > 1.5)
 
 
+def faults(page: Page) -> list[tuple[str, ...]]:
+    """What a finger cannot hit, what is cut off, and what lies under something else."""
+    seen = controls(page)
+    apart = [one for one in seen if not one["pencil"]]
+    return [
+        *(("cut", one["name"]) for one in seen if one["cut"]),
+        *(
+            ("small", one["name"], f"{one['right'] - one['left']:.0f} x {one['bottom'] - one['top']:.0f}")
+            for one in seen
+            if min(one["right"] - one["left"], one["bottom"] - one["top"]) < FINGER - 0.5
+        ),
+        *(
+            ("over", one["name"], other["name"])
+            for at, one in enumerate(apart)
+            for other in apart[at + 1 :]
+            if overlap(one, other)
+        ),
+    ]
+
+
 def check_surface(page: Page, width: int, height: int) -> None:
     """Checks that a finger can hit everything and that nothing is cut off, hidden or under something else."""
     assert page.evaluate("document.scrollingElement.scrollWidth") <= width
     assert page.evaluate("document.scrollingElement.scrollHeight") <= height
     expect(page.locator(".panic")).to_be_in_viewport(ratio=1)
-    seen = controls(page)
-    small = [
-        (one["name"], one["right"] - one["left"], one["bottom"] - one["top"])
-        for one in seen
-        if min(one["right"] - one["left"], one["bottom"] - one["top"]) < FINGER - 0.5
-    ]
-    assert small == []
-    assert [one["name"] for one in seen if one["cut"]] == []
-    apart = [one for one in seen if not one["pencil"]]
-    over = [
-        (one["name"], other["name"]) for at, one in enumerate(apart) for other in apart[at + 1 :] if overlap(one, other)
-    ]
-    assert over == []
+    assert faults(page) == []
 
 
 def slide(page: Page, control: Locator, start: float, end: float) -> None:
@@ -164,6 +178,54 @@ def test_the_gains_of_a_face_have_their_place_and_all_are_listed(console: Consol
     tile(page, "child").tap()
     expect(answers).to_have_count(0)
     expect(gains).to_have_count(0)
+HANDS = """() => {
+    const root = document.querySelector("omote-console").shadowRoot;
+    const inside = (one, part = 1) => {
+        if (!one) return false;
+        const box = one.getBoundingClientRect();
+        const seen = Math.min(innerHeight, box.bottom) - Math.max(0, box.top);
+        return box.width > 0 && box.height > 0 && box.left >= 0 && box.right <= innerWidth && seen >= part * box.height;
+    };
+    const wrong = [];
+    for (const bar of root.querySelectorAll("omote-tbar")) {
+        const track = bar.shadowRoot.querySelector(".track");
+        const height = track.getBoundingClientRect().height;
+        if (!inside(track) || height < 45 || height > 620) wrong.push(`${bar.axis} T-bar, ${Math.round(height)} px`);
+    }
+    for (const palette of root.querySelectorAll("omote-palette")) {
+        const times = palette.shadowRoot.querySelector("omote-timing").shadowRoot;
+        const hands = [...times.querySelectorAll("[data-seconds=hand]")].filter((one) => one.offsetParent);
+        if (hands.length !== 1 || !inside(hands[0])) wrong.push(`times of ${palette.axis}`);
+        const tile = palette.shadowRoot.querySelector(".tile");
+        const room = palette.shadowRoot.querySelector(".tiles").getBoundingClientRect().height;
+        if (!inside(tile) || room < tile.getBoundingClientRect().height) wrong.push(`tiles of ${palette.axis}`);
+    }
+    return wrong;
+}"""
+"""What a show is played with that is not whole: T-bars with their ways, times, the first tile of each palette."""
+
+
+def found_wrong(page: Page, width: int, height: int) -> list[object]:
+    """What is wrong with a window of a size, in each of its views."""
+    wrong: list[object] = []
+    fingers = page.evaluate("matchMedia('(pointer: coarse)').matches")
+    page.set_viewport_size({"width": width, "height": height})
+    for name in ("faders", "pads", "palettes"):
+        page.evaluate(f"{DESK}.arrange({{ view: {name!r} }})")
+        page.evaluate(TWO_FRAMES)
+        page_size = page.evaluate("[document.scrollingElement.scrollWidth, document.scrollingElement.scrollHeight]")
+        if page_size[0] > width or page_size[1] > height:
+            wrong.append((name, "the page grows", page_size))
+        wrong += [(name, *fault) for fault in faults(page) if fingers or fault[0] == "cut"]
+        expect(page.locator(".panic")).to_be_in_viewport(ratio=1)
+    return wrong + list(page.evaluate(HANDS))
+
+
+@pytest.mark.parametrize("touch", [True, False])
+def test_no_window_grows_and_hands_are_always_in_view(console: Console, touch: bool) -> None:
+    page = console(**({"has_touch": True} if touch else {}))
+    wrong = {size: found_wrong(page, *size) for size in OTHERS}
+    assert {size: what for size, what in wrong.items() if what} == {}
 
 
 @pytest.mark.parametrize(("width", "height"), [(1024, 768), (1440, 900), (1920, 1080)])

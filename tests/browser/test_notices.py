@@ -89,7 +89,11 @@ def test_a_recovered_file_and_a_killed_process_are_told_until_they_are_dismissed
     page.keyboard.press("?")
     page.keyboard.press("Escape")  # closes help and nothing else
     expect(notice(page).locator("small")).to_have_text("1 more")
-    notice(page).get_by_role("button", name="Dismiss").click()
+    notice(page).get_by_role("button", name="1 more").click()
+    expect(notice(page).get_by_role("button", name="Dismiss")).to_have_count(2)
+    expect(notice(page)).to_contain_text(damaged)
+    expect(notice(page)).to_contain_text("The show's process ended at ")
+    notice(page).get_by_role("button", name="Dismiss").first.click()
     expect(notice(page)).to_contain_text(damaged)
     notice(page).get_by_role("button", name="Dismiss").click()
     expect(notice(page)).to_have_count(0)
@@ -113,6 +117,12 @@ def test_a_notice_is_whole_on_every_screen_and_can_be_dismissed_by_a_finger(
     assert box["x"] >= 0
     assert box["x"] + box["width"] <= width
     assert box["y"] + box["height"] <= height
+    page.evaluate(f"{STORE}.say('Not sent: the link to the show is lost.')")
+    header = page.locator("omote-status .notice").bounding_box()
+    assert header is not None
+    box = notice(page).bounding_box()
+    assert box is not None
+    assert header["y"] + header["height"] <= box["y"]  # neither covers the other
     button = notice(page).get_by_role("button", name="Dismiss").bounding_box()
     assert button is not None
     assert min(button["width"], button["height"]) >= 44

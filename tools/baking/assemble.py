@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from omote.builtin.binding import PARTS, PartMesh, head_space
 from omote.builtin.castfile import FORMAT, SKIN
 from omote.model.cast import GENERIC, NEUTRAL
+from omote.model.controls.mirror import mirror_rows
 from omote.model.extraction.extract import extract
 from omote.model.sculpting.sculpt import Sculpt
 from omote.model.space.expression import Expression
@@ -32,6 +33,9 @@ from tools.baking.package import Package
 
 Arrays = dict[str, NDArray[Any]]
 Step = Callable[[str], None]
+
+# A face is symmetric whose vertices are so near, metres, to their mirror images.
+_ACROSS, _SYMMETRIC = np.array([-1.0, 1.0, 1.0]), 2e-6
 
 
 def face_arrays(package: Package, base: BaseMesh, head: Head, step: Step) -> Arrays:
@@ -84,9 +88,13 @@ def space_of(arrays: Arrays) -> ParameterSpace:
 
 def fit_mouths(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
     """Closes the lips of faces, in place, and puts their mouth bags to their gums and behind their skin."""
+    across = mirror_rows(space)
     for name in names:
         parts = {part: arrays[f"face/{name}/{part}"] for part in PARTS}
-        placed = fit_mouth_at_rest(space, arrays[f"face/{name}"], parts).astype(np.float64)
+        before = arrays[f"face/{name}"]
+        placed = fit_mouth_at_rest(space, before, parts).astype(np.float64)
+        if np.abs(before - before[across] * _ACROSS).max() < _SYMMETRIC:
+            placed = 0.5 * (placed + placed[across] * _ACROSS)  # gums are met on one side a little more than across
         arrays[f"face/{name}"] = np.asarray(np.round(placed, 9) + 0.0, np.float32)  # no machine's last bits
 
 

@@ -1,7 +1,7 @@
 /** The console's page: faces on the left, expressions on the right, what is on air between them, pads and faders below. */
 
 import { html, nothing } from "lit";
-import { customElement, query, state } from "lit/decorators.js";
+import { customElement, property, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";
 import { listenToKeys } from "../ui/key_presses";
 import { base, palette } from "../ui/theme";
@@ -9,6 +9,7 @@ import { style } from "./console_page_style";
 import { ConsoleElement } from "./controls/console_element";
 import type { LightRow } from "./controls/light_row";
 import type { Pad } from "./controls/pad";
+import { LOW, NARROW } from "./controls/screen_sizes";
 import type { TBar } from "./controls/t_bar";
 import type { Monitor } from "./panels/monitor";
 import type { Palette } from "./panels/palette";
@@ -30,6 +31,8 @@ import "./controls/t_bar";
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")
 export class ConsolePage extends ConsoleElement {
+  /** The notices of the show, which have their place in the bar. */
+  @property({ attribute: false }) notices: HTMLElement | null = null;
   @state() private dialog: "help" | "setup" | null = null;
   #deaf: () => void = () => undefined;
   @query("omote-monitor") private monitor!: Monitor;
@@ -43,13 +46,13 @@ export class ConsolePage extends ConsoleElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#deaf = listenToKeys({ everywhere: this.#panicKey, page: this.#key });
-    PHONE.addEventListener("change", this.#resized);
+    IN_TURN.addEventListener("change", this.#resized);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#deaf();
-    PHONE.removeEventListener("change", this.#resized);
+    IN_TURN.removeEventListener("change", this.#resized);
   }
 
   /** Gives the monitor the cast to draw. */
@@ -68,7 +71,8 @@ export class ConsolePage extends ConsoleElement {
         .context=${context}
         @help=${() => this.#show("help")}
         @setup=${() => this.#show("setup")}
-      ></omote-status>
+        >${this.notices}</omote-status
+      >
       <omote-palette class="panel faces live" .context=${context} .axis=${"face"}></omote-palette>
       <omote-tbar class="panel facebar live" .context=${context} .axis=${"face"}></omote-tbar>
       <section class="panel air live" aria-label="On air and coming">
@@ -89,7 +93,7 @@ export class ConsolePage extends ConsoleElement {
       <nav class="views live" role="tablist" aria-label="What is shown below">
         ${VIEWS.map(
           (view) => html`<button role="tab" data-view=${view} aria-selected=${view === shown}
-            @click=${() => this.store.arrange({ view })}>${VIEW_LABELS[view]}</button>`,
+            @click=${() => this.store.arrange({ view })}>${VIEW_LABELS[view][0]}<span>${VIEW_LABELS[view][1]}</span></button>`,
         )}
       </nav>
       ${this.dialog === "help" ? html`<omote-help .context=${context} @close=${this.#close}></omote-help>` : nothing}
@@ -97,10 +101,10 @@ export class ConsolePage extends ConsoleElement {
     `;
   }
 
-  /** On a phone one thing at a time stands below; elsewhere the palettes always have their place. */
+  /** On a phone one thing at a time has room; elsewhere the palettes always have their place. */
   get #view(): View {
     const { view } = this.store.layout;
-    return PHONE.matches || view !== "palettes" ? view : "faders";
+    return IN_TURN.matches || view !== "palettes" ? view : "faders";
   }
 
   readonly #resized = (): void => this.requestUpdate();
@@ -149,7 +153,8 @@ export class ConsolePage extends ConsoleElement {
   }
 }
 
-const PHONE = matchMedia("(max-width: 599px)");
+/** Where palettes, faders and pads take turns. */
+const IN_TURN = matchMedia(`${NARROW} or ${LOW}`);
 
 const PLACES = {
   face: ".facebar",
@@ -160,8 +165,9 @@ const PLACES = {
   light: "omote-lights",
 } as const;
 
-const VIEW_LABELS: Readonly<Record<View, string>> = {
-  palettes: "Faces, expressions",
-  faders: "Faders",
-  pads: "Head, gaze",
+/** What a button reads, and what it adds where there is room. */
+const VIEW_LABELS: Readonly<Record<View, readonly [string, string]>> = {
+  palettes: ["Faces", ", expressions"],
+  faders: ["Faders", ""],
+  pads: ["Head", ", gaze"],
 };

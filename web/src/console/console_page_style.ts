@@ -1,8 +1,10 @@
 import { css } from "lit";
+import { low, narrow } from "./controls/screen_sizes";
 
 /**
  * The areas of the page. Wide: everything at once. A tablet held upright: faders or pads below. A phone: palettes, faders
- * or pads below. Panic, picture, T-bars and lights are always there, and the page itself never scrolls.
+ * or pads below; on its side, beside the picture. Panic, picture and T-bars are always there, and the page itself never
+ * scrolls: what has no room scrolls inside its own panel.
  */
 export const style = css`
   :host {
@@ -22,6 +24,8 @@ export const style = css`
   }
   omote-status {
     grid-area: status;
+    position: relative; /* its messages may hang over what is below */
+    z-index: 6;
   }
   .faces {
     grid-area: faces;
@@ -79,8 +83,13 @@ export const style = css`
     opacity: 0.45;
     filter: grayscale(0.7);
   }
+  .faces {
+    --tile: 56px; /* the whole built-in cast, and some of the crew's own, without a scroll */
+  }
   @media (min-width: 1600px) {
-    .faces,
+    .faces {
+      --tile: 76px;
+    }
     .expressions {
       --tile: 96px;
     }
@@ -91,6 +100,17 @@ export const style = css`
   @media (max-width: 1100px) and (min-width: 900px) {
     :host {
       grid-template-columns: minmax(178px, 0.7fr) 78px minmax(260px, 1fr) 78px minmax(250px, 1fr);
+    }
+    .faces,
+    .expressions {
+      --tile: 56px;
+    }
+  }
+  /* a window as low as a small laptop's: everything still has its place, with less air */
+  @media (min-width: 900px) and (max-height: 720px) {
+    :host {
+      gap: 4px;
+      grid-template-rows: 48px minmax(0, 1fr) auto minmax(176px, 31%);
     }
     .faces,
     .expressions {
@@ -140,21 +160,16 @@ export const style = css`
       display: none;
     }
   }
-  /* a phone */
-  @media (max-width: 599px) {
-    :host {
-      grid-template:
-        "status status status status" 52px
-        "facebar air air exprbar" minmax(0, 42fr)
-        "lights lights lights lights" auto
-        "views views views views" 44px
-        "faces faces expressions expressions" minmax(0, 58fr) / 72px minmax(0, 1fr) minmax(0, 1fr) 72px;
-    }
+  /* palettes, faders or pads at a time */
+  @media ${narrow} or ${low} {
     .air {
       grid-template: minmax(0, 1fr) auto / repeat(2, minmax(0, 1fr));
     }
     .air omote-monitor {
       grid-area: 1 / 1 / 2 / 3;
+    }
+    .mixes {
+      display: contents;
     }
     .mixes omote-mix {
       grid-area: 2 / 1;
@@ -164,46 +179,73 @@ export const style = css`
     }
     .hands,
     omote-bank {
-      grid-area: faces / 1 / expressions / -1;
+      grid-area: faces / faces-start / expressions / expressions-end;
+    }
+    .views {
+      display: flex;
     }
     .views [data-view="palettes"] {
       display: block;
     }
     :host(:not([data-view="palettes"])) omote-palette,
+    :host(:not([data-view="pads"])) .hands,
     :host(:not([data-view="faders"])) omote-bank {
       display: none;
+    }
+  }
+  @media ${narrow} {
+    :host {
+      grid-template:
+        "status status status status" 52px
+        "facebar air air exprbar" minmax(210px, 42fr)
+        "lights lights lights lights" auto
+        "views views views views" 44px
+        "faces faces expressions expressions" minmax(0, 58fr) / 72px minmax(0, 1fr) minmax(0, 1fr) 72px;
     }
     .faces,
     .expressions {
       --tile: 50px;
     }
   }
-  /* a low window scrolls, for nothing may be smaller than a hand */
-  @media (max-height: 640px) and (min-width: 900px) {
+  @media ${low} {
     :host {
-      grid-template-rows: 50px 420px auto 300px;
+      gap: 4px;
+      padding: 4px;
+      grid-template:
+        "status status status status status" 48px
+        "facebar air faces expressions exprbar" minmax(0, 1fr)
+        "facebar lights faces expressions exprbar" auto
+        "facebar views faces expressions exprbar" auto / 72px minmax(132px, 0.9fr) minmax(0, 1fr) minmax(0, 1fr) 72px;
+    }
+    .faces,
+    .expressions {
+      --tile: 50px;
+    }
+    .views {
+      gap: 4px;
+    }
+    .views button {
+      flex: 1 1 0;
+      min-height: 40px;
+      padding: 0;
+      font-size: 12px;
+    }
+    .views span {
+      display: none;
     }
   }
-  @media (max-height: 640px) and (min-width: 600px) and (max-width: 899px) {
+  /* the lowest phones: lights stand with the pads */
+  @media ${narrow} and (max-height: 600px) {
     :host {
-      grid-template-rows: 52px 320px auto 320px 44px 300px;
+      gap: 4px;
+      padding: 4px;
+      grid-template-rows: 46px minmax(186px, 42fr) auto 40px minmax(0, 58fr);
     }
-  }
-  @media (max-height: 560px) and (max-width: 599px) {
-    :host {
-      grid-template-rows: 52px 260px auto 44px 380px;
+    .views button {
+      min-height: 40px;
     }
-  }
-  @media (max-height: 640px) and (min-width: 600px), (max-height: 560px) {
-    :host {
-      height: auto;
-      overflow: visible;
-    }
-    omote-status {
-      position: sticky;
-      top: 0;
-      z-index: 5;
-      background: var(--ground);
+    :host(:not([data-view="pads"])) omote-lights {
+      display: none;
     }
   }
 `;

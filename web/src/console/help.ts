@@ -2,7 +2,7 @@
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { curtain, keysPage } from "../ui/dialog_style";
+import { closeOutside, curtain, keysPage } from "../ui/dialog_style";
 import { layerWhileShown } from "../ui/key_presses";
 import { base } from "../ui/theme";
 import { ConsoleElement } from "./controls/console_element";
@@ -38,6 +38,7 @@ export class Help extends ConsoleElement {
 
   constructor() {
     super();
+    closeOutside(this, () => this.#close());
     layerWhileShown(this, "dialog", () => this.#close());
   }
 
@@ -57,6 +58,7 @@ export class Help extends ConsoleElement {
       <p><b class="air">Red</b> is on air, <b class="coming">green</b> is coming, white is your hand, <b class="attention">yellow</b> wants attention.</p>
       <p>You look at the face: right on a pad is the character's left, so the face on screen turns towards your dot. R and L on faders and pads are the character's own sides.</p>
       <p>A T-bar takes a call over when its handle meets the call's value (pick-up). Drag with Shift for fine moves; twice on a control puts it to rest; the wheel steps.</p>
+      <p>A face or an expression of your own opens in the editor by the pencil on its tile: point at it, or hold a finger on it.</p>
       <button @click=${this.#close}>Close</button>
     </section>`;
   }

@@ -81,7 +81,8 @@ async function start(): Promise<void> {
   context.painter.add({ paint: () => context.store.flush() }); // first in each frame, so that what was drawn is what was sent
   const page = new ConsolePage();
   page.context = context;
-  document.body.append(page, shown);
+  page.notices = shown;
+  document.body.append(page);
   context.painter.start();
   stayAwake();
   library = await Library.open();

@@ -3,11 +3,12 @@
 import { css, html } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { EASING_NAMES } from "../link/constants";
-import { curtain } from "../ui/dialog_style";
+import { closeOutside, curtain } from "../ui/dialog_style";
 import { layerWhileShown } from "../ui/key_presses";
 import { base, entry } from "../ui/theme";
 import { ConsoleElement, chosenIn } from "./controls/console_element";
 import type { Axis } from "./store/axis";
+import type { ConsoleLayout } from "./store/console_layout";
 import type { Topic } from "./store/console_store";
 import { DEFAULT_LAYOUT } from "./store/layout_storage";
 import { MANY_CHOICES, secondsLabel } from "./store/timing";
@@ -19,6 +20,10 @@ const LONGEST_NAME = 40;
 @customElement("omote-setup")
 export class Setup extends ConsoleElement {
   @state() private names: readonly string[] = [];
+  /** The layout that is there already, and that saving once more replaces. */
+  @state() private replaces: string | null = null;
+  /** How the console was before a layout was chosen. */
+  @state() private earlier: ConsoleLayout | null = null;
   @query("input") private entry!: HTMLInputElement;
 
   static override styles = [
@@ -27,6 +32,7 @@ export class Setup extends ConsoleElement {
     css`
       :host {
         inset: 62px 0 0; /* panic stays in sight */
+        background: #0006; /* and what is on air */
       }
       section {
         width: min(460px, 100%);
@@ -66,6 +72,7 @@ export class Setup extends ConsoleElement {
 
   constructor() {
     super();
+    closeOutside(this, () => this.#close());
     layerWhileShown(this, "dialog", () => this.#close());
   }
 
@@ -94,11 +101,12 @@ export class Setup extends ConsoleElement {
             html`<button data-layout=${name} aria-pressed=${name === chosen} @click=${() => this.#choose(name)}>${name}</button>`,
         )}
       </div>
-      <p>Saved as ${DEFAULT_LAYOUT} it is what a fresh console opens with.</p>
+      <p>A fresh console opens with the layout that is saved under the name ${DEFAULT_LAYOUT}.</p>
       <form class="row" @submit=${this.#save}>
-        <input aria-label="Name of the layout" maxlength=${LONGEST_NAME} placeholder="name of a layout" .value=${chosen === DEFAULT_LAYOUT ? "" : chosen} />
-        <button type="submit">Save as</button>
+        <input aria-label="Name of the layout" maxlength=${LONGEST_NAME} placeholder="name of a layout" @input=${this.#rename} .value=${chosen === DEFAULT_LAYOUT ? "" : chosen} />
+        <button type="submit">${this.replaces === null ? "Save as" : "Replace it"}</button>
       </form>
+      ${this.earlier === null ? "" : html`<div class="row"><button @click=${this.#back}>Back to how it was</button></div>`}
       <div class="row"><button class="close" @click=${() => this.#close()}>Close</button></div>
     </section>`;
   }
@@ -130,22 +138,49 @@ export class Setup extends ConsoleElement {
   }
 
   async #choose(name: string): Promise<void> {
+    this.earlier ??= this.store.layout;
     await this.context.layouts.choose(name);
+    this.replaces = null;
+    this.store.say(`Laid out as ${name}.`, "done");
     this.requestUpdate();
   }
 
+  readonly #back = (): void => {
+    if (this.earlier !== null) this.store.arrange(this.earlier);
+    this.earlier = null;
+    this.store.say(null);
+  };
+
+  readonly #rename = (): void => {
+    this.replaces = null;
+  };
+
+  /** Saves under a name; one that is there, in whatever case, is replaced only by a second press. */
   readonly #save = (event: Event): void => {
     event.preventDefault();
-    const name = this.entry.value.trim();
-    if (name === "") return;
+    const typed = this.entry.value.trim();
+    if (typed === "") {
+      this.store.say("Not saved: type a name for the layout first.");
+      this.entry.focus();
+      return;
+    }
+    const known = this.names.find((name) => name.toLowerCase() === typed.toLowerCase());
+    if (known !== undefined && this.replaces !== known) {
+      this.replaces = known;
+      this.store.say(`Every console has a layout ${known}: press once more to replace it, or type another name.`);
+    } else this.#send(known ?? typed);
+  };
+
+  #send(name: string): void {
+    this.replaces = null;
     if (!this.context.layouts.save(name)) {
       this.store.say("Not saved: the link to the show is lost.");
       return;
     }
     if (!this.names.includes(name)) this.names = [...this.names, name];
     this.requestUpdate();
-    this.store.say(`Saved as ${name}: every console can choose it.`);
-  };
+    this.store.say(`Saved as ${name}: every console can choose it.`, "done");
+  }
 
   #close(): void {
     this.dispatchEvent(new CustomEvent("close"));

@@ -13,6 +13,13 @@ export const curtain = css`
   }
 `;
 
+/** Closes a dialog where the curtain beside it is pressed. */
+export function closeOutside(host: HTMLElement, close: () => void): void {
+  host.addEventListener("click", (event) => {
+    if (event.composedPath()[0] === host) close();
+  });
+}
+
 /** A page of keys and what they do. */
 export const keysPage = css`
   section {

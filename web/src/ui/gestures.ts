@@ -91,6 +91,39 @@ export function placeIn(
   ];
 }
 
+/** Milliseconds after which a finger that stays holds. */
+const HOLD_TIME = 500;
+const HOLD_REACH = 10;
+
+/** A finger that stays on an element of a group: `held` is called, and lifting it is no click. A mouse never holds. */
+export function onHold(group: HTMLElement, selector: string, held: (element: HTMLElement) => void): void {
+  let [waiting, swallow]: [ReturnType<typeof setTimeout> | undefined, boolean] = [undefined, false];
+  let from = { x: 0, y: 0 };
+  const end = (): void => clearTimeout(waiting);
+  group.addEventListener("pointerdown", (event) => {
+    end();
+    swallow = false;
+    const element = (event.target as Element).closest<HTMLElement>(selector);
+    if (element === null || event.pointerType === "mouse") return;
+    from = { x: event.clientX, y: event.clientY };
+    waiting = setTimeout(() => {
+      swallow = true;
+      held(element);
+    }, HOLD_TIME);
+  });
+  group.addEventListener("pointermove", ({ clientX: x, clientY: y }) => {
+    if (Math.hypot(x - from.x, y - from.y) > HOLD_REACH) end();
+  });
+  for (const over of ["pointerup", "pointercancel"] as const) group.addEventListener(over, end);
+  group.addEventListener("contextmenu", (event) => swallow && event.preventDefault());
+  group.addEventListener("click", (event) => swallow && stopClick(event), { capture: true });
+}
+
+function stopClick(event: Event): void {
+  event.preventDefault();
+  event.stopPropagation();
+}
+
 /** One notch of the wheel over `element`, up = +1, in tenths with Shift (which some systems turn sideways). */
 export function onWheel(element: HTMLElement, turn: (steps: number) => void): void {
   element.addEventListener(

@@ -1,7 +1,8 @@
 /** The notices of the show over a page, the newest first: each stays until it is dismissed, and takes no key. */
 
 import { css, html, LitElement, nothing } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, state } from "lit/decorators.js";
+import type { Notice } from "../link/messages";
 import { ShowNotices } from "./show_notices";
 import { base, notice, palette, wanted } from "./theme";
 
@@ -16,6 +17,8 @@ function browserStorage(): Storage | null {
 
 @customElement("omote-show-notices")
 export class ShowNoticesView extends LitElement {
+  /** All of them are seen, not the newest alone. */
+  @state() private all = false;
   readonly notices = new ShowNotices(browserStorage(), () => this.requestUpdate());
 
   static override styles = [
@@ -31,25 +34,42 @@ export class ShowNoticesView extends LitElement {
         transform: translateX(-50%);
         pointer-events: none;
       }
-      @media (min-width: 1200px) {
-        :host(.in-bar) {
-          top: 4px; /* where a page's bar has room in its middle, no face is covered */
-        }
+      :host(.in-bar) {
+        position: static; /* where a page's bar has a place for messages */
+        width: auto;
+        transform: none;
       }
       [role] {
         ${notice}
         ${wanted}
-        align-items: center;
+        grid-template-columns: minmax(0, 1fr);
+        max-height: 60vh;
+        overflow: auto;
         padding: 4px 4px 4px 12px;
         font-size: 12.5px;
         line-height: 1.35;
         pointer-events: auto;
       }
-      small {
-        color: var(--dim);
+      div div {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto auto;
+        align-items: center;
+        gap: 6px;
+      }
+      div + div {
+        border-top: 1px solid #ffc53d55;
+      }
+      .more {
+        height: 28px;
+        color: var(--text);
         white-space: nowrap;
       }
-      button {
+      @media (pointer: coarse) {
+        .more {
+          height: 44px;
+        }
+      }
+      .dismiss {
         width: 44px;
         height: 44px;
         color: var(--attention);
@@ -61,12 +81,31 @@ export class ShowNoticesView extends LitElement {
   ];
 
   override render() {
-    const newest = this.notices.open.at(-1);
-    if (newest === undefined) return nothing;
-    const more = this.notices.open.length - 1;
-    return html`<div role="alert">
-      <span>${newest.text} ${more > 0 ? html`<small>${more} more</small>` : nothing}</span>
-      <button title="I have read it" aria-label="Dismiss" @click=${() => this.notices.dismiss(newest.id)}>✕</button>
+    const { open } = this.notices;
+    if (open.length === 0) return nothing;
+    const newest = open.toReversed();
+    const shown = this.all ? newest : newest.slice(0, 1);
+    return html`<div role="alert">${shown.map((notice, index) => this.#row(notice, index === 0 ? open.length - 1 : 0))}</div>`;
+  }
+
+  /** A notice; with the first goes what opens the others. */
+  #row(notice: Notice, more: number) {
+    const others = html`<button class="more" aria-expanded=${this.all} @click=${this.#toggle}>
+      <small>${this.all ? "the newest" : `${more} more`}</small>
+    </button>`;
+    return html`<div>
+      <span>${notice.text}</span>
+      ${more > 0 ? others : html`<i></i>`}
+      <button class="dismiss" title="I have read it" aria-label="Dismiss" @click=${() => this.#dismiss(notice.id)}>✕</button>
     </div>`;
+  }
+
+  readonly #toggle = (): void => {
+    this.all = !this.all;
+  };
+
+  #dismiss(id: string): void {
+    this.notices.dismiss(id);
+    if (this.notices.open.length < 2) this.all = false;
   }
 }

@@ -5,6 +5,7 @@ import { customElement, query } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import type { Topic } from "../store/console_store";
 import { AnimatedElement, StyleWriter } from "./console_element";
+import { short } from "./screen_sizes";
 
 /** A key for each light: which are on air and how much, which is coming. A call takes the time of a face's call. */
 @customElement("omote-lights")
@@ -17,6 +18,7 @@ export class LightRow extends AnimatedElement {
     css`
       .row {
         display: flex;
+        flex-wrap: wrap;
         align-items: center;
         gap: 4px;
         padding: 4px 10px;
@@ -38,6 +40,14 @@ export class LightRow extends AnimatedElement {
         }
         button {
           padding: 0 4px;
+        }
+      }
+      @media ${short} {
+        .row {
+          padding: 3px;
+        }
+        .row > span {
+          display: none;
         }
       }
       button i {

@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { narrow, short } from "./screen_sizes";
 
 export const style = css`
   :host {
@@ -146,6 +147,36 @@ export const style = css`
     }
     h2 {
       letter-spacing: 0.04em;
+    }
+  }
+  @media ${short} {
+    :host {
+      gap: 4px;
+      padding: 6px;
+    }
+  }
+  @media ${narrow} and (max-height: 600px) {
+    :host {
+      display: grid;
+      grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 52px;
+    }
+    header {
+      grid-area: 1 / 2;
+      flex-direction: column;
+      justify-content: center;
+    }
+    header button {
+      width: 100%;
+      padding: 0;
+    }
+    h2 {
+      display: none; /* the figure says it */
+    }
+    .well {
+      grid-area: 1 / 1;
+    }
+    .tilt {
+      grid-area: 2 / 1 / 3 / 3;
     }
   }
 `;

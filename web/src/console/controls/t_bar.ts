@@ -56,7 +56,7 @@ export class TBar extends AnimatedElement {
       </div>
       <div class="end bottom"></div>
       <div><div class="percent">&nbsp;</div><div class="mode"></div></div>
-      <button class="release" title="Take the hand off: a timed call runs on" @click=${() => this.store.release(this.axis)}>
+      <button class="release" title="Take the hand off: a timed call that it picked up runs on" @click=${() => this.store.release(this.axis)}>
         Release
       </button>
     `;
@@ -68,8 +68,12 @@ export class TBar extends AnimatedElement {
     onArrows(
       this.track,
       (dx, dy) => this.#step((dx + dy) * 0.02),
-      () => this.store.release(this.axis),
+      () => this.#release(),
     );
+  }
+
+  #release(): void {
+    if (this.store.releasable(this.axis)) this.store.release(this.axis);
   }
 
   #drag(): Drag {
@@ -93,7 +97,7 @@ export class TBar extends AnimatedElement {
         this.#touched = false;
         knob().leave();
       },
-      double: () => this.store.release(this.axis),
+      double: () => this.#release(),
     };
   }
 
@@ -144,7 +148,9 @@ export class TBar extends AnimatedElement {
     write.text(this.percent, call === null ? "–" : `${Math.round(call.progress * 100)} %`);
     write.text(this.mode, MODES[view.mode](call?.remaining ?? null, view.gap));
     write.flag(this.mode, "attention", view.mode === "waiting");
-    write.flag(this.release, "lit", view.mode === "held");
+    const releasable = this.store.releasable(this.axis);
+    write.flag(this.release, "lit", releasable);
+    this.release.disabled = !releasable;
     const from = call === null ? "" : mixLabel(call.start, label).replaceAll("\n", ", ");
     const spoken =
       call === null ? "no call" : `from ${from} to ${label(call.target)}, ${Math.round(call.progress * 100)} per cent`;

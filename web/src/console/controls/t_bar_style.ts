@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { narrow, short } from "./screen_sizes";
 
 export const style = css`
   :host {
@@ -160,24 +161,45 @@ export const style = css`
     color: var(--hand);
     border-color: var(--hand);
   }
-  @media (max-width: 599px) {
+  @media ${short} {
     :host {
       gap: 2px;
       padding: 4px;
     }
     .track {
       margin: 15px 0;
-      min-height: 60px;
+      min-height: 40px;
     }
+    .mode {
+      min-height: 14px;
+    }
+    .percent {
+      font-size: 16px;
+      line-height: 18px;
+    }
+    .end {
+      max-height: 30px;
+      overflow: hidden;
+    }
+  }
+  @media ${narrow} {
     .mode {
       min-height: 0;
     }
     .mode:not(.attention) {
       display: none; /* the call beside the picture says it */
     }
-    .percent {
-      font-size: 16px;
-      line-height: 18px;
+  }
+  @media (max-height: 600px) or (${narrow} and (max-height: 700px)) {
+    :host {
+      grid-template-rows: auto 1fr auto auto auto;
+    }
+    h2 {
+      display: none; /* faces are called on the left */
+    }
+    .end {
+      max-height: 15px;
+      min-height: 15px;
     }
   }
 `;

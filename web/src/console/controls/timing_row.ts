@@ -26,7 +26,7 @@ export class TimingRow extends ConsoleElement {
       }
       .row {
         display: flex;
-        flex: 1 1 210px;
+        flex: 1 1 290px;
         min-width: 0;
         gap: 2px;
       }
@@ -79,10 +79,20 @@ export class TimingRow extends ConsoleElement {
         .curves {
           display: none;
         }
-        @container (max-width: 200px) {
-          .lists .easing {
-            display: none; /* it is in the set-up */
-          }
+      }
+      @container (max-width: 230px) {
+        .lists {
+          display: flex;
+          gap: 4px;
+        }
+        .chips,
+        .curves {
+          display: none;
+        }
+      }
+      @container (max-width: 200px) {
+        .lists .easing {
+          display: none; /* it is in the set-up */
         }
       }
       svg {
@@ -106,15 +116,42 @@ export class TimingRow extends ConsoleElement {
     this.store.setTiming(this.axis, { seconds });
   }
 
-  #type(event: Event): void {
+  /** What was typed, once it is finished (Enter, or the field is left): the seconds of the next calls, or why not. */
+  #typed(event: Event): void {
     const input = event.target as HTMLInputElement;
-    const seconds = parseSeconds(input.value);
-    if (typeof seconds === "number") this.#choose(seconds);
-    else if (input.value.trim() === "") this.wrong = null;
-    else {
-      this.wrong = seconds;
-      this.store.say(seconds);
-    }
+    const told = this.wrong;
+    this.wrong = null;
+    const seconds = input.value.trim() === "" ? this.store.timing[this.axis].seconds : parseSeconds(input.value);
+    if (typeof seconds === "string") {
+      this.wrong = `${seconds} Calls go on taking ${this.#effective()}.`;
+      this.store.say(this.wrong);
+    } else if (input.value.trim() !== "") this.#choose(seconds);
+    if (this.wrong === null && this.store.notice === told) this.store.say(null);
+  }
+
+  /** Leaves the field showing the seconds that count, whatever was typed. */
+  #left(event: Event): void {
+    this.wrong = null;
+    (event.target as HTMLInputElement).value = this.#free;
+  }
+
+  #keyed(event: KeyboardEvent): void {
+    if (event.key !== "Enter") return;
+    const input = event.target as HTMLInputElement;
+    this.#typed(event);
+    if (this.wrong === null) input.blur();
+    else input.select();
+  }
+
+  #effective(): string {
+    const { seconds, byHand } = this.store.timing[this.axis];
+    return byHand ? "the T-bar" : seconds === 0 ? "no time (cut)" : `${secondsLabel(seconds)} s`;
+  }
+
+  /** Seconds for which there is no button. */
+  get #free(): string {
+    const { seconds, byHand } = this.store.timing[this.axis];
+    return byHand || CHOICES.includes(seconds) ? "" : secondsLabel(seconds);
   }
 
   override render() {
@@ -123,16 +160,18 @@ export class TimingRow extends ConsoleElement {
 
   #chips() {
     const { seconds, byHand } = this.store.timing[this.axis];
-    const free = !byHand && !CHOICES.includes(seconds);
     return html`<div class="row chips" role="radiogroup" aria-label="Seconds of a call (${this.axis})">
       ${CHOICES.map((choice) => this.#choice(choice, !byHand && seconds === choice))}
       <input
-        class="${free ? "chosen" : ""} ${this.wrong === null ? "" : "wrong"}"
+        class="${this.#free === "" ? "" : "chosen"} ${this.wrong === null ? "" : "wrong"}"
         aria-label="Other seconds (${this.axis})"
         inputmode="decimal"
         placeholder="s"
-        .value=${free ? secondsLabel(seconds) : ""}
-        @change=${this.#type}
+        .value=${this.#free}
+        @focus=${(event: Event) => (event.target as HTMLInputElement).select()}
+        @change=${this.#typed}
+        @keydown=${this.#keyed}
+        @blur=${this.#left}
       />
       ${this.#hand(byHand, "radio")}
     </div>`;

@@ -26,6 +26,7 @@ export class Bank extends AnimatedElement {
   /** The channels gathered when the tab "touched" was opened; a fader brought back to zero stays under the hand. */
   @state() private gathered: readonly string[] = [];
   @query("nav") private nav!: HTMLElement;
+  @query(".strips") private list!: HTMLElement;
   readonly #written = new StyleWriter();
 
   static override styles = [base, style];
@@ -83,9 +84,23 @@ export class Bank extends AnimatedElement {
         </button>
         <button data-clear="all" @click=${() => this.store.clearChannels(this.#touched())}>Clear all</button>
       </header>
-      <div class="strips">${this.#strips(stripsOf(shown))}</div>
+      <div class="strips" @scroll=${this.#hint}>${this.#strips(stripsOf(shown))}</div>
     `;
   }
+
+  override firstUpdated(): void {
+    new ResizeObserver(this.#hint).observe(this.list);
+  }
+
+  override updated(): void {
+    this.#hint();
+  }
+
+  /** Fades what goes on to the right: scroll bars are hidden on tablets until they are used. */
+  readonly #hint = (): void => {
+    const { scrollLeft, clientWidth, scrollWidth } = this.list;
+    this.#written.flag(this.list, "more", scrollWidth - clientWidth - scrollLeft > 4);
+  };
 
   #strips(strips: readonly Strip[]) {
     if (strips.length === 0)

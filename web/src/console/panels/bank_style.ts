@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { narrow, short } from "../controls/screen_sizes";
 
 export const style = css`
   :host {
@@ -50,6 +51,9 @@ export const style = css`
     scrollbar-width: thin;
     scrollbar-color: var(--edge) transparent;
     overscroll-behavior: contain;
+  }
+  .strips.more {
+    mask-image: linear-gradient(90deg, #000 calc(100% - 40px), #0003);
   }
   .kind {
     writing-mode: vertical-rl;
@@ -132,6 +136,10 @@ export const style = css`
     .strip {
       min-width: 52px;
     }
+    .strip.pair {
+      flex-basis: 88px;
+      min-width: 88px;
+    }
     omote-fader {
       flex-basis: 42px;
     }
@@ -145,6 +153,38 @@ export const style = css`
     }
     header > button {
       flex: 1;
+    }
+  }
+  @media ${short} {
+    header {
+      padding: 3px 6px;
+    }
+    .strips {
+      padding-top: 0;
+    }
+    .strip {
+      grid-template-rows: 1fr 36px;
+    }
+    nav button {
+      padding: 0 4px;
+      font-size: 11.5px;
+    }
+    header > button {
+      padding: 0 6px;
+    }
+  }
+  @media ${narrow} and (max-height: 600px) {
+    header {
+      flex-wrap: nowrap;
+    }
+    nav {
+      flex: 1 1 0;
+    }
+    header > button {
+      flex: none;
+    }
+    header > [data-clear="region"] {
+      display: none; /* twice on a fader puts it to rest, the other button all */
     }
   }
 `;

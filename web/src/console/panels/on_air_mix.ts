@@ -4,6 +4,7 @@ import { css, html, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { short } from "../controls/screen_sizes";
 import { type Axis, onAir } from "../store/axis";
 import { remainingLabel } from "../store/timing";
 import "./answers";
@@ -129,7 +130,7 @@ export class Mix extends AnimatedElement {
           min-height: 0;
         }
       }
-      @media (max-width: 599px) {
+      @media ${short} {
         .rows,
         .coming {
           display: none; /* the T-bars beside the picture name both ends */
@@ -142,7 +143,10 @@ export class Mix extends AnimatedElement {
         }
         header button {
           flex: 1;
+          min-width: 0;
           padding: 0;
+          overflow: hidden;
+          text-overflow: ellipsis;
         }
         header button span {
           display: inline;
@@ -162,7 +166,7 @@ export class Mix extends AnimatedElement {
           title="Keep what is on air as a new ${this.axis} (${this.axis === "face" ? "N" : "M"})"
           @click=${() => this.store.keep(this.axis)}
         >
-          Keep<span> ${this.axis}</span>
+          Keep<span> ${this.axis === "face" ? "face" : "expr."}</span>
         </button>
       </header>
       <div class="rows" data-axis=${this.axis}>

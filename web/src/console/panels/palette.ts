@@ -4,16 +4,15 @@ import { html, nothing } from "lit";
 import { customElement, property, query, queryAll, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { EDITOR, EDITOR_TAB, editorAddress } from "../../link/editor_address";
-import type { ExpressionDocument, FaceDocument } from "../../link/messages";
-import { onRoam } from "../../ui/gestures";
+import { onHold, onRoam } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
 import { AnimatedElement, chosenIn, StyleWriter } from "../controls/console_element";
 import type { Axis } from "../store/axis";
-import { REGIONS, regionOf } from "../store/channels";
 import { KINDS, type PaletteKind } from "../store/console_layout";
 import type { Topic } from "../store/console_store";
 import { keyLabel } from "../store/keys";
+import { expressionGroups, faceGroups, foundIn, isOwn, type Tile, type TileGroup } from "../store/tile_groups";
 import { style } from "./palette_style";
 import "../controls/timing_row";
 
@@ -29,8 +28,6 @@ const SETTLED = 800;
 /** Without a keyboard no key needs to be named. */
 const FINGERS = matchMedia("(pointer: coarse)");
 
-type Tile = FaceDocument | ExpressionDocument;
-
 /** The faces or the expressions, as pictures: a tap calls one in the chosen time. */
 @customElement("omote-palette")
 export class Palette extends AnimatedElement {
@@ -38,6 +35,8 @@ export class Palette extends AnimatedElement {
   @state() private search = "";
   /** The face that the expressions are shown on. */
   @state() private model = "generic";
+  /** The own tile that a finger held: its pencil is there until the next touch. */
+  @state() private held: string | null = null;
   @query(".tiles") private list!: HTMLElement;
   @query("input") private input!: HTMLInputElement | null;
   @queryAll(".tile") private tiles!: NodeListOf<HTMLElement>;
@@ -64,31 +63,12 @@ export class Palette extends AnimatedElement {
     return this.#sections(false).flatMap(([, inside]) => inside);
   }
 
-  /** Tiles under their headings: units by region; what is searched needs none. The crew's own come last, so that the
-   * hot keys of all others stay where they are when something is kept during the show. */
-  #sections(ownFaces: boolean): [string, Tile[]][] {
+  #sections(ownFaces: boolean): readonly TileGroup[] {
     const all: readonly Tile[] = this.axis === "face" ? this.store.faces : this.store.expressions;
-    const words = this.search.toLowerCase().split(/\s+/).filter(Boolean);
-    if (words.length > 0) return [["", all.filter((one) => words.every((word) => textOf(one).includes(word)))]];
-    const own = all.filter(isOwn).sort((a, b) => a.place - b.place);
-    if (this.axis === "face" && ownFaces) return [["", own]];
-    if (this.axis === "face")
-      return withOwn(
-        this.store.faces.filter((one) => !isOwn(one)),
-        own,
-      );
-    if (this.kind === "own") return [["", own]];
-    const inside = this.store.expressions.filter((one) => !isOwn(one) && this.#inTab(one));
-    if (this.kind === "performed") return withOwn(inside, own);
-    const regions = REGIONS.map((region): [string, ExpressionDocument[]] => [
-      region,
-      inside.filter((one) => regionOf(one) === region),
-    ]);
-    return regions.filter(([, units]) => units.length > 0);
-  }
-
-  #inTab(one: ExpressionDocument): boolean {
-    return one.kind === this.kind || (this.kind === "performed" && (one.kind === "neutral" || one.kind === "own"));
+    if (this.search.trim() !== "") return [["", foundIn(all, this.search)]];
+    return this.axis === "face"
+      ? faceGroups(this.store.faces, ownFaces)
+      : expressionGroups(this.store.expressions, this.kind);
   }
 
   /** Calls the tile at an index, as its hot key does. */
@@ -104,7 +84,7 @@ export class Palette extends AnimatedElement {
   override render() {
     return html`
       <header>${this.axis === "face" ? this.#ownSwitch() : this.#tabs()} ${this.#searchField()}</header>
-      <div class="tiles" @scroll=${this.#hint}>${this.#tiles()}</div>
+      <div class="tiles" @scroll=${this.#hint} @pointerdown=${this.#letGo}>${this.#tiles()}</div>
       <omote-timing .context=${this.context} .axis=${this.axis}></omote-timing>
     `;
   }
@@ -157,6 +137,7 @@ export class Palette extends AnimatedElement {
       placeholder=${this.axis === "face" || FINGERS.matches ? "search" : "search /"}
       aria-label="Search ${what}"
       .value=${this.search}
+      @keydown=${this.#searchKey}
       @input=${(event: Event) => {
         this.search = (event.target as HTMLInputElement).value;
       }}
@@ -180,7 +161,8 @@ export class Palette extends AnimatedElement {
     );
   }
 
-  /** A tile, and over a corner of an own one the way to the editor, which never calls. */
+  /** A tile, and over a corner of an own one the way to the editor, which never calls: for a mouse on it, for the
+   * keyboard, and for a finger once it has held the tile; a tap calls, wherever it falls. */
   #place(one: Tile, index: number) {
     const edit = isOwn(one)
       ? html`<a
@@ -189,21 +171,34 @@ export class Palette extends AnimatedElement {
           target=${EDITOR_TAB}
           aria-label="Edit ${one.label}"
           title="Edit ${one.label} in the editor"
+          @click=${(event: MouseEvent) => this.#edit(event, one)}
           ><span aria-hidden="true">✎</span></a
         >`
       : nothing;
-    return html`<div class="place">${this.#tile(one, index)}${edit}</div>`;
+    return html`<div class="place ${one.name === this.held ? "held" : ""}">${this.#tile(one, index)}${edit}</div>`;
   }
 
+  #edit(event: MouseEvent, one: Tile): void {
+    const tapped = event instanceof PointerEvent && event.pointerType === "touch" && this.held !== one.name;
+    this.held = null;
+    if (!tapped) return;
+    event.preventDefault();
+    this.store.call(this.axis, one.name);
+  }
+
+  readonly #letGo = (event: Event): void => {
+    if (!event.composedPath().some((one) => one instanceof Element && one.matches(".held .edit"))) this.held = null;
+  };
+
   #tile(one: Tile, index: number) {
-    const key = keyLabel(this.axis, index);
+    const key = this.search === "" ? keyLabel(this.axis, index) : null; // those keys type letters now
     return html`<button
       class=${isOwn(one) ? "tile own" : "tile"}
       data-name=${one.name}
       data-source=${one.source}
       aria-label="${one.label}${key === null ? "" : `, key ${key}`}"
       title=${[one.name, ...one.tags].join(", ")}
-      @click=${() => this.store.call(this.axis, one.name)}
+      @click=${(event: MouseEvent) => this.#call(event, one)}
     >
       <canvas width="${THUMBNAIL_SIZE.width}" height="${THUMBNAIL_SIZE.height}" aria-hidden="true"></canvas>
       <span class="name">${one.label}</span>
@@ -212,8 +207,27 @@ export class Palette extends AnimatedElement {
     </button>`;
   }
 
+  /** A tile that was clicked keeps no focus: the space bar would play it again long after another was called. */
+  #call(event: MouseEvent, one: Tile): void {
+    this.store.call(this.axis, one.name);
+    if (event.detail > 0) (event.currentTarget as HTMLElement).blur();
+  }
+
+  /** Enter in the search calls what is found first, the arrow leads to it. */
+  readonly #searchKey = (event: KeyboardEvent): void => {
+    const [first] = this.shown;
+    if (this.search.trim() === "" || first === undefined || event.isComposing) return;
+    if (event.key === "Enter") this.store.call(this.axis, first.name);
+    else if (event.key === "ArrowDown") this.tiles[0]?.focus();
+    else return;
+    event.preventDefault();
+  };
+
   override firstUpdated(): void {
     onRoam(this.list, ".tile");
+    onHold(this.list, ".tile.own", (tile) => {
+      this.held = tile.dataset.name ?? null;
+    });
     new ResizeObserver(this.#hint).observe(this.list);
   }
 
@@ -263,19 +277,3 @@ export class Palette extends AnimatedElement {
     else if (alone !== this.model && now - this.#candidate[1] > SETTLED) this.model = alone;
   }
 }
-
-/** The crew's own, not the built-in cast's. */
-const isOwn = ({ source }: Tile): boolean => source.startsWith("#");
-
-const withOwn = (others: Tile[], own: Tile[]): [string, Tile[]][] =>
-  own.length === 0
-    ? [["", others]]
-    : [
-        ["", others],
-        ["Own", own],
-      ];
-
-const textOf = (one: Tile): string =>
-  [one.name, one.label, ...one.tags, isOwn(one) ? "own" : "", "kind" in one ? `${one.kind} ${regionOf(one)}` : ""]
-    .join(" ")
-    .toLowerCase();

@@ -1,5 +1,6 @@
 import { css } from "lit";
 import { caption, entry } from "../../ui/theme";
+import { short } from "../controls/screen_sizes";
 
 export const style = css`
   :host {
@@ -49,6 +50,22 @@ export const style = css`
     flex: 1 1 100px;
     min-width: 0;
   }
+  @container (max-width: 260px) {
+    h2 {
+      display: none;
+    }
+    .kinds {
+      display: block;
+      flex: 1.2 1 56px;
+    }
+    .kinds + .tabs {
+      display: none;
+    }
+    input {
+      flex: 1 1 44px;
+      padding: 0 6px;
+    }
+  }
   @media (pointer: coarse) {
     @container (max-width: 420px) {
       .kinds {
@@ -56,18 +73,6 @@ export const style = css`
       }
       .kinds + .tabs {
         display: none;
-      }
-    }
-    @container (max-width: 240px) {
-      h2 {
-        display: none;
-      }
-      .kinds {
-        flex: 0 1 100px;
-      }
-      input {
-        flex-basis: 60px;
-        padding: 0 6px;
       }
     }
     .tile {
@@ -114,6 +119,7 @@ export const style = css`
     border-radius: 5px;
     background: #000;
     color: var(--text);
+    -webkit-touch-callout: none;
   }
   .tile canvas {
     display: block;
@@ -144,7 +150,16 @@ export const style = css`
     border-radius: 50%;
     background: #000a;
   }
+  .edit:not(:focus-visible) {
+    opacity: 0;
+  }
+  .held .edit {
+    opacity: 1;
+  }
   @media (hover: hover) {
+    .place:hover .edit {
+      opacity: 1;
+    }
     .edit:hover span {
       color: #000;
       background: var(--hand);
@@ -154,6 +169,17 @@ export const style = css`
     .edit {
       width: 40px;
       height: 40px;
+      pointer-events: none;
+    }
+    .held .edit {
+      pointer-events: auto;
+    }
+    .held .edit span {
+      width: 32px;
+      line-height: 32px;
+      font-size: 16px;
+      color: #000;
+      background: var(--hand);
     }
   }
   .tile .key {
@@ -206,7 +232,11 @@ export const style = css`
   .none a {
     color: var(--text);
   }
-  @media (max-width: 599px) {
+  @media ${short} {
+    :host {
+      gap: 4px;
+      padding: 6px;
+    }
     .tile .name {
       padding: 1px 0 3px;
       font-size: 10.5px;

@@ -61,9 +61,12 @@ export class StatusBar extends ConsoleElement {
     return html`
       <div class="mark">OMOTE</div>
       ${this.store.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
-      <div class="notice ${this.store.offer === null ? "" : "done"} ${this.store.notice === null ? "none" : ""}" role="status">
-        ${this.store.notice ?? ""}
-        ${this.#offer()}
+      <div class="messages">
+        <div class="notice ${this.store.tone} ${this.store.notice === null ? "none" : ""}" role="status">
+          ${this.store.notice ?? ""}
+          ${this.#offer()}
+        </div>
+        <slot></slot>
       </div>
       <button class="setup" title="Home face and layouts" @click=${() => this.dispatchEvent(new CustomEvent("setup"))}>Set-up</button>
       <button class="help" title="Keys" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
@@ -103,7 +106,7 @@ export class StatusBar extends ConsoleElement {
     const { crew, latency } = this.store;
     const stages = crew?.stages ?? [];
     return html`
-      <div class="item link"><span class="lamp"></span><b>live</b> ${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</div>
+      <div class="item link"><span class="lamp"></span><b>live</b> <span class="trip">${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</span></div>
       <div class="item stages ${crew !== null && stages.length === 0 ? "slow" : ""}">
         <b>${stages.length}</b> ${stages.length === 1 ? "stage" : "stages"}
         ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stage?.level ?? "silent"}>${stage === null ? "–" : stage.fps < 1 ? stage.fps.toFixed(1) : Math.round(stage.fps)}</b>`)}

@@ -46,14 +46,27 @@ export const style = css`
     border-radius: 4px;
     padding: 6px 12px;
   }
-  .notice {
+  .messages {
     flex: 1;
     min-width: 0;
+    align-self: flex-start;
+    display: grid;
+    gap: 2px;
+    padding-top: 2px;
+  }
+  .notice {
+    min-width: 0;
+    max-width: 100%;
+    justify-self: start;
+    padding: 3px 8px;
+    border-radius: 4px;
+    background: var(--ground);
     color: var(--attention);
     font-size: 12.5px;
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
+    overflow-wrap: anywhere;
+  }
+  .notice.none {
+    display: none;
   }
   .notice.done {
     color: var(--text);
@@ -113,7 +126,27 @@ export const style = css`
     text-overflow: ellipsis;
     white-space: nowrap;
   }
+  @media (max-width: 1100px) {
+    .mark,
+    .item.consoles {
+      display: none; /* there are messages to read */
+    }
+  }
   @media (max-width: 899px) {
+    .messages {
+      position: fixed;
+      inset: 56px 8px auto;
+      max-width: 440px;
+      margin: 0 auto;
+      padding: 0;
+      pointer-events: none;
+    }
+    .notice {
+      justify-self: stretch;
+      padding: 6px 10px;
+      background: #1d1a10;
+      pointer-events: auto;
+    }
     :host {
       gap: 8px;
       padding: 0 2px;
@@ -134,26 +167,32 @@ export const style = css`
       display: none; /* no keyboard */
     }
     .panic {
-      flex: 1 0 170px;
+      flex: 1 1 170px;
+      min-width: 120px;
     }
     .setup {
+      flex: none;
       padding: 0 6px;
     }
     .lost {
       font-size: 12px;
       padding: 4px 6px;
     }
-    .notice {
-      position: fixed;
-      inset: 58px 6px auto;
-      z-index: 8;
-      padding: 6px 10px;
-      border-radius: 4px;
-      background: #241a02;
-      white-space: normal;
+  }
+  @media (max-width: 379px) {
+    :host {
+      gap: 6px;
     }
-    .notice.none {
+    .item.link,
+    .item.stages {
+      font-size: 11px;
+      gap: 3px;
+    }
+    .trip {
       display: none;
+    }
+    .panic {
+      letter-spacing: 0.1em;
     }
   }
 `;

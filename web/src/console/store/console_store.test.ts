@@ -69,6 +69,87 @@ describe("calls", () => {
   });
 });
 
+it("keeps once where Keep is pressed twice, each axis by itself", () => {
+  store.keep("face");
+  now += 200;
+  store.keep("face");
+  store.keep("expression");
+  now += 5000;
+  store.keep("face");
+  expect(sent.map(({ type }) => type)).toEqual(["keep_face", "keep_expression", "keep_face"]);
+});
+
+describe("a T-bar that was left in the middle", () => {
+  const call = {
+    target: "old",
+    progress: 0.4,
+    remaining: null,
+    by_hand: true,
+    fader: 0.4,
+    pickup: 0.4,
+    start: { generic: 1 },
+  };
+  const types = (): [string, unknown][] =>
+    sent.map((message) => [message.type, "value" in message ? message.value : null]);
+
+  it("goes to its nearest end at a new call: before it where nothing runs, after it where it would move the old one", () => {
+    for (const [stands, end] of [
+      [0.4, 0],
+      [0.7, 1],
+    ] as const) {
+      sent.length = 0;
+      now += 10_000;
+      store.receiveState({ ...REST, face_fader: stands });
+      now += 10_000;
+      store.call("face", "old");
+      expect(types()).toEqual([
+        ["fade_face", end],
+        ["call_face", null],
+      ]);
+    }
+    sent.length = 0;
+    store.receiveState({ ...REST, face_fader: 0.4, face_call: call });
+    now += 10_000;
+    store.setTiming("face", { byHand: true });
+    store.call("face", "kaori");
+    store.flush();
+    expect(types()).toEqual([
+      ["call_face", null],
+      ["fade_face", 0],
+    ]);
+  });
+
+  it("stays where a hand may be on it, here or elsewhere, and where a timed call would be picked up", () => {
+    store.receiveState({ ...REST, face_fader: 0.4 }); // moved just now
+    store.call("face", "old");
+    now += 10_000;
+    store.bar("face").grip(0.5);
+    store.call("face", "old");
+    store.bar("face").leave();
+    now += 10_000;
+    store.receiveState({ ...REST, face_fader: 0.5, face_call: call });
+    now += 10_000;
+    store.call("face", "kaori");
+    store.flush();
+    expect(types().filter(([type, value]) => type === "fade_face" && value !== 0.5)).toEqual([]);
+  });
+
+  it("is left to a panic that is on its way", () => {
+    store.receiveState({ ...REST, face_fader: 0.7 });
+    now += 10_000;
+    store.panic();
+    store.call("face", "old");
+    expect(types().map(([type]) => type)).toEqual(["panic", "call_face"]);
+  });
+
+  it("has nothing to release in a call by hand, and says so", () => {
+    store.receiveState({ ...REST, number: 2, face_call: call });
+    expect(store.releasable("face")).toBe(false);
+    store.release("face");
+    expect([sent, store.notice]).toEqual([[], expect.stringContaining("Nothing to release")]);
+  });
+});
+
 describe("calls by hand", () => {
   it("wait for the T-bar, and the seconds of before are there again afterwards", () => {
     store.setTiming("face", { seconds: 4 });
@@ -86,7 +167,9 @@ describe("calls by hand", () => {
 describe("keeping what is on air", () => {
   it("asks for a face or an expression, each time under an id of its own", () => {
     store.keep("face");
+    now += 5000;
     store.keep("expression");
+    now += 5000;
     store.keep("expression");
     expect(sent).toMatchObject([{ type: "keep_face" }, { type: "keep_expression" }, { type: "keep_expression" }]);
     expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(3);

@@ -15,7 +15,7 @@ import type {
   Manifest,
   State,
 } from "../../link/messages";
-import { type Axis, callOf } from "./axis";
+import { type Axis, callOf, endFrom, type Followed, follow, UNKNOWN } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
 import { type ConsoleLayout, FIRST } from "./console_layout";
 import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./knob";
@@ -26,6 +26,11 @@ import type { Seconds, Timing } from "./timing";
 export type Topic = "cast" | "crew" | "link" | "timing" | "layout" | "call" | "notice" | "panic";
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
+const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to run on in.";
+/** Milliseconds within which a second press of *Keep* is the same. */
+const TWICE = 800;
+/** Milliseconds after which a T-bar that another console moved is taken to be let go. */
+const LET_GO = 1000;
 
 export class ConsoleStore {
   manifest: Manifest | null = null;
@@ -34,8 +39,9 @@ export class ConsoleStore {
   /** Milliseconds there and back, or null before the first pong. */
   latency: number | null = null;
   online = false;
-  /** The last thing the operator must read: a refusal, or why nothing was sent; and where to go for it. */
+  /** The last thing the operator must read, how it is meant, and where to go for it. */
   notice: string | null = null;
+  tone: "attention" | "done" = "attention";
   offer: { readonly label: string; readonly address: string } | null = null;
   /** Rises with each panic: a drag begun before it is over. */
   era = 0;
@@ -44,6 +50,10 @@ export class ConsoleStore {
   #strips: Strip[] = [];
   #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
   #calls = 0;
+  /** A panic of this console, which puts the bars to their rest, has not been heard yet. */
+  #panicking = false;
+  readonly #kept: Record<Axis, number> = { face: Number.NEGATIVE_INFINITY, expression: Number.NEGATIVE_INFINITY };
+  readonly #followed: Record<Axis, Followed> = { face: UNKNOWN, expression: UNKNOWN };
   readonly #knobs: Knobs;
   readonly #outbox: Outbox;
   readonly #listeners = new Map<Topic, Set<() => void>>();
@@ -98,6 +108,10 @@ export class ConsoleStore {
   receiveState(state: State): void {
     const last = this.state;
     this.state = state;
+    for (const axis of ["face", "expression"] as const) {
+      const own = this.bar(axis).counts(this.now());
+      this.#followed[axis] = follow(this.#followed[axis], axis, [last, state], own, this.now());
+    }
     const turned = (axis: Axis): boolean => (last ? callOf(last, axis)?.target : null) !== callOf(state, axis)?.target;
     if (turned("face") || turned("expression")) this.#tell("call");
     if (last !== null && last.panics !== state.panics) this.#handsOff();
@@ -107,6 +121,7 @@ export class ConsoleStore {
 
   /** Somebody pressed panic: what hands hold here has no weight any more. */
   #handsOff(): void {
+    this.#panicking = false;
     this.#knobs.clear();
     this.#outbox.clear();
     this.era += 1;
@@ -131,18 +146,19 @@ export class ConsoleStore {
     this.#knobs.clear();
     this.#outbox.clear();
     if (!online) this.latency = null;
+    this.#panicking = false;
     this.#tell("link");
   }
 
-  say(notice: string | null, offer: ConsoleStore["offer"] = null): void {
-    [this.notice, this.offer] = [notice, offer];
+  say(notice: string | null, tone: ConsoleStore["tone"] = "attention", offer: ConsoleStore["offer"] = null): void {
+    [this.notice, this.tone, this.offer] = [notice, tone, offer];
     this.#tell("notice");
   }
 
   /** What was on air is in the cast. */
   receiveKept({ id, name, label }: Kept): void {
     const axis = id.endsWith("-face") ? "face" : "expression";
-    this.say(`Kept as ${label} under Own.`, { label: "Edit it", address: editorAddress(axis, name) });
+    this.say(`Kept as ${label} under Own.`, "done", { label: "Edit it", address: editorAddress(axis, name) });
   }
 
   /** True when the link is there; else tells the operator that nothing was sent. */
@@ -186,9 +202,19 @@ export class ConsoleStore {
 
   call(axis: Axis, name: string): void {
     if (!this.#mayAct()) return;
-    const id = this.#nextId();
-    const type = axis === "face" ? "call_face" : "call_expression";
-    this.#outbox.push({ type, id, name, seconds: this.callSeconds(axis), easing: this.timing[axis].easing });
+    const [id, seconds, rest] = [this.#nextId(), this.callSeconds(axis), this.#restOf(axis)];
+    const running = this.callOf(axis) !== null;
+    if (rest !== null && !running) this.bar(axis).nudge(rest);
+    const [type, { easing }] = [axis === "face" ? "call_face" : "call_expression", this.timing[axis]] as const;
+    this.#outbox.push({ type, id, name, seconds, easing });
+    if (rest !== null && running && seconds === null) this.bar(axis).nudge(rest); // before, it would move the old call
+  }
+
+  /** The end that a T-bar in the middle goes to at a new call; null where a hand may be on it, here or elsewhere. */
+  #restOf(axis: Axis): number | null {
+    if (this.state === null || this.#panicking || this.bar(axis).gripped()) return null;
+    const elsewhere = this.now() - this.#followed[axis].movedElsewhere < LET_GO;
+    return elsewhere ? null : endFrom(this.bar(axis).value(this.now()));
   }
 
   /** Calls a light in the time of a face, also while faces are called by hand: a light has no T-bar. */
@@ -200,18 +226,31 @@ export class ConsoleStore {
 
   /** Keeps what is on air on an axis as a new face or expression of the cast. */
   keep(axis: Axis): void {
+    if (this.now() - this.#kept[axis] < TWICE) return;
+    this.#kept[axis] = this.now();
     const id = `${this.#nextId()}-${axis}`; // the answer names nothing else of what was asked
     if (this.#mayAct()) this.#outbox.push({ type: axis === "face" ? "keep_face" : "keep_expression", id });
   }
 
+  /** Whether the call is timed and a T-bar has it, so that it runs on once the hand is off. */
+  releasable(axis: Axis): boolean {
+    return this.callOf(axis)?.by_hand === true && this.#followed[axis].timed !== false;
+  }
+
   release(axis: Axis): void {
     if (!this.#mayAct()) return;
+    if (this.#followed[axis].timed === false) {
+      this.say(NOTHING_TO_RELEASE);
+      return;
+    }
     this.#outbox.push({ type: axis === "face" ? "release_face" : "release_expression" });
   }
 
   panic(): void {
     this.#handsOff();
-    if (this.#mayAct()) this.#outbox.push({ type: "panic" });
+    if (!this.#mayAct()) return;
+    this.#panicking = true;
+    this.#outbox.push({ type: "panic" });
   }
 
   /** Chooses the face that a second panic brings, and the seconds that it takes. */
@@ -234,11 +273,7 @@ export class ConsoleStore {
   }
 
   /** Sends what the hands changed since the last frame. */
-  flush(): void {
-    this.#outbox.flush();
-  }
-
-  // --- knobs ----------------------------------------------------------------------------------------------------------
+  flush = (): void => this.#outbox.flush();
 
   /** The weight of a channel; with `linked` its mirror moves along. */
   channel(name: string, linked = this.linked): Knob {

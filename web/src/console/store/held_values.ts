@@ -41,6 +41,11 @@ export class HeldValues<Value> {
     return this.#held.get(key)?.until === Number.POSITIVE_INFINITY;
   }
 
+  /** The hand holds `key` or has just left it. */
+  counts(key: string, now: number): boolean {
+    return now < (this.#held.get(key)?.until ?? Number.NEGATIVE_INFINITY);
+  }
+
   /** All hands off: panic, or a link that is lost. */
   clear(): void {
     this.#held.clear();

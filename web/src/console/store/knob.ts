@@ -15,6 +15,10 @@ export interface Knob {
   /** One step by key or wheel. */
   nudge(value: number): void;
   leave(): void;
+  /** A hand of this console is on the knob. */
+  gripped(): boolean;
+  /** The hand of this console counts at `now`: what moves then moves by it. */
+  counts(now: number): boolean;
 }
 
 export type HeadPart = "yaw" | "pitch" | "roll";
@@ -105,6 +109,8 @@ export class Knobs {
       leave: () => {
         for (const one of keys) this.#holds.leave(one, host.now());
       },
+      gripped: () => this.#holds.gripped(key),
+      counts: (now) => this.#holds.counts(key, now),
     };
   }
 }
