@@ -178,6 +178,8 @@ def test_the_gains_of_a_face_have_their_place_and_all_are_listed(console: Consol
     tile(page, "child").tap()
     expect(answers).to_have_count(0)
     expect(gains).to_have_count(0)
+
+
 HANDS = """() => {
     const root = document.querySelector("omote-console").shadowRoot;
     const inside = (one, part = 1) => {
