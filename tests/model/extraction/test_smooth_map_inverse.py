@@ -22,8 +22,9 @@ def displace(unit: str) -> np.ndarray:
     return result
 
 
-@pytest.mark.parametrize(("name", "unit"), [("kaori", "jawOpen"), ("dog", "mouthClose"), ("alien", "mouthPucker")])
+@pytest.mark.parametrize(("name", "unit"), [("kaori", "jawOpen"), ("goblin", "mouthClose"), ("alien", "mouthPucker")])
 def test_where_no_fold_is_turned_back_the_displacement_itself_is_found(name: str, unit: str) -> None:
+    """Nor lips pressed on each other, as the dog's and the baby's are by mouthClose: that hides how hard they press."""
     face, meant = CAST.faces[name], displace(unit)
     found = invert_smooth_map(SPACE, face, apply_smooth_map(SPACE, face, meant))
     assert np.abs(found.displacement - meant).max() < 1e-6

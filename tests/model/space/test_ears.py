@@ -66,7 +66,7 @@ def test_left_and_right_are_mirror_images() -> None:
 
 
 def test_only_a_face_with_a_gain_for_ears_turns_them_and_by_as_much() -> None:
-    fear, dog = CAST.expressions["fear"], CAST.faces["dog"]
+    fear, dog = CAST.expressions["fear"], replace(CAST.faces["dog"], gains=())
     still = compound(CAST.space, dog, fear)
     dogs = [replace(dog, gains=(Gain("ears", gain),)) for gain in (0.0, 0.5, 1.0)]
     away = [np.linalg.norm(tips(compound(CAST.space, one, fear)) - tips(still), axis=1) for one in dogs]
