@@ -21,6 +21,7 @@ LONG_MODULES: dict[str, str] = {
     "tools/baking/heads/people.py": "one recipe for each person, line by line",
     "src/omote/edit/protocol/messages.py": "every message of an editor's link once, in one file",
     "web/src/link/editing_messages.ts": "written by tools/messages.py from the one file above",
+    "web/src/console/store/console_store.test.ts": "one store, a test for each of its promises",
     "web/src/link/messages.ts": "written by tools/messages.py from show/messages.py",
     "benchmarks/interruptions.py": "one claim with its bound, its search for the maximum and its picture",
     "src/omote/model/controls/control_net.py": "public: parameters, errors and an example of each method",

@@ -17,7 +17,7 @@ from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.gain import answer
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import eye_rotation
-from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression
+from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression, refuse_foreign
 from omote.model.transfer.pipeline import transfer_expression
 
 Floats = NDArray[np.float32]
@@ -69,6 +69,8 @@ def compound(space: ParameterSpace, face: Face, expression: Expression, /, weigh
 
 def compile_answer(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> Compiled:
     """The expression as a face answers it (`omote.model.space.gain`), located on S; errors as `compile_expression`."""
+    fit(space, face)
+    refuse_foreign(space, expression)
     return compile_expression(space, answer(space, face.gains, expression), weight)
 
 
