@@ -69,8 +69,8 @@ def compound(space: ParameterSpace, face: Face, expression: Expression, /, weigh
 
 def compile_answer(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> Compiled:
     """The expression as a face answers it (`omote.model.space.gain`), located on S; errors as `compile_expression`."""
-    fit(space, face)
     refuse_foreign(space, expression)
+    fit(space, face)
     return compile_expression(space, answer(space, face.gains, expression), weight)
 
 
