@@ -239,3 +239,9 @@ def test_a_browser_that_does_not_draw_is_one_sentence_and_no_file(
     done = typed("render", "-o", str(tmp_path / "a.png"), "--face", next(iter(small_cast.faces)), status=1)
     assert done.stderr == "omote: the browser ended before it had drawn; try again\n"
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("command", ["render", "grid", "redraw"])
+def test_help_holds_no_picture_that_a_terminal_made_of_a_name(command: str) -> None:
+    """Between colons some names are emoji to the library that prints help: `:man:`."""
+    assert max(map(ord, runner.invoke(app, [command, "--help"], env={"COLUMNS": "200"}).stdout)) < 0x2600

@@ -59,7 +59,7 @@ def render(
 def grid(
     output: Output,
     faces: Annotated[str, typer.Option(help="The rows: faces, or mixes (kaori=0.5+dog=0.5), by commas.")] = "",
-    morph: Annotated[str, typer.Option(help="The columns instead: steps from face to face, kaori:man:11.")] = "",
+    morph: Annotated[str, typer.Option(help="The columns instead: steps from face to face, kaori:old:11.")] = "",
     expressions: Annotated[str, typer.Option(help="Expressions, or mixes of them, by commas.")] = "neutral",
     turns: Annotated[str, typer.Option(help="Each expression at these yaws, degrees, by commas.")] = "0",
     labels: Annotated[bool, typer.Option("--labels/--no-labels", help="Write the names beside the pictures.")] = True,
