@@ -56,7 +56,7 @@ def cast_of(arrays: Arrays) -> Cast:
     if int(arrays["format"]) != FORMAT:
         raise ValueError(f"it has format {int(arrays['format'])}, this version reads format {FORMAT}")
     about = json.loads(arrays["about"].tobytes())
-    gains = about.get("gains", {})
+    gains = about["gains"]
     faces = {name: _face(arrays, name, gains.get(name, ())) for name in about["faces"]}
     space = _space(arrays, faces[GENERIC])
     titles = {row["name"]: Title(row["label"], row["kind"], row["region"]) for row in about["expressions"]}
@@ -117,6 +117,6 @@ def _expression(arrays: Arrays, name: str, row: int, space: ParameterSpace) -> E
         transfer=space.transfer,
         pupil=float(arrays["pupil"][row]),
         name=name,
-        ears=arrays["ears"][row] if "ears" in arrays else np.zeros((2, 3)),
-        head=arrays["head"][row] if "head" in arrays else np.zeros(3),
+        ears=arrays["ears"][row],
+        head=arrays["head"][row],
     )

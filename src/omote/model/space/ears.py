@@ -7,6 +7,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from omote.geometry.laplacian import smoothing_matrix
 from omote.geometry.ramp import smooth_ramp
@@ -85,15 +86,5 @@ def turn_ears(space: ParameterSpace, rest: Floats, skin: Floats, turns: Values, 
         ways = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [side, 0.0, 0.0]])
         axis = turn @ np.cross(ear.direction, ways)
         rows = np.flatnonzero(weights)
-        moved[rows] = ear.root + _rotate(weights[rows, None] * axis, moved[rows] - ear.root)
+        moved[rows] = ear.root + Rotation.from_rotvec(weights[rows, None] * axis).apply(moved[rows] - ear.root)
     return moved.astype(np.float32)
-
-
-def _rotate(turns: Values, points: Values) -> Values:
-    """Points (n, 3) rotated about the origin by rotation vectors (n, 3), radians (Rodrigues)."""
-    angle = np.linalg.norm(turns, axis=1, keepdims=True)
-    axis = turns / np.maximum(angle, _SMALL)
-    along = (axis * points).sum(axis=1, keepdims=True)
-    across = np.cross(axis, points)
-    result: Values = points * np.cos(angle) + across * np.sin(angle) + axis * along * (1.0 - np.cos(angle))
-    return result

@@ -17,7 +17,7 @@ from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
 FieldRegion = Literal["brows", "eyes", "nose", "cheeks", "mouth", "jaw"]
-GainRegion = Literal["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "ears", "head"]
+GainRegion = Literal[FieldRegion, "ears", "head"]
 FIELD_REGIONS: tuple[FieldRegion, ...] = get_args(FieldRegion)
 GAIN_REGIONS: tuple[GainRegion, ...] = get_args(GainRegion)
 NEUTRAL_GAINS: Mapping[GainRegion, float] = MappingProxyType(

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,21 +11,24 @@ from numpy.typing import NDArray
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.model.space.face_fit import fit, generic_face
-from omote.model.space.gain import answer
+from omote.model.space.gain import answer, field_gain, gain_of
 from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression
 from omote.perform.blending.compound_cache import compound_cache
 from omote.perform.blending.expression_tables import ExpressionTables, tables_of
 
 Floats = NDArray[np.float32]
+Values = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
 class AnsweredMix:
-    """Expressions of the cast by weight, worn as they are, and own answers (of faces with gains) with theirs."""
+    """Expressions of the cast by weight, whose fields are worn as they are, own answers (of faces with gains) with
+    theirs, and how far the ears turn, (2, 3) radians."""
 
     cast: Cast
     plain: Mapping[str, float]
     own: tuple[tuple[Expression, float], ...] = ()
+    ears: Values = field(default_factory=lambda: np.zeros((2, 3)))
 
     def expressions(self) -> list[tuple[Expression, float]]:
         """All of them with their weights."""
@@ -52,21 +54,19 @@ class AnsweredMix:
             for expression, weight in self.own
         ]
 
-    @property
-    def ears(self) -> NDArray[np.float64]:
-        """How far the ears turn, (2, 3) radians."""
-        return sum((weight * expression.ears for expression, weight in self.own), np.zeros((2, 3)))
-
 
 def answered_mix(cast: Cast, faces: Mapping[str, float], weights: Mapping[str, float], /) -> AnsweredMix:
     """What faces by weight make of expressions by weight."""
-    own = {name: share for name, share in faces.items() if cast.faces[name].gains}
-    if not own:
+    if not any(cast.faces[face].gains for face in faces):
         return AnsweredMix(cast, weights)
-    rest = math.fsum(share for name, share in faces.items() if name not in own)
-    answers = tuple(
-        (answer(cast.space, cast.faces[face].gains, cast.expressions[name]), share * weight)
-        for face, share in own.items()
-        for name, weight in weights.items()
-    )
-    return AnsweredMix(cast, {name: rest * weight for name, weight in weights.items()} if rest else {}, answers)
+    plain, own, ears = dict[str, float](), list[tuple[Expression, float]](), np.zeros((2, 3))
+    for face, share in faces.items():
+        gains = cast.faces[face].gains
+        for name, weight in weights.items():
+            expression = cast.expressions[name]
+            ears += share * weight * gain_of(gains, "ears", name) * expression.ears
+            if field_gain(cast.space, gains, name) is None:  # as the cast has it, in tables and caches
+                plain[name] = plain.get(name, 0.0) + share * weight
+            else:
+                own.append((answer(cast.space, gains, expression), share * weight))
+    return AnsweredMix(cast, plain, tuple(own), ears)
