@@ -25,6 +25,13 @@ SQUARE = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
 SQUARE_POINTS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
 
 
+def test_every_edge_of_a_closed_surface_is_there_once() -> None:
+    points, triangles = ball()
+    edges = mesh.edges(triangles)
+    assert (edges[:, 0] < edges[:, 1]).all()
+    assert len(np.unique(edges, axis=0)) == len(edges) == len(points) + len(triangles) - 2  # Euler
+
+
 def test_neighbours_are_mutual_and_complete_on_a_closed_surface() -> None:
     _, triangles = ball()
     across = mesh.neighbours(triangles)

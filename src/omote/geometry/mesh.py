@@ -159,6 +159,12 @@ def normals(points: Points, triangles: Triangles, /) -> Points:
     return result
 
 
+def edges(triangles: Triangles, /) -> Triangles:
+    """Every edge of triangles once, lower vertex first: (E, 2)."""
+    found: Triangles = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
+    return found
+
+
 def boundary_edges(triangles: Triangles, /) -> Triangles:
     """The directed edges with a triangle on the left only: (E, 2)."""
     across = neighbours(triangles)

@@ -1,5 +1,7 @@
 /** A framebuffer with several samples a pixel, and the picture that they come to. */
 
+import { nearestTexture } from "./gl";
+
 const SAMPLES = 4;
 
 /** Draws with smooth edges where the canvas itself has one sample a pixel; as large as the largest picture asked for. */
@@ -26,7 +28,7 @@ export class Multisampled {
     this.store(this.colour, gl.RGBA8, gl.COLOR_ATTACHMENT0);
     this.store(this.depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT);
     if (this.texture !== undefined) gl.deleteTexture(this.texture);
-    this.texture = pictureTexture(gl, this.width, this.height);
+    this.texture = nearestTexture(gl, gl.RGBA8, this.width, this.height);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.picture);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.texture, 0);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -75,14 +77,4 @@ export class Multisampled {
     gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, this.width, this.height);
     gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
   }
-}
-
-/** A texture of a picture's pixels as they are. */
-export function pictureTexture(gl: WebGL2RenderingContext, width: number, height: number): WebGLTexture {
-  const texture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, width, height);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-  return texture;
 }

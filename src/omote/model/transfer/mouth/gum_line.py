@@ -127,8 +127,7 @@ def _by_rows(space: ParameterSpace, bag: MouthBag, corners: NDArray[np.int32], w
 
 def _stiffness(space: ParameterSpace, bag: MouthBag) -> sparse.csr_array:
     """A membrane on springs: edges weigh the less the longer they are, the lips' rim is held."""
-    ends = bag.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-    ends = np.unique(np.sort(ends, axis=1), axis=0)
+    ends = mesh.edges(bag.triangles)
     lengths = np.linalg.norm(space.points[ends[:, 0]] - space.points[ends[:, 1]], axis=1)
     slopes = _by_rows(space, bag, ends, np.tile([1.0, -1.0], (len(ends), 1)))
     pull = 1.0 / np.maximum(lengths, 0.001)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
+from omote.geometry import mesh
 from omote.geometry.ramp import smooth_ramp
 from omote.model.space.lid_lip_lines import chains
 from omote.model.space.parameter_space import ParameterSpace
@@ -63,8 +64,7 @@ def measure_slits(space: ParameterSpace, positions: NDArray[np.floating], /) -> 
 
 
 def _find_lips(space: ParameterSpace, loop: NDArray[np.int32]) -> _Lips:
-    corners = space.welded[space.triangles]
-    edges = np.unique(np.sort(corners[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0).astype(np.int64)
+    edges = mesh.edges(space.welded[space.triangles]).astype(np.int64)
     lengths = np.linalg.norm(space.points[edges[:, 0]] - space.points[edges[:, 1]], axis=1)
     graph = coo_array((lengths, (edges[:, 0], edges[:, 1])), shape=(space.vertex_count, space.vertex_count)).tocsr()
     halves = chains(space.points, loop)

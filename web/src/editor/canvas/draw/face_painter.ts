@@ -3,7 +3,7 @@
 import type { Anatomy } from "../../../face/anatomy/anatomy";
 import { dome } from "../../../face/anatomy/eye_mesh";
 import { edgesBefore } from "../../../face/anatomy/openings";
-import { createProgram } from "../../../face/gpu/gl";
+import { createProgram, vertexArray } from "../../../face/gpu/gl";
 import { decodeSrgb } from "../../../face/light/tone";
 import type { Mesh } from "../../../link/assets";
 import type { Look } from "../../../link/messages";
@@ -226,24 +226,11 @@ export class FacePainter {
     attributes: Readonly<Record<string, Float32Array | Uint16Array>>,
     indices?: Uint16Array,
   ): WebGLVertexArrayObject {
-    const { gl } = this;
     const count = attributes.row?.length ?? (attributes.direction?.length ?? 3) / 3;
-    const made = gl.createVertexArray();
-    gl.bindVertexArray(made);
-    for (const [name, values] of Object.entries(attributes)) {
-      const place = gl.getAttribLocation(program, name);
-      gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-      gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
-      gl.enableVertexAttribArray(place);
-      if (values instanceof Uint16Array) gl.vertexAttribIPointer(place, 1, gl.UNSIGNED_SHORT, 0, 0);
-      else gl.vertexAttribPointer(place, values.length / count, gl.FLOAT, false, 0, 0);
-    }
-    if (indices !== undefined) {
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
-    }
-    gl.bindVertexArray(null);
-    return made;
+    const sized = Object.entries(attributes).map(
+      ([name, values]) => [name, values, values instanceof Uint16Array ? 1 : values.length / count] as const,
+    );
+    return vertexArray(this.gl, program, sized, indices);
   }
 
   private dressEyes({ look, pupil }: DrawnFace): void {

@@ -1,7 +1,7 @@
 /** What a drag does not move, kept as pictures: collar and hair of each face, behind its skin and before it. */
 
-import { createProgram } from "../../../face/gpu/gl";
-import { type Multisampled, pictureTexture } from "../../../face/gpu/multisampled";
+import { createProgram, nearestTexture } from "../../../face/gpu/gl";
+import type { Multisampled } from "../../../face/gpu/multisampled";
 import type { PixelBox } from "./face_painter";
 
 const VERTEX = `#version 300 es
@@ -104,7 +104,10 @@ export class HairLayers {
     const known = this.layers.get(n);
     if (known?.width === width && known.height === height) return known;
     if (known !== undefined) this.free(known);
-    const [behind, before] = [0, 1].map(() => pictureTexture(this.gl, width, height)) as [WebGLTexture, WebGLTexture];
+    const [behind, before] = [0, 1].map(() => nearestTexture(this.gl, this.gl.RGBA8, width, height)) as [
+      WebGLTexture,
+      WebGLTexture,
+    ];
     const made = { key: "", behind, before, width, height };
     this.layers.set(n, made);
     return made;

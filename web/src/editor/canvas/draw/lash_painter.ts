@@ -1,7 +1,7 @@
 /** Draws the stage's lashes on a face of the atlas: in every frame of a drag that touches the eyes, so without three. */
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
-import { createProgram } from "../../../face/gpu/gl";
+import { createProgram, vertexArray } from "../../../face/gpu/gl";
 import { LASH_FRAGMENT, LASH_VERTEX } from "../../../face/head/lash_shaders";
 import { lashRows, ribbons } from "../../../face/head/lashes";
 import { decodeSrgb } from "../../../face/light/tone";
@@ -23,9 +23,10 @@ export class LashPainter {
     anatomy: Anatomy,
   ) {
     this.program = createProgram(gl, VERSION + LASH_VERTEX, VERSION + LASH_FRAGMENT);
-    this.array = gl.createVertexArray();
-    const rows = lashRows(anatomy);
-    this.count = rows === undefined ? 0 : this.upload();
+    const [rows, { strands, bends, triangles }] = [lashRows(anatomy), ribbons()];
+    const attributes = [["strand", strands, 4] as const, ["bend", bends, 4] as const];
+    this.array = vertexArray(gl, this.program, attributes, Uint16Array.from(triangles));
+    this.count = rows === undefined ? 0 : triangles.length;
     if (rows === undefined) return;
     gl.useProgram(this.program);
     gl.uniform1iv(this.at("edgeRows"), rows.edgeRows);
@@ -59,26 +60,6 @@ export class LashPainter {
     gl.bindVertexArray(null);
     gl.depthMask(true);
     gl.disable(gl.BLEND);
-  }
-
-  private upload(): number {
-    const { gl, program } = this;
-    const { strands, bends, triangles } = ribbons();
-    gl.bindVertexArray(this.array);
-    for (const [name, values] of [
-      ["strand", strands],
-      ["bend", bends],
-    ] as const) {
-      const place = gl.getAttribLocation(program, name);
-      gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-      gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
-      gl.enableVertexAttribArray(place);
-      gl.vertexAttribPointer(place, 4, gl.FLOAT, false, 0, 0);
-    }
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, Uint16Array.from(triangles), gl.STATIC_DRAW);
-    gl.bindVertexArray(null);
-    return triangles.length;
   }
 
   private at(name: string): WebGLUniformLocation | null {

@@ -1,7 +1,7 @@
 /** A face's skin as one picture, painted once: the cast's layers in the face's colours, as the stage has them. */
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
-import { createProgram } from "../../../face/gpu/gl";
+import { createProgram, vertexArray } from "../../../face/gpu/gl";
 import { decodeSrgb } from "../../../face/light/tone";
 import { SKIN_COLOURS } from "../../../face/skin/skin_colour_shaders";
 import type { Library, Mesh } from "../../../link/assets";
@@ -125,23 +125,8 @@ export class SkinTextures {
   }
 
   private array(uv: Float32Array, traits: Float32Array, triangles: Uint32Array): WebGLVertexArrayObject {
-    const { gl, program } = this;
-    const made = gl.createVertexArray();
-    gl.bindVertexArray(made);
-    for (const [name, values] of [
-      ["uv", uv],
-      ["trait", traits],
-    ] as const) {
-      const place = gl.getAttribLocation(program, name);
-      gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-      gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
-      gl.enableVertexAttribArray(place);
-      gl.vertexAttribPointer(place, 2, gl.FLOAT, false, 0, 0);
-    }
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
-    gl.bindVertexArray(null);
-    return made;
+    const attributes = [["uv", uv, 2] as const, ["trait", traits, 2] as const];
+    return vertexArray(this.gl, this.program, attributes, triangles);
   }
 }
 
