@@ -445,8 +445,8 @@ def test_a_drag_under_way_does_not_undo_panic(console: Console) -> None:
     page.keyboard.press("Shift+Backspace")
     page.mouse.move(x, y - 60, steps=3)
     fader(page, "jawForward").press("ArrowUp")
-    wait_for(page, "state.channels.jawForward > 0")
-    assert "jawOpen" not in state(page)["channels"]
+    # the hand's last moves came before the nudge: what they undid would stand, while what panic found eases to rest
+    wait_for(page, "state.channels.jawForward > 0 && state.channels.jawOpen === undefined")
     page.mouse.up()
 
 
