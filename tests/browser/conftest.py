@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -42,6 +43,8 @@ NO_PICTURES = """
 const other = (get) => function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
 for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) prototype.getContext = other(prototype.getContext);
 """
+
+KEEP = "for (const [key, text] of %s) localStorage.getItem(key) ?? localStorage.setItem(key, text);"
 
 OpenPage = Callable[..., Page]
 
@@ -117,13 +120,22 @@ def open_page(show: str, windows: Windows) -> Iterator[OpenPage]:
     """Opens a page of the show, each one somebody else's: `open_page("/console", width=1280, height=800)`.
 
     One that is opened without `pictures` finds no WebGL2 and draws no face, which is most of what a console costs.
+    `kept` is what its browser keeps from an earlier visit, JSON by key.
     More options (`has_touch`) are those of a context of Playwright.
     """
     taken: list[BrowserContext] = []
     made: list[BrowserContext] = []
     errors: list[str] = []
 
-    def open_one(path: str, *, width: int = 1280, height: int = 800, pictures: bool = True, **options: Any) -> Page:
+    def open_one(
+        path: str,
+        *,
+        width: int = 1280,
+        height: int = 800,
+        pictures: bool = True,
+        kept: dict[str, Any] | None = None,
+        **options: Any,
+    ) -> Page:
         context = windows.browser.new_context(**options) if options else windows.take()
         (made if options else taken).append(context)
         context.set_default_timeout(1000 * PATIENCE)
@@ -131,6 +143,9 @@ def open_page(show: str, windows: Windows) -> Iterator[OpenPage]:
         page.set_viewport_size({"width": width, "height": height})
         if not pictures:
             page.add_init_script(NO_PICTURES)
+        if kept:
+            texts = [(key, json.dumps(value)) for key, value in kept.items()]
+            page.add_init_script(f"if (location.origin === {show!r}) {KEEP % json.dumps(texts)}")
         page.on("pageerror", lambda error: errors.append(f"{path}: {error}"))
         page.goto(show + path)
         return page

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,10 +26,14 @@ REACH = 5e-5
 
 @pytest.fixture
 def editor(open_page: OpenPage) -> Editor:
-    """Opens an editor, each one somebody else, and waits until it is greeted and draws."""
+    """Opens an editor, each one somebody else, and waits until it is greeted and draws.
 
-    def open_one(path: str = "/editor", **options: Any) -> Page:
-        page = open_page(path, **options)
+    It shows Kaori and the faces `beside` her: each one costs as much as all else on the page.
+    """
+
+    def open_one(path: str = "/editor", *, beside: Sequence[str] = (), **options: Any) -> Page:
+        view = {"work": "kaori", "neighbours": beside, "mirror": False}
+        page = open_page(path, kept={"omote-editor-view": view}, **options)
         wait_for(page, "bench.online && bench.library !== null && canvas !== undefined")
         return page
 
@@ -143,7 +147,7 @@ def test_a_newcomer_makes_a_crooked_smile_with_what_the_page_says(editor: Editor
 
 
 def test_all_faces_follow_while_a_needle_is_dragged_and_it_lies_where_it_was_put(editor: Editor) -> None:
-    page = editor()
+    page = editor(beside=("dog", "child", "old"))
     make(page, "Follow me")
     faces = page.evaluate("window.omoteEditor.faces()")
     assert len(faces) >= 4
@@ -202,7 +206,7 @@ def test_typed_numbers_move_the_selected_needle_and_nonsense_is_refused(editor: 
 
 
 def test_layers_muscles_and_eyes_make_steps_and_bake_into_one(editor: Editor) -> None:
-    page = editor()
+    page = editor(beside=("dog",))
     make(page, "Composed", start="Smile")
     start = positions(page, "dog")
     page.locator("[data-tab=layers]").click()
@@ -227,7 +231,7 @@ def test_layers_muscles_and_eyes_make_steps_and_bake_into_one(editor: Editor) ->
 
 
 def test_layers_show_while_weighed_and_are_muted_and_heard_alone(editor: Editor) -> None:
-    page = editor()
+    page = editor(beside=("dog",))
     make(page, "Weighed", start="Smile")
     smiling = positions(page, "dog")
     page.locator("[data-tab=layers]").click()
@@ -277,7 +281,7 @@ def test_what_is_loading_is_said_instead_of_a_blank_page(editor: Editor) -> None
 
 
 def test_an_old_revision_is_looked_at_compared_and_brought_back(editor: Editor) -> None:
-    page = editor()
+    page = editor(beside=("child",))
     make(page, "Two states")
     first = positions(page, "child")
     save(page)
