@@ -19,6 +19,7 @@ from omote.showfile.changes import (
     Change,
     Draft,
     DropDraft,
+    DropLayout,
     Edit,
     Item,
     PutContent,
@@ -143,10 +144,17 @@ def _make(connection: sqlite3.Connection, change: Change) -> None:
             after = "DELETE FROM edit WHERE item = ? AND editor = ? AND number >= ?"
             connection.execute(after, (edit.item, edit.editor, edit.number))
             _put(connection, EDITS, edit)
-        case DropDraft(item, editor):
-            connection.execute("DELETE FROM draft WHERE item = ? AND editor = ?", (item, editor))
         case PutLayout(name, document):
             _put(connection, LAYOUTS, Layout(name, document))
+        case DropDraft() | DropLayout():
+            _drop(connection, change)
+
+
+def _drop(connection: sqlite3.Connection, change: DropDraft | DropLayout) -> None:
+    if isinstance(change, DropDraft):
+        connection.execute("DELETE FROM draft WHERE item = ? AND editor = ?", (change.item, change.editor))
+    else:
+        connection.execute("DELETE FROM layout WHERE name = ?", (change.name,))
 
 
 def _add_revision(connection: sqlite3.Connection, revision: Revision) -> None:

@@ -106,7 +106,13 @@ class PutLayout(msgspec.Struct, frozen=True, tag=True):
     document: bytes
 
 
-Change = PutContent | PutItem | PutRevision | PutDraft | PutEdit | DropDraft | PutLayout
+class DropLayout(msgspec.Struct, frozen=True, tag=True):
+    """Removes a page's document."""
+
+    name: str
+
+
+Change = PutContent | PutItem | PutRevision | PutDraft | PutEdit | DropDraft | PutLayout | DropLayout
 
 
 class Stored(msgspec.Struct, frozen=True):

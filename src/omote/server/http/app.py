@@ -67,8 +67,10 @@ class ShowServer:
             announce=self.announce,
             report=report,
             notices=lambda: self.session.notices,
+            post_layouts=self.post_layouts,
             clock=self.clock,
         )
+        self.session.layouts = self.editing.layout_names()
 
     def on_air(self) -> OnAir:
         """What is on air now; `coming` includes what was called since the last tick."""
@@ -83,7 +85,6 @@ class ShowServer:
         application.router.add_get(LINK_PATH, self.link)
         if self.editing is not None:
             application.router.add_get(EDITING_PATH, self.editing.link)
-        application.router.add_get("/layouts", self.layout_names)
         application.router.add_get("/layouts/{name}", self.layout)
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_get("/manifest", self.manifest)
@@ -102,6 +103,7 @@ class ShowServer:
         state = self._state = self.session.tick(now)
         self.links.broadcast(encode(state), now)
         self.documents.set_on_air(state)
+        self._deliver(self.session.hands_now(now))
 
     def broadcast_crew(self) -> None:
         """Broadcasts who is connected."""
@@ -119,6 +121,11 @@ class ShowServer:
             self._deliver(self.session.notices_for(who))
         if self.editing is not None and self.session.notices:
             self.editing.send_notices(self.session.notices)
+
+    def post_layouts(self, names: list[str]) -> None:
+        """Tells all consoles the names of the layouts; later ones get them with their welcome."""
+        self.session.layouts = names
+        self._deliver(self.session.layouts_now())
 
     def announce(self, message: FromServer) -> None:
         """Sends one message to every link."""
@@ -196,10 +203,6 @@ class ShowServer:
         except FailedOrderError as error:
             raise web.HTTPServiceUnavailable(text=f"{error}.") from error
         return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": keep})
-
-    async def layout_names(self, _: web.Request) -> web.Response:
-        """Responds with the names of the stored layouts (JSON)."""
-        return web.json_response([] if self.editing is None else self.editing.layout_names())
 
     async def layout(self, request: web.Request) -> web.Response:
         """Responds with a page's stored layout; 204 where there is none, for browsers log a 404 as an error."""
