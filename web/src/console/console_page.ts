@@ -13,8 +13,8 @@ import { LOW, NARROW } from "./controls/screen_sizes";
 import type { TBar } from "./controls/t_bar";
 import type { Monitor } from "./panels/monitor";
 import type { Palette } from "./panels/palette";
+import type { Topic } from "./store/cast_store";
 import { VIEWS, type View } from "./store/console_layout";
-import type { Topic } from "./store/console_store";
 import { type Command, commandOf, isPanic } from "./store/keys";
 import { neighbour } from "./store/timing";
 import "./panels/bank";
@@ -134,6 +134,7 @@ export class ConsolePage extends ConsoleElement {
     if (command.do === "help") this.#show("help");
     else if (command.do === "centre") this.store.centre();
     else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.state?.channels ?? {}));
+    else if (command.do === "undo") this.store.undo();
     else if (command.do === "focus") this.#at<LightRow | Palette | Pad | TBar>(PLACES[command.place])?.focus();
     else this.#obeyAxis(command);
   }
