@@ -3,6 +3,8 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";
+import { importFiles } from "../link/import_file";
+import { onFileDrop } from "../ui/file_drop";
 import { listenToKeys } from "../ui/key_presses";
 import { base, palette } from "../ui/theme";
 import { style } from "./console_page_style";
@@ -35,6 +37,7 @@ export class ConsolePage extends ConsoleElement {
   @property({ attribute: false }) notices: HTMLElement | null = null;
   @state() private dialog: "help" | "setup" | null = null;
   #deaf: () => void = () => undefined;
+  #closed: () => void = () => undefined;
   @query("omote-monitor") private monitor!: Monitor;
 
   static override styles = [palette, base, style];
@@ -46,12 +49,14 @@ export class ConsolePage extends ConsoleElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#deaf = listenToKeys({ everywhere: this.#panicKey, page: this.#key });
+    this.#closed = onFileDrop((files) => void this.#takeIn(files));
     IN_TURN.addEventListener("change", this.#resized);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#deaf();
+    this.#closed();
     IN_TURN.removeEventListener("change", this.#resized);
   }
 
@@ -116,6 +121,13 @@ export class ConsolePage extends ConsoleElement {
   readonly #close = (): void => {
     this.dialog = null;
   };
+
+  /** Expressions that are dropped on the page come under Own. */
+  async #takeIn(files: readonly File[]): Promise<void> {
+    const { done, failed } = await importFiles(files, "expression");
+    const sentences = [done, ...failed, failed.length > 0 ? "Faces come in by the editor (In & out)." : ""];
+    this.store.say(sentences.filter((one) => one !== "").join(" "), failed.length > 0 ? "attention" : "done");
+  }
 
   readonly #panicKey = (event: KeyboardEvent): boolean => {
     if (!isPanic(event)) return false;

@@ -48,7 +48,7 @@ def keep_on_air(
         plan = saving.keep(authored, kind, label, recipe, Author(editor, "", wall), ticket)
     except Refusal as refusal:
         return Outcome(kept=(KeepOutcome(ticket, trouble=str(refusal)),))
-    return session.carry_out(lambda: plan, ticket)
+    return session.carry_out(lambda: plan, ticket, queue=(0, ""))  # in order, so that labels are
 
 
 def change_layouts(

@@ -153,10 +153,9 @@ class EditSession:
         self.crew.pop(who, None)
         return self._outcome(_Answer(listed=True))
 
-    def carry_out(self, begin: Callable[[], Plan | Result], ticket: str) -> Outcome:
-        """Carries out what a console asks; `Outcome.kept` reports it under the ticket, now or after an order."""
-        answer = _Answer()
-        task = Task((0, ""), begin, ticket=ticket)
+    def carry_out(self, begin: Callable[[], Plan | Result], ticket: str, queue: DraftKey | None = None) -> Outcome:
+        """Carries out what a console asks, after what waits in the queue; `Outcome.kept` reports it under the ticket."""
+        answer, task = _Answer(), Task(queue, begin, ticket=ticket)
         try:
             self._start(answer, task)
         except Refusal as refusal:

@@ -18,6 +18,7 @@ from omote.server.http.editor_link import NO_FILE, EditorLinks
 from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
 from omote.server.http.security import add_headers, guard, silence_bad_requests
 from omote.server.http.static_pages import PAGES, Page
+from omote.server.http.uploads import Uploads
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Notice, Refused, State
@@ -47,6 +48,7 @@ class ShowServer:
         self.session, self.documents, self.links, self.clock = session, documents, Links(), clock
         self.editing: EditorLinks | None = None
         self.downloads: Downloads | None = None
+        self.uploads: Uploads | None = None
         self._pages = pages
         self._state: State | None = None
 
@@ -87,6 +89,7 @@ class ShowServer:
             application.router.add_get(EDITING_PATH, self.editing.link)
         application.router.add_get("/layouts/{name}", self.layout)
         application.router.add_get("/exports/{file}", self.export)
+        application.router.add_post("/imports/{file}", self.take_in)
         application.router.add_get("/manifest", self.manifest)
         application.router.add_get("/assets/{name}", self.asset)
         application.router.add_get("/compounds/{base}/{face}/{expression}", self.compound)
@@ -216,6 +219,12 @@ class ShowServer:
         if self.downloads is None:
             raise web.HTTPServiceUnavailable(text=f"nothing can be exported: {NO_FILE}")
         return await self.downloads.respond(request, self.documents.playing)
+
+    async def take_in(self, request: web.Request) -> web.Response:
+        """Takes in a file that a page sends, as expressions or a face (`?as=face`); responds with what it was."""
+        if self.uploads is None or self.editing is None:
+            raise web.HTTPServiceUnavailable(text=f"nothing can be taken in: {NO_FILE}")
+        return await self.uploads.respond(request, self.editing.take_in)
 
     async def page(self, request: web.Request) -> web.Response:
         """Responds with a built page or one of its files."""

@@ -11,7 +11,7 @@ import contextlib
 import sys
 import time
 import traceback
-from collections.abc import Awaitable, Callable, Coroutine
+from collections.abc import Awaitable, Callable, Coroutine, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -23,6 +23,7 @@ from omote.edit.protocol.wire import encode
 from omote.edit.session.console_requests import answer_console
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.session.plan import KeepOutcome
+from omote.edit.session.saving import adopt
 from omote.edit.store.on_air_recipes import OnAir
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.cast_documents import CastDocuments
@@ -34,7 +35,7 @@ from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show import messages as wire
 from omote.show.rate_limit import TokenBucket
 from omote.show.session import KeepRequest
-from omote.showfile.changes import Change, DropLayout, PutLayout
+from omote.showfile.changes import BroughtItem, Change, DropLayout, PutLayout
 
 HEARD_RATE, HEARD_BURST = 60.0, 60.0
 """Messages per second read from one editor (a slider being dragged); more waits in the socket."""
@@ -125,6 +126,23 @@ class EditorLinks:
             self._take(
                 self.authored_work, partial(answer_console, request=request, on_air=self._on_air(), wall=_wall())
             )
+
+    async def take_in(self, brought: Sequence[BroughtItem]) -> str:
+        """Adds items of another show file; returns why not, "" once they are on the disk and play."""
+        authored_work, done = self.authored_work, asyncio.get_running_loop().create_future()
+        if authored_work is None:
+            return NO_FILE
+        outcome = authored_work.session.carry_out(lambda: adopt(authored_work.session.authored, brought), "")
+
+        async def carry_out() -> None:
+            try:
+                await self._carry_out(authored_work, outcome)
+            finally:
+                done.set_result(None)
+
+        self._follow(carry_out)
+        await done
+        return "" if authored_work is self.authored_work else "it could not be kept in the show file; try again."
 
     def layout(self, name: str) -> bytes | None:
         """A page's stored layout (JSON), None where there is none."""
