@@ -101,7 +101,10 @@ export class TimingRow extends ConsoleElement {
       }
       @container (max-width: 240px) {
         .curve {
-          flex: 0 0 44px; /* no room for a word: its curve */
+          flex: 0 0 40px; /* no room for a word: its curve */
+        }
+        .lists button {
+          flex: 0 0 52px;
         }
         .curve select {
           appearance: none;

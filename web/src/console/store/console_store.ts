@@ -200,6 +200,7 @@ export class ConsoleStore extends NoticeStore {
     if (this.now() - this.#kept[axis] < TWICE) return;
     this.#kept[axis] = this.now();
     const id = `${this.#nextId()}-${axis}`; // the answer names nothing else of what was asked
+    this.say(`Keeping the ${axis} on air ...`, "done"); // what is computed first may take seconds
     this.#push({ type: axis === "face" ? "keep_face" : "keep_expression", id });
   }
 
