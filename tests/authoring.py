@@ -13,6 +13,7 @@ from omote.edit.protocol import messages as wire
 from omote.edit.protocol.orders import Bake, Baked, EditOrder, Flat, Renet, Solve
 from omote.edit.protocol.validation import FEWEST_POINTS
 from omote.edit.protocol.wire import encode, write_recipe
+from omote.edit.session.console_requests import keep_on_air
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
@@ -23,6 +24,7 @@ from omote.showfile.changes import (
     Change,
     Draft,
     DropDraft,
+    DropLayout,
     Edit,
     Item,
     Kind,
@@ -121,7 +123,7 @@ class Tables:
             dict(self.layouts),
         )
 
-    def _apply_to_items(self, change: PutContent | PutItem | PutRevision | PutLayout) -> None:
+    def _apply_to_items(self, change: PutContent | PutItem | PutRevision | PutLayout | DropLayout) -> None:
         match change:
             case PutContent(key, data):
                 assert self.contents.setdefault(key, data) == data
@@ -132,6 +134,8 @@ class Tables:
                 self.revisions[revision.item, revision.number] = revision
             case PutLayout(name, document):
                 self.layouts[name] = document
+            case DropLayout(name):
+                self.layouts.pop(name, None)
 
     def _apply_to_drafts(self, change: PutDraft | PutEdit | DropDraft) -> None:
         match change:
@@ -218,7 +222,7 @@ class EditHarness:
         """One press of "save what is on air", and what became of it."""
         before = len(self.outcomes)
         self.carry_out(
-            self.session.keep(kind, self.on_air, label=label, wall=self.wall, editor="console", ticket=ticket)
+            keep_on_air(self.session, kind, self.on_air, label=label, wall=self.wall, editor="console", ticket=ticket)
         )  # fmt: skip
         (kept,) = [kept for outcome in self.outcomes[before:] for kept in outcome.kept]
         return kept

@@ -45,6 +45,15 @@ def keep(page: Page, axis: str) -> dict[str, str]:
     return dict(found)
 
 
+def drop_a_text(page: Page) -> None:
+    """Drops a file with words on a page, which must not leave for it."""
+    assert page.evaluate("""() => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File(["dear diary"], "notes.txt"));
+        return !document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    }""")
+
+
 def held(stage: Page, **pose: Any) -> tuple[NDArray[np.float64], NDArray[np.int16]]:
     """What a stage shows of a pose: positions (rows, 3) metres, and a picture."""
     stage.evaluate(f"window.omoteStage.hold({msgspec.json.encode(pose).decode()})")
@@ -113,6 +122,14 @@ def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> N
         page.locator(".notice a").click()
     wait_until(opened.value, f"document.querySelector('omote-editor')?.context?.store.item?.name === {name!r}")
     expect(page.locator(".notice")).to_contain_text("under Own")
+    drop_a_text(opened.value)
+    expect(opened.value.locator("omote-notices")).to_contain_text("notes.txt was not taken in")
+    page.bring_to_front()
+    page.locator("body").press("Control+z")  # the last keep
+    expect(page.locator(".notice")).to_contain_text("is not kept any more")
+    wait_for(page, f"!desk.expressions.some((one) => one.name === {name!r})")
+    drop_a_text(page)
+    expect(page.locator(".notice")).to_contain_text("'notes.txt' is no expression that can be read")
 
 
 def test_the_pencil_of_an_own_thing_opens_it_and_calls_nothing(console: Console) -> None:

@@ -22,6 +22,7 @@ FIRST = {
     "ownFaces": False,
     "tab": "brows",
     "linked": True,
+    "springs": {"head": True, "gaze": True},
     "view": "palettes",
 }
 
@@ -33,6 +34,7 @@ def set_up(page: Page) -> dict[str, object]:
     region(page, "mouth")
     page.locator("[data-kind='arkit']").click()
     page.get_by_role("button", name="Link R L").click()
+    page.locator("omote-pad").first.get_by_role("button", name="Spring").click()
     page.get_by_role("button", name="Own", exact=True).click()
     return dict(page.evaluate(f"{DESK}.layout"))
 
@@ -61,17 +63,14 @@ def test_a_fresh_console_inherits_nothing_and_a_reload_keeps_everything(open_pag
     assert page.evaluate(f"{DESK}.callSeconds('face')") == 4
 
 
-def test_a_layout_is_saved_by_name_and_chosen_at_another_console(console: Console) -> None:
+def test_a_layout_is_saved_by_name_and_chosen_renamed_and_deleted_at_another_console(console: Console) -> None:
     page, other = console(), console()
     arranged = set_up(page)
+    said = other.locator(".said")
     page.get_by_role("button", name="Set-up").click()
     page.get_by_label("Name of the layout").fill("mouths")
     page.get_by_role("button", name="Save as").click()
-    expect(page.locator(".notice")).to_contain_text("Saved as mouths")
-    wait_for(page, "true")
-    page.evaluate("""async () => {
-        while (!(await (await fetch("/layouts")).json()).includes("mouths")) await new Promise(requestAnimationFrame);
-    }""")
+    expect(page.locator(".said")).to_contain_text("Saved as mouths")
     assert other.evaluate(f"{DESK}.layout") == FIRST
     other.get_by_role("button", name="Set-up").click()
     other.get_by_role("button", name="mouths").click()
@@ -81,16 +80,27 @@ def test_a_layout_is_saved_by_name_and_chosen_at_another_console(console: Consol
     assert other.evaluate(f"{DESK}.layout") == FIRST
     other.get_by_label("Name of the layout").fill("  ")
     other.get_by_role("button", name="Save as").click()
-    expect(other.locator(".notice")).to_contain_text("type a name")
+    expect(said).to_contain_text("type a name")
     other.get_by_label("Name of the layout").fill("MOUTHS")
     other.get_by_role("button", name="Save as").click()
-    expect(other.locator(".notice")).to_contain_text("has a layout mouths")
-    other.get_by_role("button", name="mouths").click()
-    wait_for(other, "desk.layout.kind === 'arkit'")  # nothing was replaced
-    expect(other.locator(".notice")).to_contain_text("Laid out as mouths")
-    other.get_by_role("button", name="Default").click()
-    wait_for(other, "desk.layout.kind === 'performed'")
-    assert other.evaluate(f"{DESK}.layout") == FIRST
+    expect(said).to_contain_text("has a layout mouths")
+    other.get_by_label("Name of the layout").fill("lips")
+    other.get_by_role("button", name="Rename mouths to lips").click()
+    page.locator("[data-layout='lips']").click()
+    expect(page.locator("[data-layout='mouths']")).to_have_count(0)
+    wait_for(page, "desk.layout.kind === 'arkit'")  # nothing was replaced
+    other.get_by_role("button", name="Delete lips").click()
+    expect(page.locator("[data-layout='lips']")).to_have_count(0)
+    said.get_by_role("button", name="Undo").click()
+    page.locator("[data-layout='lips']").click()
+    expect(page.locator(".said")).to_contain_text("Laid out as lips")
+    assert page.evaluate(f"{DESK}.layout") == arranged
+    page.get_by_role("button", name="Default").click()
+    wait_for(page, "desk.layout.kind === 'performed'")
+    assert page.evaluate(f"{DESK}.layout") == FIRST
+    page.get_by_role("button", name="lips", exact=True).click()
+    page.get_by_role("button", name="Delete lips").click()
+    expect(other.locator("[data-layout='lips']")).to_have_count(0)
 
 
 def test_the_home_face_is_chosen_for_every_console(console: Console) -> None:

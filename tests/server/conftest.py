@@ -65,8 +65,10 @@ async def answer(socket: aiohttp.ClientWebSocketResponse) -> wire.FromServer:
 
 
 async def state(socket: aiohttp.ClientWebSocketResponse) -> wire.State:
-    """The next message of the server, which is a state."""
+    """The next message of the server but of others' hands, which is a state."""
     message = await answer(socket)
+    while isinstance(message, wire.Hands):
+        message = await answer(socket)
     assert isinstance(message, wire.State)
     return message
 

@@ -59,7 +59,7 @@ def _value(hint: object) -> object:
     if origin is tuple:
         return tuple(_value(argument) for argument in arguments)
     if origin in (list, dict):
-        return [] if origin is list else {"smile": 0.25}
+        return [] if origin is list else {"smile": _value(arguments[1])}
     if type(None) in arguments:
         return None
     return {str: "smile", float: 0.25, int: 1, bool: True}[hint]  # type: ignore[index]

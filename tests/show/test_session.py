@@ -18,6 +18,7 @@ from omote.show.session import (
     LOST_SECONDS,
     REMEMBERED_CALLS,
     SILENCE,
+    KeepMessage,
     KeepRequest,
     Outgoing,
     SessionSnapshot,
@@ -158,9 +159,10 @@ def test_a_replayed_show_is_the_same_show(cast: Cast, messages: list[tuple[str, 
 @given(messages=st.lists(st.tuples(st.sampled_from(["a", "b"]), command), max_size=25))
 def test_consoles_agree_because_all_see_one_state(cast: Cast, messages: list[tuple[str, wire.FromClient]]) -> None:
     mixed, alone = opened(cast, "a", "b"), opened(cast, "a")
-    for who, message in messages:
-        mixed.receive(who, message, 0.0)
-        alone.receive("a", message, 0.0)
+    for number, (who, message) in enumerate(messages):
+        now = 2 * PANIC_SECONDS * number  # later than hands that cannot know of a panic
+        mixed.receive(who, message, now)
+        alone.receive("a", message, now)
     assert mixed.tick(FRAME) == alone.tick(FRAME)
 
 
@@ -389,11 +391,12 @@ def test_keep_requests_are_taken_once_and_only_of_consoles(cast: Cast) -> None:
     session = opened(cast, "a")
     session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
     assert "only a console plays" in reasons(session.receive("s", wire.KeepFace("k"), 0.0))[0]
-    keep, layout = wire.KeepFace("k"), wire.SetLayout("desk", "{}")
-    said: list[wire.KeepFace | wire.KeepExpression | wire.SetLayout] = [keep, keep, wire.KeepExpression("l"), layout]
+    keep, undo = wire.KeepFace("k"), wire.UndoKeep("u", "face", "on_air_1")
+    layouts: list[KeepMessage] = [wire.SetLayout("desk", "{}"), wire.RenameLayout("desk", "left"), wire.DropLayout("x")]
+    said: list[KeepMessage] = [keep, keep, wire.KeepExpression("l"), undo, *layouts, undo]
     for message in said:
         assert session.receive("a", message, 0.0) == []
-    assert session.take_keep_requests() == [KeepRequest("a", message) for message in said[1:]]
+    assert session.take_keep_requests() == [KeepRequest("a", message) for message in said[1:-1]]
     assert session.take_keep_requests() == []
     assert "k" in session.snapshot().calls
 
@@ -445,3 +448,33 @@ def test_a_hand_at_another_console_does_not_undo_a_panic_that_it_cannot_know_of(
     assert session.receive("a", hand, PANIC_SECONDS / 2) == []
     assert session.receive("b", hand, PANIC_SECONDS * 2) == []
     assert session.receive("b", wire.CallFace("1", "broad", 1.0, "smooth"), 0.0) == []
+
+
+def test_consoles_are_told_the_layouts_that_there_are_and_stages_are_not(cast: Cast) -> None:
+    session = opened(cast, "a")
+    session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    session.layouts = ["desk", "left"]
+    assert session.layouts_now() == [Outgoing("a", wire.Layouts(["desk", "left"]))]
+    _, *told = session.receive("late", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
+    assert told == [Outgoing("late", wire.Layouts(["desk", "left"]))]
+
+
+def test_every_console_has_a_name_of_its_own_and_may_change_it(cast: Cast) -> None:
+    session, names = opened(cast), []
+    for who, wanted in [("a", "Ana"), ("b", ""), ("c", " ana "), ("d", ""), ("b", "Ben"), ("a", "Ana")]:
+        hello = wire.Hello("console", wire.PROTOCOL_VERSION, wanted)
+        (welcome,) = session.receive(who, hello, 0.0)
+        assert isinstance(welcome.message, wire.Welcome)
+        names.append(welcome.message.name)
+    assert names == ["Ana", "console", "ana 2", "console 2", "Ben", "Ana"]
+    assert session.crew_now(0.0).consoles == 4
+
+
+def test_a_console_is_told_whose_hands_move_what(cast: Cast) -> None:
+    session = opened(cast, "a", "b")
+    session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    session.receive("b", wire.SetChannel("jawOpen", 0.5), 1.0)
+    session.receive("b", wire.SetChannel("nobody", 0.5), 1.0)  # rejected: no hand is on it
+    assert session.hands_now(1.0) == [Outgoing("a", wire.Hands({"set_channel:jawOpen": "console 2"}))]
+    session.receive("a", wire.Panic(), 1.1)
+    assert session.hands_now(1.1) == [Outgoing("a", wire.Hands({}))]

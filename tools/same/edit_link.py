@@ -18,6 +18,7 @@ from omote.edit.compute.welcome import build_welcome
 from omote.edit.protocol import messages as wire
 from omote.edit.protocol.orders import EditOrder
 from omote.edit.protocol.wire import encode
+from omote.edit.session.console_requests import keep_on_air
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.store.import_items import (
     ImportedItem,
@@ -166,7 +167,8 @@ def _step(house: House, key: str) -> None:
     if chance < 0.04:
         house.ask(key, who, script.one(*BROKEN, rng.bytes(40), encode(wire.Greet("eve", "Eve", 99))), on_air)
     elif chance < 0.08:
-        kept = house.session.keep(
+        kept = keep_on_air(
+            house.session,
             script.one("face", "expression"),
             on_air,
             label=script.one(None, "Kept"),

@@ -11,7 +11,7 @@ from typing import Annotated, Literal, get_args
 
 import msgspec
 
-PROTOCOL_VERSION = 2
+PROTOCOL_VERSION = 3
 LINK_PATH = "/link"
 MESSAGE_LIMIT = 4096
 """Bytes; no message of a client is longer."""
@@ -22,6 +22,7 @@ Name = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 CallId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
 Role = Literal["stage", "console"]
 Level = Literal["lowest", "low", "medium", "high"]
+ConsoleName = Annotated[str, msgspec.Meta(max_length=24)]
 LayoutText = Annotated[str, msgspec.Meta(max_length=3600)]
 Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
 Kind = Literal["neutral", "performed", "arkit", "makehuman", "own"]
@@ -40,10 +41,12 @@ class Message(msgspec.Struct, frozen=True, tag_field="type", tag=snake_case):
 
 
 class Hello(Message, frozen=True):
-    """Opens a link; other messages are rejected before it."""
+    """Opens a link; other messages are rejected before it. `name`: what a console's operator calls it; a second hello
+    changes it."""
 
     role: Role
     version: int
+    name: ConsoleName = ""
 
 
 class CallFace(Message, frozen=True):
@@ -139,11 +142,34 @@ class KeepExpression(Message, frozen=True):
     id: CallId
 
 
+class UndoKeep(Message, frozen=True):
+    """Takes what a console kept out of the cast again; rejected while it is on air, and once it has been edited.
+    Answered with `keep_undone`."""
+
+    id: CallId
+    kind: Literal["face", "expression"]
+    name: Name
+
+
 class SetLayout(Message, frozen=True):
-    """Stores a page's layout (JSON) in the show file under a name; `/layouts/NAME` returns it."""
+    """Stores a page's layout (JSON) in the show file under a name; `/layouts/NAME` returns it. Answered, as the two
+    below, with `layouts`."""
 
     name: Name
     document: LayoutText
+
+
+class RenameLayout(Message, frozen=True):
+    """Gives a layout of the show file another name, which none has yet."""
+
+    name: Name
+    to: Name
+
+
+class DropLayout(Message, frozen=True):
+    """Takes a layout out of the show file."""
+
+    name: Name
 
 
 class Ping(Message, frozen=True):
@@ -163,12 +189,14 @@ class Drawing(Message, frozen=True):
 
 
 class Welcome(Message, frozen=True):
-    """Answers hello: `epoch` rises with each server start, `revision` with each change of the documents."""
+    """Answers hello: `epoch` rises with each server start, `revision` with each change of the documents. `name`: what
+    the others call this console."""
 
     version: int
     epoch: int
     revision: int
     digest: str
+    name: str = ""
 
 
 class CastChanged(Message, frozen=True, tag="cast"):
@@ -184,6 +212,28 @@ class Kept(Message, frozen=True):
     id: str
     name: str
     label: str
+
+
+class KeepUndone(Message, frozen=True):
+    """Answers undo_keep: what was kept under this label is not in the cast any more."""
+
+    id: str
+    label: str
+
+
+class Layouts(Message, frozen=True):
+    """The names of all layouts in the show file, sorted: complete, to consoles after the welcome and with each
+    change."""
+
+    names: list[str]
+
+
+class Hands(Message, frozen=True):
+    """What hands at other consoles have moved within the last second, and the name of the console: complete, to each
+    console when it changes, and once a second. Keys are tags of messages (`fade_face`, `set_head`), of a channel with
+    its name (`set_channel:jawOpen`)."""
+
+    hands: dict[str, str]
 
 
 class CallState(msgspec.Struct, frozen=True):
@@ -295,11 +345,14 @@ FromClient = (
     | SetHome
     | KeepFace
     | KeepExpression
+    | UndoKeep
     | SetLayout
+    | RenameLayout
+    | DropLayout
     | Ping
     | Drawing
 )
-FromServer = Welcome | CastChanged | State | Pong | Kept | Refused | Notices | Crew
+FromServer = Welcome | CastChanged | State | Pong | Kept | KeepUndone | Refused | Notices | Layouts | Hands | Crew
 
 
 # --- documents over HTTP ----------------------------------------------------------------------------------------------

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import msgspec
 
@@ -14,6 +13,8 @@ from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, names_held
 from omote.show import messages as wire
 from omote.show import validation
+from omote.show.commands import ACTIONS
+from omote.show.hands import MOVING, Hands, free_name
 from omote.show.state import EyeOffset, offset_between, state_of
 from omote.show.validation import Refusal, validate_number
 from omote.show.wire import decode
@@ -38,19 +39,23 @@ class Outgoing:
 
 @dataclass(frozen=True)
 class Member:
-    """A connected client: its role, and its last report with the time of it."""
+    """A connected client: its role, its last report with the time of it, and the name of a console."""
 
     role: wire.Role
     report: wire.StageReport | None = None
     heard: float = -math.inf
+    name: str = ""
+
+
+KeepMessage = wire.KeepFace | wire.KeepExpression | wire.UndoKeep | wire.SetLayout | wire.RenameLayout | wire.DropLayout
 
 
 @dataclass(frozen=True)
 class KeepRequest:
-    """A console's request to store something in the show file; the server carries it out."""
+    """A console's request to change the show file; the server carries it out."""
 
     who: str
-    message: wire.KeepFace | wire.KeepExpression | wire.SetLayout
+    message: KeepMessage
 
 
 class SessionSnapshot(msgspec.Struct, frozen=True):
@@ -71,11 +76,13 @@ class ShowSession:
         self.crew: dict[str, Member] = {}
         self.wishes: list[KeepRequest] = []
         self.notices: list[wire.Notice] = []
+        self.layouts: list[str] = []
         self._lost_stages: list[float] = []  # when the links broke
         self._calls: dict[str, None] = {}
         self._now: float | None = None
         self._time = performer.snapshot().time
         self._eye_offset = EyeOffset()
+        self._hands = Hands()
         self._panicked: tuple[str, float] | None = None  # who pressed last, and when
 
     @classmethod
@@ -147,6 +154,7 @@ class ShowSession:
         """Removes a client; T-bars and channels that it held stay as they are. lost: when its link broke, where its
         page was not closed."""
         member = self.crew.pop(who, None)
+        self._hands.leave(who)
         if member is not None and member.role == "stage" and lost is not None:
             self._lost_stages.append(lost)
 
@@ -162,10 +170,23 @@ class ShowSession:
         wanted = self.notices and self._member(who).role == "console"
         return [Outgoing(who, wire.Notices(list(self.notices)))] if wanted else []
 
+    def layouts_now(self) -> list[Outgoing]:
+        """The names of all layouts, for every console."""
+        return [Outgoing(who, wire.Layouts(list(self.layouts))) for who in self._consoles()]
+
+    def hands_now(self, now: float) -> list[Outgoing]:
+        """What consoles must be told of each other's hands."""
+        return [Outgoing(who, told) for who, told in self._hands.tell(self._consoles(), now).items()]
+
+    def _consoles(self) -> dict[str, str]:
+        return {who: member.name for who, member in self.crew.items() if member.role == "console"}
+
     def _answer(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
         match message:
             case wire.Hello():
-                return [Outgoing(who, self._welcome(who, message)), *self.notices_for(who)]
+                welcome = Outgoing(who, self._welcome(who, message))
+                layouts = [each for each in self.layouts_now() if each.who == who and self.layouts]
+                return [welcome, *self.notices_for(who), *layouts]
             case wire.Ping():
                 return [
                     Outgoing(who, wire.Pong(sent=validate_number(message.sent, validation.SENT), time=self.clock(now)))
@@ -173,11 +194,9 @@ class ShowSession:
             case wire.Drawing():
                 report = wire.StageReport(validate_number(message.fps, validation.FPS), message.level)
                 self.crew[who] = Member(self._member(who).role, report, heard=now)
-            case (
-                wire.CallFace() | wire.CallExpression() | wire.CallLight() | wire.KeepFace() | wire.KeepExpression()
-            ) if message.id in self._calls:
+            case _ if getattr(message, "id", None) in self._calls:
                 pass  # a retry or a bouncing key: each call executes once
-            case wire.KeepFace() | wire.KeepExpression() | wire.SetLayout():
+            case _ if isinstance(message, KeepMessage):
                 self._add_keep_request(KeepRequest(who, message))
             case _:
                 self._obey(who, message, now)
@@ -186,7 +205,7 @@ class ShowSession:
     def _add_keep_request(self, request: KeepRequest) -> None:
         self._refuse_a_stage(request.who, request.message)
         self.wishes.append(request)
-        if not isinstance(request.message, wire.SetLayout):
+        if isinstance(request.message, wire.KeepFace | wire.KeepExpression | wire.UndoKeep):
             self._remember(request.message.id)
 
     def _refuse_a_stage(self, who: str, message: wire.FromClient) -> None:
@@ -195,7 +214,7 @@ class ShowSession:
 
     def _refuse_a_late_hand(self, who: str, message: wire.FromClient, now: float) -> None:
         """Rejects what a hand at another console sent before that page could know of a panic: it would undo it."""
-        if self._panicked is None or not isinstance(message, HANDS):
+        if self._panicked is None or not isinstance(message, MOVING):
             return
         presser, pressed = self._panicked
         if who != presser and now - pressed < PANIC_SECONDS:
@@ -210,14 +229,16 @@ class ShowSession:
         self._refuse_a_stage(who, message)
         self._refuse_a_late_hand(who, message, now)
         try:
-            OBEY[type(message)](self.performer, message)
+            ACTIONS[type(message)](self.performer, message)
         except Refusal:
             raise
         except (ValueError, TypeError) as error:
             raise Refusal(f"{error}. Nothing has changed.{_reload_hint(message)}") from error
         self.commands += 1
+        self._hands.note(who, message, now)
         if isinstance(message, wire.Panic):
             self._panicked = who, now
+            self._hands.take_off()
         if isinstance(message, wire.CallFace | wire.CallExpression | wire.CallLight):
             self._remember(message.id)
 
@@ -227,8 +248,12 @@ class ShowSession:
             raise Refusal(f"the page speaks {versions}: reload the page.")
         if hello.role == "stage" and who not in self.crew:
             del self._lost_stages[:1]  # one of them is back, or another in its place
-        self.crew[who] = Member(hello.role)
-        return wire.Welcome(wire.PROTOCOL_VERSION, self.epoch, self.revision, self.cast.digest)
+        name = ""
+        if hello.role == "console":
+            taken = {each.casefold() for other, each in self._consoles().items() if other != who}
+            name = free_name(hello.name, taken)
+        self.crew[who] = Member(hello.role, name=name)
+        return wire.Welcome(wire.PROTOCOL_VERSION, self.epoch, self.revision, self.cast.digest, name)
 
     def _member(self, who: str) -> Member:
         if who not in self.crew:
@@ -245,42 +270,3 @@ def _reload_hint(message: wire.FromClient) -> str:
     values = msgspec.structs.astuple(message)
     wrong = any(isinstance(value, float) and not math.isfinite(value) for value in values)
     return " Reload the page that sent it." if wrong else ""
-
-
-def _call_face(performer: Performer, call: wire.CallFace) -> None:
-    performer.call_face(call.name, seconds=_seconds(call.seconds), easing=call.easing)
-
-
-def _call_expression(performer: Performer, call: wire.CallExpression) -> None:
-    performer.call_expression(call.name, seconds=_seconds(call.seconds), easing=call.easing)
-
-
-def _call_light(performer: Performer, call: wire.CallLight) -> None:
-    performer.call_light(call.name, seconds=_seconds(call.seconds), easing=call.easing)
-
-
-def _seconds(seconds: float | None) -> float:
-    if seconds is None:
-        return math.inf  # by hand: the performer's own word for a call that waits for its T-bar
-    if seconds == math.inf:
-        raise Refusal("the time of a call (seconds) is inf; give a number of seconds, or nil for a call by hand.")
-    return seconds
-
-
-OBEY: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
-    wire.CallFace: _call_face,
-    wire.CallExpression: _call_expression,
-    wire.CallLight: _call_light,
-    wire.FadeFace: lambda performer, bar: performer.fade_face(bar.value),
-    wire.ReleaseFace: lambda performer, _: performer.release_face(),
-    wire.FadeExpression: lambda performer, bar: performer.fade_expression(bar.value),
-    wire.ReleaseExpression: lambda performer, _: performer.release_expression(),
-    wire.SetChannel: lambda performer, fader: performer.set_channel(fader.name, fader.value),
-    wire.SetHead: lambda performer, head: performer.set_head(head.yaw, head.pitch, head.roll),
-    wire.SetGaze: lambda performer, gaze: performer.set_gaze(gaze.yaw, gaze.pitch),
-    wire.Panic: lambda performer, _: performer.panic(),
-    wire.SetHome: lambda performer, home: performer.set_home(home.face, seconds=home.seconds),
-}
-"""The action of each command on the performer, which alone validates names and numbers (`perform/limits.py`)."""
-HANDS = (wire.FadeFace, wire.FadeExpression, wire.SetChannel, wire.SetHead, wire.SetGaze)
-"""What a hand sends on and on while it holds a control."""

@@ -19,6 +19,7 @@ from omote.showfile.changes import (
     Change,
     Draft,
     DropDraft,
+    DropLayout,
     Edit,
     Item,
     PutContent,
@@ -95,9 +96,19 @@ def read_all(connection: sqlite3.Connection) -> Stored:
 def read_contents(connection: sqlite3.Connection) -> Iterator[tuple[str, bytes]]:
     """Every content, proved by its key; sqlite3.DatabaseError names the first that is not what was written."""
     for key, data in connection.execute("SELECT key, data FROM content ORDER BY key"):
-        if not isinstance(data, bytes) or content_key(data) != key:
-            raise DamageError(f"its content {key} is damaged")
-        yield key, data
+        yield key, _prove_content(key, data)
+
+
+def read_content(connection: sqlite3.Connection, key: str) -> bytes:
+    """One content, proved by its key; sqlite3.DatabaseError where it is missing or damaged."""
+    row = connection.execute("SELECT data FROM content WHERE key = ?", (key,)).fetchone()
+    return _prove_content(key, None if row is None else row[0])
+
+
+def _prove_content(key: str, data: object) -> bytes:
+    if not isinstance(data, bytes) or content_key(data) != key:
+        raise DamageError(f"its content {key} is damaged")
+    return data
 
 
 def row_checksum(values: Sequence[Any]) -> str:
@@ -143,10 +154,17 @@ def _make(connection: sqlite3.Connection, change: Change) -> None:
             after = "DELETE FROM edit WHERE item = ? AND editor = ? AND number >= ?"
             connection.execute(after, (edit.item, edit.editor, edit.number))
             _put(connection, EDITS, edit)
-        case DropDraft(item, editor):
-            connection.execute("DELETE FROM draft WHERE item = ? AND editor = ?", (item, editor))
         case PutLayout(name, document):
             _put(connection, LAYOUTS, Layout(name, document))
+        case DropDraft() | DropLayout():
+            _drop(connection, change)
+
+
+def _drop(connection: sqlite3.Connection, change: DropDraft | DropLayout) -> None:
+    if isinstance(change, DropDraft):
+        connection.execute("DELETE FROM draft WHERE item = ? AND editor = ?", (change.item, change.editor))
+    else:
+        connection.execute("DELETE FROM layout WHERE name = ?", (change.name,))
 
 
 def _add_revision(connection: sqlite3.Connection, revision: Revision) -> None:

@@ -42,6 +42,14 @@ class Revision(msgspec.Struct, frozen=True):
     aside: bool = False
 
 
+class BroughtItem(msgspec.Struct, frozen=True):
+    """An item of another show file with the one revision that plays, and the bytes of its content."""
+
+    item: Item
+    revision: Revision
+    content: bytes
+
+
 class Draft(msgspec.Struct, frozen=True):
     """One editor's unsaved work at an item: the revision it began from, and which of its edits is shown."""
 
@@ -106,7 +114,13 @@ class PutLayout(msgspec.Struct, frozen=True, tag=True):
     document: bytes
 
 
-Change = PutContent | PutItem | PutRevision | PutDraft | PutEdit | DropDraft | PutLayout
+class DropLayout(msgspec.Struct, frozen=True, tag=True):
+    """Removes a page's document."""
+
+    name: str
+
+
+Change = PutContent | PutItem | PutRevision | PutDraft | PutEdit | DropDraft | PutLayout | DropLayout
 
 
 class Stored(msgspec.Struct, frozen=True):

@@ -15,6 +15,7 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, ru
 from omote.edit.protocol import messages as wire
 from omote.edit.protocol.orders import Baked
 from omote.edit.protocol.wire import encode, read_recipe
+from omote.edit.session.console_requests import keep_on_air
 from omote.edit.session.draft_queue import MOST_WAITING
 from omote.edit.session.edit_session import EditSession, Outcome, Outgoing
 from omote.edit.store.on_air_recipes import OnAir
@@ -189,14 +190,16 @@ def test_what_was_asked_is_done_when_the_page_is_gone(slow: EditHarness) -> None
 
 
 def test_what_is_on_air_is_kept_as_it_was_when_the_key_was_pressed(slow: EditHarness) -> None:
-    slow.session.keep("face", OnAir({"broad": 1.0}), label=None, wall=WALL, editor="console", ticket="a")
-    first = slow.session.keep("face", OnAir({"long": 1.0}), label=None, wall=WALL, editor="console", ticket="b")
+    keep_on_air(slow.session, "face", OnAir({"broad": 1.0}), label=None, wall=WALL, editor="console", ticket="a")
+    first = keep_on_air(slow.session, "face", OnAir({"long": 1.0}), label=None, wall=WALL, editor="console", ticket="b")
     assert (first.orders, first.kept) == ((), ()), "it waits for the one before, so that labels are in order"
 
 
 def test_too_many_presses_are_refused(slow: EditHarness) -> None:
     presses = [
-        slow.session.keep("face", OnAir({"broad": 1.0}), label=None, wall=WALL, editor="console", ticket=str(number))
+        keep_on_air(
+            slow.session, "face", OnAir({"broad": 1.0}), label=None, wall=WALL, editor="console", ticket=str(number)
+        )
         for number in range(MOST_WAITING + 2)
     ]
     (kept,) = presses[-1].kept

@@ -9,6 +9,7 @@ from omote.showfile.changes import (
     Change,
     Draft,
     DropDraft,
+    DropLayout,
     Edit,
     Item,
     PutContent,
@@ -43,7 +44,7 @@ def histories(draw: st.DrawFn) -> list[Change]:
     saved = {1: 0, 2: 0}
     for _ in range(draw(st.integers(0, 30))):
         key = draw(st.sampled_from([1, 2])), draw(editors)
-        match draw(st.sampled_from(["edit", "edit", "edit", "revision", "drop", "layout", "content"])):
+        match draw(st.sampled_from(["edit", "edit", "edit", "revision", "drop", "layout", "no layout", "content"])):
             case "edit":
                 number = draw(st.integers(0, steps.get(key, 0)))
                 changes += [PutDraft(Draft(*key, 0, number)), PutEdit(Edit(*key, number, b"{}", "step"))]
@@ -56,6 +57,8 @@ def histories(draw: st.DrawFn) -> list[Change]:
                 steps.pop(key, None)
             case "layout":
                 changes.append(PutLayout(key[1], b"{}"))
+            case "no layout":
+                changes.append(DropLayout(key[1]))
             case _:
                 changes.append(PutContent("key", b"bytes"))
     return changes

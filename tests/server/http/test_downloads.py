@@ -10,7 +10,8 @@ import pytest
 from aiohttp import web
 
 from omote.model.cast import Cast
-from omote.server.http.downloads import COMMAND, Downloads, last_sentence, plan_download
+from omote.server.http.command_process import COMMAND
+from omote.server.http.downloads import Downloads, plan_download
 from omote.showfile.contents import content_key, pack_expression
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
 
@@ -89,8 +90,3 @@ async def test_the_real_command_writes_a_document(tmp_path: Path, playing: Playi
     with pytest.raises(web.HTTPServiceUnavailable) as refused:
         await Downloads(lambda: tmp_path / "none.omote", COMMAND).respond(asked("smile.json"), playing)
     assert "there is no show file" in (refused.value.text or "")
-
-
-def test_silence_is_a_sentence_too() -> None:
-    assert last_sentence(b"") == "the export failed; try again"
-    assert last_sentence(b"omote: one.\nomote: two.\n") == "two."

@@ -16,7 +16,6 @@ from omote.edit.protocol.messages import EDITING_LIMIT, EDITING_PATH
 from omote.edit.protocol.wire import decode_answer
 from omote.model.cast import Cast
 from omote.server.http.cast_documents import CastDocuments
-from omote.server.http.editor_link import MOST_LAYOUTS
 from omote.server.workers.workshop import RefusedOrderError
 from omote.show import messages as wire
 from omote.show.messages import CompoundAsset, ContentAsset, Manifest
@@ -154,6 +153,12 @@ async def test_a_console_keeps_what_is_on_air(edit_harness: EditHarness) -> None
     now = await manifest(edit_harness)
     assert [now.faces[-1].name, now.expressions[-1].name] == [each.name for each in kept]
     assert [now.faces[-1].label, now.expressions[-1].label] == [each.label for each in kept]
+    await console.send_bytes(encode(wire.UndoKeep("m", "face", kept[0].name)))
+    said = await answer(console)
+    while not isinstance(said, wire.KeepUndone):
+        said = await answer(console)
+    assert said == wire.KeepUndone("m", kept[0].label)
+    assert kept[0].name not in [face.name for face in (await manifest(edit_harness)).faces]
 
 
 async def test_two_editors_hear_of_each_other_and_the_second_is_told(edit_harness: EditHarness) -> None:
@@ -207,7 +212,6 @@ async def test_only_our_own_pages_may_edit(edit_harness: EditHarness, origin: st
 
 async def test_without_a_file_an_editor_is_told_that_nothing_can_be_kept(show_harness: ShowHarness) -> None:
     assert (await show_harness.client.get("/layouts/desk")).status == 204
-    assert await (await show_harness.client.get("/layouts")).json() == []
     console = await show_harness.link()
     await console.send_bytes(encode(wire.KeepFace("k")))
     said = await answer(console)
@@ -227,26 +231,26 @@ async def test_an_editor_of_a_show_without_a_file_is_told(cast: Cast) -> None:
         assert isinstance(await answer(console), wire.Refused)
 
 
-async def test_a_page_finds_its_layout_again(edit_harness: EditHarness) -> None:
-    console = await edit_harness.link()
-    await console.send_bytes(encode(wire.SetLayout("desk", '{"order": ["smile"]}')))
+async def test_a_page_finds_its_layout_again_and_all_consoles_hear_which_there_are(edit_harness: EditHarness) -> None:
+    console, other = await edit_harness.link(), await edit_harness.link()
+    document = '{"order": ["smile"]}'
+    for message, there in [
+        (wire.SetLayout("desk", document), ["desk"]),
+        (wire.RenameLayout("desk", "left"), ["left"]),
+        (wire.SetLayout("right", "1"), ["left", "right"]),
+        (wire.DropLayout("right"), ["left"]),
+    ]:
+        await console.send_bytes(encode(message))
+        assert await answer(console) == await answer(other) == wire.Layouts(there)
     await console.send_bytes(encode(wire.SetLayout("desk 2", "{no JSON")))
     said = await answer(console)
     assert isinstance(said, wire.Refused)
     assert "desk 2" in said.reason
-    await console.send_bytes(encode(wire.SetLayout("desk 3", "[" * 3000)))
-    said = await answer(console)
-    assert isinstance(said, wire.Refused)
-    assert "desk 3" in said.reason
-    response = await edit_harness.client.get("/layouts/desk")
-    assert (response.content_type, await response.text()) == ("application/json", '{"order": ["smile"]}')
-    assert (await edit_harness.client.get("/layouts/desk%202")).status == 204
-    assert await (await edit_harness.client.get("/layouts")).json() == ["desk"]
-    for number in range(MOST_LAYOUTS):
-        await console.send_bytes(encode(wire.SetLayout(f"page {number}", "1")))
-    said = await answer(console)
-    assert isinstance(said, wire.Refused)
-    assert str(MOST_LAYOUTS) in said.reason
+    response = await edit_harness.client.get("/layouts/left")
+    assert (response.content_type, await response.text()) == ("application/json", document)
+    assert (await edit_harness.client.get("/layouts/desk")).status == 204
+    late = await edit_harness.link()
+    assert await answer(late) == wire.Layouts(["left"])
 
 
 async def test_an_edit_that_the_file_refuses_is_undone_for_everybody(

@@ -3,6 +3,8 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";
+import { importFiles } from "../link/import_file";
+import { onFileDrop } from "../ui/file_drop";
 import { listenToKeys } from "../ui/key_presses";
 import { base, palette } from "../ui/theme";
 import { style } from "./console_page_style";
@@ -13,8 +15,8 @@ import { LOW, NARROW } from "./controls/screen_sizes";
 import type { TBar } from "./controls/t_bar";
 import type { Monitor } from "./panels/monitor";
 import type { Palette } from "./panels/palette";
+import type { Topic } from "./store/cast_store";
 import { VIEWS, type View } from "./store/console_layout";
-import type { Topic } from "./store/console_store";
 import { type Command, commandOf, isPanic } from "./store/keys";
 import { neighbour } from "./store/timing";
 import "./panels/bank";
@@ -35,6 +37,7 @@ export class ConsolePage extends ConsoleElement {
   @property({ attribute: false }) notices: HTMLElement | null = null;
   @state() private dialog: "help" | "setup" | null = null;
   #deaf: () => void = () => undefined;
+  #closed: () => void = () => undefined;
   @query("omote-monitor") private monitor!: Monitor;
 
   static override styles = [palette, base, style];
@@ -46,12 +49,14 @@ export class ConsolePage extends ConsoleElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#deaf = listenToKeys({ everywhere: this.#panicKey, page: this.#key });
+    this.#closed = onFileDrop((files) => void this.#takeIn(files));
     IN_TURN.addEventListener("change", this.#resized);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#deaf();
+    this.#closed();
     IN_TURN.removeEventListener("change", this.#resized);
   }
 
@@ -117,6 +122,13 @@ export class ConsolePage extends ConsoleElement {
     this.dialog = null;
   };
 
+  /** Expressions that are dropped on the page come under Own. */
+  async #takeIn(files: readonly File[]): Promise<void> {
+    const { done, failed } = await importFiles(files, "expression");
+    const sentences = [done, ...failed, failed.length > 0 ? "Faces come in by the editor (In & out)." : ""];
+    this.store.say(sentences.filter((one) => one !== "").join(" "), failed.length > 0 ? "attention" : "done");
+  }
+
   readonly #panicKey = (event: KeyboardEvent): boolean => {
     if (!isPanic(event)) return false;
     if (!event.repeat) this.store.panic(); // held down it is one press
@@ -134,6 +146,7 @@ export class ConsolePage extends ConsoleElement {
     if (command.do === "help") this.#show("help");
     else if (command.do === "centre") this.store.centre();
     else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.state?.channels ?? {}));
+    else if (command.do === "undo") this.store.undo();
     else if (command.do === "focus") this.#at<LightRow | Palette | Pad | TBar>(PLACES[command.place])?.focus();
     else this.#obeyAxis(command);
   }

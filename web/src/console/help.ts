@@ -58,6 +58,7 @@ export class Help extends ConsoleElement {
       <p><b class="air">Red</b> is on air, <b class="coming">green</b> is coming, white is your hand, <b class="attention">yellow</b> wants attention.</p>
       <p>You look at the face: right on a pad is the character's left, so the face on screen turns towards your dot. R and L on faders and pads are the character's own sides.</p>
       <p>A T-bar takes a call over when its handle meets the call's value (pick-up). Drag with Shift for fine moves; twice on a control puts it to rest; the wheel steps.</p>
+      <p>A name on a control is that of another console whose hand is on it, yellow where yours is too: who moved last has it. <i>Set-up</i> gives this console its name.</p>
       <p>A face or an expression of your own opens in the editor by the pencil on its tile: point at it, or hold a finger on it.</p>
       <button @click=${this.#close}>Close</button>
     </section>`;

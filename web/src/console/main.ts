@@ -3,6 +3,7 @@
 import { FaceView } from "../face/face_view";
 import { THUMBNAIL } from "../face/framing";
 import { restPose } from "../face/pose/pose";
+import { snapshot } from "../face/snapshot";
 import { Library } from "../link/assets";
 import { ShowLink } from "../link/show_link";
 import { FramePainter } from "../ui/frame_painter";
@@ -10,6 +11,7 @@ import { ShowNoticesView } from "../ui/show_notices_view";
 import { type DrawThumbnail, THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
 import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
+import { ConsoleName } from "./store/console_name";
 import { ConsoleStore } from "./store/console_store";
 import { LayoutStorage, layoutName } from "./store/layout_storage";
 
@@ -17,6 +19,7 @@ import { LayoutStorage, layoutName } from "./store/layout_storage";
 const consoleId = (): string =>
   [...crypto.getRandomValues(new Uint32Array(2))].map((part) => part.toString(36)).join("");
 
+const ownName = new ConsoleName(() => localStorage);
 /** What the page has fetched of the cast; none before the server has answered. */
 let library: Library | null = null;
 /** It may be another than was fetched: the server said so meanwhile. */
@@ -36,19 +39,27 @@ function connect(shown: ShowNoticesView): { store: ConsoleStore; link: ShowLink 
     () => performance.now(),
     consoleId(),
   );
-  const link = new ShowLink("console", {
-    welcome: ({ digest }) => {
-      if (store.manifest !== null && store.manifest.digest !== digest) void recast(store);
+  const link = new ShowLink(
+    "console",
+    {
+      welcome: ({ digest, name }) => {
+        store.receiveName(name);
+        if (store.manifest !== null && store.manifest.digest !== digest) void recast(store);
+      },
+      cast: () => void recast(store),
+      state: (state) => store.receiveState(state),
+      crew: (crew) => store.receiveCrew(crew),
+      kept: (kept) => store.receiveKept(kept),
+      keepUndone: (undone) => store.receiveUndone(undone),
+      layouts: (names) => store.receiveLayouts(names),
+      hands: (hands) => store.receiveHands(hands),
+      refused: (reason) => store.say(reason),
+      notices: (all) => shown.notices.receive(all),
+      connected: (up) => store.setOnline(up),
+      trip: (seconds) => store.receiveTrip(seconds * 1000),
     },
-    cast: () => void recast(store),
-    state: (state) => store.receiveState(state),
-    crew: (crew) => store.receiveCrew(crew),
-    kept: (kept) => store.receiveKept(kept),
-    refused: (reason) => store.say(reason),
-    notices: (all) => shown.notices.receive(all),
-    connected: (up) => store.setOnline(up),
-    trip: (seconds) => store.receiveTrip(seconds * 1000),
-  });
+    ownName.read,
+  );
   return { store, link };
 }
 
@@ -58,8 +69,7 @@ async function openThumbnails(library: Library): Promise<DrawThumbnail> {
   view.resize(THUMBNAIL_SIZE.width, THUMBNAIL_SIZE.height);
   return async ({ face, expression }) => {
     await view.present(restPose(face, expression));
-    if (!view.alive) throw new Error("the graphics context is lost for a moment");
-    return createImageBitmap(view.canvas);
+    return snapshot(view);
   };
 }
 
@@ -72,12 +82,21 @@ function stayAwake(): void {
   ask();
 }
 
+/** All that the page's elements play with. */
+function contextOf(store: ConsoleStore, link: ShowLink): ConsoleContext {
+  const rename = (name: string): void => {
+    ownName.write(name);
+    link.introduce();
+  };
+  const layouts = new LayoutStorage(store, layoutName(location.search), (message) => link.send(message));
+  return { store, painter: new FramePainter(), thumbnails: new Thumbnails(), layouts, rename };
+}
+
 async function start(): Promise<void> {
   const shown = new ShowNoticesView();
   shown.classList.add("in-bar");
   const { store, link } = connect(shown);
-  const layouts = new LayoutStorage(store, layoutName(location.search), (message) => link.send(message));
-  const context: ConsoleContext = { store, painter: new FramePainter(), thumbnails: new Thumbnails(), layouts };
+  const context = contextOf(store, link);
   context.painter.add({ paint: () => context.store.flush() }); // first in each frame, so that what was drawn is what was sent
   const page = new ConsolePage();
   page.context = context;
@@ -86,7 +105,7 @@ async function start(): Promise<void> {
   context.painter.start();
   stayAwake();
   library = await Library.open();
-  await layouts.open();
+  await context.layouts.open();
   store.setManifest(library.manifest);
   if (stale) void recast(context.store);
   await page.open(library);

@@ -1,31 +1,24 @@
-/** The set-up of a console: the face that a second panic brings, and layouts by name. */
+/** The set-up of a console: the face that a second panic brings, easings, its name, and layouts. */
 
-import { css, html } from "lit";
-import { customElement, query, state } from "lit/decorators.js";
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
 import { EASING_NAMES } from "../link/constants";
 import { closeOutside, curtain } from "../ui/dialog_style";
 import { layerWhileShown } from "../ui/key_presses";
 import { base, entry } from "../ui/theme";
 import { ConsoleElement, chosenIn } from "./controls/console_element";
+import { offersOf, offersStyle } from "./panels/offers";
 import type { Axis } from "./store/axis";
-import type { ConsoleLayout } from "./store/console_layout";
-import type { Topic } from "./store/console_store";
-import { DEFAULT_LAYOUT } from "./store/layout_storage";
+import type { Topic } from "./store/cast_store";
+import { LONGEST_CONSOLE_NAME } from "./store/console_name";
 import { MANY_CHOICES, secondsLabel } from "./store/timing";
+import "./setup_layouts";
 
 const AXES: readonly Axis[] = ["face", "expression"];
-const LONGEST_NAME = 40;
 
 /** Home face and layouts, over everything else but panic. Tells `close`. */
 @customElement("omote-setup")
 export class Setup extends ConsoleElement {
-  @state() private names: readonly string[] = [];
-  /** The layout that is there already, and that saving once more replaces. */
-  @state() private replaces: string | null = null;
-  /** How the console was before a layout was chosen. */
-  @state() private earlier: ConsoleLayout | null = null;
-  @query("input") private entry!: HTMLInputElement;
-
   static override styles = [
     base,
     curtain,
@@ -49,8 +42,7 @@ export class Setup extends ConsoleElement {
         margin: 0;
         color: var(--dim);
       }
-      .row,
-      .names {
+      .row {
         display: flex;
         flex-wrap: wrap;
         align-items: center;
@@ -64,10 +56,17 @@ export class Setup extends ConsoleElement {
         ${entry}
         min-height: 26px;
       }
-      .names button {
-        overflow-wrap: anywhere;
+      .said {
+        padding: 6px 10px;
+        border: 1px solid var(--line);
+        border-radius: 4px;
+        color: var(--text);
+      }
+      .said.attention {
+        color: var(--attention);
       }
     `,
+    offersStyle,
   ];
 
   constructor() {
@@ -77,38 +76,35 @@ export class Setup extends ConsoleElement {
   }
 
   protected override topics(): readonly Topic[] {
-    return ["panic", "cast", "timing"];
+    return ["panic", "cast", "timing", "layouts", "notice"];
   }
 
   override firstUpdated(): void {
     this.renderRoot.querySelector("select")?.focus();
-    void this.#list();
   }
 
   override render() {
-    const chosen = this.context.layouts.chosen;
     return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Set-up">
+      ${this.#said()}
       <h2>Home face</h2>
       <p>Panic holds the face on air still; panic again brings this one, on every console.</p>
       ${this.#home()}
       <h2>Easing</h2>
       <div class="row">${AXES.map((axis) => this.#easing(axis))}</div>
-      <h2>Layout</h2>
-      <p>What you set (times, by hand, palettes, faders) stays in this browser. A saved layout can be chosen on every console of this show.</p>
-      <div class="names" role="group" aria-label="Choose a layout">
-        ${this.names.map(
-          (name) =>
-            html`<button data-layout=${name} aria-pressed=${name === chosen} @click=${() => this.#choose(name)}>${name}</button>`,
-        )}
+      <h2>This console</h2>
+      <p>What the others read on a control that your hand is on.</p>
+      <div class="row">
+        <input aria-label="Name of this console" maxlength=${LONGEST_CONSOLE_NAME} .value=${this.store.name} @change=${this.#rename} />
       </div>
-      <p>A fresh console opens with the layout that is saved under the name ${DEFAULT_LAYOUT}.</p>
-      <form class="row" @submit=${this.#save}>
-        <input aria-label="Name of the layout" maxlength=${LONGEST_NAME} placeholder="name of a layout" @input=${this.#rename} .value=${chosen === DEFAULT_LAYOUT ? "" : chosen} />
-        <button type="submit">${this.replaces === null ? "Save as" : "Replace it"}</button>
-      </form>
-      ${this.earlier === null ? "" : html`<div class="row"><button @click=${this.#back}>Back to how it was</button></div>`}
+      <omote-layouts .context=${this.context}></omote-layouts>
       <div class="row"><button class="close" @click=${() => this.#close()}>Close</button></div>
     </section>`;
+  }
+
+  /** What the bar says, for it lies behind this on a small screen. */
+  #said() {
+    const { notice, tone } = this.store;
+    return notice === null ? nothing : html`<p class="said ${tone}">${notice} ${offersOf(this.store)}</p>`;
   }
 
   #home() {
@@ -133,54 +129,11 @@ export class Setup extends ConsoleElement {
     </select>`;
   }
 
-  async #list(): Promise<void> {
-    this.names = await this.context.layouts.names();
-  }
-
-  async #choose(name: string): Promise<void> {
-    this.earlier ??= this.store.layout;
-    await this.context.layouts.choose(name);
-    this.replaces = null;
-    this.store.say(`Laid out as ${name}.`, "done");
-    this.requestUpdate();
-  }
-
-  readonly #back = (): void => {
-    if (this.earlier !== null) this.store.arrange(this.earlier);
-    this.earlier = null;
-    this.store.say(null);
+  readonly #rename = (event: Event): void => {
+    const field = event.target as HTMLInputElement;
+    this.context.rename(field.value);
+    if (!this.store.online) this.store.say("The others read it once the link to the show is back.");
   };
-
-  readonly #rename = (): void => {
-    this.replaces = null;
-  };
-
-  /** Saves under a name; one that is there, in whatever case, is replaced only by a second press. */
-  readonly #save = (event: Event): void => {
-    event.preventDefault();
-    const typed = this.entry.value.trim();
-    if (typed === "") {
-      this.store.say("Not saved: type a name for the layout first.");
-      this.entry.focus();
-      return;
-    }
-    const known = this.names.find((name) => name.toLowerCase() === typed.toLowerCase());
-    if (known !== undefined && this.replaces !== known) {
-      this.replaces = known;
-      this.store.say(`Every console has a layout ${known}: press once more to replace it, or type another name.`);
-    } else this.#send(known ?? typed);
-  };
-
-  #send(name: string): void {
-    this.replaces = null;
-    if (!this.context.layouts.save(name)) {
-      this.store.say("Not saved: the link to the show is lost.");
-      return;
-    }
-    if (!this.names.includes(name)) this.names = [...this.names, name];
-    this.requestUpdate();
-    this.store.say(`Saved as ${name}: every console can choose it.`, "done");
-  }
 
   #close(): void {
     this.dispatchEvent(new CustomEvent("close"));

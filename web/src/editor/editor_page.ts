@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
+import { onFileDrop } from "../ui/file_drop";
 import { listenToKeys } from "../ui/key_presses";
 import { base, palette } from "../ui/theme";
 import { exposeProbe } from "./canvas/canvas_probe";
@@ -14,7 +15,7 @@ import { hintOf } from "./page/hints";
 import type { ItemListPanel } from "./page/item_list";
 import { type Command, commandOf, type View } from "./page/keys";
 import type { Topic } from "./session/draft_store";
-import { type Kind, redo, undo } from "./session/item_commands";
+import { type Kind, redo, takeIn, undo } from "./session/item_commands";
 import "./page/heading";
 import "./page/help";
 import "./page/loading_view";
@@ -36,6 +37,7 @@ export class EditorPage extends EditorElement {
   @query("omote-heading") private heading!: Heading;
   #view: EditorCanvas | null = null;
   #deaf: () => void = () => undefined;
+  #closed: () => void = () => undefined;
   /** The item that was open when the page was last drawn. */
   #open = -1;
 
@@ -48,11 +50,13 @@ export class EditorPage extends EditorElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#deaf = listenToKeys({ page: this.#key });
+    this.#closed = onFileDrop((files) => void takeIn(this.store, files, kindOf(files, this.store.item?.kind)));
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#deaf();
+    this.#closed();
     this.#view?.dispose();
   }
 
@@ -143,3 +147,7 @@ export class EditorPage extends EditorElement {
     else if (store.selection.size > 0) store.select([]);
   }
 }
+
+/** Documents are expressions; a head is what is under work. */
+const kindOf = (files: readonly File[], open: Kind = "expression"): Kind =>
+  files.some(({ name }) => name.toLowerCase().endsWith(".json")) ? "expression" : open;

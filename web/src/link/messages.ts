@@ -1,15 +1,19 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 2;
+export const PROTOCOL_VERSION = 3;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
 
-/** Opens a link; other messages are rejected before it. */
+/**
+ * Opens a link; other messages are rejected before it. `name`: what a console's operator calls it; a second hello
+ * changes it.
+ */
 export interface Hello {
   type: "hello";
   role: "stage" | "console";
   version: number;
+  name: string;
 }
 
 /** Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once. */
@@ -110,11 +114,38 @@ export interface KeepExpression {
   id: string;
 }
 
-/** Stores a page's layout (JSON) in the show file under a name; `/layouts/NAME` returns it. */
+/**
+ * Takes what a console kept out of the cast again; rejected while it is on air, and once it has been edited.
+ * Answered with `keep_undone`.
+ */
+export interface UndoKeep {
+  type: "undo_keep";
+  id: string;
+  kind: "face" | "expression";
+  name: string;
+}
+
+/**
+ * Stores a page's layout (JSON) in the show file under a name; `/layouts/NAME` returns it. Answered, as the two
+ * below, with `layouts`.
+ */
 export interface SetLayout {
   type: "set_layout";
   name: string;
   document: string;
+}
+
+/** Gives a layout of the show file another name, which none has yet. */
+export interface RenameLayout {
+  type: "rename_layout";
+  name: string;
+  to: string;
+}
+
+/** Takes a layout out of the show file. */
+export interface DropLayout {
+  type: "drop_layout";
+  name: string;
 }
 
 /** Asks for a pong; `sent` is the client's own clock and comes back unchanged. */
@@ -130,13 +161,17 @@ export interface Drawing {
   level: "lowest" | "low" | "medium" | "high";
 }
 
-/** Answers hello: `epoch` rises with each server start, `revision` with each change of the documents. */
+/**
+ * Answers hello: `epoch` rises with each server start, `revision` with each change of the documents. `name`: what
+ * the others call this console.
+ */
 export interface Welcome {
   type: "welcome";
   version: number;
   epoch: number;
   revision: number;
   digest: string;
+  name: string;
 }
 
 /** The cast has changed: pages fetch the manifest again and go on. */
@@ -152,6 +187,32 @@ export interface Kept {
   id: string;
   name: string;
   label: string;
+}
+
+/** Answers undo_keep: what was kept under this label is not in the cast any more. */
+export interface KeepUndone {
+  type: "keep_undone";
+  id: string;
+  label: string;
+}
+
+/**
+ * The names of all layouts in the show file, sorted: complete, to consoles after the welcome and with each
+ * change.
+ */
+export interface Layouts {
+  type: "layouts";
+  names: string[];
+}
+
+/**
+ * What hands at other consoles have moved within the last second, and the name of the console: complete, to each
+ * console when it changes, and once a second. Keys are tags of messages (`fade_face`, `set_head`), of a channel with
+ * its name (`set_channel:jawOpen`).
+ */
+export interface Hands {
+  type: "hands";
+  hands: Record<string, string>;
 }
 
 /**
@@ -471,8 +532,22 @@ export type FromClient =
   | SetHome
   | KeepFace
   | KeepExpression
+  | UndoKeep
   | SetLayout
+  | RenameLayout
+  | DropLayout
   | Ping
   | Drawing;
 
-export type FromServer = Welcome | CastChanged | State | Pong | Kept | Refused | Notices | Crew;
+export type FromServer =
+  | Welcome
+  | CastChanged
+  | State
+  | Pong
+  | Kept
+  | KeepUndone
+  | Refused
+  | Notices
+  | Layouts
+  | Hands
+  | Crew;

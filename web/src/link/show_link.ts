@@ -1,7 +1,19 @@
 /** The link of stages and consoles to the show. */
 
 import { now, ServerClock } from "./clock";
-import type { Crew, FromClient, FromServer, Hello, Kept, Notice, Pong, State, Welcome } from "./messages";
+import type {
+  Crew,
+  FromClient,
+  FromServer,
+  Hands,
+  Hello,
+  KeepUndone,
+  Kept,
+  Notice,
+  Pong,
+  State,
+  Welcome,
+} from "./messages";
 import { LINK_PATH, PROTOCOL_VERSION } from "./messages";
 import { ReconnectingSocket } from "./reconnecting_socket";
 
@@ -36,6 +48,12 @@ export interface LinkHandlers {
   cast?: () => void;
   /** What was asked to be kept is in the cast. */
   kept?: (kept: Kept) => void;
+  /** What was kept is not in the cast any more. */
+  keepUndone?: (undone: KeepUndone) => void;
+  /** The names of all layouts in the show file. */
+  layouts?: (names: readonly string[]) => void;
+  /** What hands at other consoles move, by control, and the names of those consoles. */
+  hands?: (hands: Hands["hands"]) => void;
   /** Everything that the crew must know: all of it, each time. */
   notices?: (notices: readonly Notice[]) => void;
   /** A message of ours was not obeyed; the sentence is for the operator. */
@@ -61,11 +79,12 @@ export class ShowLink {
   constructor(
     private readonly role: Hello["role"],
     private readonly handlers: LinkHandlers = {},
+    private readonly name: () => string = () => "",
   ) {
     this.socket = new ReconnectingSocket(LINK_PATH, {
       silence: SILENCE,
       interval: 250,
-      opened: () => this.send({ type: "hello", role: this.role, version: PROTOCOL_VERSION }),
+      opened: () => this.introduce(),
       received: (message) => this.obey(message),
       lost: (wasUp) => wasUp && this.handlers.connected?.(false),
       expects: () => true,
@@ -81,6 +100,11 @@ export class ShowLink {
   /** Sends a message; false when the link is down (it is not kept: a late command is worse than none). */
   send(message: FromClient): boolean {
     return this.socket.send(message);
+  }
+
+  /** Says who this is: when the link opens, and again under another name. */
+  introduce(): void {
+    this.send({ type: "hello", role: this.role, version: PROTOCOL_VERSION, name: this.name() });
   }
 
   /** Ends the link for good. */
@@ -104,14 +128,31 @@ export class ShowLink {
       case "pong":
         this.pong(message);
         break;
-      case "crew":
-        this.handlers.crew?.(message);
-        break;
       case "cast":
         this.recast(message.revision);
         break;
+      default:
+        this.tell(message);
+    }
+  }
+
+  /** What only the page itself has a use for. */
+  private tell(message: Exclude<FromServer, { type: "welcome" | "state" | "pong" | "cast" }>): void {
+    switch (message.type) {
+      case "crew":
+        this.handlers.crew?.(message);
+        break;
       case "kept":
         this.handlers.kept?.(message);
+        break;
+      case "keep_undone":
+        this.handlers.keepUndone?.(message);
+        break;
+      case "layouts":
+        this.handlers.layouts?.(message.names);
+        break;
+      case "hands":
+        this.handlers.hands?.(message.hands);
         break;
       case "notices":
         this.handlers.notices?.(message.notices);

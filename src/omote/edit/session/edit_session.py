@@ -5,7 +5,7 @@ The server commits an outcome's changes before it sends its replies, so whatever
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 
@@ -16,7 +16,7 @@ from omote.edit.protocol.names import clean_label
 from omote.edit.protocol.orders import Baked, EditOrder
 from omote.edit.protocol.validation import Bounds
 from omote.edit.protocol.wire import decode, decode_baked, read_recipe, write_recipe
-from omote.edit.session import drafts, items, saving
+from omote.edit.session import drafts, items
 from omote.edit.session.draft_queue import DraftQueues, Task
 from omote.edit.session.plan import Authored, KeepOutcome, Plan, Result
 from omote.edit.session.requests import RequestContext, queue_key
@@ -24,13 +24,13 @@ from omote.edit.session.requests import answer as respond
 from omote.edit.session.saving import Author
 from omote.edit.store.authored_state import AuthoredState, DraftKey
 from omote.edit.store.content_store import ContentStore
-from omote.edit.store.on_air_recipes import OnAir, recipe_on_air
+from omote.edit.store.on_air_recipes import OnAir
 from omote.edit.store.sources import Sources
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY
 from omote.show.messages import Message
 from omote.show.validation import Refusal
-from omote.showfile.changes import Change, Kind, Stored
+from omote.showfile.changes import Change, Stored
 from omote.stage_data.playing_cast import Own, digest_of
 
 
@@ -153,17 +153,13 @@ class EditSession:
         self.crew.pop(who, None)
         return self._outcome(_Answer(listed=True))
 
-    def keep(
-        self, kind: Kind, on_air: OnAir, *, label: str | None, wall: float, editor: str, ticket: str = ""
-    ) -> Outcome:
-        """Stores what is on air as a new item; `Outcome.kept` reports the result, now or after an order."""
-        authored, answer, author = self.authored, _Answer(), Author(editor, "", wall)
+    def carry_out(self, begin: Callable[[], Plan | Result], ticket: str, queue: DraftKey | None = None) -> Outcome:
+        """Carries out what a console asks, after what waits in the queue; `Outcome.kept` reports it under the ticket."""
+        answer, task = _Answer(), Task(queue, begin, ticket=ticket)
         try:
-            recipe = recipe_on_air(kind, on_air, authored.net, authored.sources)
-            plan = saving.keep(authored, kind, label, recipe, author, ticket)
-            self._start(answer, Task((0, ""), lambda: plan, ticket=ticket))
+            self._start(answer, task)
         except Refusal as refusal:
-            answer.kept.append(KeepOutcome(ticket, trouble=str(refusal)))
+            self._fail(answer, task, refusal)
         return self._outcome(answer)
 
     # --- receiving ----------------------------------------------------------------------------------------------------

@@ -53,7 +53,8 @@ class Authored:
 
 
 class KeepOutcome(msgspec.Struct, frozen=True):
-    """The result of one "save what is on air": the new item, or the trouble, in one sentence.
+    """The result of what a console asked to keep: the new item, or the one that is not kept any more (undone), or the
+    trouble, in one sentence.
 
     ticket: the caller's identifier.
     """
@@ -64,6 +65,7 @@ class KeepOutcome(msgspec.Struct, frozen=True):
     label: str = ""
     kind: Kind = "expression"
     trouble: str = ""
+    undone: bool = False
 
 
 @dataclass(frozen=True)

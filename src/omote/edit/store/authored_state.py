@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from omote.showfile.changes import (
     Change,
     DropDraft,
+    DropLayout,
     Edit,
     Item,
     PutContent,
@@ -120,6 +121,10 @@ class AuthoredState:
     @_apply.register
     def _(self, change: PutLayout) -> None:
         self.layouts[change.name] = change.document
+
+    @_apply.register
+    def _(self, change: DropLayout) -> None:
+        self.layouts.pop(change.name, None)
 
 
 def _complete_steps(edits: Iterable[Edit]) -> dict[DraftKey, list[Edit]]:

@@ -18,6 +18,7 @@ from omote.server.http.editor_link import NO_FILE, EditorLinks
 from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
 from omote.server.http.security import add_headers, guard, silence_bad_requests
 from omote.server.http.static_pages import PAGES, Page
+from omote.server.http.uploads import Uploads
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Notice, Refused, State
@@ -47,6 +48,7 @@ class ShowServer:
         self.session, self.documents, self.links, self.clock = session, documents, Links(), clock
         self.editing: EditorLinks | None = None
         self.downloads: Downloads | None = None
+        self.uploads: Uploads | None = None
         self._pages = pages
         self._state: State | None = None
 
@@ -67,8 +69,10 @@ class ShowServer:
             announce=self.announce,
             report=report,
             notices=lambda: self.session.notices,
+            post_layouts=self.post_layouts,
             clock=self.clock,
         )
+        self.session.layouts = self.editing.layout_names()
 
     def on_air(self) -> OnAir:
         """What is on air now; `coming` includes what was called since the last tick."""
@@ -83,9 +87,9 @@ class ShowServer:
         application.router.add_get(LINK_PATH, self.link)
         if self.editing is not None:
             application.router.add_get(EDITING_PATH, self.editing.link)
-        application.router.add_get("/layouts", self.layout_names)
         application.router.add_get("/layouts/{name}", self.layout)
         application.router.add_get("/exports/{file}", self.export)
+        application.router.add_post("/imports/{file}", self.take_in)
         application.router.add_get("/manifest", self.manifest)
         application.router.add_get("/assets/{name}", self.asset)
         application.router.add_get("/compounds/{base}/{face}/{expression}", self.compound)
@@ -102,6 +106,7 @@ class ShowServer:
         state = self._state = self.session.tick(now)
         self.links.broadcast(encode(state), now)
         self.documents.set_on_air(state)
+        self._deliver(self.session.hands_now(now))
 
     def broadcast_crew(self) -> None:
         """Broadcasts who is connected."""
@@ -119,6 +124,11 @@ class ShowServer:
             self._deliver(self.session.notices_for(who))
         if self.editing is not None and self.session.notices:
             self.editing.send_notices(self.session.notices)
+
+    def post_layouts(self, names: list[str]) -> None:
+        """Tells all consoles the names of the layouts; later ones get them with their welcome."""
+        self.session.layouts = names
+        self._deliver(self.session.layouts_now())
 
     def announce(self, message: FromServer) -> None:
         """Sends one message to every link."""
@@ -197,10 +207,6 @@ class ShowServer:
             raise web.HTTPServiceUnavailable(text=f"{error}.") from error
         return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": keep})
 
-    async def layout_names(self, _: web.Request) -> web.Response:
-        """Responds with the names of the stored layouts (JSON)."""
-        return web.json_response([] if self.editing is None else self.editing.layout_names())
-
     async def layout(self, request: web.Request) -> web.Response:
         """Responds with a page's stored layout; 204 where there is none, for browsers log a 404 as an error."""
         found = None if self.editing is None else self.editing.layout(request.match_info["name"])
@@ -213,6 +219,12 @@ class ShowServer:
         if self.downloads is None:
             raise web.HTTPServiceUnavailable(text=f"nothing can be exported: {NO_FILE}")
         return await self.downloads.respond(request, self.documents.playing)
+
+    async def take_in(self, request: web.Request) -> web.Response:
+        """Takes in a file that a page sends, as expressions or a face (`?as=face`); responds with what it was."""
+        if self.uploads is None or self.editing is None:
+            raise web.HTTPServiceUnavailable(text=f"nothing can be taken in: {NO_FILE}")
+        return await self.uploads.respond(request, self.editing.take_in)
 
     async def page(self, request: web.Request) -> web.Response:
         """Responds with a built page or one of its files."""

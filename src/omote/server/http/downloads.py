@@ -7,7 +7,6 @@ commands write.
 from __future__ import annotations
 
 import asyncio
-import sys
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -15,19 +14,11 @@ from pathlib import Path
 
 from aiohttp import web
 
+from omote.server.http.command_process import COMMAND, CommandError, run_command
 from omote.stage_data.playing_cast import PlayingCast
 
-PROGRAM = """
-from omote.server.process.priority import lower_priority
-lower_priority()
-from omote.cli import main
-main()
-"""
-COMMAND = (sys.executable, "-c", PROGRAM)
 GLB, JSON = "model/gltf-binary", "application/json"
 KINDS = ("arkit", "performed", "makehuman", "all")
-LONGEST = 300.0
-"""Seconds that an export may take on a busy machine."""
 
 
 @dataclass(frozen=True)
@@ -60,20 +51,10 @@ class Downloads:
     async def _write(self, wanted: Download) -> bytes:
         with tempfile.TemporaryDirectory(prefix="omote-") as folder:
             path = Path(folder) / wanted.file
-            child = await asyncio.create_subprocess_exec(
-                *self._command, *wanted.options, "-o", str(path), "--", *wanted.arguments,
-                stdin=asyncio.subprocess.DEVNULL, stdout=asyncio.subprocess.DEVNULL, stderr=asyncio.subprocess.PIPE,
-            )  # fmt: skip
             try:
-                _, said = await asyncio.wait_for(child.communicate(), LONGEST)
-            except TimeoutError:
-                raise web.HTTPServiceUnavailable(text="the export took too long; try again when less plays.") from None
-            finally:
-                if child.returncode is None:
-                    child.kill()
-                    await child.wait()
-            if child.returncode:
-                raise web.HTTPServiceUnavailable(text=last_sentence(said))
+                await run_command([*wanted.options, "-o", str(path), "--", *wanted.arguments], self._command)
+            except CommandError as error:
+                raise web.HTTPServiceUnavailable(text=str(error)) from error
             return await asyncio.get_running_loop().run_in_executor(None, path.read_bytes)
 
 
@@ -101,9 +82,3 @@ def plan_download(show: Path, file: str, query: Mapping[str, str], playing: Play
 def _check(name: str, what: str, names: Mapping[str, str]) -> None:
     if name not in names:
         raise ValueError(f"there is no {what} {name[:80]!r} in this show; save it first: only what is saved goes out")
-
-
-def last_sentence(said: bytes) -> str:
-    """The last line that a command said, as a sentence for people."""
-    lines = said.decode(errors="replace").strip().splitlines()
-    return (lines[-1] if lines else "the export failed; try again").removeprefix("omote: ")

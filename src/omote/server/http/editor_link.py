@@ -11,18 +11,19 @@ import contextlib
 import sys
 import time
 import traceback
-from collections.abc import Awaitable, Callable, Coroutine
+from collections.abc import Awaitable, Callable, Coroutine, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
-import msgspec
 from aiohttp import WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_LIMIT, EditRefused, Greeted, ToEditor
 from omote.edit.protocol.orders import EditOrder
 from omote.edit.protocol.wire import encode
+from omote.edit.session.console_requests import answer_console
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.session.plan import KeepOutcome
+from omote.edit.session.saving import adopt
 from omote.edit.store.on_air_recipes import OnAir
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.cast_documents import CastDocuments
@@ -34,15 +35,12 @@ from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show import messages as wire
 from omote.show.rate_limit import TokenBucket
 from omote.show.session import KeepRequest
-from omote.showfile.changes import Change, Kind, PutLayout
+from omote.showfile.changes import BroughtItem, Change, DropLayout, PutLayout
 
 HEARD_RATE, HEARD_BURST = 60.0, 60.0
 """Messages per second read from one editor (a slider being dragged); more waits in the socket."""
 MOST_UNSENT = 512
 """Answers that wait for an editor who does not read; after that its link is cut, and it may come back."""
-MOST_LAYOUTS = 64
-CONSOLE = "the console"
-"""The name under which the history shows what was saved on air."""
 
 NO_FILE = (
     "there is no show file that can be written, so nothing can be edited or kept: name another file to `omote show`."
@@ -70,7 +68,8 @@ class EditorLinks:
     """Connects all editors with the edit session, the workshop, the show file and the playing cast.
 
     authored_work: None when nothing can be stored; reopen: reads it again from the file; on_air: what is seen now;
-    tell: sends a message to one console, announce: to every page of the show; notices: what the crew must know.
+    tell: sends a message to one console, announce: to every page of the show; notices: what the crew must know;
+    post_layouts: tells all consoles the names of the layouts.
     """
 
     def __init__(
@@ -85,12 +84,13 @@ class EditorLinks:
         announce: Callable[[wire.FromServer], None],
         report: Callable[[str], None],
         notices: Callable[[], list[wire.Notice]] = list,
+        post_layouts: Callable[[list[str]], None] = lambda _: None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.authored_work, self.links = authored_work, Links()
         self._reopen, self._documents, self._cast_reload, self._on_air = reopen, documents, cast_reload, on_air
         self._tell, self._announce, self._report, self._clock = tell, announce, report, clock
-        self._notices = notices
+        self._notices, self._post_layouts = notices, post_layouts
         self._pages: dict[str, EditorPage] = {}
         self._consequences: asyncio.Queue[Consequence] = asyncio.Queue()
         self._tasks: set[asyncio.Task[None]] = set()
@@ -119,16 +119,30 @@ class EditorLinks:
         return ws
 
     def request_keep(self, request: KeepRequest) -> None:
-        """Stores what a console asked to keep: a layout, or what is on air as a new item."""
+        """Carries out what a console asks of the show file."""
         if self.authored_work is None:
             self._tell(request.who, wire.Refused(NO_FILE))
-        elif isinstance(request.message, wire.SetLayout):
-            self._set_layout(self.authored_work, request.who, request.message)
         else:
-            kind: Kind = "face" if isinstance(request.message, wire.KeepFace) else "expression"
-            ticket, wall = f"{request.who} {request.message.id}", _wall()
-            keep = partial(EditSession.keep, label=None, wall=wall, editor=CONSOLE, ticket=ticket)
-            self._take(self.authored_work, lambda session: keep(session, kind, self._on_air()))
+            self._take(
+                self.authored_work, partial(answer_console, request=request, on_air=self._on_air(), wall=_wall())
+            )
+
+    async def take_in(self, brought: Sequence[BroughtItem]) -> str:
+        """Adds items of another show file; returns why not, "" once they are on the disk and play."""
+        authored_work, done = self.authored_work, asyncio.get_running_loop().create_future()
+        if authored_work is None:
+            return NO_FILE
+        outcome = authored_work.session.carry_out(lambda: adopt(authored_work.session.authored, brought), "")
+
+        async def carry_out() -> None:
+            try:
+                await self._carry_out(authored_work, outcome)
+            finally:
+                done.set_result(None)
+
+        self._follow(carry_out)
+        await done
+        return "" if authored_work is self.authored_work else "it could not be kept in the show file; try again."
 
     def layout(self, name: str) -> bytes | None:
         """A page's stored layout (JSON), None where there is none."""
@@ -182,21 +196,6 @@ class EditorLinks:
         if authored_work is self.authored_work:
             self._take(authored_work, lambda session: session.finish_order(number, result))
 
-    def _set_layout(self, authored_work: AuthoredWork, who: str, asked: wire.SetLayout) -> None:
-        document = asked.document.encode()
-        try:
-            msgspec.json.decode(document)
-        except (msgspec.DecodeError, RecursionError) as error:
-            self._tell(
-                who, wire.Refused(f"the layout {asked.name!r} is no JSON ({explain_error(error)}): send it again.")
-            )
-            return
-        if asked.name not in authored_work.layouts and len(authored_work.layouts) >= MOST_LAYOUTS:
-            self._tell(who, wire.Refused(f"there are {MOST_LAYOUTS} layouts already: use the name of one of them."))
-            return
-        authored_work.layouts[asked.name] = document
-        self._take(authored_work, lambda _: Outcome(changes=(PutLayout(asked.name, document),)))
-
     async def _carry_out(self, authored_work: AuthoredWork, outcome: Outcome) -> None:
         if authored_work is not self.authored_work:
             return
@@ -212,6 +211,8 @@ class EditorLinks:
                 self._send(reply.who, wire.Notices(self._notices()))
         for kept in outcome.kept:
             self._tell_kept(kept)
+        if any(isinstance(change, PutLayout | DropLayout) for change in outcome.changes):
+            self._post_layouts(self.layout_names())
 
     async def _commit(self, authored_work: AuthoredWork, changes: tuple[Change, ...]) -> str | None:
         """Waits until changes are committed; returns why they never will be, or None."""
@@ -254,8 +255,7 @@ class EditorLinks:
 
     def _tell_kept(self, kept: KeepOutcome) -> None:
         who, _, call = kept.ticket.partition(" ")
-        message = wire.Refused(kept.trouble) if kept.trouble else wire.Kept(call, kept.name, kept.label)
-        self._tell(who, message)
+        self._tell(who, _answer_to_console(call, kept))
 
     def _send(self, who: str, message: ToEditor) -> None:
         page = self._pages.get(who)
@@ -283,6 +283,12 @@ class EditorLinks:
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
         return task
+
+
+def _answer_to_console(call: str, kept: KeepOutcome) -> wire.FromServer:
+    if kept.trouble:
+        return wire.Refused(kept.trouble)
+    return wire.KeepUndone(call, kept.label) if kept.undone else wire.Kept(call, kept.name, kept.label)
 
 
 def _wall() -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -27,11 +27,15 @@ class Committer(Protocol):
 
 @dataclass(frozen=True)
 class AuthoredWork:
-    """The edit session, its committer, and the pages' layouts (JSON) by name."""
+    """The edit session and its committer."""
 
     session: EditSession
     committer: Committer
-    layouts: dict[str, bytes]
+
+    @property
+    def layouts(self) -> Mapping[str, bytes]:
+        """The pages' layouts (JSON) by name."""
+        return self.session.authored.state.layouts
 
 
 def open_authored_work(
@@ -47,4 +51,4 @@ def open_authored_work(
         )
         return None
     session = EditSession(worker.cast, stored, contents, net=worker.net, welcome=worker.welcome)
-    return AuthoredWork(session, committer, dict(stored.layouts))
+    return AuthoredWork(session, committer)

@@ -22,6 +22,7 @@ from omote.server.http.cast_reload import gather_cast
 from omote.server.http.downloads import Downloads
 from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
+from omote.server.http.uploads import Uploads
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
 from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitThread
@@ -95,7 +96,8 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
     server = ShowServer(restore(documents.playing, file, order, tell), documents, material.pages)
     server.post(board.notices)
     server.enable_editing(authored_work, reopen, tell)
-    server.downloads = Downloads(lambda: file.path) if file else None
+    if file:
+        server.downloads, server.uploads = Downloads(lambda: file.path), Uploads(lambda: file.path)
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
     runner = await start_serving(server, pipes.listen)

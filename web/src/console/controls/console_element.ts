@@ -4,7 +4,8 @@ import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
 import type { FramePainter, Paintable } from "../../ui/frame_painter";
 import type { Thumbnails } from "../../ui/thumbnails";
-import type { ConsoleStore, Topic } from "../store/console_store";
+import type { Topic } from "../store/cast_store";
+import type { ConsoleStore } from "../store/console_store";
 import type { LayoutStorage } from "../store/layout_storage";
 
 export interface ConsoleContext {
@@ -12,6 +13,8 @@ export interface ConsoleContext {
   readonly painter: FramePainter;
   readonly thumbnails: Thumbnails;
   readonly layouts: LayoutStorage;
+  /** Gives this console another name, which the others read. */
+  readonly rename: (name: string) => void;
 }
 
 export abstract class ConsoleElement extends LitElement {

@@ -9,6 +9,7 @@ import type { Side } from "../store/channels";
 import type { Knob } from "../store/knob";
 import { AnimatedElement, StyleWriter } from "./console_element";
 import { style } from "./fader_style";
+import { otherStyle, paintOther } from "./other_hand";
 
 const STEP = 0.05;
 const STOPS = [0, 1];
@@ -23,12 +24,13 @@ export class Fader extends AnimatedElement {
   @query(".gaze") private gaze!: HTMLElement;
   @query(".carrier") private carrier!: HTMLElement;
   @query(".number") private number!: HTMLElement;
+  @query(".other") private other!: HTMLElement;
   readonly #written = new StyleWriter();
   #shown: Knob | null = null;
   #travel = 0;
   #era = 0;
 
-  static override styles = [base, style];
+  static override styles = [base, style, otherStyle];
 
   override render() {
     return html`
@@ -49,6 +51,7 @@ export class Fader extends AnimatedElement {
         <div class="fill"></div>
         <div class="gaze"></div>
         <div class="carrier"></div>
+        <span class="other"></span>
       </div>
     `;
   }
@@ -75,7 +78,7 @@ export class Fader extends AnimatedElement {
       },
       move: (_dx, dy) => {
         if (this.#era !== this.store.era || dy === 0) return;
-        if (!this.store.online) read(); // nothing is pretended: when the link is back the drag goes on from there
+        if (!knob().gripped()) read(); // no hand is on it yet, or no more (a lost link, another's hand): from what is on air
         this.#travel = within(this.#travel + dy * (CHANNEL.high - CHANNEL.low), CHANNEL);
         knob().grip(weightAt(this.#travel));
       },
@@ -105,5 +108,6 @@ export class Fader extends AnimatedElement {
     write.flag(this.number, "touched", weight !== 0);
     write.flag(this.carrier, "touched", weight !== 0);
     write.attribute(this.slotElement, "aria-valuenow", weight.toFixed(2));
+    paintOther(write, this.other, this.store, this.#shown, now);
   }
 }

@@ -1,7 +1,7 @@
 /** The two-dimensional pads for head and gaze. */
 
 import { html, nothing } from "lit";
-import { customElement, property, query, state } from "lit/decorators.js";
+import { customElement, property, query } from "lit/decorators.js";
 import { onArrows, onDrag, onWheel } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import {
@@ -15,8 +15,10 @@ import {
   valueAt,
   within,
 } from "../../ui/travel";
+import type { Topic } from "../store/cast_store";
 import type { Knob } from "../store/knob";
 import { AnimatedElement, StyleWriter } from "./console_element";
+import { otherStyle, paintOther } from "./other_hand";
 import { style } from "./pad_style";
 
 /** A pointer this near to the dot (of the pad's width) takes it along; elsewhere the dot comes to the pointer. */
@@ -32,7 +34,6 @@ const OWED = 3000;
 @customElement("omote-pad")
 export class Pad extends AnimatedElement {
   @property() what: "head" | "gaze" = "head";
-  @state() private springs = true;
   @query(".field") private field!: HTMLElement;
   @query(".dot") private dot!: HTMLElement;
   @query(".tilt") private tilt!: HTMLElement | null;
@@ -40,6 +41,7 @@ export class Pad extends AnimatedElement {
   @query(".features") private features!: SVGElement;
   @query(".skull") private skull!: SVGElement;
   @query(".read") private read!: HTMLElement;
+  @query(".other") private other!: HTMLElement;
   readonly #written = new StyleWriter();
   #era = 0;
   #at: [number, number] = [0, 0];
@@ -49,7 +51,7 @@ export class Pad extends AnimatedElement {
   #last = 0;
   #left = 0;
 
-  static override styles = [base, style];
+  static override styles = [base, style, otherStyle];
 
   override render() {
     const name = this.what === "head" ? "Head" : "Gaze";
@@ -59,9 +61,7 @@ export class Pad extends AnimatedElement {
         <button
           aria-pressed=${this.springs}
           title="Back to the centre when the hand lets go"
-          @click=${() => {
-            this.springs = !this.springs;
-          }}
+          @click=${() => this.store.arrange({ springs: { ...this.store.layout.springs, [this.what]: !this.springs } })}
         >
           Spring
         </button>
@@ -80,6 +80,7 @@ export class Pad extends AnimatedElement {
           <span class="side" style="left:2px" title="The character's right">R</span>
           <span class="side" style="right:2px" title="The character's left">L</span>
           <span class="read"></span>
+          <span class="other"></span>
           <div class="carrier dot"></div>
         </div>
       </div>
@@ -95,6 +96,14 @@ export class Pad extends AnimatedElement {
 
   override focus(): void {
     this.field.focus();
+  }
+
+  protected override topics(): readonly Topic[] {
+    return ["layout"];
+  }
+
+  private get springs(): boolean {
+    return this.store.layout.springs[this.what];
   }
 
   get #yaw(): Knob {
@@ -138,7 +147,7 @@ export class Pad extends AnimatedElement {
       },
       move: (dx, dy) => {
         if (this.#era !== this.store.era) return;
-        if (!this.store.online) this.#at = this.#place(performance.now()); // nothing is pretended
+        if (!this.#yaw.gripped()) this.#at = this.#place(performance.now()); // nothing is pretended
         this.#at = [this.#at[0] + dx, this.#at[1] + dy];
         this.#grip();
       },
@@ -163,7 +172,7 @@ export class Pad extends AnimatedElement {
       },
       move: (dx) => {
         if (this.#era !== this.store.era) return;
-        if (!this.store.online) this.#roll = knob().value(performance.now());
+        if (!knob().gripped()) this.#roll = knob().value(performance.now());
         this.#roll = within(this.#roll + dx * (HEAD_ROLL.high - HEAD_ROLL.low), HEAD_ROLL);
         knob().grip(this.#roll);
       },
@@ -197,7 +206,8 @@ export class Pad extends AnimatedElement {
 
   #let(...knobs: Knob[]): void {
     for (const knob of knobs) knob.leave();
-    if (this.springs && this.#era === this.store.era) this.#returning = knobs;
+    const mine = this.#era === this.store.era && this.store.otherOn(this.#yaw) === null;
+    if (this.springs && mine) this.#returning = knobs;
     this.#left = performance.now();
   }
 
@@ -233,6 +243,7 @@ export class Pad extends AnimatedElement {
     if (this.tiltKnob)
       write.style(this.tiltKnob, "transform", `translateX(${100 * (fractionOf(roll, HEAD_ROLL) - 0.5)}%)`);
     if (this.tilt) write.attribute(this.tilt, "aria-valuenow", roll.toFixed(2));
+    paintOther(write, this.other, this.store, this.#yaw, now);
     const degrees = [yaw, pitch].map((angle) => Math.round((angle * 180) / Math.PI));
     write.text(this.read, yaw === 0 && pitch === 0 ? "" : `${degrees[0]}° ${degrees[1]}°`);
     write.attribute(this.field, "aria-valuetext", `${degrees[0]} degrees to the character's left, ${degrees[1]} up`);

@@ -8,6 +8,7 @@ import { UNIT, within } from "../../ui/travel";
 import { type Axis, mixLabel } from "../store/axis";
 import { remainingLabel } from "../store/timing";
 import { AnimatedElement, StyleWriter } from "./console_element";
+import { otherStyle, paintOther } from "./other_hand";
 import { style } from "./t_bar_style";
 import { type BarView, barView } from "./t_bar_view";
 
@@ -24,6 +25,7 @@ export class TBar extends AnimatedElement {
   @query(".bottom") private bottom!: HTMLElement;
   @query(".percent") private percent!: HTMLElement;
   @query(".mode") private mode!: HTMLElement;
+  @query(".other") private other!: HTMLElement;
   @query(".release") private release!: HTMLButtonElement;
   readonly #written = new StyleWriter();
   #view: BarView | null = null;
@@ -31,7 +33,7 @@ export class TBar extends AnimatedElement {
   #touched = false;
   #era = 0;
 
-  static override styles = [base, style];
+  static override styles = [base, style, otherStyle];
 
   override render() {
     const name = this.axis === "face" ? "Face" : "Expression";
@@ -53,6 +55,7 @@ export class TBar extends AnimatedElement {
         <div class="carrier value"></div>
         <div class="carrier way"></div>
         <div class="carrier hand"></div>
+        <span class="other"></span>
       </div>
       <div class="end bottom"></div>
       <div><div class="percent">&nbsp;</div><div class="mode"></div></div>
@@ -89,7 +92,7 @@ export class TBar extends AnimatedElement {
       },
       move: (_dx, dy) => {
         if (this.#era !== this.store.era) return;
-        if (!this.store.online) read(); // nothing is pretended: when the link is back the drag goes on from there
+        if (!knob().gripped()) read(); // no hand is on it yet, or no more (a lost link, another's hand): from what is on air
         this.#position = within(this.#position + dy, UNIT);
         knob().grip(this.#position);
       },
@@ -132,6 +135,7 @@ export class TBar extends AnimatedElement {
     write.flag(this.column, "flipped", view.flipped);
     write.style(this.column, "transform", `scaleY(${running ? (view.flipped ? 1 - view.value : view.value) : 0})`);
     write.attribute(this.track, "aria-valuenow", position.toFixed(2));
+    paintOther(write, this.other, this.store, this.store.bar(this.axis), performance.now());
   }
 
   #paintWords(view: BarView): void {

@@ -5,7 +5,7 @@ import { customElement, property, state } from "lit/decorators.js";
 import { EASING_NAMES } from "../../link/constants";
 import { base } from "../../ui/theme";
 import type { Axis } from "../store/axis";
-import type { Topic } from "../store/console_store";
+import type { Topic } from "../store/cast_store";
 import { CHOICES, EASING_CURVES, type EasingName, MANY_CHOICES, parseSeconds, secondsLabel } from "../store/timing";
 import { ConsoleElement, chosenIn } from "./console_element";
 
@@ -90,9 +90,39 @@ export class TimingRow extends ConsoleElement {
           display: none;
         }
       }
-      @container (max-width: 200px) {
-        .lists .easing {
-          display: none; /* it is in the set-up */
+      .curve {
+        position: relative;
+        flex: 1 1 0;
+        min-width: 0;
+        display: grid;
+      }
+      .curve svg {
+        display: none;
+      }
+      @container (max-width: 240px) {
+        .curve {
+          flex: 0 0 40px; /* no room for a word: its curve */
+        }
+        .lists button {
+          flex: 0 0 52px;
+        }
+        .curve select {
+          appearance: none;
+          color: transparent;
+        }
+        .curve svg {
+          position: absolute;
+          inset: 0;
+          display: block;
+          width: 24px;
+          height: 15px;
+          margin: auto;
+          color: var(--text);
+          pointer-events: none;
+        }
+        .curve option {
+          color: var(--text);
+          background: #000;
         }
       }
       svg {
@@ -192,9 +222,9 @@ export class TimingRow extends ConsoleElement {
       <select aria-label="Seconds (${this.axis})" class=${byHand ? "resting" : ""} @change=${(event: Event) => this.#choose(Number(chosenIn(event)))}>
         ${times.map((one) => html`<option value=${one} .selected=${one === seconds}>${one === 0 ? "cut" : `${secondsLabel(one)} s`}</option>`)}
       </select>
-      <select class="easing" aria-label="Easing (${this.axis})" @change=${(event: Event) => this.store.setTiming(this.axis, { easing: chosenIn(event) })}>
+      <div class="curve"><select class="easing" title=${easing} aria-label="Easing (${this.axis})" @change=${(event: Event) => this.store.setTiming(this.axis, { easing: chosenIn(event) })}>
         ${EASING_NAMES.map((name) => html`<option value=${name} .selected=${name === easing}>${name}</option>`)}
-      </select>
+      </select><svg viewBox="0 0 20 12" aria-hidden="true"><path d=${EASING_CURVES[easing as EasingName]} /></svg></div>
       ${this.#hand(byHand, "button")}
     </div>`;
   }

@@ -204,6 +204,11 @@ export const style = css`
     transform: scaleX(0);
     background: var(--air);
   }
+  @media (pointer: coarse) and (max-width: 599px) {
+    .tile .key {
+      display: none; /* no keyboard */
+    }
+  }
   .tile:active {
     border-color: var(--hand);
   }

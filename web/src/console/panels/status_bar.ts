@@ -3,17 +3,19 @@
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { levelsOf } from "../../face/quality/quality_levels";
-import { EDITOR_TAB } from "../../link/editor_address";
 import { base } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
-import type { Topic } from "../store/console_store";
+import type { Topic } from "../store/cast_store";
 import { secondsLabel } from "../store/timing";
+import { offersOf, offersStyle } from "./offers";
 import { style } from "./status_bar_style";
 
 /** Stages that draw fewer frames a second than this are worth a look. */
 const SLOW = 30;
 /** Milliseconds for which a notice stands. */
 const NOTICE = 6000;
+/** Milliseconds for which what was done can be taken back by a button; a key does so later too. */
+const OFFER = 15_000;
 
 /** The head of the page: the link, the crew, what must be read, the help and panic. */
 @customElement("omote-status")
@@ -23,7 +25,7 @@ export class StatusBar extends ConsoleElement {
   #leave: (() => void)[] = [];
   #era = 0;
 
-  static override styles = [base, style];
+  static override styles = [base, style, offersStyle];
 
   protected override topics(): readonly Topic[] {
     return ["cast", "crew", "link", "notice", "panic"];
@@ -34,8 +36,9 @@ export class StatusBar extends ConsoleElement {
     this.#leave = [
       this.store.listen("notice", () => {
         clearTimeout(this.#timers.notice);
-        if (this.store.notice === null || this.store.offer !== null) return; // an offer waits to be taken
-        this.#timers.notice = setTimeout(() => this.store.say(null), NOTICE);
+        const { notice, offers } = this.store;
+        if (notice === null || offers.some((one) => "address" in one)) return; // what leads on waits to be followed
+        this.#timers.notice = setTimeout(() => this.store.say(null), offers.length > 0 ? OFFER : NOTICE);
       }),
       this.store.listen("panic", () => {
         const { era } = this.store;
@@ -64,7 +67,7 @@ export class StatusBar extends ConsoleElement {
       <div class="messages">
         <div class="notice ${this.store.tone} ${this.store.notice === null ? "none" : ""}" role="status">
           ${this.store.notice ?? ""}
-          ${this.#offer()}
+          ${offersOf(this.store)}
         </div>
         <slot></slot>
       </div>
@@ -86,11 +89,6 @@ export class StatusBar extends ConsoleElement {
       title="${again ? "Panic again" : "Panic"} (Shift Backspace)" @pointerdown=${this.#press} @click=${this.#click}>
       ${title}<small>${says}<i> · ⇧⌫</i></small>
     </button>`;
-  }
-
-  #offer() {
-    const { offer } = this.store;
-    return offer === null ? nothing : html`<a href=${offer.address} target=${EDITOR_TAB}>${offer.label}</a>`;
   }
 
   /** On the way down, not on release: panic does not wait for the finger to lift. */

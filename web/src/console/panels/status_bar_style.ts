@@ -71,12 +71,6 @@ export const style = css`
   .notice.done {
     color: var(--text);
   }
-  .notice a {
-    display: inline-block;
-    color: var(--focus);
-    margin-left: 6px;
-    padding: 6px 4px;
-  }
   .panic {
     width: 230px;
     min-width: 130px;
@@ -155,6 +149,9 @@ export const style = css`
     .item.consoles,
     .item .level {
       display: none;
+    }
+    .setup {
+      margin-left: auto; /* panic stands in the corner, where a hand finds it */
     }
     .panic {
       width: 190px;

@@ -11,6 +11,7 @@ const OTHER: ConsoleLayout = {
   ownFaces: true,
   tab: "touched",
   linked: false,
+  springs: { head: false, gaze: true },
   view: "pads",
 };
 
@@ -27,6 +28,13 @@ describe("a console's layout", () => {
   it("of before own faces had a palette of their own shows all", () => {
     const { ownFaces: _, ...before } = FIRST;
     expect(parsed(written(before as ConsoleLayout))).toEqual(FIRST);
+  });
+
+  it("of before springs were kept springs, and what is no switch is told", () => {
+    const { springs: _, ...before } = OTHER;
+    expect(parsed(written(before as ConsoleLayout))).toEqual({ ...OTHER, springs: FIRST.springs });
+    for (const springs of [null, {}, { head: 1, gaze: true }])
+      expect(parsed(JSON.stringify({ ...OTHER, version: 2, springs }))).toMatch(/names what this console has not/);
   });
 
   it("of before seconds were kept while calls are by hand has those of the default", () => {

@@ -22,6 +22,8 @@ export interface ConsoleLayout {
   readonly tab: BankTab;
   /** Left and right of a pair move together. */
   readonly linked: boolean;
+  /** Pads go back to the centre when the hand lets go. */
+  readonly springs: Readonly<Record<"head" | "gaze", boolean>>;
   readonly view: View;
 }
 
@@ -34,6 +36,7 @@ export const FIRST: ConsoleLayout = {
   ownFaces: false,
   tab: "brows",
   linked: true,
+  springs: { head: true, gaze: true },
   view: "palettes",
 };
 
@@ -53,8 +56,9 @@ export function parsed(document: string): ConsoleLayout | string {
   }
   if (!isRecord(found) || (found["version"] !== VERSION && found["version"] !== 1))
     return `The layout is of another version${OWN}`;
-  // layouts of before know no own faces, no views, and of calls by hand no seconds
-  const { timing, kind, tab, linked, ownFaces = false, view = FIRST.view } = found;
+  // layouts of before know no own faces, no views, no springs, and of calls by hand no seconds
+  const { timing, kind, tab, linked, ownFaces = false, springs: sprung = FIRST.springs, view = FIRST.view } = found;
+  const springs = springsOf(sprung);
   const [face, expression] = isRecord(timing) ? [timingOf(timing, "face"), timingOf(timing, "expression")] : [];
   if (!face || !expression) return `The layout has no times that a call can take${OWN}`;
   if (
@@ -62,10 +66,11 @@ export function parsed(document: string): ConsoleLayout | string {
     !isOneOf([...REGIONS, "touched"] as const, tab) ||
     !isOneOf(VIEWS, view) ||
     !isSwitch(linked) ||
-    !isSwitch(ownFaces)
+    !isSwitch(ownFaces) ||
+    springs === null
   )
     return `The layout names what this console has not${OWN}`;
-  return { timing: { face, expression }, kind, tab, linked, ownFaces, view };
+  return { timing: { face, expression }, kind, tab, linked, ownFaces, springs, view };
 }
 
 const isSwitch = (value: unknown): value is boolean => typeof value === "boolean";
@@ -75,6 +80,12 @@ const isRecord = (value: unknown): value is Record<string, unknown> =>
 
 const isOneOf = <Choice extends string>(choices: readonly Choice[], value: unknown): value is Choice =>
   choices.some((choice) => choice === value);
+
+function springsOf(found: unknown): ConsoleLayout["springs"] | null {
+  if (!isRecord(found)) return null;
+  const { head, gaze } = found;
+  return isSwitch(head) && isSwitch(gaze) ? { head, gaze } : null;
+}
 
 /** The time of an axis in a document, null where a call cannot take it. */
 function timingOf(timing: Record<string, unknown>, axis: Axis): Timing | null {

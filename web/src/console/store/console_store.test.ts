@@ -181,14 +181,28 @@ describe("keeping what is on air", () => {
     store.flush();
     const [face, other] = sent.map((message) => ("id" in message ? message.id : ""));
     store.receiveKept({ type: "kept", id: other as string, name: "on_air_3", label: "On air 3" });
-    expect([store.notice, store.offer?.address]).toEqual([
-      "Kept as On air 3 under Own.",
-      "/editor?kind=expression&name=on_air_3",
-    ]);
+    expect(store.notice).toBe("Kept as On air 3 under Own.");
+    expect(store.offers[1]).toEqual({ label: "Edit it", address: "/editor?kind=expression&name=on_air_3" });
     store.receiveKept({ type: "kept", id: face as string, name: "on_air_4", label: "On air 4" });
-    expect(store.offer?.address).toBe("/editor?kind=face&name=on_air_4");
+    expect(store.offers[1]).toHaveProperty("address", "/editor?kind=face&name=on_air_4");
     store.say("No.");
-    expect(store.offer).toBeNull();
+    expect(store.offers).toEqual([]);
+  });
+
+  it("is taken back once, by what the notice offers or by the key", () => {
+    for (const take of [() => act("Undo"), () => store.undo()]) {
+      store.receiveKept({ type: "kept", id: "me-1-face", name: "on_air_3", label: "On air 3" });
+      take();
+      store.undo();
+    }
+    expect(sent).toMatchObject([
+      { type: "undo_keep", kind: "face", name: "on_air_3" },
+      { type: "undo_keep", kind: "face", name: "on_air_3" },
+    ]);
+    expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(2);
+    expect(store.notice).toMatch(/Nothing to undo/);
+    store.receiveUndone({ type: "keep_undone", id: "u", label: "On air 3" });
+    expect(store.notice).toMatch(/On air 3 is not kept any more/);
   });
 
   it("asks nothing while the link is lost", () => {
@@ -210,6 +224,89 @@ describe("lights", () => {
       { type: "call_light", name: "portrait", seconds: 4 },
     ]);
     expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(2);
+  });
+});
+
+/** Takes what the notice offers. */
+function act(label: string): void {
+  const offer = store.offers.find((one) => one.label === label);
+  if (offer !== undefined && "act" in offer) offer.act();
+}
+
+describe("clearing", () => {
+  const CHANNELS = { mouthSmileLeft: 0.4, mouthSmileRight: 0.7, jawOpen: 0 };
+  const clear = (): void => {
+    store.receiveState({ ...REST, number: 2, channels: CHANNELS });
+    store.clearChannels(Object.keys(CHANNELS));
+    store.flush();
+  };
+  const values = () => sent.map((message) => message.type === "set_channel" && [message.name, message.value]);
+
+  it("is taken back as it was, each side its own", () => {
+    clear();
+    expect(values()).toEqual([
+      ["mouthSmileLeft", 0],
+      ["mouthSmileRight", 0],
+    ]);
+    expect(store.notice).toBe("Cleared 2 faders.");
+    sent.length = 0;
+    act("Undo");
+    store.flush();
+    expect(values()).toEqual([
+      ["mouthSmileLeft", 0.4],
+      ["mouthSmileRight", 0.7],
+    ]);
+    expect(store.notice).toBeNull();
+  });
+
+  it("says nothing where nothing is played", () => {
+    store.clearChannels(["jawOpen"]);
+    expect([store.notice, store.offers]).toEqual([null, []]);
+  });
+
+  it("is not taken back over a panic", () => {
+    clear();
+    store.receiveState({ ...REST, number: 3, panics: 1 });
+    sent.length = 0;
+    store.undo();
+    store.flush();
+    expect(sent).toEqual([]);
+    expect(store.notice).toMatch(/panic was pressed/);
+  });
+});
+
+describe("a hand at another console", () => {
+  const heard = (jawOpen: number) =>
+    store.receiveState({ ...REST, number: (store.state?.number ?? 0) + 1, channels: { jawOpen } });
+
+  it("is named on what it moves, and on nothing else", () => {
+    store.receiveHands({ "set_channel:jawOpen": "Ana", set_gaze: "Ben", fade_face: "Cy" });
+    const knobs = [
+      store.channel("jawOpen"),
+      store.gaze("yaw"),
+      store.bar("face"),
+      store.head("roll"),
+      store.bar("expression"),
+    ];
+    expect(knobs.map((knob) => store.otherOn(knob))).toEqual(["Ana", "Ben", "Cy", null, null]);
+    store.setOnline(false);
+    expect(store.otherOn(store.gaze("pitch"))).toBeNull();
+  });
+
+  it("has a fader that this one holds still, and this one goes on from there", () => {
+    const jaw = store.channel("jawOpen");
+    jaw.grip(0.8);
+    store.receiveHands({ "set_channel:jawOpen": "Ana" });
+    now += ECHO;
+    heard(0.2);
+    expect([jaw.value(now), jaw.gripped()]).toEqual([0.8, true]); // it has just moved it
+    now += 1;
+    heard(0.3);
+    expect([jaw.value(now), jaw.gripped()]).toEqual([0.3, false]);
+    jaw.leave();
+    expect(jaw.value(now)).toBe(0.3);
+    jaw.grip(0.35);
+    expect([jaw.value(now), jaw.gripped()]).toEqual([0.35, true]);
   });
 });
 

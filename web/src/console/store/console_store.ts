@@ -4,26 +4,13 @@
  */
 
 import { editorAddress } from "../../link/editor_address";
-import type {
-  CallState,
-  Crew,
-  ExpressionDocument,
-  FaceDocument,
-  FromClient,
-  Kept,
-  LightDocument,
-  Manifest,
-  State,
-} from "../../link/messages";
+import type { CallState, Crew, FromClient, Hands, KeepUndone, Kept, State } from "../../link/messages";
 import { type Axis, callOf, endFrom, type Followed, follow, UNKNOWN } from "./axis";
-import { mirrorOf, type Strip, stripsOf } from "./channels";
 import { type ConsoleLayout, FIRST } from "./console_layout";
 import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./knob";
+import { NoticeStore } from "./notice_store";
 import { Outbox } from "./outbox";
 import type { Seconds, Timing } from "./timing";
-
-/** What has changed, for elements that render (rarely); what moves is read every frame instead. */
-export type Topic = "cast" | "crew" | "link" | "timing" | "layout" | "call" | "notice" | "panic";
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
 const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to run on in.";
@@ -32,23 +19,21 @@ const TWICE = 800;
 /** Milliseconds after which a T-bar that another console moved is taken to be let go. */
 const LET_GO = 1000;
 
-export class ConsoleStore {
-  manifest: Manifest | null = null;
+export class ConsoleStore extends NoticeStore {
   state: State | null = null;
   crew: Crew | null = null;
   /** Milliseconds there and back, or null before the first pong. */
   latency: number | null = null;
   online = false;
-  /** The last thing the operator must read, how it is meant, and where to go for it. */
-  notice: string | null = null;
-  tone: "attention" | "done" = "attention";
-  offer: { readonly label: string; readonly address: string } | null = null;
+  /** The names of the layouts in the show file, and what the other consoles call this one. */
+  layoutNames: readonly string[] = [];
+  name = "";
+  /** What hands at other consoles move, and the names of those consoles. */
+  hands: Hands["hands"] = {};
   /** Rises with each panic: a drag begun before it is over. */
   era = 0;
   layout: ConsoleLayout = FIRST;
 
-  #strips: Strip[] = [];
-  #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
   #calls = 0;
   /** A panic of this console, which puts the bars to their rest, has not been heard yet. */
   #panicking = false;
@@ -56,7 +41,6 @@ export class ConsoleStore {
   readonly #followed: Record<Axis, Followed> = { face: UNKNOWN, expression: UNKNOWN };
   readonly #knobs: Knobs;
   readonly #outbox: Outbox;
-  readonly #listeners = new Map<Topic, Set<() => void>>();
 
   /** `send` takes a message to the server, `now` is the page's clock in milliseconds, `id` names this console. */
   constructor(
@@ -64,44 +48,9 @@ export class ConsoleStore {
     private readonly now: () => number,
     private readonly id: string,
   ) {
+    super();
     this.#outbox = new Outbox(send);
     this.#knobs = new Knobs({ state: () => this.state, now, mayAct: () => this.#mayAct() }, this.#outbox);
-  }
-
-  listen(topic: Topic, heard: () => void): () => void {
-    const listeners = this.#listeners.get(topic) ?? new Set();
-    this.#listeners.set(topic, listeners.add(heard));
-    return () => listeners.delete(heard);
-  }
-
-  #tell(topic: Topic): void {
-    for (const heard of this.#listeners.get(topic) ?? []) heard();
-  }
-
-  /** What people read of a name; a name that the cast does not know stands for itself. */
-  label(axis: Axis, name: string): string {
-    return this.#labels[axis].get(name) ?? name;
-  }
-
-  get faces(): readonly FaceDocument[] {
-    return this.manifest?.faces ?? [];
-  }
-
-  get expressions(): readonly ExpressionDocument[] {
-    return this.manifest?.expressions ?? [];
-  }
-
-  get lights(): readonly LightDocument[] {
-    return this.manifest?.lights ?? [];
-  }
-
-  setManifest(manifest: Manifest): void {
-    this.manifest = manifest;
-    this.#strips = stripsOf(manifest.expressions);
-    const labels = (documents: readonly { name: string; label: string }[]) =>
-      new Map(documents.map(({ name, label }) => [name, label]));
-    this.#labels = { face: labels(manifest.faces), expression: labels(manifest.expressions) };
-    this.#tell("cast");
   }
 
   /** A newer state than any before. */
@@ -113,10 +62,11 @@ export class ConsoleStore {
       this.#followed[axis] = follow(this.#followed[axis], axis, [last, state], own, this.now());
     }
     const turned = (axis: Axis): boolean => (last ? callOf(last, axis)?.target : null) !== callOf(state, axis)?.target;
-    if (turned("face") || turned("expression")) this.#tell("call");
+    if (turned("face") || turned("expression")) this.tell("call");
+    for (const control in this.hands) this.#knobs.yieldTo(control);
     if (last !== null && last.panics !== state.panics) this.#handsOff();
     const { home_face: face, home_seconds: seconds, home_next: next } = state;
-    if (last?.home_face !== face || last.home_seconds !== seconds || last.home_next !== next) this.#tell("panic");
+    if (last?.home_face !== face || last.home_seconds !== seconds || last.home_next !== next) this.tell("panic");
   }
 
   /** Somebody pressed panic: what hands hold here has no weight any more. */
@@ -125,40 +75,61 @@ export class ConsoleStore {
     this.#knobs.clear();
     this.#outbox.clear();
     this.era += 1;
-    this.#tell("panic");
+    this.tell("panic");
   }
 
   receiveCrew(crew: Crew): void {
     this.crew = crew;
-    this.#tell("crew");
+    this.tell("crew");
   }
 
   /** The way there and back took `milliseconds`. */
   receiveTrip(milliseconds: number): void {
     this.latency = milliseconds;
-    this.#tell("crew");
+    this.tell("crew");
   }
 
   /** The link came up or was lost. While it is lost the controls rest at the last state heard, and nothing is queued. */
   setOnline(online: boolean): void {
     if (online === this.online) return;
     this.online = online;
+    this.hands = {};
     this.#knobs.clear();
     this.#outbox.clear();
     if (!online) this.latency = null;
     this.#panicking = false;
-    this.#tell("link");
-  }
-
-  say(notice: string | null, tone: ConsoleStore["tone"] = "attention", offer: ConsoleStore["offer"] = null): void {
-    [this.notice, this.tone, this.offer] = [notice, tone, offer];
-    this.#tell("notice");
+    this.tell("link");
   }
 
   /** What was on air is in the cast. */
   receiveKept({ id, name, label }: Kept): void {
-    const axis = id.endsWith("-face") ? "face" : "expression";
-    this.say(`Kept as ${label} under Own.`, "done", { label: "Edit it", address: editorAddress(axis, name) });
+    const kind = id.endsWith("-face") ? "face" : "expression";
+    const undo = (): void => this.#push({ type: "undo_keep", id: this.#nextId(), kind, name });
+    this.offerUndo(`Kept as ${label} under Own.`, undo, [{ label: "Edit it", address: editorAddress(kind, name) }]);
+  }
+
+  receiveUndone({ label }: KeepUndone): void {
+    this.say(`${label} is not kept any more; the editor can bring it back.`, "done");
+  }
+
+  receiveLayouts(names: readonly string[]): void {
+    this.layoutNames = names;
+    this.tell("layouts");
+  }
+
+  /** What the other consoles call this one. */
+  receiveName(name: string): void {
+    this.name = name;
+    this.tell("layouts");
+  }
+
+  receiveHands(hands: Hands["hands"]): void {
+    this.hands = hands;
+  }
+
+  /** The other console whose hand is on a knob too; null for none. */
+  otherOn({ control }: Pick<Knob, "control">): string | null {
+    return this.hands[control] ?? null;
   }
 
   /** True when the link is there; else tells the operator that nothing was sent. */
@@ -185,8 +156,8 @@ export class ConsoleStore {
   /** Lays the console out. */
   arrange(change: Partial<ConsoleLayout>): void {
     this.layout = { ...this.layout, ...change };
-    if (change.timing !== undefined) this.#tell("timing");
-    this.#tell("layout");
+    if (change.timing !== undefined) this.tell("timing");
+    this.tell("layout");
   }
 
   callSeconds(axis: Axis): Seconds {
@@ -229,12 +200,17 @@ export class ConsoleStore {
     if (this.now() - this.#kept[axis] < TWICE) return;
     this.#kept[axis] = this.now();
     const id = `${this.#nextId()}-${axis}`; // the answer names nothing else of what was asked
-    if (this.#mayAct()) this.#outbox.push({ type: axis === "face" ? "keep_face" : "keep_expression", id });
+    this.say(`Keeping the ${axis} on air ...`, "done"); // what is computed first may take seconds
+    this.#push({ type: axis === "face" ? "keep_face" : "keep_expression", id });
   }
 
   /** Whether the call is timed and a T-bar has it, so that it runs on once the hand is off. */
   releasable(axis: Axis): boolean {
     return this.callOf(axis)?.by_hand === true && this.#followed[axis].timed !== false;
+  }
+
+  #push(message: FromClient): void {
+    if (this.#mayAct()) this.#outbox.push(message);
   }
 
   release(axis: Axis): void {
@@ -255,16 +231,23 @@ export class ConsoleStore {
 
   /** Chooses the face that a second panic brings, and the seconds that it takes. */
   setHome(face: string, seconds: number): void {
-    if (this.#mayAct()) this.#outbox.push({ type: "set_home", face, seconds });
+    this.#push({ type: "set_home", face, seconds });
   }
 
   clearChannels(names: Iterable<string>): void {
     if (!this.#mayAct()) return;
-    const now = this.now();
-    for (const name of names) {
-      if (this.channel(name).value(now) === 0) continue;
-      this.channel(name, false).nudge(0);
-    }
+    const read = (name: string): number => this.channel(name, false).value(this.now());
+    const before = [...names].map((name) => [name, read(name)] as const).filter(([, weight]) => weight !== 0);
+    const put = (at: (weight: number) => number): void => {
+      for (const [name, weight] of before) this.channel(name, false).nudge(at(weight));
+    };
+    if (before.length === 0) return;
+    put(() => 0);
+    const era = this.era;
+    this.offerUndo(`Cleared ${before.length} ${before.length === 1 ? "fader" : "faders"}.`, () => {
+      if (this.era === era) put((weight) => weight);
+      else this.say("Not brought back: panic was pressed meanwhile.");
+    });
   }
 
   centre(): void {
@@ -277,7 +260,7 @@ export class ConsoleStore {
 
   /** The weight of a channel; with `linked` its mirror moves along. */
   channel(name: string, linked = this.linked): Knob {
-    return this.#knobs.channel(name, linked ? mirrorOf(name, this.#strips) : null);
+    return this.#knobs.channel(name, linked ? this.mirrorOf(name) : null);
   }
 
   head(part: HeadPart): Knob {

@@ -14,7 +14,8 @@ export type Command =
   | { do: "keep"; axis: Axis }
   | { do: "focus"; place: Place }
   | { do: "centre" }
-  | { do: "clear" };
+  | { do: "clear" }
+  | { do: "undo" };
 
 /** Physical keys, so that they lie in two rows on every layout. */
 export const FACE_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9"].map((digit) => `Digit${digit}`);
@@ -56,6 +57,7 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["L", "To the lights; then Tab and Enter"],
   ["C", "Head and gaze to the centre"],
   ["X", "All channels to zero"],
+  ["Ctrl Z", "Take back the last Keep, Clear or change of the layouts"],
   ["/", "Search expressions"],
   ["Tab", "Next control"],
   [
@@ -71,7 +73,8 @@ export const isPanic = ({ code, shiftKey }: KeyPress): boolean => shiftKey && co
 
 /** What a key press means, or null. `typing`: the focus is in a field, whose keys are its own. */
 export function commandOf(press: KeyPress, typing: boolean): Command | null {
-  if (typing || press.repeat || press.ctrlKey || press.altKey || press.metaKey) return null;
+  if (typing || press.repeat || press.altKey) return null;
+  if (press.ctrlKey || press.metaKey) return press.key.toLowerCase() === "z" && !press.shiftKey ? { do: "undo" } : null;
   if (press.key === "?") return { do: "help" };
   if (press.key === "/") return { do: "focus", place: "search" };
   const face = FACE_KEYS.indexOf(press.code);

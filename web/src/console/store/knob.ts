@@ -2,12 +2,14 @@
 
 import type { FromClient, State } from "../../link/messages";
 import type { Axis } from "./axis";
-import { HeldValues } from "./held_values";
+import { ECHO, HeldValues } from "./held_values";
 import type { Outbox } from "./outbox";
 
 /** One number under a hand. */
 export interface Knob {
   readonly key: string;
+  /** What messages that move it are told apart by, as in `Hands`. */
+  readonly control: string;
   /** The value to show at `now`: the hand's own while it counts, else the server's. */
   value(now: number): number;
   /** The hand holds the knob at `value`. */
@@ -36,6 +38,8 @@ export interface KnobHost {
 
 export class Knobs {
   readonly #holds = new HeldValues<number>();
+  /** When a hand of this console last moved what it holds, by key. */
+  readonly #moved = new Map<string, number>();
 
   constructor(
     private readonly host: KnobHost,
@@ -45,6 +49,15 @@ export class Knobs {
   /** All hands off. */
   clear(): void {
     this.#holds.clear();
+    this.#moved.clear();
+  }
+
+  /** A hand elsewhere moves a control: one here that keeps still has lost it, until it moves again. */
+  yieldTo(control: string): void {
+    const now = this.host.now();
+    for (const [key, moved] of this.#moved)
+      if (controlOf(key) === control && now - moved > ECHO && this.#holds.gripped(key))
+        this.#holds.leave(key, now - ECHO);
   }
 
   /** The weight of a channel; its mirror moves along where there is one. */
@@ -95,10 +108,14 @@ export class Knobs {
     };
     return {
       key,
+      control: controlOf(key),
       value: (now) => this.#holds.read(key, heard(), now),
       grip: (value) => {
         if (!host.mayAct()) return;
-        for (const one of keys) this.#holds.grip(one, value);
+        for (const one of keys) {
+          this.#holds.grip(one, value);
+          this.#moved.set(one, host.now());
+        }
         put(value);
       },
       nudge: (value) => {
@@ -113,4 +130,11 @@ export class Knobs {
       counts: (now) => this.#holds.counts(key, now),
     };
   }
+}
+
+/** What `Hands` calls what a key stands for: `channel:jawOpen` is moved by `set_channel:jawOpen`, `head:yaw` by `set_head`. */
+function controlOf(key: string): string {
+  const [what, name] = key.split(":");
+  if (what === "channel") return `set_channel:${name}`;
+  return name === undefined ? key : `set_${what}`;
 }

@@ -26,13 +26,22 @@ function consoleOf(own: Map<string, string>, name = DEFAULT_LAYOUT) {
     name,
     (message) => {
       sent.push(message);
-      if (message.type === "set_layout") saved.set(message.name, message.document);
+      change(message);
+      store.receiveLayouts([...saved.keys()]);
       return true;
     },
-    { read: async (one) => saved.get(one) ?? null, names: async () => [...saved.keys()] },
+    async (one) => saved.get(one) ?? null,
     () => ({ getItem: (key) => own.get(key) ?? null, setItem: (key, value) => void own.set(key, value) }),
   );
+  store.receiveLayouts([...saved.keys()]);
   return { store, layouts };
+}
+
+/** What the show does with a message about layouts. */
+function change(message: FromClient): void {
+  if (message.type === "set_layout") saved.set(message.name, message.document);
+  if (message.type === "rename_layout") saved.set(message.to, saved.get(message.name) as string);
+  if (message.type === "rename_layout" || message.type === "drop_layout") saved.delete(message.name);
 }
 
 describe("a fresh console", () => {
@@ -84,7 +93,7 @@ describe("a browser", () => {
       store,
       DEFAULT_LAYOUT,
       () => true,
-      { read: async () => null, names: async () => [] },
+      async () => null,
       forbid,
     );
     await layouts.open();
@@ -101,7 +110,8 @@ describe("a layout", () => {
     first.store.arrange(LEFT);
     expect(first.layouts.save("left hand")).toBe(true);
     expect(parsed(saved.get("left hand") ?? "")).toEqual(LEFT);
-    expect(await second.layouts.names()).toEqual([DEFAULT_LAYOUT, "left hand"]);
+    second.store.receiveLayouts([...saved.keys()]);
+    expect(second.layouts.names).toEqual([DEFAULT_LAYOUT, "left hand"]);
     await second.layouts.choose("left hand");
     expect([second.store.layout, second.layouts.chosen]).toEqual([LEFT, "left hand"]);
     await second.layouts.choose(DEFAULT_LAYOUT);
@@ -114,7 +124,7 @@ describe("a layout", () => {
     await layouts.open();
     expect(store.notice).toMatch(/another version/);
     expect(store.layout).toEqual(FIRST);
-    const away = { read: () => Promise.reject(new Error("away")), names: () => Promise.reject(new Error("away")) };
+    const away = () => Promise.reject(new Error("away"));
     const other = new LayoutStorage(
       store,
       DEFAULT_LAYOUT,
@@ -123,8 +133,26 @@ describe("a layout", () => {
       () => ({ getItem: () => null, setItem: () => undefined }),
     );
     await other.open();
-    expect(await other.names()).toEqual([DEFAULT_LAYOUT]);
-    expect(other.save("nowhere")).toBe(false);
+    expect([other.save("nowhere"), other.rename("a", "b"), await other.drop("a")]).toEqual([false, false, null]);
+  });
+
+  it("is renamed, deleted and brought back as it was", async () => {
+    saved.set("left", written(LEFT));
+    const { store, layouts } = consoleOf(new Map());
+    await layouts.choose("left");
+    expect(layouts.rename("left", "right")).toBe(true);
+    expect([layouts.chosen, layouts.names, layouts.has("left")]).toEqual(["right", [DEFAULT_LAYOUT, "right"], false]);
+    const again = await layouts.drop("right");
+    expect([layouts.names, store.layout]).toEqual([[DEFAULT_LAYOUT], LEFT]);
+    again?.();
+    expect(saved).toEqual(new Map([["right", written(LEFT)]]));
+    expect(await layouts.drop("nobody")).toBeNull();
+  });
+
+  it("that another console deleted meanwhile changes nothing", async () => {
+    const { store, layouts } = consoleOf(new Map());
+    store.arrange(LEFT);
+    expect([await layouts.choose("gone"), layouts.chosen, store.layout]).toEqual([false, DEFAULT_LAYOUT, LEFT]);
   });
 
   it("goes by the name in the address", () => {

@@ -11,22 +11,12 @@ export const DEFAULT_LAYOUT = "Default";
 export const layoutName = (search: string): string =>
   new URLSearchParams(search).get("layout")?.slice(0, 80) || DEFAULT_LAYOUT;
 
-/** The show file's layouts. */
-export interface SharedLayouts {
-  /** A layout's document; null where there is none. */
-  read(name: string): Promise<string | null>;
-  names(): Promise<readonly string[]>;
-}
+/** Reads a layout's document from the show file; null where there is none. */
+export type ReadLayout = (name: string) => Promise<string | null>;
 
-export const sharedLayouts: SharedLayouts = {
-  async read(name) {
-    const response = await fetch(`/layouts/${encodeURIComponent(name)}`);
-    return response.status === 200 ? response.text() : null; // 204: nothing has been saved under this name yet
-  },
-  async names() {
-    const response = await fetch("/layouts");
-    return response.status === 200 ? ((await response.json()) as string[]) : [];
-  },
+export const readLayout: ReadLayout = async (name) => {
+  const response = await fetch(`/layouts/${encodeURIComponent(name)}`);
+  return response.status === 200 ? response.text() : null; // 204: nothing has been saved under this name yet
 };
 
 /** What this browser keeps. */
@@ -41,7 +31,7 @@ export class LayoutStorage {
     private readonly store: ConsoleStore,
     name: string,
     private readonly send: (message: FromClient) => boolean,
-    private readonly shared: SharedLayouts = sharedLayouts,
+    private readonly read: ReadLayout = readLayout,
     private readonly own: () => OwnStore = () => localStorage,
   ) {
     this.chosen = name;
@@ -51,22 +41,28 @@ export class LayoutStorage {
   /** Lays the console out as this browser has it, else as the layout of the address or the default says; keeps what changes. */
   async open(): Promise<void> {
     const mine = this.#mine();
-    if (mine === null) await this.choose(this.chosen);
-    else this.#apply(mine);
+    this.#apply(mine ?? (await this.#document(this.chosen)) ?? written(FIRST));
     this.store.listen("layout", () => this.#keep());
   }
 
-  /** Lays the console out as it was saved under a name. */
-  async choose(name: string): Promise<void> {
-    const document = await this.shared.read(name).catch(() => null);
+  /** Lays the console out as it was saved under a name; false: there is none, and the console stays as it is. */
+  async choose(name: string): Promise<boolean> {
+    const document = await this.#document(name);
+    if (document === null && name !== DEFAULT_LAYOUT) return false;
     this.chosen = name;
     this.#apply(document ?? written(FIRST));
+    return true;
   }
 
   /** The names to choose from, the default first. */
-  async names(): Promise<readonly string[]> {
-    const names = await this.shared.names().catch(() => []);
-    return [DEFAULT_LAYOUT, ...names.filter((name) => name !== DEFAULT_LAYOUT).sort((a, b) => a.localeCompare(b))];
+  get names(): readonly string[] {
+    const saved = this.store.layoutNames.filter((name) => name !== DEFAULT_LAYOUT);
+    return [DEFAULT_LAYOUT, ...saved.toSorted((a, b) => a.localeCompare(b))];
+  }
+
+  /** Whether the show file has a layout of this name, in this case. */
+  has(name: string): boolean {
+    return this.store.layoutNames.includes(name);
   }
 
   /** Saves the console as it is under a name, for every console of the show; whether it could be sent. */
@@ -74,6 +70,24 @@ export class LayoutStorage {
     const sent = this.send({ type: "set_layout", name, document: written(this.store.layout) });
     if (sent) this.chosen = name;
     return sent;
+  }
+
+  /** Gives a saved layout another name; whether it could be sent. */
+  rename(name: string, to: string): boolean {
+    const sent = this.send({ type: "rename_layout", name, to });
+    if (sent && this.chosen === name) this.chosen = to;
+    return sent;
+  }
+
+  /** Takes a saved layout out of the show file; gives what puts it there again, null where nothing was sent. */
+  async drop(name: string): Promise<(() => void) | null> {
+    const document = await this.#document(name);
+    if (document === null || !this.send({ type: "drop_layout", name })) return null;
+    return () => this.send({ type: "set_layout", name, document });
+  }
+
+  #document(name: string): Promise<string | null> {
+    return this.read(name).catch(() => null);
   }
 
   #apply(document: string): void {

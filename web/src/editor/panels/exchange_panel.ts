@@ -1,14 +1,16 @@
-/** The panel that exports the open item as downloads, and says how others come in. */
+/** The panel that exports the open item as downloads, and takes files in. */
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { ACCEPTED, type ImportKind } from "../../link/import_file";
 import { base } from "../../ui/theme";
 import { controls, panel } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
-import { download, type Export, exportsOf, importCommand } from "./exports";
+import { takeIn } from "../session/item_commands";
+import { download, type Export, exportsOf, IMPORT_COMMAND } from "./exports";
 
-/** How the open item gets out of the show, by buttons, and others in, by commands ready to copy. */
+/** How the open item gets out of the show, and others in. */
 @customElement("omote-exchange")
 export class Exchange extends EditorElement {
   static override styles = [
@@ -21,14 +23,42 @@ export class Exchange extends EditorElement {
         grid-template-columns: 1fr auto;
         gap: 4px;
       }
-      .command input {
-        font-family: "DejaVu Sans Mono", "Consolas", monospace;
+      .button {
+        position: relative;
+        display: grid;
+        place-content: center;
+        min-height: 26px;
+        padding: 0 8px;
+        border: 1px solid var(--line);
+        border-radius: 4px;
+        color: var(--dim);
+        background: var(--raised);
+        overflow: hidden;
+      }
+      .button:focus-within {
+        outline: 2px solid var(--focus);
+        outline-offset: 1px;
+      }
+      .button input {
+        position: absolute;
+        inset: 0;
+        opacity: 0;
+        cursor: pointer;
+      }
+      @media (pointer: coarse) {
+        .button {
+          min-height: 40px;
+        }
+      }
+      code {
         font-size: 11.5px;
+        overflow-wrap: anywhere;
+        user-select: text;
       }
     `,
   ];
 
-  /** The address of the export that is under way; empty: none. */
+  /** The address of the export, or the kind of import, that is under way; empty: none. */
   @state() private busy = "";
 
   protected override topics(): readonly Topic[] {
@@ -37,16 +67,32 @@ export class Exchange extends EditorElement {
 
   override render() {
     const { item, work } = this.store;
-    if (item === null) return html`<p>Open something to take it out of the show.</p>`;
     return html`
-      ${item.head === 0 ? html`<p class="note">Save first: only what is saved goes out.</p>` : ""}
-      ${exportsOf(item, work).map((one) => this.#export(one, item.head === 0))}
-      <p>In, on the show's computer, in a terminal, while no show plays SHOW.omote, the show's own file:</p>
-      <div class="command">
-        <input readonly aria-label="The command that takes others in" .value=${importCommand(item.kind)} @focus=${select} />
-        <button @click=${copyBeside}>Copy</button>
-      </div>
+      ${item === null ? html`<p>Open something to take it out of the show.</p>` : nothing}
+      ${item?.head === 0 ? html`<p class="note">Save first: only what is saved goes out.</p>` : nothing}
+      ${item === null ? nothing : exportsOf(item, work).map((one) => this.#export(one, item.head === 0))}
+      <p>In, from files by other crews and other programs; or drop them on this page:</p>
+      ${this.#import("expression", "Expressions: documents (JSON), heads with shapes (GLB)")}
+      ${this.#import("face", "A face: a head at rest (GLB, OBJ)")}
+      <p class="note">A head at rest and a shape each as OBJ come in together, on the show's computer while no show plays: <code>${IMPORT_COMMAND}</code></p>
     `;
+  }
+
+  #import(kind: ImportKind, what: string) {
+    return html`<div class="command">
+      <span class="note">${what}</span>
+      <label class="button" ?inert=${this.busy !== ""}>${this.busy === kind ? "Importing ..." : "Import"}<input
+        type="file" multiple aria-label="Import ${kind === "face" ? "faces" : "expressions"}" accept=${ACCEPTED[kind]}
+        @change=${(event: Event) => this.#take(event, kind)} /></label>
+    </div>`;
+  }
+
+  async #take(event: Event, kind: ImportKind): Promise<void> {
+    const field = event.target as HTMLInputElement;
+    this.busy = kind;
+    await takeIn(this.store, [...(field.files ?? [])], kind);
+    this.busy = "";
+    field.value = ""; // the same file again is a change too
   }
 
   #export(one: Export, unsaved: boolean) {
@@ -70,19 +116,4 @@ export class Exchange extends EditorElement {
       this.busy = "";
     }
   }
-}
-
-const select = (event: Event): void => (event.target as HTMLInputElement).select();
-
-/** Copies the field before a button; the old way too, because a LAN without https has no clipboard. */
-async function copyBeside(event: Event): Promise<void> {
-  const button = event.target as HTMLButtonElement;
-  const field = button.previousElementSibling as HTMLInputElement;
-  field.select();
-  try {
-    await navigator.clipboard.writeText(field.value);
-  } catch {
-    document.execCommand("copy");
-  }
-  button.textContent = "Copied";
 }

@@ -1,10 +1,5 @@
 import { afterEach, expect, it, vi } from "vitest";
-import { download, exportsOf, importCommand } from "./exports";
-
-it("expressions come in from documents, faces from heads", () => {
-  expect(importCommand("expression")).toBe("omote file import SHOW.omote their_smile.json");
-  expect(importCommand("face")).toContain("--as face");
-});
+import { download, exportsOf } from "./exports";
 
 afterEach(() => vi.unstubAllGlobals());
 

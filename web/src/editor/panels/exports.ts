@@ -1,4 +1,4 @@
-/** What of an item can be downloaded, the download itself, and the command that takes others in. */
+/** What of an item can be downloaded, and the download itself. */
 
 import type { ItemDocument } from "../../link/editing_messages";
 
@@ -31,9 +31,8 @@ export function exportsOf({ kind, name }: Pick<ItemDocument, "kind" | "name">, w
   ];
 }
 
-/** The command that takes in others of a kind: a file that a show plays takes nothing in, so no page can. */
-export const importCommand = (kind: ItemDocument["kind"]): string =>
-  `omote file import SHOW.omote ${kind === "face" ? "head.obj --as face" : "their_smile.json"}`;
+/** The command that takes in several shapes of one head, which belong together. */
+export const IMPORT_COMMAND = "omote file import SHOW.omote neutral.obj grin.obj frown.obj";
 
 /** Fetches an export and hands it to the browser as a download; an Error with a sentence where there is none. */
 export async function download({ address, file }: Export): Promise<void> {

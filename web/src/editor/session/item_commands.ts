@@ -1,6 +1,7 @@
 /** What people do with items: make, open, save, undo, bring back, name, order, delete. */
 
 import type { FaceRecipe, ItemDocument, RevisionDocument, Saved } from "../../link/editing_messages";
+import { importFiles } from "../../link/import_file";
 import type { Request } from "../link/requests";
 import type { DraftStore } from "./draft_store";
 
@@ -34,6 +35,13 @@ export function freeLabel(items: readonly ItemDocument[], stem: string): string 
     const label = number === 1 ? stem : `${stem} ${number}`;
     if (!taken.has(label.toLowerCase())) return label;
   }
+}
+
+/** Takes files in, and says what came of each. */
+export async function takeIn(store: DraftStore, files: readonly File[], kind: Kind): Promise<void> {
+  const { done, failed } = await importFiles(files, kind);
+  if (done !== "") store.say(done, "done");
+  for (const sentence of failed) store.say(sentence);
 }
 
 // --- the open item ----------------------------------------------------------------------------------------------------

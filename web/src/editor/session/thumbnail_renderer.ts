@@ -4,6 +4,7 @@ import { FaceView } from "../../face/face_view";
 import { THUMBNAIL } from "../../face/framing";
 import { fenced } from "../../face/gpu/fence";
 import { restPose } from "../../face/pose/pose";
+import { snapshot } from "../../face/snapshot";
 import { KEY, type Library } from "../../link/assets";
 import type { ThumbnailSubject } from "../../ui/thumbnails";
 import { loadFace } from "./asset_loading";
@@ -37,9 +38,7 @@ export class ThumbnailRenderer {
     await ensureFace(view.library, face);
     view.resize(width, height);
     await view.present(restPose(face, expression));
-    if (!view.alive) throw new Error("the graphics context is lost for a moment");
-    const picture = createImageBitmap(view.canvas); // now, while the canvas still holds it
-    await finished(view.context);
+    const [picture] = await Promise.all([snapshot(view), finished(view.context)]);
     return picture;
   }
 }

@@ -1,0 +1,80 @@
+"""Whose hands move what: consoles see who else plays a control."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from omote.show import messages as wire
+
+MOVING = wire.FadeFace, wire.FadeExpression, wire.SetChannel, wire.SetHead, wire.SetGaze
+"""What a hand sends on and on while it moves a control."""
+MOVING_SECONDS = 1.0
+"""Seconds after its last message for which a hand counts as moving a control."""
+AGAIN_SECONDS = 1.0
+"""Seconds after which a console is told the same again: a message may be lost."""
+
+
+def control_of(message: wire.Message) -> str:
+    """The control that a message of a hand moves: its tag, with the channel's name."""
+    tag = str(type(message).__struct_config__.tag)
+    return f"{tag}:{message.name}" if isinstance(message, wire.SetChannel) else tag
+
+
+class Hands:
+    """When each client last moved each control, and what each console was told of the others."""
+
+    def __init__(self) -> None:
+        self._moved: dict[str, dict[str, float]] = {}
+        self._told: dict[str, tuple[dict[str, str], float]] = {}
+
+    def note(self, who: str, message: wire.Message, now: float) -> None:
+        """Notes that a client moved a control."""
+        if isinstance(message, MOVING):
+            self._moved.setdefault(control_of(message), {})[who] = now
+
+    def take_off(self) -> None:
+        """All hands are off: panic."""
+        self._moved.clear()
+
+    def leave(self, who: str) -> None:
+        """Removes a client."""
+        self._told.pop(who, None)
+        for movers in self._moved.values():
+            movers.pop(who, None)
+
+    def tell(self, names: Mapping[str, str], now: float) -> dict[str, wire.Hands]:
+        """What consoles must be told now, each of the others' hands; names: of the consoles, by client."""
+        self._forget_old(now)
+        return {who: message for who in names if (message := self._news(who, names, now)) is not None}
+
+    def _forget_old(self, now: float) -> None:
+        for control, movers in list(self._moved.items()):
+            recent = {who: moved for who, moved in movers.items() if now - moved < MOVING_SECONDS}
+            if recent:
+                self._moved[control] = recent
+            else:
+                del self._moved[control]
+
+    def _news(self, who: str, names: Mapping[str, str], now: float) -> wire.Hands | None:
+        hands = self._others(who, names)
+        before, told = self._told.get(who, ({}, now))
+        if hands == before and (not hands or now - told < AGAIN_SECONDS):
+            return None
+        self._told[who] = hands, now
+        return wire.Hands(hands)
+
+    def _others(self, who: str, names: Mapping[str, str]) -> dict[str, str]:
+        """By control: the name of the other console that moved it last."""
+        found: dict[str, str] = {}
+        for control, movers in self._moved.items():
+            others = {other: moved for other, moved in movers.items() if other != who and other in names}
+            if others:
+                found[control] = names[max(others, key=lambda other: others[other])]
+        return found
+
+
+def free_name(wanted: str, taken: set[str]) -> str:
+    """The name of a console: the one wanted, else `console`, with the lowest number from 2 that makes it its own."""
+    stem = wanted.strip() or "console"
+    numbered = (stem if number == 1 else f"{stem} {number}" for number in range(1, len(taken) + 2))
+    return next(name for name in numbered if name.casefold() not in taken)

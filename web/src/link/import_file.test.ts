@@ -1,0 +1,38 @@
+import { afterEach, describe, expect, it, vi } from "vitest";
+import { importFile, importFiles } from "./import_file";
+
+afterEach(() => vi.unstubAllGlobals());
+
+const file = (name: string) => new File(["words"], name);
+const answering = (answer: (address: string) => Response) =>
+  vi.stubGlobal("fetch", (address: string) => Promise.resolve(answer(address)));
+
+describe("a file", () => {
+  it("goes to the show under its name, as what it is", async () => {
+    const asked: string[] = [];
+    answering((address) => {
+      asked.push(address);
+      return Response.json({ labels: ["Grin"], said: ["Grin, from my grin.json"] });
+    });
+    expect((await importFile(file("my grin.json"), "expression")).labels).toEqual(["Grin"]);
+    await importFile(file("aunt.glb"), "face");
+    expect(asked).toEqual(["/imports/my%20grin.json?as=expression", "/imports/aunt.glb?as=face"]);
+  });
+
+  it("that the show cannot take in is told in its words, and the others come in", async () => {
+    answering((address) =>
+      address.includes("notes")
+        ? new Response("it is no expression.", { status: 400 })
+        : Response.json({ labels: ["Grin"], said: ["Grin, from grin.json"] }),
+    );
+    expect(await importFiles([file("notes.txt"), file("grin.json")], "expression")).toEqual({
+      done: "Taken in, under Own: Grin, from grin.json.",
+      failed: ["notes.txt was not taken in: it is no expression."],
+    });
+  });
+
+  it("that cannot be sent is a sentence", async () => {
+    vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
+    await expect(importFile(file("grin.json"), "expression")).rejects.toThrow("grin.json was not sent");
+  });
+});
