@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { CallState, State } from "../../link/messages";
-import { type Followed, follow, mixLabel, onAir, UNKNOWN } from "./axis";
+import { followTimed, mixLabel, onAir } from "./axis";
 
 it("lists what is on air, heaviest first, without dust", () => {
   expect(onAir({ a: 0.2, b: 0.8, c: 0.0004, d: -0.05 })).toEqual([
@@ -22,25 +22,18 @@ it("names a mix with its weights, one alone without, and counts those for which 
 const call = (target: string, by_hand: boolean, start = { generic: 1 }): CallState => ({
   ...{ target, by_hand, start, progress: 0.4, remaining: by_hand ? null : 2, fader: 0, pickup: 0.4 },
 });
-const told = (face_call: CallState | null, face_fader = 0): State =>
-  ({ face_call, face_fader, expression_call: null, expression_fader: 0 }) as unknown as State;
-const followed = (states: State[], own = false): Followed =>
-  states.reduce<[Followed, State | null]>(
-    ([known, last], state) => [follow(known, "face", [last, state], own, 7), state],
-    [UNKNOWN, null],
+const told = (face_call: CallState | null): State => ({ face_call, expression_call: null }) as unknown as State;
+const followed = (...states: State[]): boolean | null =>
+  states.reduce<[boolean | null, State | null]>(
+    ([timed, last], state) => [followTimed(timed, "face", last, state), state],
+    [null, null],
   )[0];
 
 it("knows a call that has seconds from one by hand, also when a T-bar has picked it up", () => {
-  expect(followed([told(null), told(call("old", false)), told(call("old", true))]).timed).toBe(true);
-  expect(followed([told(null), told(call("old", true))]).timed).toBe(false);
-  expect(followed([told(call("old", true))]).timed).toBe(null); // from before this console was there
+  expect(followed(told(null), told(call("old", false)), told(call("old", true)))).toBe(true);
+  expect(followed(told(null), told(call("old", true)))).toBe(false);
+  expect(followed(told(call("old", true)))).toBe(null); // from before this console was there
   const again = call("old", true, { generic: 0.6, old: 0.4 } as unknown as { generic: number });
-  expect(followed([told(null), told(call("old", false)), told(call("old", true)), told(again)]).timed).toBe(false);
-  expect(followed([told(call("old", false)), told(null)]).timed).toBe(null);
-});
-
-it("knows when a hand elsewhere moved a T-bar", () => {
-  expect(followed([told(null, 0.4), told(null, 0.4)]).movedElsewhere).toBe(Number.NEGATIVE_INFINITY);
-  expect(followed([told(null, 0.4), told(null, 0.5)]).movedElsewhere).toBe(7);
-  expect(followed([told(null, 0.4), told(null, 0.5)], true).movedElsewhere).toBe(Number.NEGATIVE_INFINITY);
+  expect(followed(told(null), told(call("old", false)), told(call("old", true)), told(again))).toBe(false);
+  expect(followed(told(call("old", false)), told(null))).toBe(null);
 });

@@ -10,34 +10,19 @@ export function callOf(state: State, axis: Axis): CallState | null {
   return axis === "face" ? state.face_call : state.expression_call;
 }
 
-/** Where the T-bar of an axis stands, 0..1. */
-export function faderOf(state: State, axis: Axis): number {
-  return axis === "face" ? state.face_fader : state.expression_fader;
-}
-
 /** The end of its travel that a T-bar in the middle goes to, as the engine turns a call round; null at an end. */
 export function endFrom(stands: number): 0 | 1 | null {
   const end = stands > 0.5 ? 1 : 0;
   return stands === end ? null : end;
 }
 
-/** What a console knows of an axis by following it: when a hand elsewhere last moved its bar, and whether its call has
- * seconds of its own to run on in; null where it was not there from the call's beginning. */
-export interface Followed {
-  readonly movedElsewhere: number;
-  readonly timed: boolean | null;
-}
-
-export const UNKNOWN: Followed = { movedElsewhere: Number.NEGATIVE_INFINITY, timed: null };
-
-/** What is known after `state`, which came after `last`; `own`: a hand of this console moves the bar. */
-export function follow(before: Followed, axis: Axis, [last, state]: [State | null, State], own: boolean, now: number) {
-  const moved = last !== null && faderOf(last, axis) !== faderOf(state, axis) && !own;
+/** Whether the call of an axis has seconds of its own to run on in, as a console knows by following it: `timed` before,
+ * then `state`, which came after `last`. Null where the console was not there from the call's beginning. */
+export function followTimed(timed: boolean | null, axis: Axis, last: State | null, state: State): boolean | null {
   const [old, call] = [last === null ? null : callOf(last, axis), callOf(state, axis)];
   const same = old !== null && call !== null && isSame(old, call);
   const first = last === null ? null : false; // one by hand from its beginning has no seconds
-  const timed = call === null ? null : !call.by_hand ? true : same ? before.timed : first;
-  return { movedElsewhere: moved ? now : before.movedElsewhere, timed };
+  return call === null ? null : !call.by_hand ? true : same ? timed : first;
 }
 
 /** Whether two reports tell of one call: another to the same target leaves another mix. */

@@ -120,9 +120,10 @@ describe("a T-bar that was left in the middle", () => {
   });
 
   it("stays where a hand may be on it, here or elsewhere, and where a timed call would be picked up", () => {
-    store.receiveState({ ...REST, face_fader: 0.4 }); // moved just now
+    store.receiveState({ ...REST, face_fader: 0.4 });
+    store.receiveHands({ fade_face: "Ana" });
     store.call("face", "old");
-    now += 10_000;
+    store.receiveHands({});
     store.bar("face").grip(0.5);
     store.call("face", "old");
     store.bar("face").leave();
@@ -132,6 +133,17 @@ describe("a T-bar that was left in the middle", () => {
     store.call("face", "kaori");
     store.flush();
     expect(types().filter(([type, value]) => type === "fade_face" && value !== 0.5)).toEqual([]);
+  });
+
+  it("goes to its end although the echo of the own hand comes late", () => {
+    store.bar("face").grip(0.4);
+    store.bar("face").leave();
+    now += 10_000;
+    store.receiveState({ ...REST, face_fader: 0.4 }); // a busy machine had it all that time
+    sent.length = 0;
+    store.call("face", "old");
+    store.flush();
+    expect(types()).toContainEqual(["fade_face", 0]);
   });
 
   it("is left to a panic that is on its way", () => {

@@ -5,7 +5,7 @@
 
 import { editorAddress } from "../../link/editor_address";
 import type { CallState, Crew, FromClient, Hands, KeepUndone, Kept, State } from "../../link/messages";
-import { type Axis, callOf, endFrom, type Followed, follow, UNKNOWN } from "./axis";
+import { type Axis, callOf, endFrom, followTimed } from "./axis";
 import { type ConsoleLayout, FIRST } from "./console_layout";
 import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./knob";
 import { NoticeStore } from "./notice_store";
@@ -16,8 +16,6 @@ const NOT_SENT = "Not sent: the link to the show is lost.";
 const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to run on in.";
 /** Milliseconds within which a second press of *Keep* is the same. */
 const TWICE = 800;
-/** Milliseconds after which a T-bar that another console moved is taken to be let go. */
-const LET_GO = 1000;
 
 export class ConsoleStore extends NoticeStore {
   state: State | null = null;
@@ -38,7 +36,7 @@ export class ConsoleStore extends NoticeStore {
   /** A panic of this console, which puts the bars to their rest, has not been heard yet. */
   #panicking = false;
   readonly #kept: Record<Axis, number> = { face: Number.NEGATIVE_INFINITY, expression: Number.NEGATIVE_INFINITY };
-  readonly #followed: Record<Axis, Followed> = { face: UNKNOWN, expression: UNKNOWN };
+  readonly #timed: Record<Axis, boolean | null> = { face: null, expression: null };
   readonly #knobs: Knobs;
   readonly #outbox: Outbox;
 
@@ -58,8 +56,7 @@ export class ConsoleStore extends NoticeStore {
     const last = this.state;
     this.state = state;
     for (const axis of ["face", "expression"] as const) {
-      const own = this.bar(axis).counts(this.now());
-      this.#followed[axis] = follow(this.#followed[axis], axis, [last, state], own, this.now());
+      this.#timed[axis] = followTimed(this.#timed[axis], axis, last, state);
     }
     const turned = (axis: Axis): boolean => (last ? callOf(last, axis)?.target : null) !== callOf(state, axis)?.target;
     if (turned("face") || turned("expression")) this.tell("call");
@@ -184,8 +181,7 @@ export class ConsoleStore extends NoticeStore {
   /** The end that a T-bar in the middle goes to at a new call; null where a hand may be on it, here or elsewhere. */
   #restOf(axis: Axis): number | null {
     if (this.state === null || this.#panicking || this.bar(axis).gripped()) return null;
-    const elsewhere = this.now() - this.#followed[axis].movedElsewhere < LET_GO;
-    return elsewhere ? null : endFrom(this.bar(axis).value(this.now()));
+    return this.otherOn(this.bar(axis)) !== null ? null : endFrom(this.bar(axis).value(this.now()));
   }
 
   /** Calls a light in the time of a face, also while faces are called by hand: a light has no T-bar. */
@@ -206,7 +202,7 @@ export class ConsoleStore extends NoticeStore {
 
   /** Whether the call is timed and a T-bar has it, so that it runs on once the hand is off. */
   releasable(axis: Axis): boolean {
-    return this.callOf(axis)?.by_hand === true && this.#followed[axis].timed !== false;
+    return this.callOf(axis)?.by_hand === true && this.#timed[axis] !== false;
   }
 
   #push(message: FromClient): void {
@@ -215,7 +211,7 @@ export class ConsoleStore extends NoticeStore {
 
   release(axis: Axis): void {
     if (!this.#mayAct()) return;
-    if (this.#followed[axis].timed === false) {
+    if (this.#timed[axis] === false) {
       this.say(NOTHING_TO_RELEASE);
       return;
     }
