@@ -21,7 +21,7 @@ from omote.interchange.formats.glb_reader import read_glb
 from omote.model.cast import Cast
 from omote.server.persistence.lock import lock_show
 from omote.server.supervision.supervisor import Supervisor
-from omote.showfile.show_file import open_show
+from omote.showfile.show_file import JournalEntry, open_show
 
 runner = CliRunner()
 HEAVY = ("numpy", "numba", "aiohttp", "scipy", "rich.console")
@@ -123,6 +123,41 @@ def test_without_a_file_the_show_is_kept_in_the_state_directory(
     assert (tmp_path / "omote" / "show.omote").exists()
 
 
+def opened(path: Path, status: int = 0) -> str:
+    """What `omote show` says of a file."""
+    done = runner.invoke(app, ["show", str(path), "--port", "0", "--no-open"])
+    assert done.exit_code == status, done.output
+    return done.stderr
+
+
+@pytest.mark.usefixtures("no_show")
+def test_show_says_which_file_it_opened_or_made(tmp_path: Path) -> None:
+    path = tmp_path / "a.omote"
+    assert f"a new show begins in {path}\n" in opened(path)
+    show = open_show(path)
+    show.write_journal(JournalEntry(1, 0.0, b"state"))
+    show.close()
+    assert f"the show of {path} goes on; it holds 0 own faces and expressions\n" in opened(path)
+    assert f"the show of {path} goes on" in opened(tmp_path / "a")  # the ending may be left out
+    assert f"a new show begins in {tmp_path / 'b.omote'}\n" in opened(tmp_path / "b")
+
+
+@pytest.mark.usefixtures("no_show")
+def test_show_makes_no_folder(tmp_path: Path) -> None:
+    assert f"its folder {tmp_path / 'nowhere'} is not there" in opened(tmp_path / "nowhere" / "a.omote", status=1)
+    (tmp_path / "file").touch()
+    assert f"its folder {tmp_path / 'file'} is no folder" in opened(tmp_path / "file" / "a.omote", status=1)
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+@pytest.mark.parametrize("port", ["70000", "-1", "x", "8090.5", "9" * 5000])
+def test_what_is_no_port_is_said_in_plain_words(tmp_path: Path, port: str) -> None:
+    done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", port], env={"COLUMNS": "400"})
+    assert done.exit_code == 2
+    assert "is no port; give a number from 1 to 65535, or 0 for any free one" in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.usefixtures("no_show")
 def test_a_port_in_use_is_one_sentence(tmp_path: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
@@ -138,7 +173,7 @@ def test_a_refused_port_leaves_no_show_file(tmp_path: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = str(taken.getsockname()[1])
         runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", port, "--no-open"])
-    assert not (tmp_path / "a.omote").exists()
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.usefixtures("no_show")
@@ -319,6 +354,26 @@ def test_a_face_is_written_with_its_expressions_as_targets(tmp_path: Path) -> No
     done = runner.invoke(app, ["export", "dog", "-o", str(path), "--expressions", "smile,jawOpen"])
     assert done.exit_code == 0, done.output
     assert {tuple(piece.moves) for piece in read_glb(path.read_bytes())} == {("smile", "jawOpen")}
+
+
+def test_an_ending_that_is_left_out_is_the_files_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    open_show(tmp_path / "a.omote").close()
+    done = runner.invoke(app, ["export", "dog", "-o", "dog", "--expressions", "smile"])
+    assert "omote: dog.glb: dog, morph targets: 1" in done.stderr
+    done = runner.invoke(app, ["file", "export", "a.omote", "smile", "-o", "smile"])
+    assert "smile.json holds smile" in done.stderr
+    assert "did you mean smile.json?" in runner.invoke(app, ["file", "import", "a.omote", "smile"]).stderr
+    (tmp_path / "head").write_bytes((tmp_path / "dog.glb").read_bytes())
+    assert "is told by its name; end that with .json, .glb, .obj" in (
+        runner.invoke(app, ["file", "import", "a.omote", "head"]).stderr
+    )
+    assert "did you mean a.omote?" in runner.invoke(app, ["file", "list", "a"]).stderr
+    assert "is no name of a document; end it with .json" in (
+        runner.invoke(app, ["file", "export", "a.omote", "smile", "-o", "smile.xml"]).stderr
+    )
+    assert runner.invoke(app, ["file", "import", "b", "smile.json"]).exit_code == 0
+    assert {path.name for path in tmp_path.iterdir()} >= {"dog.glb", "smile.json", "b.omote"}
 
 
 @pytest.mark.parametrize(

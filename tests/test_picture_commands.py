@@ -241,7 +241,13 @@ def test_of_a_sidecar_the_request_counts_and_nothing_else_may_be_edited(tmp_path
     path, sidecar = tmp_path / "a.png", tmp_path / "a.png.json"
     typed("render", "-o", str(path), "--expression", "smile=0.5")
     whole = json.loads(sidecar.read_text())
-    for edit in ({"pictures": {**whole["pictures"], "paper": "#fff"}}, {"setting": {}}, {"cast": "x"}, {"pages": "x"}):
+    edits: list[dict[str, Any]] = [
+        {"pictures": {**whole["pictures"], "paper": "#fff"}},
+        {"setting": {}},
+        {"cast": "x"},
+        {"pages": "x"},
+    ]
+    for edit in edits:
         sidecar.write_text(json.dumps(whole | edit))
         refused = typed("redraw", str(sidecar), status=1).stderr
         assert "cast, pages, setting or pictures were edited" in refused

@@ -7,7 +7,7 @@ import shutil
 import sys
 import textwrap
 import webbrowser
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
@@ -17,10 +17,12 @@ import typer
 
 from omote.file_commands import file_app
 from omote.picture_commands import grid, redraw, render
-from omote.terminal import fail, fail_with, say
+from omote.terminal import complete_name, fail, fail_with, say
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
+
+HIGHEST_PORT = 65535
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -53,31 +55,48 @@ def main() -> None:
     app()
 
 
+def read_port(text: str | int) -> int:
+    """The number of a port as it is typed."""
+    digits = str(text).strip()
+    if not digits.isascii() or not digits.isdecimal() or int(digits[:9]) > HIGHEST_PORT:
+        raise typer.BadParameter(
+            f"{digits!r} is no port; give a number from 1 to {HIGHEST_PORT}, or 0 for any free one"
+        )
+    return int(digits)
+
+
 @app.command()
 def show(
     file: Annotated[Path | None, typer.Argument(help="The show file (.omote); made when there is none.")] = None,
     host: Annotated[str, typer.Option(help="The address to listen on; 0.0.0.0 for the whole network.")] = "127.0.0.1",
-    port: Annotated[int, typer.Option(min=0, max=65535, help="The port to listen on; 0 for any.")] = 8090,
+    port: Annotated[
+        int, typer.Option(parser=read_port, metavar="PORT", help="The port to listen on; 0 for any.")
+    ] = 8090,
     browser: Annotated[bool, typer.Option("--open/--no-open", help="Open the stage and the console.")] = True,
 ) -> None:
     """Opens a show: serves stage and console, and keeps them alive."""
     if sys.platform == "win32":
         fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
     from omote.server.http.static_pages import read_pages
-    from omote.server.persistence.lock import ShowLockedError, lock_show
-    from omote.server.persistence.restore import open_newest
+    from omote.server.persistence.lock import ShowLockedError, lock_show, release_lock
     from omote.server.process.notice_board import NoticeBoard
-    from omote.server.supervision.supervisor import Supervisor, listen_on
+    from omote.server.supervision.listening_socket import listen_on
+    from omote.server.supervision.supervisor import Supervisor
     from omote.showfile.identification import locate_show
-    from omote.showfile.show_file import ShowFileError, default_path
+    from omote.showfile.recovery import name_show
+    from omote.showfile.show_file import ShowFileError
 
     board = NoticeBoard()
     try:
-        path = locate_show(file or default_path())
+        path = locate_show(default_show() if file is None else name_show(file))
         read_pages()
         lock = lock_show(path)
-        listening = listen_on(host, port)  # before the file is made: a refused port leaves none
-        open_newest(path, board.with_report(say)).close()
+        try:
+            listening = listen_on(host, port)  # before the file is made: a refused port leaves none
+            say(open_or_make(path, board.with_report(say)))
+        except BaseException:
+            release_lock(path, lock)
+            raise
     except (OSError, ShowFileError, ShowLockedError) as error:
         fail_with(error)
     port = listening.getsockname()[1]
@@ -85,6 +104,30 @@ def show(
     supervisor = Supervisor(listening, lock, path, report=say, opened=opened, notices=board.notices)
     say("the faces are getting ready ...")
     raise typer.Exit(supervisor.run())
+
+
+def default_show() -> Path:
+    """The show file where none is named, in a folder that is made for it."""
+    from omote.showfile.show_file import default_path
+
+    path = default_path()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    return path
+
+
+def open_or_make(path: Path, report: Callable[[str], None]) -> str:
+    """Opens a show file, or makes it, so that what is wrong with it is known at once; says which of the two."""
+    from omote.server.persistence.restore import open_newest
+
+    new = not path.exists() or path.stat().st_size == 0
+    show = open_newest(path, report)
+    try:
+        own = sum(not item.deleted for item in show.stored().items)
+        begun = new and show.journal().snapshot is None and not own
+    finally:
+        show.close()
+    works = f"{own} own {'face or expression' if own == 1 else 'faces and expressions'}"
+    return f"a new show begins in {path}" if begun else f"the show of {path} goes on; it holds {works}"
 
 
 @app.command()
@@ -120,6 +163,7 @@ def export(
     from omote.interchange.formats.glb_writer import check_name, glb_bytes
     from omote.perform.name_lookup import find_name
 
+    output = complete_name(output, ".glb")
     try:
         check_name(output)
         check_writable(output)

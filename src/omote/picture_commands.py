@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.terminal import exit_on_refusal, fail, say
+from omote.terminal import complete_name, exit_on_refusal, fail, say
 
 if TYPE_CHECKING:
     from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress
@@ -128,6 +128,7 @@ def draw(
 
     before: the sidecar that the request is of; another cast or look is told of.
     """
+    path = complete_name(path, ".png")
     with exit_on_refusal():
         studio, run = plan(path, request, fresh=fresh)
         tell_difference(run, before)
