@@ -71,6 +71,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     performer.call_face("old")
     return {
         ("Cast", ValueError): lambda: omote.Cast(space, {"strange": strange}, dict(cast.expressions)),
+        ("Cast", KeyError): lambda: cast.faces["dgo"],
         ("Cast.under", ValueError): lambda: cast.under(words),
         ("Cast.with_expressions", ValueError): lambda: cast.with_expressions(
             new=omote.Expression(np.zeros(3), np.zeros(3), np.ones(3), np.zeros((0, 3)))
