@@ -79,7 +79,7 @@ def test_the_cast_for_programs_is_json(small_cast: Cast) -> None:
     assert document["digest"] == small_cast.digest
     assert [face["name"] for face in document["faces"]] == list(small_cast.faces)
     assert [each["name"] for each in document["expressions"]] == list(small_cast.expressions)
-    assert set(document["expressions"][0]) == {"name", "label", "kind", "region"}
+    assert set(document["expressions"][0]) == {"name", "label", "kind", "region", "facs"}
 
 
 @pytest.mark.parametrize("arguments", [["cast"], ["cast", "--json"]])
@@ -302,7 +302,7 @@ def test_pages_that_are_not_built_are_one_sentence(tmp_path: Path, monkeypatch: 
     def missing() -> None:
         raise FileNotFoundError("the pages are not built: run `make web`.")
 
-    monkeypatch.setattr("omote.server.http.static_pages.read_pages", missing)
+    monkeypatch.setattr("omote.server.supervision.preparation.read_pages", missing)
     done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
     assert (done.exit_code, done.stderr) == (1, "omote: the pages are not built: run `make web`.\n")
 
@@ -373,6 +373,17 @@ def test_an_ending_that_is_left_out_is_the_files_own(tmp_path: Path, monkeypatch
     )
     assert runner.invoke(app, ["file", "import", "b", "smile.json"]).exit_code == 0
     assert {path.name for path in tmp_path.iterdir()} >= {"dog.glb", "smile.json", "b.omote"}
+
+
+@pytest.mark.parametrize("ending", [".npz", ".csv"])
+def test_a_face_is_written_as_numbers(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"dog{ending}"
+    done = runner.invoke(app, ["export", "dog", "-o", str(path), "--expressions", "jawOpen"])
+    assert f"omote: {path}: dog, expressions: 1, " in done.stderr
+    assert b"jawOpen,26,skin" in path.read_bytes() or ending == ".npz"
+    path.write_bytes(b"somebody else's")
+    assert "it stays as it is" in runner.invoke(app, ["export", "dog", "-o", str(path)]).stderr
+    assert path.read_bytes() == b"somebody else's"
 
 
 @pytest.mark.parametrize(
