@@ -127,6 +127,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("read_sculpt", ValueError): lambda: omote.read_sculpt(nowhere),
         ("regional", ValueError): lambda: omote.regional(space, "new", {words: kaori}),
         ("render", ValueError): lambda: omote.render(cast, frame, size=(1, 1)),
+        ("render", TypeError): lambda: omote.render(cast, mixed),
         ("sculpted", ValueError): lambda: omote.sculpted(space, sculpt),
     }
 

@@ -168,10 +168,10 @@ def test_pictures_of_the_table_before_go_when_another_takes_its_place(
     typed(*words, f"{one},{other}")
     (folder / "mine.png").write_bytes(PICTURES[".png"] + b" of somebody else")
     said = typed(*words, one).stderr
-    assert f"1 of the table that was here before are removed from {folder}" in said
+    assert f"removed from {folder} what only the table before had, pictures: 1." in said
     assert {each.name for each in folder.glob("*.png")} == {f"{one}-neutral.png", "mine.png"}
     said = typed("render", "-o", str(path)).stderr
-    assert f"{folder} still holds 1 of a former table" in said
+    assert f"{folder} still holds pictures of a former table" in said
     assert len(runs) == 3
 
 

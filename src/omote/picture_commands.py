@@ -165,7 +165,7 @@ def prove(path: Path, request: Request, written: Sidecar, *, jobs: int) -> None:
         )
     if not there:
         write_whole(path, drawn)
-    say(f"{path}: drawn again, the same to the last byte.")
+    say(f"{path}: drawn again, the same to the last byte{'' if there else '; it is there again'}.")
 
 
 def plan(path: Path, request: Request, *, fresh: bool) -> tuple[PictureStudio, PictureRun]:
@@ -200,12 +200,12 @@ def clear_former(run: PictureRun, path: Path) -> None:
 
     former, folder = former_pictures(run, path), pictures_folder(path)
     if former and run.table is None:
-        say(f"{folder} still holds {len(former)} of a former table; delete it when nothing of it is missed.")
+        say(f"{folder} still holds pictures of a former table; delete it when nothing of it is missed.")
     elif former:
         for picture in former:
             sidecar_path(picture).unlink()
             picture.unlink()
-        say(f"{len(former)} of the table that was here before are removed from {folder}.")
+        say(f"removed from {folder} what only the table before had, pictures: {len(former)}.")
 
 
 def draw_shown(studio: PictureStudio, run: PictureRun, path: Path, *, jobs: int, stopped: str) -> None:

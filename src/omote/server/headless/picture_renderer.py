@@ -20,6 +20,7 @@ from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.picture_names import picture_kind
 from omote.interchange.formats.png import read_png
 from omote.model.cast import Cast
+from omote.perform.blending.evaluate import check_playable
 from omote.perform.frame import Frame
 from omote.perform.performer import Performer
 from omote.server.headless.chromium import find_chromium, open_chromium
@@ -104,7 +105,7 @@ def render(
     quality : {"lowest", "low", "medium", "high"}
         The level of the stage's quality.
     path : str or Path, optional
-        A PNG to be written too; the file of `omote render` has the same bytes.
+        A PNG to be written too, over what is there; the picture of `omote render` has the same bytes. No sidecar.
 
     Returns
     -------
@@ -114,7 +115,10 @@ def render(
     Raises
     ------
     ValueError
-        Where the size, the quality, the cast's head or the path's ending is none that can be drawn.
+        Where the frame names what the cast has not, or the size, the quality, the cast's head or the path's ending is
+        none that can be drawn.
+    TypeError
+        As `evaluate`.
 
     Notes
     -----
@@ -132,6 +136,7 @@ def render(
     ----------
     docs/conventions.md; the light and the levels are those of docs/gallery.md.
     """
+    check_playable(cast, frame)
     setting = Setting(*size, background=background, transparent=transparent, quality=quality)
     if len(cast.space.points) != len(load_cast().space.points):
         raise ValueError(
