@@ -21,7 +21,7 @@ from omote.interchange.formats.glb_reader import read_glb
 from omote.model.cast import Cast
 from omote.server.persistence.lock import lock_show
 from omote.server.supervision.supervisor import Supervisor
-from omote.showfile.show_file import open_show
+from omote.showfile.show_file import JournalEntry, open_show
 
 runner = CliRunner()
 HEAVY = ("numpy", "numba", "aiohttp", "scipy", "rich.console")
@@ -79,7 +79,7 @@ def test_the_cast_for_programs_is_json(small_cast: Cast) -> None:
     assert document["digest"] == small_cast.digest
     assert [face["name"] for face in document["faces"]] == list(small_cast.faces)
     assert [each["name"] for each in document["expressions"]] == list(small_cast.expressions)
-    assert set(document["expressions"][0]) == {"name", "label", "kind", "region"}
+    assert set(document["expressions"][0]) == {"name", "label", "kind", "region", "facs"}
 
 
 @pytest.mark.parametrize("arguments", [["cast"], ["cast", "--json"]])
@@ -123,6 +123,40 @@ def test_without_a_file_the_show_is_kept_in_the_state_directory(
     assert (tmp_path / "omote" / "show.omote").exists()
 
 
+def opened(path: Path, status: int = 0) -> str:
+    """What `omote show` says of a file."""
+    done = runner.invoke(app, ["show", str(path), "--port", "0", "--no-open"])
+    assert done.exit_code == status, done.output
+    return done.stderr
+
+
+@pytest.mark.usefixtures("no_show")
+def test_show_says_which_file_it_opened_or_made(tmp_path: Path) -> None:
+    assert f"a new show begins in {tmp_path / 'a.omote'}\n" in opened(tmp_path / "a.omote")
+    assert f"a new show begins in {tmp_path / 'b.omote'}\n" in opened(tmp_path / "b")  # the ending may be left out
+    show = open_show(tmp_path / "c.omote")
+    show.write_journal(JournalEntry(1, 0.0, b"state"))
+    show.close()
+    goes_on = f"the show of {tmp_path / 'c.omote'} goes on; it holds 0 own faces and expressions\n"
+    assert goes_on in opened(tmp_path / "c")
+
+
+@pytest.mark.usefixtures("no_show")
+def test_show_makes_no_folder(tmp_path: Path) -> None:
+    assert f"its folder {tmp_path / 'nowhere'} is not there" in opened(tmp_path / "nowhere" / "a.omote", status=1)
+    (tmp_path / "file").touch()
+    assert f"its folder {tmp_path / 'file'} is no folder" in opened(tmp_path / "file" / "a.omote", status=1)
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+@pytest.mark.parametrize("port", ["70000", "-1", "x", "8090.5", "9" * 5000])
+def test_what_is_no_port_is_said_in_plain_words(tmp_path: Path, port: str) -> None:
+    done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", port], env={"COLUMNS": "400"})
+    assert done.exit_code == 2
+    assert "is no port; give a number from 1 to 65535, or 0 for any free one" in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.usefixtures("no_show")
 def test_a_port_in_use_is_one_sentence(tmp_path: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
@@ -138,7 +172,7 @@ def test_a_refused_port_leaves_no_show_file(tmp_path: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = str(taken.getsockname()[1])
         runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", port, "--no-open"])
-    assert not (tmp_path / "a.omote").exists()
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.usefixtures("no_show")
@@ -268,7 +302,7 @@ def test_pages_that_are_not_built_are_one_sentence(tmp_path: Path, monkeypatch: 
     def missing() -> None:
         raise FileNotFoundError("the pages are not built: run `make web`.")
 
-    monkeypatch.setattr("omote.server.http.static_pages.read_pages", missing)
+    monkeypatch.setattr("omote.server.supervision.preparation.read_pages", missing)
     done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
     assert (done.exit_code, done.stderr) == (1, "omote: the pages are not built: run `make web`.\n")
 
@@ -319,6 +353,37 @@ def test_a_face_is_written_with_its_expressions_as_targets(tmp_path: Path) -> No
     done = runner.invoke(app, ["export", "dog", "-o", str(path), "--expressions", "smile,jawOpen"])
     assert done.exit_code == 0, done.output
     assert {tuple(piece.moves) for piece in read_glb(path.read_bytes())} == {("smile", "jawOpen")}
+
+
+def test_an_ending_that_is_left_out_is_the_files_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    open_show(tmp_path / "a.omote").close()
+    done = runner.invoke(app, ["export", "dog", "-o", "dog", "--expressions", "smile"])
+    assert "omote: dog.glb: dog, morph targets: 1" in done.stderr
+    done = runner.invoke(app, ["file", "export", "a.omote", "smile", "-o", "smile"])
+    assert "smile.json holds smile" in done.stderr
+    assert "did you mean smile.json?" in runner.invoke(app, ["file", "import", "a.omote", "smile"]).stderr
+    (tmp_path / "head").write_bytes((tmp_path / "dog.glb").read_bytes())
+    assert "is told by its name; end that with .json, .glb, .obj" in (
+        runner.invoke(app, ["file", "import", "a.omote", "head"]).stderr
+    )
+    assert "did you mean a.omote?" in runner.invoke(app, ["file", "list", "a"]).stderr
+    assert "is no name of a document; end it with .json" in (
+        runner.invoke(app, ["file", "export", "a.omote", "smile", "-o", "smile.xml"]).stderr
+    )
+    assert runner.invoke(app, ["file", "import", "b", "smile.json"]).exit_code == 0
+    assert {path.name for path in tmp_path.iterdir()} >= {"dog.glb", "smile.json", "b.omote"}
+
+
+@pytest.mark.parametrize("ending", [".npz", ".csv"])
+def test_a_face_is_written_as_numbers(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"dog{ending}"
+    done = runner.invoke(app, ["export", "dog", "-o", str(path), "--expressions", "jawOpen"])
+    assert f"omote: {path}: dog, expressions: 1, " in done.stderr
+    assert b"jawOpen,26,skin" in path.read_bytes() or ending == ".npz"
+    path.write_bytes(b"somebody else's")
+    assert "it stays as it is" in runner.invoke(app, ["export", "dog", "-o", str(path)]).stderr
+    assert path.read_bytes() == b"somebody else's"
 
 
 @pytest.mark.parametrize(

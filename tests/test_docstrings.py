@@ -16,7 +16,7 @@ import pytest
 
 import omote
 
-SECTIONS = ("Parameters", "Attributes", "Returns", "Raises", "Examples", "References")
+SECTIONS = ("Parameters", "Attributes", "Returns", "Raises", "Notes", "Examples", "References")
 SOURCE = re.compile(r"Arai \(1993\)|docs/[a-z]+\.md")
 
 
@@ -71,6 +71,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     performer.call_face("old")
     return {
         ("Cast", ValueError): lambda: omote.Cast(space, {"strange": strange}, dict(cast.expressions)),
+        ("Cast", KeyError): lambda: cast.faces["dgo"],
         ("Cast.under", ValueError): lambda: cast.under(words),
         ("Cast.with_expressions", ValueError): lambda: cast.with_expressions(
             new=omote.Expression(np.zeros(3), np.zeros(3), np.ones(3), np.zeros((0, 3)))
@@ -122,8 +123,11 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("evaluate_parts", TypeError): lambda: omote.evaluate_parts(cast, mixed),
         ("extract", ValueError): lambda: omote.extract(space, kaori, np.zeros((2, 3))),
         ("extract", TypeError): lambda: omote.extract(space, kaori, kaori.positions, parts=no_parts),
+        ("parse_pose", ValueError): lambda: omote.parse_pose(cast, face="nobody"),
         ("read_sculpt", ValueError): lambda: omote.read_sculpt(nowhere),
         ("regional", ValueError): lambda: omote.regional(space, "new", {words: kaori}),
+        ("render", ValueError): lambda: omote.render(cast, frame, size=(1, 1)),
+        ("render", TypeError): lambda: omote.render(cast, mixed),
         ("sculpted", ValueError): lambda: omote.sculpted(space, sculpt),
     }
 

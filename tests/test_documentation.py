@@ -18,9 +18,8 @@ import pytest
 import typer
 
 from omote.cli import app
-from tools.website.pages import GENERATED, ROOT
+from tools.website.pages import DOCS, ROOT, stale_pages
 
-DOCS = ROOT / "docs"
 SOURCES = ("src/omote", "web/src", "tools", "benchmarks", "examples")
 READMES = [page for folder in SOURCES for page in sorted((ROOT / folder).rglob("README.md"))]
 WRITTEN = [*sorted(ROOT.glob("*.md")), *READMES, *sorted(DOCS.rglob("*.md"))]
@@ -36,12 +35,8 @@ def name_of(page: Path) -> str:
 
 @cache
 def text_of(page: Path) -> str:
-    """The text of a page, written or made from the code."""
-    generated = GENERATED.get(page.relative_to(DOCS).as_posix()) if page.is_relative_to(DOCS) else None
-    return generated() if generated is not None else page.read_text(encoding="utf-8")
-
-
-PAGES = [*WRITTEN, *(DOCS / path for path in GENERATED)]
+    """The text of a page."""
+    return page.read_text(encoding="utf-8")
 
 
 def fences(page: Path, language: str) -> Iterator[tuple[str, str]]:
@@ -69,7 +64,7 @@ def broken(page: Path, link: str) -> bool:
     """Whether a link of a page leads nowhere."""
     path, _, anchor = link.partition("#")
     target = Path(os.path.normpath(page.parent / path)) if path else page
-    if target not in PAGES:
+    if target not in WRITTEN:
         return not target.exists() or bool(anchor)
     return bool(anchor) and anchor not in anchors(target)
 
@@ -95,13 +90,17 @@ def promised(code: str) -> list[str]:
     return [re.split(r": |\.\.\.", line.split(")  # ", 1)[1])[0] if ")  # " in line else "" for line in lines]
 
 
+def test_pages_made_from_the_code_are_current() -> None:
+    assert stale_pages() == [], "run: .venv/bin/python -m tools.website.pages"
+
+
 def test_headings_become_anchors(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text("# One: two `three`\n\n```sh\n# none\n```\n\n### Eq. 3\n")
     assert anchors(page) == {"one-two-three", "eq-3"}
 
 
-@pytest.mark.parametrize("page", PAGES, ids=name_of)
+@pytest.mark.parametrize("page", WRITTEN, ids=name_of)
 def test_links_lead_to_pages_and_headings(page: Path) -> None:
     links = re.findall(r"\]\(([^)\s]+)\)", prose(page))
     assert [link for link in links if "://" not in link and broken(page, link)] == []
@@ -115,7 +114,7 @@ def test_a_link_to_nowhere_is_found() -> None:
     assert not broken(DOCS / "index.md", "reference/wire.md#call_face")
 
 
-@pytest.mark.parametrize("page", [page for page in PAGES if "```sh" in text_of(page)], ids=name_of)
+@pytest.mark.parametrize("page", [page for page in WRITTEN if "```sh" in text_of(page)], ids=name_of)
 def test_commands_parse(page: Path) -> None:
     for line in commands_of(page):
         parse(line)
@@ -157,7 +156,7 @@ def test_shell_blocks_that_say_so_run(page: Path, tmp_path: Path) -> None:
 
 def test_every_page_is_in_the_navigation_or_in_the_list_of_decisions() -> None:
     entries = re.findall(r"^ +- (?:.*: )?(\S+\.md)$", (ROOT / "mkdocs.yml").read_text(), re.MULTILINE)
-    pages = {page.relative_to(DOCS).as_posix() for page in PAGES if page.is_relative_to(DOCS)}
+    pages = {page.relative_to(DOCS).as_posix() for page in WRITTEN if page.is_relative_to(DOCS)}
     once = {page for page in pages if not page.startswith("decisions/")} | {"decisions/README.md"}
     assert sorted(entries) == sorted(once)
 

@@ -13,6 +13,7 @@ from omote.edit.store.import_items import make_document
 from omote.file_commands import format_time
 from omote.interchange.formats.expression_json import encode
 from omote.model.cast import Cast
+from omote.showfile.backup import back_up
 from omote.showfile.changes import PutContent, PutItem, PutRevision
 from omote.showfile.contents import content_key, pack_expression
 from omote.showfile.show_file import ShowFile, open_show
@@ -89,7 +90,10 @@ def test_check_says_what_is_good_and_what_is_not(show: ShowFile) -> None:
     show.apply([PutRevision(revision(1, 4, content=show.stored().revisions[0].content, recipe=b"?"))])
     text = said("check", show.path, status=1)
     assert "BAD   the recipe of revision 4 of smirk cannot be read" in text
-    assert "a.omote is not all right; of a damaged file omote show opens the newest good state" in text
+    assert "a.omote is not all right. There is no good copy of it" in text
+    back_up(show)
+    text = said("check", show.path, status=1)
+    assert "a.omote is not all right. Of a damaged file omote show opens the newest good copy." in text
 
 
 @pytest.mark.parametrize(
@@ -97,10 +101,44 @@ def test_check_says_what_is_good_and_what_is_not(show: ShowFile) -> None:
     [
         (("list", "none.omote"), "there is no show file none.omote; omote show makes one"),
         (("history", "none.omote", "smirk"), "there is no show file none.omote"),
+        (("check", "none.omote"), "there is no show file none.omote; omote show makes one"),
     ],
 )
 def test_a_file_that_is_not_there_is_one_sentence(arguments: tuple[str, ...], sentence: str) -> None:
-    assert sentence in said(*arguments, status=1)
+    text = said(*arguments, status=1)
+    assert sentence in text
+    assert text.count("\n") == 1
+
+
+@pytest.mark.parametrize("command", [("list",), ("check",), ("history", "smirk")])
+def test_an_empty_file_is_called_empty(command: tuple[str, ...], tmp_path: Path) -> None:
+    for name, advice in (("a.omote", f"omote show {tmp_path / 'a.omote'} begins one in it"), ("a.txt", "")):
+        (tmp_path / name).touch()
+        text = said(command[0], tmp_path / name, *command[1:], status=1)
+        assert f"{tmp_path / name} is an empty file: there is no show in it" in text
+        assert advice in text
+        assert text.count("\n") == 1
+
+
+def test_a_lost_file_is_said_to_have_copies(show: ShowFile) -> None:
+    back_up(show)
+    show.close()
+    show.path.unlink()
+    text = said("check", show.path, status=1)
+    assert (
+        f"{show.path} is not there, but its good copies or its log are: omote show {show.path} brings it back" in text
+    )
+    assert "good  its good copy a.omote.good is whole" in text
+    show.path.touch()
+    assert f"{show.path} is empty, but its good copies" in said("list", show.path, status=1)
+
+
+def test_a_damaged_file_without_a_copy_is_not_called_good(show: ShowFile) -> None:
+    show.close()
+    show.path.write_bytes(show.path.read_bytes()[:5000])
+    text = said("check", show.path, status=1)
+    assert "BAD   there is no good copy beside it" in text
+    assert "good " not in text.replace("good copy", "copy")
 
 
 def test_a_file_that_never_was_a_show_is_not_called_damaged(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 from typer.testing import CliRunner, Result
 
@@ -15,6 +16,7 @@ from omote.server.headless.picture_run import PictureRun, PictureStudio, Progres
 from omote.showfile.changes import PutContent, PutItem, PutRevision
 from omote.showfile.contents import content_key, pack_expression
 from omote.showfile.show_file import open_show
+from omote.stage_data.picture_sidecar import checksum_of, encode_sidecar, read_sidecar
 from tests.server.synthetic_server import MASK, PAGES, meshes
 from tests.showfile.authored_work import item, revision
 
@@ -117,10 +119,69 @@ def test_what_is_drawn_is_not_drawn_again(tmp_path: Path, small_cast: Cast, runs
 def test_another_parameter_draws_again_under_the_same_name(tmp_path: Path, runs: list[PictureRun]) -> None:
     words = ["render", "-o", str(tmp_path / "a.png")]
     typed(*words)
-    typed(*words, "--turn", "10")
-    (tmp_path / "a.png").write_bytes(PICTURES[".png"] + b" of somebody else")
-    typed(*words, "--turn", "10")
+    assert "drawn from other parameters; it is drawn anew" in typed(*words, "--turn", "10").stderr
+    sidecar = tmp_path / "a.png.json"
+    sidecar.write_text(json.dumps(json.loads(sidecar.read_text()) | {"cast": "another"}))
+    assert "drawn with another cast than this one" in typed(*words, "--turn", "10").stderr
     assert len(runs) == 3
+
+
+@pytest.mark.parametrize("sidecar", [True, False])
+def test_a_picture_that_omote_did_not_draw_stays_unless_it_is_told(
+    tmp_path: Path, runs: list[PictureRun], sidecar: bool
+) -> None:
+    path, theirs = tmp_path / "a.png", PICTURES[".png"] + b" of somebody else"
+    if sidecar:
+        typed("render", "-o", str(path))
+    path.write_bytes(theirs)
+    refused = typed("render", "-o", str(path), "--fresh", status=1).stderr
+    assert f"{path} is there already and is not as Omote drew it ({'a.png.json is of' if sidecar else 'no'} " in refused
+    assert "--force" in refused
+    assert (path.read_bytes(), len(runs)) == (theirs, int(sidecar))
+    typed("render", "-o", str(path), "--force")
+    assert path.read_bytes() == PICTURES[".png"]
+
+
+def test_an_empty_file_is_no_picture_of_somebody(tmp_path: Path, runs: list[PictureRun]) -> None:
+    (tmp_path / "a.png").touch()
+    typed("render", "-o", str(tmp_path / "a.png"))
+    assert len(runs) == 1
+
+
+def test_a_strange_picture_among_those_of_a_table_stays(
+    tmp_path: Path, small_cast: Cast, runs: list[PictureRun]
+) -> None:
+    one, words = next(iter(small_cast.faces)), ["grid", "-o", str(tmp_path / "a.png"), "--faces"]
+    (tmp_path / "a.pictures").mkdir()
+    strange = tmp_path / "a.pictures" / f"{one}-neutral.png"
+    strange.write_bytes(PICTURES[".png"] + b" of somebody else")
+    assert str(strange) in typed(*words, one, status=1).stderr
+    assert runs == []
+
+
+def test_pictures_of_the_table_before_go_when_another_takes_its_place(
+    tmp_path: Path, small_cast: Cast, runs: list[PictureRun]
+) -> None:
+    one, other, *_ = small_cast.faces
+    path, folder = tmp_path / "a.png", tmp_path / "a.pictures"
+    words = ["grid", "-o", str(path), "--faces"]
+    typed(*words, f"{one},{other}")
+    (folder / "mine.png").write_bytes(PICTURES[".png"] + b" of somebody else")
+    said = typed(*words, one).stderr
+    assert f"removed from {folder} what only the table before had, pictures: 1." in said
+    assert {each.name for each in folder.glob("*.png")} == {f"{one}-neutral.png", "mine.png"}
+    said = typed("render", "-o", str(path)).stderr
+    assert f"{folder} still holds pictures of a former table" in said
+    assert len(runs) == 3
+
+
+def test_tables_that_share_a_folder_keep_their_pictures(
+    tmp_path: Path, small_cast: Cast, runs: list[PictureRun]
+) -> None:
+    one, other, *_ = small_cast.faces
+    typed("grid", "-o", str(tmp_path / "a.jpg"), "--faces", one)
+    typed("grid", "-o", str(tmp_path / "a.png"), "--faces", other)
+    assert len([*(tmp_path / "a.pictures").glob("*.png")]) == len(runs) == 2
 
 
 def test_what_is_no_picture_is_not_replaced_by_one(tmp_path: Path, runs: list[PictureRun]) -> None:
@@ -134,7 +195,9 @@ def test_a_sidecar_draws_its_picture_again(tmp_path: Path, small_cast: Cast, run
     one, other = list(small_cast.faces)[:2]
     words = ["--morph", f"{one}:{other}:3", "--expressions", "smile", "--light", "flat", "--size", "32x36"]
     typed("grid", "-o", str(tmp_path / "a.png"), *words)
-    typed("redraw", str(tmp_path / "a.png.json"))
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*.*") if path.is_file()}
+    assert "the same to the last byte" in typed("redraw", str(tmp_path / "a.png.json")).stderr
+    assert {path: path.read_bytes() for path in tmp_path.rglob("*.*") if path.is_file()} == before
     typed("redraw", str(tmp_path / "a.png.json"), "-o", str(tmp_path / "b.png"))
     sheets = [run.table.sheet for run in runs if run.table is not None]
     assert sheets == [sheets[0]] * 3
@@ -147,12 +210,72 @@ def test_a_sidecar_draws_its_picture_again(tmp_path: Path, small_cast: Cast, run
 def test_a_sidecar_of_another_cast_says_so(tmp_path: Path, runs: list[PictureRun]) -> None:
     typed("render", "-o", str(tmp_path / "a.png"))
     sidecar = tmp_path / "a.png.json"
-    sidecar.write_text(json.dumps(json.loads(sidecar.read_text()) | {"cast": "another"}))
-    assert "another cast" in typed("redraw", str(sidecar)).stderr
-    assert len(runs) == 2
+    of_another = msgspec.structs.replace(read_sidecar(sidecar), cast="another")
+    of_another = msgspec.structs.replace(of_another, checksum=checksum_of(of_another))
+    sidecar.write_bytes(encode_sidecar(of_another, PICTURES[".png"] + b" of another cast"))
+    (tmp_path / "a.png").unlink()
+    refused = typed("redraw", str(sidecar), status=1).stderr
+    assert "comes out otherwise than its sidecar says, which was drawn with another cast than this one" in refused
+    assert [path.name for path in tmp_path.iterdir()] == ["a.png.json"]
+    said = typed("redraw", str(sidecar), "-o", str(tmp_path / "b.png")).stderr
+    assert "the sidecar's picture was drawn with another cast than this one" in said
+    assert len(runs) == 3
 
 
-def test_own_work_of_a_show_is_drawn(tmp_path: Path, small_cast: Cast, runs: list[PictureRun]) -> None:
+def test_redraw_proves_brings_back_and_replaces_only_when_told(tmp_path: Path, runs: list[PictureRun]) -> None:
+    path, sidecar = tmp_path / "a.png", tmp_path / "a.png.json"
+    typed("render", "-o", str(path))
+    path.unlink()
+    typed("redraw", str(sidecar))
+    assert path.read_bytes() == PICTURES[".png"]
+    path.write_bytes(PICTURES[".png"] + b", retouched")
+    refused = typed("redraw", str(sidecar), status=1).stderr
+    assert f"{path} is not the picture that its sidecar is of, it was changed since" in refused
+    assert path.read_bytes() == PICTURES[".png"] + b", retouched"
+    assert len(runs) == 2  # it was not drawn to find that out
+    typed("redraw", str(sidecar), "--force")
+    assert path.read_bytes() == PICTURES[".png"]
+
+
+def test_of_a_sidecar_the_request_counts_and_nothing_else_may_be_edited(tmp_path: Path, runs: list[PictureRun]) -> None:
+    path, sidecar = tmp_path / "a.png", tmp_path / "a.png.json"
+    typed("render", "-o", str(path), "--expression", "smile=0.5")
+    whole = json.loads(sidecar.read_text())
+    edits: list[dict[str, Any]] = [
+        {"pictures": {**whole["pictures"], "paper": "#fff"}},
+        {"setting": {}},
+        {"cast": "x"},
+        {"pages": "x"},
+    ]
+    for edit in edits:
+        sidecar.write_text(json.dumps(whole | edit))
+        refused = typed("redraw", str(sidecar), status=1).stderr
+        assert "cast, pages, setting or pictures were edited" in refused
+        assert "change the words under request" in refused
+    assert len(runs) == 1
+    sidecar.write_text(json.dumps(whole | {"request": {**whole["request"], "expression": ["smile=0.75"]}}))
+    said = typed("redraw", str(sidecar), "-o", str(tmp_path / "b.png")).stderr
+    assert "the sidecar's picture was drawn from other parameters" in said
+    assert runs[-1].pictures[0].sheet.poses[0][0]["expressions"] == {"smile": 0.75, "neutral": 0.25}
+
+
+def test_a_redraw_that_is_stopped_changes_nothing(
+    tmp_path: Path, small_cast: Cast, runs: list[PictureRun], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    typed("render", "-o", str(tmp_path / "a.png"), "--face", next(iter(small_cast.faces)))
+
+    def stopped(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("omote.server.headless.picture_run.draw_run", stopped)
+    done = typed("redraw", str(tmp_path / "a.png.json"), status=130)
+    assert done.stderr == "omote: stopped; nothing was changed.\n"
+    assert len(runs) == 1
+
+
+def test_own_work_of_a_show_is_drawn(
+    tmp_path: Path, small_cast: Cast, runs: list[PictureRun], monkeypatch: pytest.MonkeyPatch
+) -> None:
     data = pack_expression(small_cast.expressions["smile"])
     key = content_key(data)
     show = open_show(tmp_path / "a.omote")
@@ -164,6 +287,23 @@ def test_own_work_of_a_show_is_drawn(tmp_path: Path, small_cast: Cast, runs: lis
     typed(*words, "--show", str(tmp_path / "a.omote"))
     assert runs[0].pictures[0].sheet.poses[0][0]["expressions"] == {"crooked_smile": 1.0}
     assert json.loads((tmp_path / "a.png.json").read_text())["request"]["show"] == str(tmp_path / "a.omote")
+    _redraw_from_elsewhere(tmp_path, words[3:], monkeypatch)
+
+
+def _redraw_from_elsewhere(folder: Path, words: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """A sidecar names its show file from its own folder, so both work from others, and after a move together."""
+    for name in ("pictures", "elsewhere"):
+        (folder / name).mkdir()
+    monkeypatch.chdir(folder)
+    typed("render", "-o", "pictures/b.png", *words, "--show", "a.omote")
+    sidecar = folder / "pictures" / "b.png.json"
+    assert json.loads(sidecar.read_text())["request"]["show"] == "../a.omote"
+    monkeypatch.chdir(folder / "elsewhere")
+    typed("redraw", str(sidecar))
+    (folder / "a.omote").rename(folder / "moved.omote")
+    refused = typed("redraw", str(sidecar), status=1).stderr
+    assert "which is not there: say where with --show" in refused
+    typed("redraw", str(sidecar), "--show", "../moved.omote")
 
 
 def test_piped_progress_is_plain_lines(tmp_path: Path, small_cast: Cast, runs: list[PictureRun]) -> None:

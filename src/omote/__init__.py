@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from omote.builtin import load_cast as load_cast
     from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
+    from omote.model.action_units import action_units as action_units
     from omote.model.cast import Cast as Cast
     from omote.model.controls.control_net import ControlNet as ControlNet
     from omote.model.extraction.extract import extract as extract
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from omote.perform.blending.evaluate import evaluate as evaluate
     from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
     from omote.perform.performer import Performer as Performer
+    from omote.server.headless.picture_renderer import render as render
+    from omote.stage_data.pose_parser import parse_pose as parse_pose
 
 __version__ = "0.1.0"
 
@@ -37,14 +40,17 @@ _HOMES = {
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
     "Sculpt": "omote.model.sculpting.sculpt",
+    "action_units": "omote.model.action_units",
     "caricature": "omote.model.sculpting.caricature",
     "compound": "omote.model.transfer.compound",
     "evaluate": "omote.perform.blending.evaluate",
     "evaluate_parts": "omote.perform.blending.evaluate",
     "extract": "omote.model.extraction.extract",
     "load_cast": "omote.builtin",
+    "parse_pose": "omote.stage_data.pose_parser",
     "read_sculpt": "omote.interchange.formats.sculpt_toml",
     "regional": "omote.model.sculpting.regions",
+    "render": "omote.server.headless.picture_renderer",
     "sculpted": "omote.model.sculpting.sculpt",
 }
 

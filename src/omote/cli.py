@@ -7,7 +7,7 @@ import shutil
 import sys
 import textwrap
 import webbrowser
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
@@ -17,10 +17,13 @@ import typer
 
 from omote.file_commands import file_app
 from omote.picture_commands import grid, redraw, render
-from omote.terminal import fail, fail_with, say
+from omote.terminal import complete_name, fail, fail_with, say
 
 if TYPE_CHECKING:
+    from omote.interchange.export_face import Meshes
     from omote.model.cast import Cast
+
+HIGHEST_PORT = 65535
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -53,31 +56,40 @@ def main() -> None:
     app()
 
 
+def read_port(text: str | int) -> int:
+    """The number of a port as it is typed."""
+    digits = str(text).strip()
+    if not digits.isascii() or not digits.isdecimal() or int(digits[:9]) > HIGHEST_PORT:
+        raise typer.BadParameter(
+            f"{digits!r} is no port; give a number from 1 to {HIGHEST_PORT}, or 0 for any free one"
+        )
+    return int(digits)
+
+
 @app.command()
 def show(
     file: Annotated[Path | None, typer.Argument(help="The show file (.omote); made when there is none.")] = None,
     host: Annotated[str, typer.Option(help="The address to listen on; 0.0.0.0 for the whole network.")] = "127.0.0.1",
-    port: Annotated[int, typer.Option(min=0, max=65535, help="The port to listen on; 0 for any.")] = 8090,
+    port: Annotated[
+        int, typer.Option(parser=read_port, metavar="PORT", help="The port to listen on; 0 for any.")
+    ] = 8090,
     browser: Annotated[bool, typer.Option("--open/--no-open", help="Open the stage and the console.")] = True,
 ) -> None:
     """Opens a show: serves stage and console, and keeps them alive."""
     if sys.platform == "win32":
         fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
-    from omote.server.http.static_pages import read_pages
-    from omote.server.persistence.lock import ShowLockedError, lock_show
-    from omote.server.persistence.restore import open_newest
+    from omote.server.persistence.lock import ShowLockedError
     from omote.server.process.notice_board import NoticeBoard
-    from omote.server.supervision.supervisor import Supervisor, listen_on
+    from omote.server.supervision.preparation import prepare_show
+    from omote.server.supervision.supervisor import Supervisor
     from omote.showfile.identification import locate_show
-    from omote.showfile.show_file import ShowFileError, default_path
+    from omote.showfile.recovery import name_show
+    from omote.showfile.schema import ShowFileError
 
     board = NoticeBoard()
     try:
-        path = locate_show(file or default_path())
-        read_pages()
-        lock = lock_show(path)
-        listening = listen_on(host, port)  # before the file is made: a refused port leaves none
-        open_newest(path, board.with_report(say)).close()
+        path = locate_show(default_show() if file is None else name_show(file))
+        lock, listening = prepare_show(path, host, port, tell=say, report=board.with_report(say))
     except (OSError, ShowFileError, ShowLockedError) as error:
         fail_with(error)
     port = listening.getsockname()[1]
@@ -85,6 +97,15 @@ def show(
     supervisor = Supervisor(listening, lock, path, report=say, opened=opened, notices=board.notices)
     say("the faces are getting ready ...")
     raise typer.Exit(supervisor.run())
+
+
+def default_show() -> Path:
+    """The show file where none is named, in a folder that is made for it."""
+    from omote.showfile.show_file import default_path
+
+    path = default_path()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    return path
 
 
 @app.command()
@@ -105,34 +126,49 @@ app.command()(redraw)
 @app.command()
 def export(
     face: Annotated[str, typer.Argument(help="A face of the cast: kaori, dog.")],
-    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: face.glb.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: face.glb, face.npz, face.csv.")],
     expressions: Annotated[str, typer.Option(help="arkit, performed, makehuman, all, or names, by commas.")] = "arkit",
     hair: Annotated[bool, typer.Option("--hair/--no-hair", help="The face's hair, as ribbons.")] = True,
     show: Annotated[Path | None, typer.Option(help="A show file (.omote) whose own work can be named too.")] = None,
 ) -> None:
-    """Writes a face with expressions as morph targets (GLB), for Blender, three.js, game engines."""
+    """Writes a face with expressions: as morph targets (GLB), or as what each moves in numbers (NPZ, CSV)."""
     from rich.console import Console
     from rich.progress import track
 
-    from omote.builtin import load_mask, load_meshes
-    from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
+    from omote.interchange.export_face import choose_expressions, named_compound_meshes
     from omote.interchange.formats.atomic_file import check_writable, write_whole
-    from omote.interchange.formats.glb_writer import check_name, glb_bytes
     from omote.perform.name_lookup import find_name
 
+    output = complete_name(output, ".glb")
     try:
-        check_name(output)
+        encode = find_encoder(output, hair=hair)
         check_writable(output)
         cast = load_cast() if show is None else load_full_cast(show)
         face, names = find_name(face, cast.faces, "face"), choose_expressions(cast, expressions)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
         poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
-        write_whole(
-            output, glb_bytes(build_scene(ExportContext(cast, load_meshes(), load_mask()), face, poses, hair=hair))
-        )
+        write_whole(output, encode(cast, face, poses))
     except (OSError, ValueError, RuntimeError) as error:
         fail_with(error)
-    say(f"{output}: {face}, morph targets: {len(names)}, {output.stat().st_size / 1e6:.1f} MB")
+    what = "morph targets" if output.suffix.lower() == ".glb" else "expressions"
+    say(f"{output}: {face}, {what}: {len(names)}, {output.stat().st_size / 1e6:.1f} MB")
+
+
+def find_encoder(path: Path, *, hair: bool) -> Callable[[Cast, str, Iterable[tuple[str, Meshes]]], bytes]:
+    """What makes the bytes of an exported face, by the file's ending; ValueError for another one."""
+    from omote.builtin import load_mask, load_meshes
+    from omote.interchange.export_deltas import ENDINGS, encode_deltas, measure_deltas
+    from omote.interchange.export_face import ExportContext, build_scene
+    from omote.interchange.formats.glb_writer import check_name, glb_bytes
+
+    if path.suffix.lower() in ENDINGS:
+        return lambda cast, face, poses: encode_deltas(measure_deltas(cast, face, poses), path)
+    check_name(path)
+
+    def encode(cast: Cast, face: str, poses: Iterable[tuple[str, Meshes]]) -> bytes:
+        return glb_bytes(build_scene(ExportContext(cast, load_meshes(), load_mask()), face, poses, hair=hair))
+
+    return encode
 
 
 @app.command()
@@ -190,9 +226,11 @@ def print_json(cast: Cast) -> None:
     """Prints the cast as JSON."""
     import msgspec
 
+    from omote.model.action_units import action_units
+
     faces = [{"name": name, "vertices": len(face.positions)} for name, face in cast.faces.items()]
     titles = cast.titles
-    expressions = [{"name": n, **asdict(titles[n])} for n in cast.expressions]
+    expressions = [{"name": n, **asdict(titles[n]), "facs": action_units(n)} for n in cast.expressions]
     document = {"digest": cast.digest, "faces": faces, "expressions": expressions}
     typer.echo(msgspec.json.format(msgspec.json.encode(document), indent=2).decode())
 

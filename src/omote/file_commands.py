@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 
 import typer
 
-from omote.terminal import escape_controls, exit_on_refusal, fail
+from omote.terminal import complete_name, escape_controls, exit_on_refusal, fail
 
 WIDEST = 4000
 """Characters of a line of a table at most."""
@@ -46,7 +46,8 @@ def list_items(file: ShowFileArgument, json: JsonOption = False) -> None:
 def check(file: ShowFileArgument) -> None:
     """Says what is in a show file, and whether all of it is right."""
     from omote.showfile.identification import identify
-    from omote.showfile.inspection import verdicts
+    from omote.showfile.inspection import holds_nothing, verdicts, what_opens
+    from omote.showfile.recovery import explain_missing
 
     good = True
     with exit_on_refusal():
@@ -55,14 +56,13 @@ def check(file: ShowFileArgument) -> None:
             fail(
                 f"{file} is {found.noun} and never was a show; it stays as it is. Name a show file, such as show.omote."
             )
+        if holds_nothing(file):
+            fail(explain_missing(file))
         for right, sentence in verdicts(file):
             good = good and right
             typer.echo(f"{'good' if right else 'BAD '}  {escape_controls(sentence)}")
-    if not good:
-        typer.echo(
-            f"omote: {file} is not all right; of a damaged file omote show opens the newest good state.", err=True
-        )
-        raise typer.Exit(1)
+        if not good:
+            fail(f"{file} is not all right. {what_opens(file)}")
 
 
 @file_app.command()
@@ -111,11 +111,12 @@ def take_in(
     from omote.edit.store.import_items import changes_to_import
     from omote.server.persistence.offline_show import open_offline_show, wall_clock
     from omote.server.sandbox.import_files import expressions_from, faces_from
+    from omote.showfile.recovery import name_show
     from omote.stage_data.full_cast import build_full_cast
 
     arrivals = []
     with exit_on_refusal():
-        cast = load_cast()
+        file, cast = name_show(file), load_cast()
         if file.exists():
             with open_offline_show(file) as show:  # checks the lock before the slow part
                 cast = build_full_cast(cast, show.stored(), show.contents())
@@ -141,8 +142,11 @@ def give_out(
     from omote.interchange.formats.expression_json import encode
     from omote.showfile.inspection import inspect_show
 
+    output = complete_name(output, ".json")
     with exit_on_refusal():
         check_writable(output)
+        if output.suffix.lower() != ".json":
+            fail(f"{output.name!r} is no name of a document; end it with .json")
         found = inspect_show(file)
         write_whole(output, encode(export_document(load_cast(), found.stored, found.contents, name)))
     typer.echo(f"omote: {output} holds {name}.", err=True)

@@ -7,15 +7,17 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.terminal import exit_on_refusal, say
+from omote.terminal import complete_name, exit_on_refusal, fail, say
 
 if TYPE_CHECKING:
-    from omote.server.headless.picture_run import PictureRun, Progress
+    from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress
     from omote.stage_data.picture_request import Request
+    from omote.stage_data.picture_sidecar import Sidecar
 
 Output = Annotated[Path, typer.Option("--output", "-o", help="The picture to write: .png, .jpg.")]
 FacesOption = Annotated[list[str] | None, typer.Option("--face", help="A face; several mix: kaori=0.5, dog=0.5.")]
@@ -28,6 +30,9 @@ QualityOption = Annotated[str, typer.Option(help="lowest, low, medium or high.")
 ShowOption = Annotated[Path | None, typer.Option(help="A show file (.omote) whose own work can be named too.")]
 JobsOption = Annotated[int, typer.Option("--jobs", "-j", min=1, max=64, help="Browsers that draw at once.")]
 FreshOption = Annotated[bool, typer.Option("--fresh", help="Draw again what is there already.")]
+ForceOption = Annotated[bool, typer.Option("--force", help="Replace a picture that Omote did not draw as it is.")]
+STOPPED = "stopped; what is drawn stays, and the same command goes on from there."
+UNCHANGED = "stopped; nothing was changed."
 
 
 def render(
@@ -44,6 +49,7 @@ def render(
     quality: QualityOption = "high",
     show: ShowOption = None,
     fresh: FreshOption = False,
+    force: ForceOption = False,
 ) -> None:
     """Draws one picture of a face, without a window, as the stage draws it."""
     from omote.stage_data.picture_request import RenderRequest
@@ -53,7 +59,7 @@ def render(
         gaze=gaze, size=size, light=light, background=background, transparent=transparent, quality=quality,
         show="" if show is None else str(show),
     )  # fmt: skip
-    draw(output, request, fresh=fresh)
+    draw(output, request, fresh=fresh, force=force)
 
 
 def grid(
@@ -71,6 +77,7 @@ def grid(
     show: ShowOption = None,
     jobs: JobsOption = 1,
     fresh: FreshOption = False,
+    force: ForceOption = False,
 ) -> None:
     """Draws pictures in rows and columns: faces by expressions, by turns, or the steps of a morph."""
     from omote.stage_data.picture_request import GridRequest
@@ -79,51 +86,138 @@ def grid(
         faces=faces, morph=morph, expressions=expressions, turns=turns, labels=labels, size=size, light=light,
         background=background, transparent=transparent, quality=quality, show="" if show is None else str(show),
     )  # fmt: skip
-    draw(output, request, fresh=fresh, jobs=jobs)
+    draw(output, request, fresh=fresh, force=force, jobs=jobs)
 
 
 def redraw(
     sidecar: Annotated[Path, typer.Argument(help="What lies beside a picture: smile.png.json.")],
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="The picture to write; else the one beside it.")
+        Path | None, typer.Option("--output", "-o", help="The picture to write; else the one beside it is proved.")
     ] = None,
+    show: Annotated[Path | None, typer.Option(help="Where the show file lies now, if not where it was.")] = None,
     jobs: JobsOption = 1,
+    force: Annotated[bool, typer.Option("--force", help="Replace the picture beside it, whatever comes out.")] = False,
 ) -> None:
-    """Draws a picture or a grid again from its sidecar, with every parameter as it was."""
-    from omote.stage_data.picture_sidecar import read_sidecar
+    """Draws a picture or a grid again from its sidecar; one that is there is never replaced by another unasked."""
+    import msgspec
+
+    from omote.stage_data.picture_sidecar import move_request, read_record
 
     with exit_on_refusal():
-        written = read_sidecar(sidecar)
-        draw(output or sidecar.with_suffix(""), written.request, fresh=True, jobs=jobs, before=written.cast)
+        written = read_record(sidecar)
+        request = move_request(written.request, sidecar.parent, Path())
+        request = request if show is None else msgspec.structs.replace(request, show=str(show))
+        if request.show and not Path(request.show).exists():
+            fail(f"{sidecar} was drawn from the show file {request.show}, which is not there: say where with --show.")
+        if output is None and not force:
+            prove(sidecar.with_suffix(""), request, written, jobs=jobs)
+        else:
+            draw(output or sidecar.with_suffix(""), request, fresh=True, force=force, jobs=jobs, before=written)
 
 
-def draw(path: Path, request: Request, *, fresh: bool = False, jobs: int = 1, before: str | None = None) -> None:
+def draw(
+    path: Path,
+    request: Request,
+    *,
+    fresh: bool = False,
+    force: bool = False,
+    jobs: int = 1,
+    before: Sidecar | None = None,
+) -> None:
     """Draws what a request wants, or ends the command with an error message.
 
-    before: the digest of the cast that it was drawn with once; another cast is told of.
+    before: the sidecar that the request is of; another cast or look is told of.
     """
+    path = complete_name(path, ".png")
     with exit_on_refusal():
-        from omote.interchange.formats.atomic_file import check_writable
-        from omote.interchange.formats.picture_names import picture_kind
-        from omote.server.headless.picture_run import PictureStudio, draw_run
-
-        picture_kind(path)
-        check_writable(path)
-        _ = request.setting
-        studio = PictureStudio(Path(request.show) if request.show else None)
-        if before not in (None, studio.cast.digest):
-            say("it was drawn with another cast than this one; the faces may differ.")
-        run = studio.plan(request, path, fresh=fresh)
+        studio, run = plan(path, request, fresh=fresh)
+        tell_difference(run, before)
         if run.complete:
             say(f"{path} is there already, drawn from the same parameters; --fresh draws it again.")
             return
-        with shown_progress(run, path) as report:
-            draw_run(studio, run, report, jobs=jobs)
+        if not force:
+            run.refuse_foreign()
+        draw_shown(studio, run, path, jobs=jobs, stopped=STOPPED)
+        clear_former(run, path)
     say(f"{path}: {len(run.pictures)} {'picture' if len(run.pictures) == 1 else 'pictures'}.")
 
 
+def prove(path: Path, request: Request, written: Sidecar, *, jobs: int) -> None:
+    """Draws again what a sidecar says, elsewhere; writes it only where it is the same and no picture is there."""
+    from omote.interchange.formats.atomic_file import write_whole
+    from omote.stage_data.picture_sidecar import explain_difference, hash_picture
+
+    there = path.exists()
+    if there and hash_picture(path.read_bytes()) != written.picture:
+        fail(
+            f"{path} is not the picture that its sidecar is of, it was changed since; it stays as it is: -o NEW.png "
+            "draws beside it, --force in its place."
+        )
+    with TemporaryDirectory(prefix="omote-") as folder:
+        studio, run = plan(Path(folder) / path.name, request, fresh=True)
+        draw_shown(studio, run, path, jobs=jobs, stopped=UNCHANGED)
+        drawn = (Path(folder) / path.name).read_bytes()
+    if hash_picture(drawn) != written.picture:
+        why = explain_difference(written, run.whole.sidecar)
+        fail(
+            f"{path} comes out otherwise than its sidecar says, which was drawn {why}; nothing was changed: -o NEW.png "
+            "writes it beside, --force in its place."
+        )
+    if not there:
+        write_whole(path, drawn)
+    say(f"{path}: drawn again, the same to the last byte{'' if there else '; it is there again'}.")
+
+
+def plan(path: Path, request: Request, *, fresh: bool) -> tuple[PictureStudio, PictureRun]:
+    """What is to be drawn and by what; ValueError, OSError where that cannot be, before anything is drawn."""
+    from omote.interchange.formats.atomic_file import check_writable
+    from omote.interchange.formats.picture_names import picture_kind
+    from omote.server.headless.picture_run import PictureStudio
+
+    picture_kind(path)
+    check_writable(path)
+    _ = request.setting
+    studio = PictureStudio(Path(request.show) if request.show else None)
+    return studio, studio.plan(request, path, fresh=fresh)
+
+
+def tell_difference(run: PictureRun, before: Sidecar | None) -> None:
+    """Says where a picture is made of something else than the sidecar that it is drawn from, or than the one there."""
+    from omote.stage_data.picture_sidecar import explain_difference, read_sidecar, sidecar_path
+
+    whole = run.whole
+    if before is not None and before.record != whole.sidecar.record:
+        say(f"the sidecar's picture was drawn {explain_difference(before, whole.sidecar)}.")
+    elif before is None and run.states[whole.path] == "former":
+        why = explain_difference(read_sidecar(sidecar_path(whole.path)), whole.sidecar)
+        say(f"{whole.path} is there already, drawn {why}; it is drawn anew in its place.")
+
+
+def clear_former(run: PictureRun, path: Path) -> None:
+    """Removes the pictures of a former table of this name that this one has not; beside a single picture only says."""
+    from omote.server.headless.picture_run import former_pictures, pictures_folder
+    from omote.stage_data.picture_sidecar import sidecar_path
+
+    former, folder = former_pictures(run, path), pictures_folder(path)
+    if former and run.table is None:
+        say(f"{folder} still holds pictures of a former table; delete it when nothing of it is missed.")
+    elif former:
+        for picture in former:
+            sidecar_path(picture).unlink()
+            picture.unlink()
+        say(f"removed from {folder} what only the table before had, pictures: {len(former)}.")
+
+
+def draw_shown(studio: PictureStudio, run: PictureRun, path: Path, *, jobs: int, stopped: str) -> None:
+    """Draws a run and shows how far it is."""
+    from omote.server.headless.picture_run import draw_run
+
+    with shown_progress(run, path, stopped) as report:
+        draw_run(studio, run, report, jobs=jobs)
+
+
 @contextmanager
-def shown_progress(run: PictureRun, path: Path) -> Iterator[Callable[[Progress], None]]:
+def shown_progress(run: PictureRun, path: Path, stopped: str) -> Iterator[Callable[[Progress], None]]:
     """Shows how far a run is: a bar with the time that is left on a terminal, else a line for each picture."""
     there = len(run.pictures) - len(run.waiting)
     if there and run.waiting:
@@ -134,7 +228,7 @@ def shown_progress(run: PictureRun, path: Path) -> Iterator[Callable[[Progress],
         else:
             yield _lines(run)
     except KeyboardInterrupt:
-        say("stopped; what is drawn stays, and the same command goes on from there.")
+        say(stopped)
         raise typer.Exit(130) from None
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator
+from pathlib import Path
 from typing import NoReturn
 
 import typer
@@ -15,6 +16,11 @@ import typer
 def escape_controls(text: str) -> str:
     """Escapes control characters: names in untrusted files must not control the terminal."""
     return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+
+
+def complete_name(path: Path, ending: str) -> Path:
+    """The path of a file to be written, with this ending where a person left the ending out."""
+    return path if path.suffix or path.exists() else path.with_name(path.name + ending)
 
 
 @contextlib.contextmanager

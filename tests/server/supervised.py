@@ -6,7 +6,8 @@ from pathlib import Path
 
 from omote.server.persistence.lock import lock_show
 from omote.server.supervision import supervisor
-from omote.server.supervision.supervisor import Supervisor, listen_on
+from omote.server.supervision.listening_socket import listen_on
+from omote.server.supervision.supervisor import Supervisor
 
 # A busy machine is no hanging server; one test says what is.
 supervisor.HANG_SECONDS = float(os.environ.get("SYNTHETIC_HANG", "60"))

@@ -3,28 +3,18 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 from tools.website.html_links import resources
-from tools.website.pages import GENERATED, ROOT
-
-
-def stage(folder: Path) -> None:
-    """Fills a folder with the pages of docs/ and with those that are made from the code."""
-    shutil.rmtree(folder, ignore_errors=True)
-    shutil.copytree(ROOT / "docs", folder)
-    for path, text in GENERATED.items():
-        target = folder / path
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(text(), encoding="utf-8")
+from tools.website.pages import ROOT
+from tools.website.pages import main as write_pages
 
 
 def main() -> int:
     """Builds; a link that leads nowhere, or an address of another host that a page would load, fails."""
-    stage(ROOT / "build" / "website")
+    write_pages()
     command = [sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict", "--clean"]
     built = subprocess.run(command, cwd=ROOT, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False)
     if built.returncode:

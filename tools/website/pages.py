@@ -1,15 +1,21 @@
-"""The pages of the site that are not in docs/: made from the code each time the site is built."""
+"""The pages of docs/ that are made from the code: `python -m tools.website.pages` writes them anew.
+
+They are kept in the repository, so that they can be read without building anything; a test says when one is stale.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
+from tools.website.action_unit_reference import action_unit_page, action_unit_table
 from tools.website.command_reference import command_page
 from tools.website.file_reference import file_page
+from tools.website.python_reference import python_page
 from tools.website.wire_reference import wire_page
 
 ROOT = Path(__file__).resolve().parent.parent.parent
+DOCS = ROOT / "docs"
 
 
 def examples_page() -> str:
@@ -24,9 +30,32 @@ def examples_page() -> str:
 
 
 GENERATED: Mapping[str, Callable[[], str]] = {
+    "reference/python.md": python_page,
     "reference/wire.md": wire_page,
     "reference/show-file.md": file_page,
     "reference/commands.md": command_page,
+    "reference/action-units.md": action_unit_page,
+    "reference/action-units.csv": action_unit_table,
     "examples.md": examples_page,
 }
-"""What makes each page, by its path in the site."""
+"""What makes each page, by its path in docs/."""
+
+
+def stale_pages() -> list[str]:
+    """The pages that are not what the code makes now."""
+    return [path for path, text in GENERATED.items() if not _is(DOCS / path, text())]
+
+
+def _is(page: Path, text: str) -> bool:
+    return page.exists() and page.read_text(encoding="utf-8") == text
+
+
+def main() -> None:
+    """Writes the pages that are stale."""
+    for path in stale_pages():
+        (DOCS / path).write_text(GENERATED[path](), encoding="utf-8")
+        print(f"docs/{path}")
+
+
+if __name__ == "__main__":
+    main()

@@ -11,6 +11,7 @@ from types import MappingProxyType
 import numpy as np
 
 from omote.model.hair import HairStyle
+from omote.model.known_names import KnownNames
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face, refuse_name
 from omote.model.space.face_fit import fit
@@ -150,6 +151,8 @@ class Cast:
     ------
     ValueError
         Where a face or an expression does not belong to the space, or a look names a style that is not there.
+    KeyError
+        From `cast.faces["dgo"]` and the like, with the names that are near: dog, doll, goblin.
 
     Examples
     --------
@@ -181,14 +184,14 @@ class Cast:
         _refuse_strange_looks(self)
         looks = {name: self.looks.get(name, Look()) for name in self.faces}
         titles = {name: self.titles.get(name, Title(name.replace("_", " "))) for name in self.expressions}
-        for attribute, value in (
-            ("faces", self.faces),
-            ("expressions", self.expressions),
-            ("looks", looks),
-            ("titles", titles),
-            ("hair", self.hair),
+        for attribute, what, values in (
+            ("faces", "face", self.faces),
+            ("expressions", "expression", self.expressions),
+            ("looks", "face", looks),
+            ("titles", "expression", titles),
+            ("hair", "hair style", self.hair),
         ):
-            object.__setattr__(self, attribute, MappingProxyType(dict(value)))
+            object.__setattr__(self, attribute, MappingProxyType(KnownNames(what, values)))
 
     def with_faces(self, *faces: Face, looks: Mapping[str, Look] | None = None) -> Cast:
         """A new cast with these faces added (or, by name, replaced).

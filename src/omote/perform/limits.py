@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Iterable
 from numbers import Real
 from typing import Any
+
+from omote.model.known_names import explain_unknown
 
 CHANNEL_LOWEST, CHANNEL_HIGHEST = -0.5, 1.5
 """Trackers send up to 1.08, artists exaggerate; beyond this a face breaks."""
@@ -36,8 +37,7 @@ def check_known(name: object, names: Iterable[str], what: str) -> str:
     choices = list(names)
     if isinstance(name, str) and name in choices:
         return name
-    near = difflib.get_close_matches(str(name), choices, n=3, cutoff=0.4) or sorted(choices)[:3]
-    raise ValueError(f"there is no {what} {str(name)[:80]!r} in this cast; near are {', '.join(near)}")
+    raise ValueError(explain_unknown(name, choices, what))
 
 
 def _format(value: Real) -> str:

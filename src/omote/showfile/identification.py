@@ -97,6 +97,15 @@ def locate_show(path: Path, /) -> Path:
         raise ShowFileError(f"{path} cannot be opened: its links lead in a circle; name another file.") from error
 
 
+def require_folder(path: Path, /) -> None:
+    """ShowFileError where the folder of a show file is not there: a mistyped path shall make none."""
+    if not path.parent.is_dir():
+        noun = "is no folder" if path.parent.exists() else "is not there"
+        raise ShowFileError(
+            f"{path} cannot be made: its folder {path.parent} {noun}; make the folder first, or name another file."
+        )
+
+
 def _identify_bytes(file: BinaryIO, path: Path) -> Identity:
     head = file.read(HEADER + 8)
     if not head:

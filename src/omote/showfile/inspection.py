@@ -17,8 +17,9 @@ from omote.showfile.backup import backup_paths
 from omote.showfile.changes import Draft, Item, Kind, Revision, Stored
 from omote.showfile.contents import ContentError, content_kind
 from omote.showfile.database_errors import technical_texts
-from omote.showfile.identification import locate_show
+from omote.showfile.identification import identify, locate_show
 from omote.showfile.integrity import open_read_only, verify_integrity
+from omote.showfile.recovery import explain_missing, is_lost
 from omote.showfile.schema import SCHEMA_VERSION, ShowFileError
 
 AUTHORED_SINCE = 2
@@ -40,7 +41,7 @@ def inspect_show(path: Path, /) -> Inspection:
     path = locate_show(path) if path.is_symlink() else path
     version = verify_integrity(path)
     if version == 0:
-        raise ShowFileError(f"there is no show file {path}; omote show makes one.")
+        raise ShowFileError(explain_missing(path))
     with contextlib.closing(open_read_only(path)) as connection:
         connection.execute("BEGIN")  # one state, whatever is committed meanwhile
         row = connection.execute("SELECT epoch FROM journal").fetchone()
@@ -73,6 +74,18 @@ def revisions_of(stored: Stored, item: Item, /) -> list[Revision]:
     return [revision for revision in stored.revisions if revision.item == item.id]
 
 
+def holds_nothing(path: Path, /) -> bool:
+    """Whether nothing is at a path that could be checked: no file or an empty one, and nothing left of a show."""
+    return identify(path).kind in ("missing", "empty") and not is_lost(path)
+
+
+def what_opens(path: Path, /) -> str:
+    """What `omote show` would open of a file that is not all right, as a whole sentence."""
+    if any(identify(backup).kind == "show" for backup in backup_paths(path)):
+        return "Of a damaged file omote show opens the newest good copy."
+    return "There is no good copy of it; omote show keeps a damaged file aside and starts neutral."
+
+
 def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
     """Yields the result of each integrity check with a message; the first failure may be the last."""
     try:
@@ -81,7 +94,7 @@ def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
         yield False, str(error)
         for text in technical_texts(error):
             yield False, f"for whoever repairs it: {text}"
-        yield from _copies(path)
+        yield from _copies(path, whole=False)
         return
     newest = "" if found.version == SCHEMA_VERSION else f", which omote show brings to {SCHEMA_VERSION}"
     yield True, f"{path.name} is whole: schema {found.version}{newest}"
@@ -89,7 +102,7 @@ def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
     size = sum(map(len, found.contents.values())) / 1e6
     yield True, f"{len(found.contents)} contents, {size:.1f} MB, and each is what its key says"
     yield from _check_authored(found)
-    yield from _copies(path)
+    yield from _copies(path, whole=True)
 
 
 def _check_authored(found: Inspection) -> Iterator[tuple[bool, str]]:
@@ -147,14 +160,15 @@ def _wrong_recipe(data: bytes, what: str, contents: Mapping[str, bytes]) -> Iter
             yield f"the recipe of {what} names {source}, which is not there"
 
 
-def _copies(path: Path) -> Iterator[tuple[bool, str]]:
+def _copies(path: Path, *, whole: bool) -> Iterator[tuple[bool, str]]:
+    """The good copies beside a file, of which a damaged one has need."""
     backups = [backup for backup in backup_paths(path) if backup.exists()]
     if not backups:
-        yield True, "there is no good copy beside it yet; omote show makes one"
+        yield whole, f"there is no good copy beside it{' yet; omote show makes one' if whole else ''}"
     for backup in backups:
         try:
-            whole = verify_integrity(backup) > 0
-            yield whole, f"its good copy {backup.name} is {'whole' if whole else 'empty'}"
+            good = verify_integrity(backup) > 0
+            yield good, f"its good copy {backup.name} is {'whole' if good else 'empty'}"
         except ShowFileError as error:
             yield False, f"its good copy is none: {error}"
     for kept in sorted(path.parent.glob(f"{path.name}.corrupt-*[0-9]")):

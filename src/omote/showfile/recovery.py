@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from omote.showfile.backup import backup_paths, put_in_place, refuse_foreign, remove
-from omote.showfile.identification import identify, is_own_log, reject_foreign, require_show
+from omote.showfile.identification import SUFFIX, identify, is_own_log, reject_foreign, require_show
 from omote.showfile.integrity import verify_integrity
 from omote.showfile.schema import CorruptShowFileError, ShowFileError
 
@@ -34,6 +34,26 @@ def is_lost(path: Path, /) -> bool:
         return False
     log = path.with_name(path.name + "-wal")
     return any(backup.exists() for backup in backup_paths(path)) or (log.exists() and log.stat().st_size > 0)
+
+
+def name_show(path: Path, /) -> Path:
+    """The path of a show to open or make: `evening` means `evening.omote`, unless `evening` is or was something."""
+    if path.suffix or not path.name or path.exists() or path.is_symlink() or is_lost(path):
+        return path
+    return path.with_name(path.name + SUFFIX)
+
+
+def explain_missing(path: Path, /) -> str:
+    """Why no show can be read at a path where nothing or an empty file lies, as a whole sentence."""
+    empty = path.exists()
+    if is_lost(path):
+        what = "is empty" if empty else "is not there"
+        return f"{path} {what}, but its good copies or its log are: omote show {path} brings it back."
+    if empty:
+        begins = f"; omote show {path} begins one in it" if path.suffix.lower() == SUFFIX else ""
+        return f"{path} is an empty file: there is no show in it{begins}."
+    near = path.with_name(path.name + SUFFIX)
+    return f"there is no show file {path}; {f'did you mean {near}?' if near.is_file() else 'omote show makes one.'}"
 
 
 def reject_unproven(path: Path, /) -> None:

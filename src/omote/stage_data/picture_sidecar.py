@@ -1,11 +1,13 @@
 """The sidecar of a picture: a JSON document beside it with every parameter, so that it can be made again.
 
-It also says whether a picture that is there already is the one that is asked for.
+It also says whether a picture that is there already is the one that is asked for, and whether Omote drew it at all.
+Its `request` alone says what is drawn again; the rest records what was drawn, under a checksum.
 """
 
 from __future__ import annotations
 
 import hashlib
+import os
 from pathlib import Path
 from typing import Any, Literal
 
@@ -20,8 +22,9 @@ LARGEST_SIDECAR = 16_000_000
 class Sidecar(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Everything that a picture was made from.
 
-    request: what was asked for, as it is typed; pictures: the table that was drawn, with every weight and angle
-    (radians); cast and pages: digests of the faces and of what draws them; picture: the hash of the file itself.
+    request: what was asked for, as it is typed (a show file by its path from the sidecar's folder); pictures: the table
+    that was drawn, with every weight and angle (radians); cast and pages: digests of the faces and of what draws them;
+    checksum: of all these but the request; picture: the hash of the file itself.
     """
 
     format: Literal["omote-picture"] = "omote-picture"
@@ -32,7 +35,17 @@ class Sidecar(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     pages: str
     setting: dict[str, Any]
     pictures: dict[str, Any]
+    checksum: str
     picture: str = ""
+
+    @property
+    def record(self) -> bytes:
+        """What the bytes of a picture follow from, as JSON in one order."""
+        parts = {"cast": self.cast, "pages": self.pages, "setting": self.setting, "pictures": self.pictures}
+        return msgspec.json.encode(msgspec.json.decode(msgspec.json.encode(parts)), order="sorted")
+
+
+State = Literal["missing", "foreign", "former", "drawn"]
 
 
 def sidecar_path(picture: Path) -> Path:
@@ -44,12 +57,28 @@ def describe(request: Request, sheet: PictureGrid, setting: Setting, made_by: tu
     """The sidecar of a picture that is not drawn yet; made_by: Omote's version, the digests of cast and pages."""
     version, cast, pages = made_by
     drawn, chosen = msgspec.to_builtins(sheet), msgspec.to_builtins(setting)
-    return Sidecar(omote=version, request=request, cast=cast, pages=pages, setting=chosen, pictures=drawn)
+    open_sidecar = Sidecar(
+        omote=version, request=request, cast=cast, pages=pages, setting=chosen, pictures=drawn, checksum=""
+    )
+    return msgspec.structs.replace(open_sidecar, checksum=checksum_of(open_sidecar))
+
+
+def checksum_of(sidecar: Sidecar) -> str:
+    """The checksum of what a sidecar records, hexadecimal."""
+    return hashlib.blake2b(sidecar.record, digest_size=12).hexdigest()
+
+
+def move_request(request: Request, old: Path, new: Path) -> Request:
+    """The request with its show file, named from the folder `old`, named from the folder `new` instead."""
+    if not request.show or Path(request.show).is_absolute():
+        return request
+    path = os.path.relpath((old / request.show).absolute(), new.absolute())
+    return msgspec.structs.replace(request, show=Path(path).as_posix())
 
 
 def encode_sidecar(sidecar: Sidecar, picture: bytes) -> bytes:
     """The document for a picture's bytes, indented for people."""
-    whole = msgspec.structs.replace(sidecar, picture=hashlib.sha256(picture).hexdigest())
+    whole = msgspec.structs.replace(sidecar, picture=hash_picture(picture))
     return msgspec.json.format(msgspec.json.encode(whole), indent=2) + b"\n"
 
 
@@ -65,16 +94,53 @@ def read_sidecar(path: Path) -> Sidecar:
         ) from None
 
 
+def read_record(path: Path) -> Sidecar:
+    """Reads a sidecar that a picture is drawn again from; errors as `read_sidecar`.
+
+    ValueError too where what it records was edited: only its request counts, and nobody shall believe otherwise.
+    """
+    found = read_sidecar(path)
+    if found.checksum != checksum_of(found):
+        raise ValueError(
+            f"{path}: cast, pages, setting or pictures were edited, and these only record what was drawn; undo that, "
+            "and change the words under request instead: they alone say what is drawn"
+        )
+    return found
+
+
 def is_drawn(picture: Path, wanted: Sidecar) -> bool:
     """Whether a whole picture of exactly these parameters lies there: its sidecar says so, not its name."""
+    return picture_state(picture, wanted) == "drawn"
+
+
+def picture_state(picture: Path, wanted: Sidecar) -> State:
+    """What lies where a picture is to be.
+
+    "drawn": this very picture; "former": one that Omote drew from other parameters, and nobody changed since;
+    "foreign": any other file with something in it; "missing": none. OSError where it cannot be read.
+    """
+    if not picture.exists() or (picture.is_file() and picture.stat().st_size == 0):
+        return "missing"
     try:
-        found, data = read_sidecar(sidecar_path(picture)), picture.read_bytes()
+        found = read_sidecar(sidecar_path(picture))
     except (OSError, ValueError):
-        return False
-    return _matter(found) == _matter(wanted) and found.picture == hashlib.sha256(data).hexdigest()
+        return "foreign"
+    if found.picture != hash_picture(picture.read_bytes()):
+        return "foreign"
+    return "drawn" if found.record == wanted.record else "former"
 
 
-def _matter(sidecar: Sidecar) -> tuple[object, ...]:
-    """What the bytes of a picture follow from, as JSON knows it."""
-    parts = (sidecar.cast, sidecar.pages, sidecar.setting, sidecar.pictures)
-    return tuple(msgspec.json.decode(msgspec.json.encode(part)) for part in parts)
+def hash_picture(data: bytes) -> str:
+    """The hash of a picture's file, as its sidecar holds it."""
+    return hashlib.sha256(data).hexdigest()
+
+
+def explain_difference(found: Sidecar, wanted: Sidecar) -> str:
+    """Why two sidecars do not describe one picture, as a clause: "with another cast"."""
+    if found.cast != wanted.cast:
+        return "with another cast than this one: its faces may differ"
+    if found.record == wanted.record:
+        return "with another browser or graphics driver"
+    if found.pages != wanted.pages:
+        return "by other pages than these: the look may differ"
+    return "from other parameters"

@@ -34,10 +34,43 @@ def parse_pose(
     gaze: str = "",
     light: str = FIRST_LIGHT,
 ) -> Frame:
-    """Parses a pose: `kaori=0.5+dog=0.5`, `smile=0.7`, `jawOpen=0.5+eyeBlinkLeft=1`, angles in degrees.
+    """The frame of a pose that is written in words, as `omote render` takes it.
 
-    Names without a weight share what is left of one; what is left of the expressions is neutral. `turn`: yaw, pitch,
-    roll; `gaze`: yaw, pitch; what is left out is 0. ValueError with a message for invalid text and unknown names.
+    Parameters
+    ----------
+    cast : Cast
+        The faces and expressions that the words may name, in any case and by their labels.
+    face : str
+        A face or a mix, "kaori=0.5+dog"; names without a weight share what is left of one.
+    expression : str
+        An expression or a mix, "smile=0.7"; what is left of one is neutral.
+    channels : str
+        What is added, "jawOpen=0.5+eyeBlinkLeft"; a channel without a weight is full.
+    turn : str
+        The head's yaw, pitch and roll, degrees, "30,-5"; what is left out is 0.
+    gaze : str
+        The eyes' yaw and pitch, degrees.
+    light : str
+        A light or a mix, "theatre=0.5+flat".
+
+    Returns
+    -------
+    Frame
+        For `render`, `evaluate` and `evaluate_parts`; its angles are radians.
+
+    Raises
+    ------
+    ValueError
+        For text that is not understood, unknown names, and weights that do not sum to one.
+
+    Examples
+    --------
+    >>> omote.parse_pose(cast, face="kaori=0.25+old", expression="smile=0.5").expressions
+    {'smile': 0.5, 'neutral': 0.5}
+
+    References
+    ----------
+    docs/conventions.md for weights and angles.
     """
     labels = labels_of(cast)
     return Frame(

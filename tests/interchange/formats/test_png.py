@@ -1,5 +1,8 @@
 """PNG pictures: there and back, and what is none."""
 
+import struct
+import zlib
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -12,6 +15,34 @@ from omote.interchange.formats.png import png_bytes, read_png
 @given(arrays(np.uint8, st.tuples(st.integers(1, 9), st.integers(1, 9), st.sampled_from([3, 4]))))
 def test_a_picture_comes_back_as_it_was(picture: np.ndarray) -> None:
     np.testing.assert_array_equal(read_png(png_bytes(picture)), picture)
+
+
+def predicted(kind: int, left: int, above: int, corner: int) -> int:
+    """What a filter of the specification predicts of a byte."""
+    nearest = min((left, above, corner), key=lambda each: abs(left + above - corner - each))
+    return (0, left, above, (left + above) // 2, nearest)[kind]
+
+
+@given(
+    arrays(np.uint8, st.tuples(st.integers(1, 6), st.integers(1, 6), st.sampled_from([3, 4]))),
+    st.lists(st.integers(0, 4), min_size=6, max_size=6),
+)
+def test_every_filter_of_a_line_is_undone(picture: np.ndarray, kinds: list[int]) -> None:
+    rows, _, channels = picture.shape
+    flat = np.pad(picture.reshape(rows, -1).astype(int), ((1, 0), (channels, 0)))
+    lines = b"".join(
+        bytes([kind])
+        + bytes(
+            (flat[row + 1, at] - predicted(kind, flat[row + 1, at - channels], flat[row, at], flat[row, at - channels]))
+            % 256
+            for at in range(channels, flat.shape[1])
+        )
+        for row, kind in zip(range(rows), kinds, strict=False)
+    )
+    head = png_bytes(picture)[:33]
+    body = zlib.compress(lines)
+    data = head + struct.pack(">I", len(body)) + b"IDAT" + body + bytes(4)
+    np.testing.assert_array_equal(read_png(data), picture)
 
 
 @pytest.mark.parametrize("data", [b"", b"GIF89a", b"\x89PNG\r\n\x1a\n", b"\x89PNG\r\n\x1a\n" + bytes(40)])

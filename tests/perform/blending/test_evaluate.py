@@ -150,7 +150,7 @@ def test_weights_that_are_no_numbers_are_refused(cast: Cast, faces: Any, sentenc
 
 
 def test_what_is_no_frame_is_refused(cast: Cast) -> None:
-    with pytest.raises(TypeError, match="evaluate got Cast and str; expected a Cast and a Frame"):
+    with pytest.raises(TypeError, match="got Cast and str; expected a Cast and a Frame"):
         evaluate(cast, "frame")  # type: ignore[arg-type]
 
 

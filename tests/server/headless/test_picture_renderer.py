@@ -1,14 +1,20 @@
 """A picture grid rendered by a browser: the pages served on loopback, the page, and errors when it does not open."""
 
+import base64
+from dataclasses import replace
 from pathlib import Path
 
 import aiohttp
+import numpy as np
 import pytest
 
+from omote.builtin import load_cast
+from omote.interchange.formats.png import png_bytes, read_png
 from omote.model.cast import Cast
+from omote.perform.performer import Performer
 from omote.server.headless.chromium import open_chromium
 from omote.server.headless.devtools import BrowserError
-from omote.server.headless.picture_renderer import draw_grid, open_picture_page, query, serve_pages
+from omote.server.headless.picture_renderer import draw_grid, open_picture_page, query, render, serve_pages
 from omote.server.http.cast_documents import CastDocuments
 from omote.stage_data.picture_grid import PictureGrid, Setting
 from tests.server.false_browser import ANSWERS, false_browser
@@ -76,3 +82,47 @@ def test_one_call_draws_a_grid(cast: Cast, tmp_path: Path, monkeypatch: pytest.M
     monkeypatch.setattr("omote.server.headless.picture_renderer.built_in_documents", lambda: documents(cast))
     monkeypatch.setattr("omote.server.headless.picture_renderer.read_pages", lambda: PAGES)
     assert draw_grid(SHEET, Setting()) == b"picture"
+
+
+PICTURE = np.arange(48, dtype=np.uint8).reshape(3, 4, 4)
+
+
+@pytest.fixture
+def drawing(cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Cast:
+    """The synthetic cast, and a browser that says it drew a small picture."""
+    answer = base64.b64encode(png_bytes(PICTURE)).decode()
+    monkeypatch.setenv("OMOTE_BROWSER", str(false_browser(tmp_path, ANSWERS.replace("cGljdHVyZQ==", answer))))
+    for name, made in (("load_cast", cast), ("load_meshes", meshes(cast)), ("load_mask", MASK), ("read_pages", PAGES)):
+        monkeypatch.setattr(f"omote.server.headless.picture_renderer.{name}", lambda made=made: made)
+    return cast
+
+
+def test_a_frame_becomes_an_array_and_a_file(drawing: Cast, tmp_path: Path) -> None:
+    frame = Performer(drawing).advance(0.0)
+    np.testing.assert_array_equal(render(drawing, frame), PICTURE)
+    np.testing.assert_array_equal(render(drawing, frame, path=str(tmp_path / "a.png")), PICTURE)
+    np.testing.assert_array_equal(read_png((tmp_path / "a.png").read_bytes()), PICTURE)
+
+
+@pytest.mark.asyncio
+async def test_it_draws_where_an_event_loop_runs_already(drawing: Cast) -> None:
+    """As in a notebook."""
+    assert render(drawing, Performer(drawing).advance(0.0)).shape == (3, 4, 4)
+
+
+def test_what_cannot_be_drawn_is_refused_before_a_browser_starts(
+    drawing: Cast, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("OMOTE_BROWSER", "/no browser")
+    frame = Performer(drawing).advance(0.0)
+    with pytest.raises(ValueError, match="no face 'nobody' in this cast"):
+        render(drawing, replace(frame, faces={"nobody": 1.0}))
+    with pytest.raises(ValueError, match=r"'a\.jpg' is no name of a PNG"):
+        render(drawing, frame, path="a.jpg")
+    with pytest.raises(ValueError, match="1x1 pixels cannot be drawn"):
+        render(drawing, frame, size=(1, 1))
+    monkeypatch.setattr("omote.server.headless.picture_renderer.load_cast", load_cast)
+    with pytest.raises(ValueError, match=r"cannot be drawn; give one on the head of omote\.load_cast"):
+        render(drawing, frame)
+    with pytest.raises(FileNotFoundError, match="OMOTE_BROWSER"):
+        draw_grid(SHEET, Setting())

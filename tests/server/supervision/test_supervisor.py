@@ -6,7 +6,6 @@ import os
 import re
 import select
 import signal
-import socket
 import subprocess
 import sys
 import threading
@@ -20,7 +19,6 @@ import pytest
 
 from omote.edit.protocol import messages as editing
 from omote.edit.protocol.messages import EDITING_PATH
-from omote.server.supervision.supervisor import listen_on
 from omote.show import messages as wire
 from omote.show.wire import decode_answer, encode
 from omote.showfile.show_file import JournalEntry, open_show
@@ -276,29 +274,3 @@ def test_a_state_that_kills_servers_is_left_behind(tmp_path: Path) -> None:
     assert poisoned.process.wait(LIMIT) == 0
     assert poisoned.process.stdout is not None
     poisoned.process.stdout.close()
-
-
-def test_a_port_in_use_is_said_in_a_sentence() -> None:
-    with socket.create_server(("127.0.0.1", 0)) as taken:
-        port = taken.getsockname()[1]
-        with pytest.raises(
-            OSError,
-            match=rf"port {port} on 127\.0\.0\.1 cannot be opened \(.*in use by another program\): name another",
-        ):
-            listen_on("127.0.0.1", port)
-
-
-def test_any_free_port_is_found() -> None:
-    with listen_on("127.0.0.1", 0) as listening:
-        assert listening.getsockname()[1] > 0
-
-
-def test_no_host_is_not_every_host() -> None:
-    with pytest.raises(OSError, match=r"--host is empty: .*0\.0\.0\.0 for the whole network"):
-        listen_on("", 0)
-
-
-@pytest.mark.parametrize("host", ["nowhere.invalid", "a..b", "x" * 80])
-def test_a_host_that_is_none_is_said_in_a_sentence(host: str) -> None:
-    with pytest.raises(OSError, match=r"is no address of this machine \(.*\): name another with --host\.$"):
-        listen_on(host, 0)

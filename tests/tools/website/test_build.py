@@ -1,21 +1,11 @@
-"""The site is built from docs/ and from pages made of the code, and loads nothing from elsewhere."""
+"""The site is built from docs/, and loads nothing from elsewhere."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from tools.website.build import loaded_from_hosts, stage
-from tools.website.pages import GENERATED, ROOT, examples_page
-
-
-def test_a_stage_holds_the_written_and_the_made_pages_and_nothing_old(tmp_path: Path) -> None:
-    folder = tmp_path / "staged"
-    folder.mkdir()
-    (folder / "old.md").write_text("gone")
-    stage(folder)
-    written = {page.relative_to(ROOT / "docs").as_posix() for page in (ROOT / "docs").rglob("*.md")}
-    assert {page.relative_to(folder).as_posix() for page in folder.rglob("*.md")} == written | GENERATED.keys()
-    assert not written & GENERATED.keys()
+from tools.website.build import loaded_from_hosts
+from tools.website.pages import ROOT, examples_page
 
 
 def test_the_page_of_examples_has_each_script_whole() -> None:

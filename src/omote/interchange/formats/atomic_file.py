@@ -14,6 +14,8 @@ SIGNATURES: Mapping[str, tuple[str, tuple[bytes, ...]]] = {
     ".jpg": ("JPEG picture", (b"\xff\xd8\xff",)),
     ".jpeg": ("JPEG picture", (b"\xff\xd8\xff",)),
     ".glb": ("GLB file", (b"glTF",)),
+    ".npz": ("NPZ file", (b"PK\x03\x04",)),
+    ".csv": ("table that Omote wrote", (b"expression,facs,mesh,",)),
 }
 """What files of a name's ending begin with: a new one takes the place of its own kind only."""
 OWN_MARK, MOST_READ, ALIKE = b'"omote"', 200, 16

@@ -63,7 +63,7 @@ def explain_error(error: BaseException, /) -> str:
     match error:
         case OSError(errno=int()):
             return SYSTEM_REASONS.get(error.errno or 0) or os.strerror(error.errno or 0).lower()
-        case KeyError():
+        case KeyError() if type(error) is KeyError:  # others have sentences of their own
             return f"{error.args[0] if error.args else 'a part of it'} is missing"
         case msgspec.ValidationError():
             return _explain_validation(str(error))

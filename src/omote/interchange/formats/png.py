@@ -1,4 +1,4 @@
-"""Encodes and decodes PNG pictures of 8 bits a channel as arrays: for the bake and for exported textures."""
+"""Encodes and decodes PNG pictures of 8 bits a channel as arrays: the bake's, exported textures and rendered ones."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ import struct
 import zlib
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 Picture = NDArray[np.uint8]
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _COLOURS = {3: 2, 4: 6}
-_UP = 2  # the filter of every line: less the line above
+_UP, _PAETH = 2, 4  # filters of a line: less the line above; less the nearest of three neighbours
 
 
 def png_bytes(picture: Picture, /) -> bytes:
@@ -27,7 +28,7 @@ def png_bytes(picture: Picture, /) -> bytes:
 
 
 def read_png(data: bytes, /) -> Picture:
-    """The picture (rows, columns, 3 or 4) in a PNG as `png_bytes` and the bake write it; ValueError for any other."""
+    """The picture (rows, columns, 3 or 4) in a PNG of 8 bits a channel, not interlaced; ValueError for any other."""
     try:
         parts = _parts(data)
         columns, rows, depth, colour, *rest = struct.unpack(">IIBBBBB", parts[b"IHDR"])
@@ -35,9 +36,40 @@ def read_png(data: bytes, /) -> Picture:
         lines = np.frombuffer(zlib.decompress(parts[b"IDAT"]), np.uint8).reshape(rows, 1 + channels * columns)
     except (struct.error, KeyError, ValueError, zlib.error) as error:
         raise ValueError("a picture is no PNG of 8 bits and 3 or 4 channels") from error
-    if depth != 8 or any(rest) or (lines[:, 0] != _UP).any():
-        raise ValueError("a picture is a PNG of another kind; expected the one that `make bake` writes")
-    return np.cumsum(lines[:, 1:], axis=0, dtype=np.uint64).astype(np.uint8).reshape(rows, columns, channels)
+    if depth != 8 or any(rest) or (lines[:, 0] > _PAETH).any():
+        raise ValueError("a picture is a PNG of another kind; expected 8 bits a channel, not interlaced")
+    if (lines[:, 0] == _UP).all():  # as `png_bytes` writes it
+        return np.cumsum(lines[:, 1:], axis=0, dtype=np.uint64).astype(np.uint8).reshape(rows, columns, channels)
+    return _unfilter(lines, channels).reshape(rows, columns, channels)
+
+
+@njit(cache=True)
+def _unfilter(lines: Picture, channels: int) -> Picture:
+    """Undoes the filters of lines (PNG specification, section 9): none, sub, up, average, Paeth."""
+    rows, width = lines.shape[0], lines.shape[1] - 1
+    found = np.zeros((rows + 1, width + channels), np.uint8)  # a line above, a pixel to the left: all zero
+    for row in range(rows):
+        kind = lines[row, 0]
+        for column in range(width):
+            left = np.int32(found[row + 1, column])
+            above = np.int32(found[row, column + channels])
+            corner = np.int32(found[row, column])
+            guess = np.int32(0)
+            if kind == 1:
+                guess = left
+            elif kind == _UP:
+                guess = above
+            elif kind == 3:
+                guess = (left + above) // 2
+            elif kind == _PAETH:
+                away_left, away_above = abs(above - corner), abs(left - corner)
+                away_corner = abs(left + above - 2 * corner)
+                if away_left <= away_above and away_left <= away_corner:
+                    guess = left
+                else:
+                    guess = above if away_above <= away_corner else corner
+            found[row + 1, column + channels] = (np.int32(lines[row, column + 1]) + guess) & 255
+    return found[1:, channels:].copy()
 
 
 def _parts(data: bytes) -> dict[bytes, bytes]:

@@ -252,10 +252,15 @@ def _sum(terms: Iterable[tuple[float, NDArray[np.float64]]]) -> NDArray[np.float
 
 
 def _refuse_unplayable(cast: Cast, frame: Frame, mode: str) -> None:
-    if not isinstance(cast, Cast) or not isinstance(frame, Frame):
-        raise TypeError(f"evaluate got {type(cast).__name__} and {type(frame).__name__}; expected a Cast and a Frame")
+    check_playable(cast, frame)
     if not isinstance(mode, str) or mode not in MODES:
         raise ValueError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}")
+
+
+def check_playable(cast: Cast, frame: Frame) -> None:
+    """TypeError, ValueError where a frame names what a cast has not, or its weights are none that can be played."""
+    if not isinstance(cast, Cast) or not isinstance(frame, Frame):
+        raise TypeError(f"got {type(cast).__name__} and {type(frame).__name__}; expected a Cast and a Frame")
     _refuse_no_average(frame.faces, cast.faces, "face")
     _refuse_no_average(frame.expressions, cast.expressions, "expression")
     for name, weight in _pairs_of(frame.channels, "channel"):

@@ -5,13 +5,23 @@ from __future__ import annotations
 import asyncio
 import base64
 from collections.abc import AsyncIterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from pathlib import Path
 from urllib.parse import urlencode
 
 import msgspec
+import numpy as np
 from aiohttp import web
+from numpy.typing import NDArray
 
+from omote.builtin import load_cast, load_mask, load_meshes
+from omote.interchange.formats.atomic_file import write_whole
+from omote.interchange.formats.picture_names import picture_kind
+from omote.interchange.formats.png import read_png
+from omote.model.cast import Cast
+from omote.perform.blending.evaluate import check_playable
+from omote.perform.frame import Frame
 from omote.perform.performer import Performer
 from omote.server.headless.chromium import find_chromium, open_chromium
 from omote.server.headless.devtools import BrowserError, DevTools
@@ -21,7 +31,7 @@ from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
 from omote.show.session import ShowSession
 from omote.stage_data.picture_grid import PictureGrid, Setting
-from omote.stage_data.pose_parser import Pose
+from omote.stage_data.pose_parser import Pose, pose_of
 
 OPENED = """new Promise((open, refuse) => {
     const look = () => {
@@ -68,18 +78,94 @@ class PicturePage:
         await self._tools.call("Target.closeTarget", targetId=self._target)
 
 
-def draw_grid(sheet: PictureGrid, setting: Setting) -> bytes:
+def render(
+    cast: Cast,
+    frame: Frame,
+    *,
+    size: tuple[int, int] = (640, 720),
+    background: str | None = None,
+    transparent: bool = False,
+    quality: str = "high",
+    path: str | Path | None = None,
+) -> NDArray[np.uint8]:
+    """The picture of a frame, as the stage and `omote render` draw it, without a window.
+
+    Parameters
+    ----------
+    cast : Cast
+        The faces and expressions that the frame names: the built-in ones and any others on its head.
+    frame : Frame
+        What is on air, its light too: of `Performer.advance` or `parse_pose`.
+    size : (int, int)
+        Width and height, pixels.
+    background : str, optional
+        One colour behind the head, "#00b140"; else the light's own.
+    transparent : bool
+        Nothing behind the head.
+    quality : {"lowest", "low", "medium", "high"}
+        The level of the stage's quality.
+    path : str or Path, optional
+        A PNG to be written too, over what is there; the picture of `omote render` has the same bytes. No sidecar.
+
+    Returns
+    -------
+    ndarray of uint8 (height, width, 4)
+        Red, green, blue and alpha, 0 to 255, the first row on top; colours are not multiplied by alpha.
+
+    Raises
+    ------
+    ValueError
+        Where the frame names what the cast has not, or the size, the quality, the cast's head or the path's ending is
+        none that can be drawn.
+    TypeError
+        As `evaluate`.
+
+    Notes
+    -----
+    FileNotFoundError where there is no Chromium, BrowserError (a RuntimeError) where it does not draw. A browser starts
+    and ends with each call, which takes some seconds.
+
+    Examples
+    --------
+    >>> frame = omote.parse_pose(cast, face="kaori=0.5+dog=0.5", expression="smile=0.7", turn="30,-5")
+    >>> picture = omote.render(cast, frame, size=(320, 360))  # doctest: +SKIP
+    >>> picture.shape  # doctest: +SKIP
+    (360, 320, 4)
+
+    References
+    ----------
+    docs/conventions.md; the light and the levels are those of docs/gallery.md.
+    """
+    check_playable(cast, frame)
+    setting = Setting(*size, background=background, transparent=transparent, quality=quality)
+    if len(cast.space.points) != len(load_cast().space.points):
+        raise ValueError(
+            f"a cast of {len(cast.space.points)} vertices cannot be drawn; give one on the head of omote.load_cast()"
+        )
+    target = None if path is None else Path(path)
+    if target is not None and picture_kind(target) != "image/png":
+        raise ValueError(f"{target.name!r} is no name of a PNG; end it with .png")
+    data = draw_grid(PictureGrid([[pose_of(cast, frame)]]).on_paper(setting, "image/png"), setting, cast)
+    if target is not None:
+        write_whole(target, data)
+    return read_png(data)
+
+
+def draw_grid(sheet: PictureGrid, setting: Setting, cast: Cast | None = None) -> bytes:
     """Renders a grid in a browser that starts and ends with this call; returns the image file's bytes.
 
+    cast: what the poses name, None for the built-in one. Also where an event loop runs, as in a notebook.
     FileNotFoundError where there is no browser, cast or page; BrowserError where the browser does not draw.
     """
     browser = find_chromium()
 
-    async def render() -> bytes:
-        async with serve_pages(built_in_documents(), read_pages()) as address, open_chromium(browser) as tools:
+    async def draw() -> bytes:
+        documents = built_in_documents() if cast is None else CastDocuments(cast, load_meshes(), load_mask())
+        async with serve_pages(documents, read_pages()) as address, open_chromium(browser) as tools:
             return await (await open_picture_page(tools, address, setting)).draw(sheet)
 
-    return asyncio.run(render())
+    with ThreadPoolExecutor(max_workers=1, thread_name_prefix="pictures") as apart:
+        return apart.submit(asyncio.run, draw()).result()
 
 
 @asynccontextmanager

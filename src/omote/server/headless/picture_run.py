@@ -14,7 +14,7 @@ from typing import Any
 from omote import __version__
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.atomic_file import write_whole
-from omote.interchange.formats.picture_names import picture_kind
+from omote.interchange.formats.picture_names import KINDS, picture_kind
 from omote.server.headless.chromium import find_chromium, open_chromium
 from omote.server.headless.picture_renderer import PicturePage, open_picture_page, serve_pages
 from omote.server.http.cast_documents import CastDocuments
@@ -23,7 +23,16 @@ from omote.showfile.inspection import inspect_show
 from omote.stage_data.full_cast import own_items
 from omote.stage_data.picture_grid import PictureGrid, Setting
 from omote.stage_data.picture_request import GridRequest, RenderRequest, Request, plan_cells
-from omote.stage_data.picture_sidecar import Sidecar, describe, encode_sidecar, is_drawn, sidecar_path
+from omote.stage_data.picture_sidecar import (
+    Sidecar,
+    State,
+    describe,
+    encode_sidecar,
+    is_drawn,
+    move_request,
+    picture_state,
+    sidecar_path,
+)
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
 
 
@@ -55,19 +64,44 @@ class PictureRun:
     table: PictureFile | None = None
     fresh: bool = False
     waiting: list[PictureFile] = field(init=False)
+    states: Mapping[Path, State] = field(init=False)
 
     def __post_init__(self) -> None:
         """Finds out what is drawn already; all pictures of a table that is there are taken for drawn."""
-        files = [*self.pictures, *([self.table] if self.table else [])]
-        drawn = {file.path for file in files if not self.fresh and is_drawn(file.path, file.sidecar)}
+        states = {file.path: picture_state(file.path, file.sidecar) for file in self.files}
+        drawn = {path for path, state in states.items() if state == "drawn" and not self.fresh}
         whole = self.table is not None and self.table.path in drawn
+        object.__setattr__(self, "states", states)
         object.__setattr__(self, "waiting", [] if whole else [f for f in self.pictures if f.path not in drawn])
+
+    @property
+    def files(self) -> list[PictureFile]:
+        """Every file that is drawn, the table last."""
+        return [*self.pictures, *([self.table] if self.table else [])]
+
+    @property
+    def whole(self) -> PictureFile:
+        """What the command is to give: the table, or the only picture."""
+        return self.table or self.pictures[0]
 
     @property
     def complete(self) -> bool:
         """Whether nothing is left to do."""
         table = self.table
         return not self.waiting and (table is None or (not self.fresh and is_drawn(table.path, table.sidecar)))
+
+    def refuse_foreign(self) -> None:
+        """FileExistsError where a picture would be overwritten that Omote did not draw, or that was changed since."""
+        for file in (
+            [] if self.complete else [file for file in self.files if file in self.waiting or file is self.table]
+        ):
+            if self.states[file.path] == "foreign":
+                beside = sidecar_path(file.path)
+                why = f"{beside.name} is of another" if beside.exists() else f"no {beside.name} lies beside it"
+                raise FileExistsError(
+                    f"{file.path} is there already and is not as Omote drew it ({why}); it stays as it is: --force "
+                    "replaces it, or write under another name"
+                )
 
 
 class PictureStudio:
@@ -100,12 +134,26 @@ class PictureStudio:
                 yield self._file(cell, folder / f"{name}.png", sheet, setting)
 
     def _file(self, request: Request, path: Path, sheet: PictureGrid, setting: Setting) -> PictureFile:
-        return PictureFile(path, sheet, describe(request, sheet, setting, self._made_by))
+        named = move_request(request, Path(), path.parent)
+        return PictureFile(path, sheet, describe(named, sheet, setting, self._made_by))
 
 
 def pictures_folder(path: Path) -> Path:
     """Where the single pictures of a table lie."""
     return path.with_name(f"{path.stem}.pictures")
+
+
+def former_pictures(run: PictureRun, path: Path) -> list[Path]:
+    """The pictures of a former table under this name: Omote drew them, nobody changed them, and this run has others.
+
+    None where another table (`grid.jpg` beside `grid.png`) shares their folder.
+    """
+    folder, own = pictures_folder(path), {file.path for file in run.pictures}
+    others = [other for ending in KINDS if (other := path.with_suffix(ending)) != path and other.exists()]
+    if others or not folder.is_dir():
+        return []
+    found = [each for each in sorted(folder.glob("*.png")) if each not in own]
+    return [each for each in found if picture_state(each, run.pictures[0].sidecar) in ("former", "drawn")]
 
 
 def digest_of_pages(pages: Mapping[str, Page]) -> str:
@@ -164,7 +212,6 @@ class _Drawing:
 
 
 def write_picture(file: PictureFile, data: bytes) -> None:
-    """Writes a picture, then its sidecar: whoever finds the sidecar finds the whole picture."""
-    sidecar_path(file.path).unlink(missing_ok=True)
+    """Writes a picture, then its sidecar, whose hash tells whether it is that of the picture beside it."""
     write_whole(file.path, data)
     write_whole(sidecar_path(file.path), encode_sidecar(file.sidecar, data))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from omote.interchange.formats.error_reasons import explain_error
 from omote.showfile.backup import BACKUP_SUFFIXES
+from omote.showfile.identification import require_folder
 from omote.showfile.recovery import reject_unproven
 from omote.showfile.schema import ShowFileError
 
@@ -26,19 +27,51 @@ def lock_show(path: Path) -> int:
     if path.name.endswith(BACKUP_SUFFIXES):
         raise ShowFileError(f"{path} is the good copy of another show: copy it under a name of its own, and open that.")
     reject_unproven(path)
+    require_folder(path)
     return take_lock(path)
 
 
 def take_lock(path: Path) -> int:
-    """The lock alone: what lies there is not looked at, for that would free SQLite's own locks of an open file."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        descriptor = os.open(path.with_name(path.name + ".lock"), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
-    except OSError as error:
-        raise ShowFileError(f"{path} cannot be opened ({explain_error(error)}): name another file.") from error
+    """The lock alone, in a folder that is made anew where it is gone.
+
+    What lies at the path is not looked at, for that would free SQLite's own locks of an open file.
+    """
+    descriptor = _open_lock(path)
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError as error:
         os.close(descriptor)
         raise ShowLockedError(f"another Omote plays {path} already: stop that one, or name another file.") from error
-    return descriptor
+    if _is_at(_lock_path(path), descriptor):
+        return descriptor
+    os.close(descriptor)  # who held it removed it meanwhile (`release_lock`)
+    return take_lock(path)
+
+
+def release_lock(path: Path, lock: int) -> None:
+    """Ends a lock; where there is no show file after all, nothing stays beside it either."""
+    try:
+        if not path.exists() and _is_at(_lock_path(path), lock):
+            _lock_path(path).unlink()
+    finally:
+        os.close(lock)
+
+
+def _lock_path(path: Path) -> Path:
+    return path.with_name(path.name + ".lock")
+
+
+def _open_lock(path: Path) -> int:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        return os.open(_lock_path(path), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
+    except OSError as error:
+        raise ShowFileError(f"{path} cannot be opened ({explain_error(error)}): name another file.") from error
+
+
+def _is_at(path: Path, descriptor: int) -> bool:
+    """Whether an open file is the one at a path."""
+    try:
+        return os.path.samestat(path.stat(), os.fstat(descriptor))
+    except FileNotFoundError:
+        return False

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import sqlite3
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from omote.server.persistence.lock import lock_show
+from omote.server.persistence.lock import lock_show, release_lock
 from omote.showfile.backup import back_up
 from omote.showfile.identification import locate_show
 from omote.showfile.recovery import is_lost
@@ -41,7 +40,7 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
         finally:
             file.close()
     finally:
-        os.close(lock)
+        release_lock(path, lock)
 
 
 def wall_clock() -> float:

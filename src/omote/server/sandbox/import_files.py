@@ -11,9 +11,10 @@ from omote.interchange.formats import expression_json
 from omote.interchange.import_meshes import import_expressions, import_face
 from omote.model.cast import Cast
 from omote.perform.name_lookup import find_name
-from omote.server.sandbox.child_reader import read_in_sandbox
+from omote.server.sandbox.child_reader import READERS, read_in_sandbox
 
 DOCUMENT = ".json"
+ENDINGS = (DOCUMENT, *READERS)
 FAR = 5e-5
 """Metres; a larger error of an imported expression against its source shape is reported."""
 
@@ -59,4 +60,8 @@ def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator
 def _refuse_missing(paths: Sequence[Path]) -> None:
     for path in paths:
         if not path.is_file():
-            raise FileNotFoundError(f"there is no file {path}; name one that is there")
+            near = [each for ending in ENDINGS if (each := path.with_name(path.name + ending)).is_file()]
+            what = f"did you mean {near[0]}?" if near else "name one that is there"
+            raise FileNotFoundError(f"there is no file {path}; {what}")
+        if path.suffix.lower() not in ENDINGS:
+            raise ValueError(f"what {path} holds is told by its name; end that with {', '.join(ENDINGS)}")

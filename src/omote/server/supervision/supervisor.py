@@ -20,7 +20,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from omote.interchange.formats.error_reasons import explain_error
 from omote.server.process.notice_board import MOST_NOTICES
 from omote.server.process.priority import raise_priority
 from omote.server.process.process_messages import (
@@ -282,19 +281,3 @@ class Supervisor:
                     return
         if self._server is not None and self._server.pid is not None:
             os.kill(self._server.pid, signal.SIGKILL)
-
-
-def listen_on(host: str, port: int) -> socket.socket:
-    """Opens the listening socket of a show; OSError with a message when the port is taken or the address is not
-    ours."""
-    if not host:
-        raise OSError("--host is empty: give 127.0.0.1 for this machine alone, 0.0.0.0 for the whole network.")
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    try:
-        return socket.create_server((host, port), family=family, backlog=512)
-    except (OSError, UnicodeError) as error:
-        number = error.errno if isinstance(error, OSError) and error.errno else 0
-        reason = explain_error(error) if number > 0 else str(error).split(" (while")[0]
-        if number <= 0:  # not even looked up
-            raise OSError(f"{host} is no address of this machine ({reason}): name another with --host.") from error
-        raise OSError(f"port {port} on {host} cannot be opened ({reason}): name another with --port.") from error

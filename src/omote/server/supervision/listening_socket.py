@@ -1,0 +1,40 @@
+"""Opens the listening socket of a show, or says in plain words why it cannot be."""
+
+from __future__ import annotations
+
+import errno
+import socket
+
+from omote.interchange.formats.error_reasons import explain_error
+
+LOWEST_FREE_PORT = 1024
+"""Ports below it want rights that a show has no need of."""
+HOSTS = "give --host 127.0.0.1 for this machine alone, 0.0.0.0 for the whole network"
+
+
+def listen_on(host: str, port: int) -> socket.socket:
+    """Opens the listening socket of a show; OSError with a message when the port is taken or the address is not
+    ours."""
+    if not host:
+        raise OSError(f"--host is empty: {HOSTS}.")
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    try:
+        return socket.create_server((host, port), family=family, backlog=512)
+    except UnicodeError as error:
+        raise OSError(f"{host} is no address of this machine: {HOSTS}.") from error
+    except OSError as error:
+        raise OSError(_refused_address(host, port, error)) from error
+
+
+def _refused_address(host: str, port: int, error: OSError) -> str:
+    """Why a show cannot listen there, and what to do, as a whole sentence."""
+    if (error.errno or 0) <= 0:  # the numbers of a look-up that failed are negative
+        return f"no address of the name {host} is known: {HOSTS}."
+    if error.errno == errno.EADDRNOTAVAIL:
+        return f"{host} is no address of this machine: {HOSTS}."
+    place, advice = f"port {port} on {host} cannot be opened", "name another with --port, 0 for any free one"
+    if error.errno == errno.EADDRINUSE:
+        return f"{place} (it is in use by another program, perhaps another show): end that, or {advice}."
+    if error.errno in (errno.EACCES, errno.EPERM) and port < LOWEST_FREE_PORT:
+        return f"{place} (ports below {LOWEST_FREE_PORT} belong to the administrator): {advice}."
+    return f"{place} ({explain_error(error)}): {advice}."

@@ -1,0 +1,31 @@
+"""Mappings that say which names are near."""
+
+from types import MappingProxyType
+
+import pytest
+
+from omote.model.cast import Cast
+from omote.model.known_names import KnownNames, UnknownNameError
+
+
+def test_an_unknown_name_is_a_sentence_with_near_ones_and_a_key_error() -> None:
+    names = KnownNames("face", {"dog": 1, "doll": 2, "old": 3})
+    for mapping in (names, MappingProxyType(names)):
+        with pytest.raises(KeyError) as raised:
+            mapping["dgo"]
+        assert str(raised.value) == "there is no face 'dgo' in this cast; near are dog, doll"
+    assert names.get("dgo") is None
+    assert "dgo" not in names
+
+
+def test_what_has_no_names_says_so() -> None:
+    with pytest.raises(UnknownNameError, match="no hair style 'bob' in this cast; there are none"):
+        KnownNames[int]("hair style", {})["bob"]
+
+
+def test_a_cast_is_asked_by_names(cast: Cast) -> None:
+    for mapping, what in ((cast.faces, "face"), (cast.looks, "face"), (cast.titles, "expression")):
+        with pytest.raises(KeyError, match=f"there is no {what} 'nobody' in this cast; near are "):
+            mapping["nobody"]
+    with pytest.raises(KeyError, match="there is no expression 'smil' in this cast; near are smile"):
+        cast.expressions["smil"]

@@ -1,0 +1,101 @@
+"""Writes the reference of the public Python names as Markdown, from their signatures and NumPy docstrings."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+import omote
+
+HEAD = """# Python
+
+Written from the docstrings by `tools/website/python_reference.py`.
+
+Everything under `omote` itself is public; `import omote` is quick, and each name is loaded when it is first used.
+Units, axes and signs: [conventions](../conventions.md). Whole programs: [examples](../examples.md). The package is
+typed (`py.typed`).
+
+In the examples of this page `cast` is `omote.load_cast()` and `np` is NumPy.
+"""
+GROUPS: Mapping[str, Sequence[str]] = {
+    "The cast": ("load_cast", "Cast", "Face", "Gain", "Expression", "ParameterSpace"),
+    "Playing": ("Performer", "parse_pose", "evaluate", "evaluate_parts"),
+    "Pictures": ("render",),
+    "Expressions": ("compound", "extract", "ControlNet", "action_units"),
+    "Faces": ("Sculpt", "read_sculpt", "sculpted", "regional", "caricature"),
+}
+SECTION = re.compile(r"^(\w+)\n-+\n", re.MULTILINE)
+PAGE = re.compile(r"\bdocs/([\w/-]+\.md)")
+ENTRY = re.compile(r"^(\S.*?)(?: : (.*))?\n((?:    .*\n?|\n)+)", re.MULTILINE)
+
+
+def python_page() -> str:
+    """The page: each public name with what it takes, gives and raises, and an example."""
+    parts = [HEAD]
+    for title, names in GROUPS.items():
+        parts += [f"## {title}\n", *(part for name in names for part in _sections(name))]
+    return "\n".join(parts)
+
+
+def _sections(name: str) -> Iterator[str]:
+    value = getattr(omote, name)
+    yield section_of(f"omote.{name}", value, depth=3)
+    members = vars(value).items() if inspect.isclass(value) else ()
+    for member, found in members:
+        if member.startswith("_"):
+            continue
+        if isinstance(found, property | cached_property):
+            yield f"#### `{name}.{member}`\n\n{inspect.getdoc(found)}\n"
+        elif callable(getattr(value, member)):
+            yield section_of(f"{name}.{member}", getattr(value, member), depth=4)
+
+
+def section_of(title: str, value: Any, *, depth: int) -> str:
+    """One name: its signature, and its docstring section by section."""
+    text, *rest = SECTION.split(inspect.getdoc(value) or "")
+    lines = [f"{'#' * depth} `{title}`\n", f"```py\n{signature_of(title, value)}\n```\n", text.strip(), ""]
+    for heading, body in zip(rest[::2], rest[1::2], strict=True):
+        lines += [f"**{heading}**\n", _body(heading, body), ""]
+    return "\n".join(lines)
+
+
+def signature_of(title: str, value: Any) -> str:
+    """A signature as it stands in the code, on lines of their own where it is long."""
+    signature = inspect.signature(value)
+    words = list[str]()
+    for parameter in signature.parameters.values():
+        kinds = parameter.kind, {each.kind for each in signature.parameters.values()}
+        if kinds[0] is parameter.KEYWORD_ONLY and "*" not in words and parameter.VAR_POSITIONAL not in kinds[1]:
+            words.append("*")
+        words.append(str(parameter).replace("'", "") if parameter.default is parameter.empty else _optional(parameter))
+    back = signature.return_annotation
+    gives = "" if inspect.isclass(value) or back is signature.empty else f" -> {back}"
+    line = f"{title}({', '.join(words)}){gives}"
+    return line if len(line) <= 100 else f"{title}(\n    " + ",\n    ".join(words) + f",\n){gives}"
+
+
+def _optional(parameter: inspect.Parameter) -> str:
+    shown = "..." if "<" in repr(parameter.default) else repr(parameter.default)
+    return f"{parameter.name}: {parameter.annotation} = {shown}"
+
+
+def _body(heading: str, body: str) -> str:
+    if heading == "Examples":
+        return f"```pycon\n{body.strip()}\n```".replace("  # doctest: +SKIP", "")
+    if heading in ("Notes", "References"):
+        return PAGE.sub(r"[\1](../\1)", body.strip())
+    entries = ENTRY.findall(body + "\n")
+    return "\n".join(
+        f"* `{name}`{f' ({_plain(kind)})' if kind else ''}: {_joined(text)}" for name, kind, text in entries
+    )
+
+
+def _plain(kind: str) -> str:
+    return kind.replace("*", "\\*")
+
+
+def _joined(text: str) -> str:
+    return " ".join(line.strip() for line in text.splitlines() if line.strip())
