@@ -344,6 +344,12 @@ def test_two_consoles_stay_in_step_and_the_last_touch_wins(console: Console) -> 
     for page in (first, second):
         expect(bar(page, "Face")).to_have_attribute("aria-valuenow", "0.60")
     expect(second.locator(".item.consoles")).to_contain_text("2 consoles")
+    jaw = f"{DESK}.channel('jawOpen')"
+    second.evaluate(f"() => {{ window.moving = setInterval(() => {jaw}.nudge(Math.random()), 50); }}")
+    mark = fader(first, "jawOpen").locator(".other")
+    expect(mark).to_have_text(second.evaluate(f"{DESK}.name"))
+    second.evaluate("() => clearInterval(window.moving)")
+    expect(mark).to_be_empty()
 
 
 def test_two_fingers_move_two_faders_at_once(console: Console) -> None:

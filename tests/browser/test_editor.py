@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from playwright.sync_api import Locator, Page, Route, WebSocketRoute, expect
+from playwright.sync_api import FilePayload, Locator, Page, Route, WebSocketRoute, expect
 
 from tests.browser.waiting import floats, wait_until
 
@@ -513,3 +513,10 @@ def test_what_is_saved_is_downloaded_by_a_button_and_what_is_not_says_why(editor
     page.route("**/exports/*", lambda route: route.fulfill(status=503, body="the disk is full."))
     button.click()
     expect(notice(page).filter(has_text="The disk is full.")).to_be_visible()
+    files = {"goes_out.json": json.dumps(document).encode(), "notes.json": b"words"}
+    page.get_by_label("Import expressions").set_input_files(
+        [FilePayload(name=name, mimeType="application/json", buffer=data) for name, data in files.items()]
+    )
+    expect(notice(page).filter(has_text="Taken in, under Own: Goes out, from goes_out.json.")).to_be_visible()
+    expect(notice(page).filter(has_text="notes.json was not taken in: ")).to_be_visible()
+    expect(page.get_by_role("button", name="Open Goes out")).to_have_count(2)

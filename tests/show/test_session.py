@@ -466,7 +466,7 @@ def test_every_console_has_a_name_of_its_own_and_may_change_it(cast: Cast) -> No
         (welcome,) = session.receive(who, hello, 0.0)
         assert isinstance(welcome.message, wire.Welcome)
         names.append(welcome.message.name)
-    assert names == ["Ana", "console", "ana 2", "console 2", "Ben", "Ana"]
+    assert names == ["Ana", "console 1", "ana 2", "console 2", "Ben", "Ana"]
     assert session.crew_now(0.0).consoles == 4
 
 

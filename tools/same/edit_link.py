@@ -167,20 +167,25 @@ def _step(house: House, key: str) -> None:
     if chance < 0.04:
         house.ask(key, who, script.one(*BROKEN, rng.bytes(40), encode(wire.Greet("eve", "Eve", 99))), on_air)
     elif chance < 0.08:
-        kept = keep_on_air(
-            house.session,
-            script.one("face", "expression"),
-            on_air,
-            label=script.one(None, "Kept"),
-            wall=WALL,
-            editor="console",
-            ticket=key,
-        )
-        house.settle(key, kept)
+        house.settle(key, _keep(house, on_air, key))
     elif chance < 0.1:
         house.settle(key, house.session.leave(who))
     else:
         house.ask(key, who, encode(script.message()), on_air)  # type: ignore[arg-type]
+
+
+def _keep(house: House, on_air: OnAir, key: str) -> Outcome:
+    script = house.script
+    kind, label = script.one("face", "expression"), script.one(None, "Kept")
+    return keep_on_air(
+        house.session,
+        "face" if kind == "face" else "expression",
+        on_air,
+        label=label,
+        wall=WALL,
+        editor="console",
+        ticket=key,
+    )
 
 
 def _record_cast(house: House) -> None:

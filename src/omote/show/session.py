@@ -14,7 +14,7 @@ from omote.perform.snapshot import Snapshot, names_held
 from omote.show import messages as wire
 from omote.show import validation
 from omote.show.commands import ACTIONS
-from omote.show.hands import MOVING, Hands, free_name
+from omote.show.contention import MOVING, Hands, free_name
 from omote.show.state import EyeOffset, offset_between, state_of
 from omote.show.validation import Refusal, validate_number
 from omote.show.wire import decode

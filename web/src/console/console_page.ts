@@ -3,8 +3,7 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";
-import { importFiles } from "../link/import_file";
-import { onFileDrop } from "../ui/file_drop";
+import { importFiles, onFileDrop } from "../ui/file_import";
 import { listenToKeys } from "../ui/key_presses";
 import { base, palette } from "../ui/theme";
 import { style } from "./console_page_style";
@@ -15,9 +14,9 @@ import { LOW, NARROW } from "./controls/screen_sizes";
 import type { TBar } from "./controls/t_bar";
 import type { Monitor } from "./panels/monitor";
 import type { Palette } from "./panels/palette";
-import type { Topic } from "./store/cast_store";
 import { VIEWS, type View } from "./store/console_layout";
 import { type Command, commandOf, isPanic } from "./store/keys";
+import type { Topic } from "./store/page_store";
 import { neighbour } from "./store/timing";
 import "./panels/bank";
 import "./help";
@@ -102,7 +101,7 @@ export class ConsolePage extends ConsoleElement {
         )}
       </nav>
       ${this.dialog === "help" ? html`<omote-help .context=${context} @close=${this.#close}></omote-help>` : nothing}
-      ${this.dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close}></omote-setup>` : nothing}
+      ${this.dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.#show("help")}></omote-setup>` : nothing}
     `;
   }
 

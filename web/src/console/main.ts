@@ -1,17 +1,17 @@
 /** The console page: connects the show to the store, and the store to the page. */
 
+import { capture } from "../face/capture";
 import { FaceView } from "../face/face_view";
 import { THUMBNAIL } from "../face/framing";
 import { restPose } from "../face/pose/pose";
-import { snapshot } from "../face/snapshot";
 import { Library } from "../link/assets";
 import { ShowLink } from "../link/show_link";
 import { FramePainter } from "../ui/frame_painter";
 import { ShowNoticesView } from "../ui/show_notices_view";
 import { type DrawThumbnail, THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
+import { ConsoleName } from "./console_name";
 import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
-import { ConsoleName } from "./store/console_name";
 import { ConsoleStore } from "./store/console_store";
 import { LayoutStorage, layoutName } from "./store/layout_storage";
 
@@ -69,7 +69,7 @@ async function openThumbnails(library: Library): Promise<DrawThumbnail> {
   view.resize(THUMBNAIL_SIZE.width, THUMBNAIL_SIZE.height);
   return async ({ face, expression }) => {
     await view.present(restPose(face, expression));
-    return snapshot(view);
+    return capture(view);
   };
 }
 

@@ -6,11 +6,11 @@ import { EASING_NAMES } from "../link/constants";
 import { closeOutside, curtain } from "../ui/dialog_style";
 import { layerWhileShown } from "../ui/key_presses";
 import { base, entry } from "../ui/theme";
+import { LONGEST_CONSOLE_NAME } from "./console_name";
 import { ConsoleElement, chosenIn } from "./controls/console_element";
 import { offersOf, offersStyle } from "./panels/offers";
 import type { Axis } from "./store/axis";
-import type { Topic } from "./store/cast_store";
-import { LONGEST_CONSOLE_NAME } from "./store/console_name";
+import type { Topic } from "./store/page_store";
 import { MANY_CHOICES, secondsLabel } from "./store/timing";
 import "./setup_layouts";
 
@@ -97,7 +97,10 @@ export class Setup extends ConsoleElement {
         <input aria-label="Name of this console" maxlength=${LONGEST_CONSOLE_NAME} .value=${this.store.name} @change=${this.#rename} />
       </div>
       <omote-layouts .context=${this.context}></omote-layouts>
-      <div class="row"><button class="close" @click=${() => this.#close()}>Close</button></div>
+      <div class="row">
+        <button class="close" @click=${() => this.#close()}>Close</button>
+        <button @click=${() => this.dispatchEvent(new CustomEvent("help"))}>Keys and conventions</button>
+      </div>
     </section>`;
   }
 

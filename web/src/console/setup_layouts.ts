@@ -4,9 +4,9 @@ import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { base, entry } from "../ui/theme";
 import { ConsoleElement } from "./controls/console_element";
-import type { Topic } from "./store/cast_store";
 import type { ConsoleLayout } from "./store/console_layout";
 import { DEFAULT_LAYOUT } from "./store/layout_storage";
+import type { Topic } from "./store/page_store";
 
 const LONGEST_NAME = 40;
 const LOST = "Nothing was done: the link to the show is lost.";

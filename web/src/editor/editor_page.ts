@@ -2,7 +2,7 @@
 
 import { html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import { onFileDrop } from "../ui/file_drop";
+import { onFileDrop } from "../ui/file_import";
 import { listenToKeys } from "../ui/key_presses";
 import { base, palette } from "../ui/theme";
 import { exposeProbe } from "./canvas/canvas_probe";

@@ -154,7 +154,7 @@ class EditSession:
         return self._outcome(_Answer(listed=True))
 
     def carry_out(self, begin: Callable[[], Plan | Result], ticket: str, queue: DraftKey | None = None) -> Outcome:
-        """Carries out what a console asks, after what waits in the queue; `Outcome.kept` reports it under the ticket."""
+        """Carries out what a console asks, after what waits in the queue; `Outcome.kept` tells of it by the ticket."""
         answer, task = _Answer(), Task(queue, begin, ticket=ticket)
         try:
             self._start(answer, task)

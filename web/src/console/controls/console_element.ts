@@ -4,9 +4,9 @@ import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
 import type { FramePainter, Paintable } from "../../ui/frame_painter";
 import type { Thumbnails } from "../../ui/thumbnails";
-import type { Topic } from "../store/cast_store";
 import type { ConsoleStore } from "../store/console_store";
 import type { LayoutStorage } from "../store/layout_storage";
+import type { Topic } from "../store/page_store";
 
 export interface ConsoleContext {
   readonly store: ConsoleStore;

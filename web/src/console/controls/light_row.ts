@@ -3,7 +3,7 @@
 import { css, html } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { base } from "../../ui/theme";
-import type { Topic } from "../store/cast_store";
+import type { Topic } from "../store/page_store";
 import { AnimatedElement, StyleWriter } from "./console_element";
 import { short } from "./screen_sizes";
 

@@ -15,8 +15,8 @@ import {
   valueAt,
   within,
 } from "../../ui/travel";
-import type { Topic } from "../store/cast_store";
 import type { Knob } from "../store/knob";
+import type { Topic } from "../store/page_store";
 import { AnimatedElement, StyleWriter } from "./console_element";
 import { otherStyle, paintOther } from "./other_hand";
 import { style } from "./pad_style";

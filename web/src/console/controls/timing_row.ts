@@ -5,7 +5,7 @@ import { customElement, property, state } from "lit/decorators.js";
 import { EASING_NAMES } from "../../link/constants";
 import { base } from "../../ui/theme";
 import type { Axis } from "../store/axis";
-import type { Topic } from "../store/cast_store";
+import type { Topic } from "../store/page_store";
 import { CHOICES, EASING_CURVES, type EasingName, MANY_CHOICES, parseSeconds, secondsLabel } from "../store/timing";
 import { ConsoleElement, chosenIn } from "./console_element";
 
@@ -104,7 +104,13 @@ export class TimingRow extends ConsoleElement {
           flex: 0 0 40px; /* no room for a word: its curve */
         }
         .lists button {
-          flex: 0 0 52px;
+          flex: 0 1 52px;
+        }
+        .lists {
+          gap: 2px;
+        }
+        .lists > select {
+          min-width: 40px;
         }
         .curve select {
           appearance: none;

@@ -47,12 +47,12 @@ export class Answers extends AnimatedElement {
       .short {
         text-align: center;
       }
-      @media (min-width: 900px) {
+      @media (min-width: 1101px) {
         button .short {
           display: none;
         }
       }
-      @media (max-width: 899px) {
+      @media (max-width: 1100px) {
         :host {
           flex: 0 0 40px;
         }

@@ -6,9 +6,9 @@ import { repeat } from "lit/directives/repeat.js";
 import type { ExpressionDocument } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
-import type { Topic } from "../store/cast_store";
 import { byRegion, type Region, type Strip, stripsOf } from "../store/channels";
 import type { BankTab } from "../store/console_layout";
+import type { Topic } from "../store/page_store";
 import { style } from "./bank_style";
 import "../controls/fader";
 

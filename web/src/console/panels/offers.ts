@@ -1,8 +1,8 @@
 /** What can be done about the console's notice: links and buttons beside its words. */
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { EDITOR_TAB } from "../../link/editor_address";
-import type { NoticeStore, Offer } from "../store/notice_store";
+import type { Offer, PageStore } from "../store/page_store";
 
 export const offersStyle = css`
   .offer {
@@ -15,9 +15,17 @@ export const offersStyle = css`
     border: 0;
     text-decoration: underline;
   }
+  .away {
+    color: inherit;
+    text-decoration: none;
+  }
 `;
 
-export const offersOf = ({ offers }: NoticeStore) => offers.map(offerView);
+/** The offers of the notice; what has any stays, so it can be put away too. */
+export const offersOf = (store: PageStore) =>
+  store.offers.length === 0
+    ? nothing
+    : html`${store.offers.map(offerView)}<button class="offer away" title="I have read it" aria-label="Dismiss" @click=${() => store.say(null)}>✕</button>`;
 
 const offerView = (offer: Offer) =>
   "address" in offer

@@ -5,7 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import { levelsOf } from "../../face/quality/quality_levels";
 import { base } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
-import type { Topic } from "../store/cast_store";
+import type { Topic } from "../store/page_store";
 import { secondsLabel } from "../store/timing";
 import { offersOf, offersStyle } from "./offers";
 import { style } from "./status_bar_style";

@@ -127,20 +127,6 @@ export const style = css`
     }
   }
   @media (max-width: 899px) {
-    .messages {
-      position: fixed;
-      inset: 56px 8px auto;
-      max-width: 440px;
-      margin: 0 auto;
-      padding: 0;
-      pointer-events: none;
-    }
-    .notice {
-      justify-self: stretch;
-      padding: 6px 10px;
-      background: #1d1a10;
-      pointer-events: auto;
-    }
     :host {
       gap: 8px;
       padding: 0 2px;
@@ -156,6 +142,22 @@ export const style = css`
     .panic {
       width: 190px;
       flex: 0 1 auto;
+    }
+  }
+  @media (max-width: 699px) {
+    .messages {
+      position: fixed;
+      inset: 56px 8px auto;
+      max-width: 440px;
+      margin: 0 auto;
+      padding: 0;
+      pointer-events: none;
+    }
+    .notice {
+      justify-self: stretch;
+      padding: 6px 10px;
+      background: #1d1a10;
+      pointer-events: auto;
     }
   }
   @media (max-width: 599px) {

@@ -8,8 +8,8 @@ import type { CallState, Crew, FromClient, Hands, KeepUndone, Kept, State } from
 import { type Axis, callOf, endFrom, followTimed } from "./axis";
 import { type ConsoleLayout, FIRST } from "./console_layout";
 import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./knob";
-import { NoticeStore } from "./notice_store";
 import { Outbox } from "./outbox";
+import { PageStore } from "./page_store";
 import type { Seconds, Timing } from "./timing";
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
@@ -17,7 +17,7 @@ const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to
 /** Milliseconds within which a second press of *Keep* is the same. */
 const TWICE = 800;
 
-export class ConsoleStore extends NoticeStore {
+export class ConsoleStore extends PageStore {
   state: State | null = null;
   crew: Crew | null = null;
   /** Milliseconds there and back, or null before the first pong. */

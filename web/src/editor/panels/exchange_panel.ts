@@ -2,7 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { ACCEPTED, type ImportKind } from "../../link/import_file";
+import { ACCEPTED, type ImportKind } from "../../ui/file_import";
 import { base } from "../../ui/theme";
 import { controls, panel } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
@@ -68,7 +68,6 @@ export class Exchange extends EditorElement {
   override render() {
     const { item, work } = this.store;
     return html`
-      ${item === null ? html`<p>Open something to take it out of the show.</p>` : nothing}
       ${item?.head === 0 ? html`<p class="note">Save first: only what is saved goes out.</p>` : nothing}
       ${item === null ? nothing : exportsOf(item, work).map((one) => this.#export(one, item.head === 0))}
       <p>In, from files by other crews and other programs; or drop them on this page:</p>

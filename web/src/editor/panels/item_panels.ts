@@ -136,6 +136,7 @@ export class Panels extends EditorElement {
         <li><b>Drag a white pin</b> (a needle): they stand on the large face as soon as something is open. The other faces follow while you drag.</li>
         <li><b>Save.</b> From then on the console can play it, on every face.</li>
       </ol>
+      <omote-exchange .context=${this.context}></omote-exchange>
     </section>`;
   }
 

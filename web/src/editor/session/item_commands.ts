@@ -1,7 +1,7 @@
 /** What people do with items: make, open, save, undo, bring back, name, order, delete. */
 
 import type { FaceRecipe, ItemDocument, RevisionDocument, Saved } from "../../link/editing_messages";
-import { importFiles } from "../../link/import_file";
+import { importFiles } from "../../ui/file_import";
 import type { Request } from "../link/requests";
 import type { DraftStore } from "./draft_store";
 

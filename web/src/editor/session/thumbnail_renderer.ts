@@ -1,10 +1,10 @@
 /** Pictures of (face, expression) off screen, one after the other, on one graphics context. */
 
+import { capture } from "../../face/capture";
 import { FaceView } from "../../face/face_view";
 import { THUMBNAIL } from "../../face/framing";
 import { fenced } from "../../face/gpu/fence";
 import { restPose } from "../../face/pose/pose";
-import { snapshot } from "../../face/snapshot";
 import { KEY, type Library } from "../../link/assets";
 import type { ThumbnailSubject } from "../../ui/thumbnails";
 import { loadFace } from "./asset_loading";
@@ -38,7 +38,7 @@ export class ThumbnailRenderer {
     await ensureFace(view.library, face);
     view.resize(width, height);
     await view.present(restPose(face, expression));
-    const [picture] = await Promise.all([snapshot(view), finished(view.context)]);
+    const [picture] = await Promise.all([capture(view), finished(view.context)]);
     return picture;
   }
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { snapshot } from "./snapshot";
+import { capture } from "./capture";
 
 /** A view whose context is lost while its picture is made, before or after the page hears of it. */
 function viewOf({ lost = false, heard = false }) {
@@ -10,14 +10,11 @@ function viewOf({ lost = false, heard = false }) {
     view.context.isContextLost = () => lost;
     return { close: () => closed.push("closed") };
   };
-  const [given, made] = [
-    view as unknown as Parameters<typeof snapshot>[0],
-    make as unknown as typeof createImageBitmap,
-  ];
-  return { closed, picture: () => snapshot(given, made) };
+  const [given, made] = [view as unknown as Parameters<typeof capture>[0], make as unknown as typeof createImageBitmap];
+  return { closed, picture: () => capture(given, made) };
 }
 
-describe("a snapshot", () => {
+describe("a captured picture", () => {
   it("is the picture that was made", async () => {
     const { picture, closed } = viewOf({});
     expect(await picture()).toHaveProperty("close");

@@ -74,7 +74,8 @@ class Hands:
 
 
 def free_name(wanted: str, taken: set[str]) -> str:
-    """The name of a console: the one wanted, else `console`, with the lowest number from 2 that makes it its own."""
-    stem = wanted.strip() or "console"
-    numbered = (stem if number == 1 else f"{stem} {number}" for number in range(1, len(taken) + 2))
-    return next(name for name in numbered if name.casefold() not in taken)
+    """The name of a console: the one wanted, with the lowest number that makes it its own; none wanted: `console 1`."""
+    stem = wanted.strip()
+    plain = [stem] if stem else []
+    numbered = (f"{stem or 'console'} {number}" for number in range(2 if stem else 1, len(taken) + 3))
+    return next(name for name in (*plain, *numbered) if name.casefold() not in taken)

@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
-import { importFile, importFiles } from "./import_file";
+import { importFile, importFiles } from "./file_import";
 
 afterEach(() => vi.unstubAllGlobals());
 

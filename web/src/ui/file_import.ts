@@ -1,4 +1,4 @@
-/** Sends files to the show, which takes them in as expressions or faces. */
+/** Files dropped on a page or chosen there, which the show takes in as expressions or faces. */
 
 export type ImportKind = "expression" | "face";
 
@@ -32,4 +32,27 @@ export async function importFiles(
       (error: unknown) => void failed.push((error as Error).message),
     );
   return { done: came.length === 0 ? "" : `Taken in, under Own: ${came.join("; ")}.`, failed };
+}
+
+/** Without this the browser would leave the page for a file. Calls `dropped` with files that are dropped anywhere on the page, until what it gives is called. */
+export function onFileDrop(dropped: (files: readonly File[], event: DragEvent) => void): () => void {
+  const ending = new AbortController();
+  const { signal } = ending;
+  window.addEventListener("dragover", holdFiles, { signal });
+  window.addEventListener(
+    "drop",
+    (event) => {
+      if (!holdFiles(event)) return;
+      dropped([...(event.dataTransfer?.files ?? [])], event);
+    },
+    { signal },
+  );
+  return () => ending.abort();
+}
+
+/** Keeps the browser from opening files; false for what is dragged inside the page. */
+function holdFiles(event: DragEvent): boolean {
+  if (event.dataTransfer?.types.includes("Files") !== true) return false;
+  event.preventDefault();
+  return true;
 }

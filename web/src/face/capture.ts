@@ -6,7 +6,7 @@ import type { FaceView } from "./face_view";
  * What was drawn last, as a picture of its own: to be called in the same task, while the canvas still holds it. Rejects
  * where the graphics context is lost, also where the browser says so only once the picture is made: such a one is empty.
  */
-export async function snapshot(
+export async function capture(
   view: Pick<FaceView, "canvas" | "alive" | "context">,
   make: (canvas: FaceView["canvas"]) => Promise<ImageBitmap> = createImageBitmap,
 ): Promise<ImageBitmap> {

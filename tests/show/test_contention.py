@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.show import messages as wire
-from omote.show.hands import AGAIN_SECONDS, MOVING, MOVING_SECONDS, Hands, control_of, free_name
+from omote.show.contention import AGAIN_SECONDS, MOVING, MOVING_SECONDS, Hands, control_of, free_name
 
 NAMES = {"a": "Ana", "b": "Ben", "c": "console"}
 JAW, GAZE = wire.SetChannel("jawOpen", 0.5), wire.SetGaze(0.1, 0.0)
