@@ -9,7 +9,7 @@ export const otherStyle = css`
   .other {
     position: absolute;
     z-index: 1;
-    inset: auto 2px 2px auto;
+    inset: 2px 2px auto auto;
     max-width: calc(100% - 4px);
     max-height: calc(100% - 4px);
     padding: 1px 4px;
@@ -29,7 +29,6 @@ export const otherStyle = css`
   }
   .slot .other,
   .track .other {
-    inset: 2px 2px auto auto;
     padding: 4px 0;
     writing-mode: vertical-rl;
   }

@@ -17,6 +17,9 @@ const NOTICE = 6000;
 /** Milliseconds for which what was done can be taken back by a button; a key does so later too. */
 const OFFER = 15_000;
 
+/** Where messages hang over what is played, as the style has it. */
+const OVER_CONTROLS = matchMedia("(max-width: 699px)");
+
 /** The head of the page: the link, the crew, what must be read, the help and panic. */
 @customElement("omote-status")
 export class StatusBar extends ConsoleElement {
@@ -37,7 +40,8 @@ export class StatusBar extends ConsoleElement {
       this.store.listen("notice", () => {
         clearTimeout(this.#timers.notice);
         const { notice, offers } = this.store;
-        if (notice === null || offers.some((one) => "address" in one)) return; // what leads on waits to be followed
+        const stays = !OVER_CONTROLS.matches && offers.some((one) => "address" in one);
+        if (notice === null || stays) return; // what leads on waits to be followed
         this.#timers.notice = setTimeout(() => this.store.say(null), offers.length > 0 ? OFFER : NOTICE);
       }),
       this.store.listen("panic", () => {
