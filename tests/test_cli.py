@@ -145,7 +145,7 @@ def test_show_says_which_file_it_opened_or_made(tmp_path: Path) -> None:
 def test_show_makes_no_folder(tmp_path: Path) -> None:
     assert f"its folder {tmp_path / 'nowhere'} is not there" in opened(tmp_path / "nowhere" / "a.omote", status=1)
     (tmp_path / "file").touch()
-    assert f"its folder {tmp_path / 'file'} is no folder" in opened(tmp_path / "file" / "a.omote", status=1)
+    assert f"{tmp_path / 'file'} is no folder; name another file" in opened(tmp_path / "file" / "a.omote", status=1)
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 

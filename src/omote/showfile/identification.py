@@ -100,9 +100,10 @@ def locate_show(path: Path, /) -> Path:
 def require_folder(path: Path, /) -> None:
     """ShowFileError where the folder of a show file is not there: a mistyped path shall make none."""
     if not path.parent.is_dir():
-        noun = "is no folder" if path.parent.exists() else "is not there"
+        if path.parent.exists():
+            raise ShowFileError(f"{path} cannot be made: {path.parent} is no folder; name another file.")
         raise ShowFileError(
-            f"{path} cannot be made: its folder {path.parent} {noun}; make the folder first, or name another file."
+            f"{path} cannot be made: its folder {path.parent} is not there; make it first, or name another file."
         )
 
 
