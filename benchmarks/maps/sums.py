@@ -56,16 +56,16 @@ class Sums:
             self._corrected_sums(face, moves) if method == OURS else lambda triple: rest + sum(moves[u] for u in triple)
         )
         alone = {unit: find_folds(rest, rest + move, source.sheet) for unit, move in moves.items()}
-        crossed = {unit: self._find_crossed(rest, rest + move) for unit, move in moves.items()}
-        deep = {unit: self._deep(face, rest, rest + move) for unit, move in moves.items()}
+        crossed = {unit: self.find_crossed(rest, rest + move) for unit, move in moves.items()}
+        deep = {unit: self.measure_deep(face, rest, rest + move) for unit, move in moves.items()}
         found = SumFigures(len(source.triples))
         for triple, folded in zip(source.triples, self._folded, strict=True):
             now = add(triple)
             over = find_folds(rest, now, source.sheet)
             found.folds += int((over & ~folded).sum())
             found.new_folds += int((over & ~np.any([alone[unit] for unit in triple], axis=0)).sum())
-            found.crossed.append(float((self._find_crossed(rest, now) - sum(crossed[unit] for unit in triple)).max()))
-            found.eyes.append(float((self._deep(face, rest, now) - sum(deep[unit] for unit in triple)).max()))
+            found.crossed.append(float((self.find_crossed(rest, now) - sum(crossed[unit] for unit in triple)).max()))
+            found.eyes.append(float((self.measure_deep(face, rest, now) - sum(deep[unit] for unit in triple)).max()))
         return found
 
     def _corrected_sums(self, face: Face, moves: Mapping[str, Values]) -> Callable[[Triple], Values]:
@@ -85,10 +85,11 @@ class Sums:
 
         return add
 
-    def _find_crossed(self, rest: Values, now: Values) -> Values:
+    def find_crossed(self, rest: Values, now: Values) -> Values:
+        """How far both sides of each line have passed each other, rung by rung, metres, more than at rest."""
         return np.concatenate([crossing(line, rest, now) for line in self._source.lines])
 
-    def _deep(self, face: Face, rest: Values, now: Values) -> Values:
+    def measure_deep(self, face: Face, rest: Values, now: Values) -> Values:
         """How much deeper than at rest each skin vertex lies in an eyeball, (s,) metres."""
         deep = [
             np.maximum(radius - np.linalg.norm(now[self._skin] - centre, axis=1), 0.0)

@@ -23,9 +23,10 @@ from omote.model.cast import Cast
 from omote.show import messages as wire
 from omote.show.messages import LINK_PATH, CompoundAsset
 from omote.show.wire import decode_answer, encode
-from omote.stage_data.assets import rest_positions, unpack_compound
+from omote.stage_data.assets import rest_positions
 from tests.browser.conftest import playing
 from tests.browser.waiting import floats, wait_until
+from tests.compound_assets import unpack_compound
 from tests.server.conftest import Editor
 
 OpenPage = Callable[..., Page]

@@ -27,9 +27,9 @@ from omote.stage_data.assets import (
     first_rows,
     quantise,
     rest_positions,
-    unpack_compound,
 )
 from tests import synthetic
+from tests.compound_assets import unpack_compound
 from tests.server.synthetic_server import meshes
 
 STAGE_LIMIT = 0.05e-3

@@ -21,7 +21,7 @@ from omote.model.extraction.extract import extract
 from omote.model.hair import place_strands
 from omote.model.recipes.compose_expression import change_net, compose_expression
 from omote.model.recipes.compose_face import FaceWithLook, compose_face
-from omote.model.recipes.face_handles import default_handles, drag_handles, handle_basis
+from omote.model.recipes.face_handles import default_handles, drag_handles
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
 from omote.model.sculpting.caricature import caricature
 from omote.model.sculpting.regions import regional
@@ -175,7 +175,6 @@ def _record_handles(recording: Recording, cast: Cast) -> None:
     rng, handles = np.random.default_rng(SEED), default_handles(cast.space)
     rows = [handle.row for handle in handles]
     recording.data("handles", "default", repr([(each.label, each.row, each.mirror) for each in handles]).encode())
-    recording.numbers("handles", "basis", handle_basis(cast.space, cast.faces["dog"], rows), every=97)
     sources = {name: FaceWithLook(cast.faces[name], cast.looks[name]) for name in cast.faces}
     for place in range(8):
         moves = rng.normal(0.0, 0.0015, (len(rows), 3))

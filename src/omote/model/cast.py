@@ -12,8 +12,8 @@ import numpy as np
 
 from omote.model.hair import HairStyle
 from omote.model.known_names import KnownNames
-from omote.model.space.expression import Expression
-from omote.model.space.face import Face, refuse_name
+from omote.model.space.expression import Expression, refuse_name
+from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace, Transfer
 from omote.model.transfer.paper_map import compile_expression

@@ -162,13 +162,6 @@ def quantise(moves: NDArray[np.float64]) -> CompoundAsset:
     return CompoundAsset(scale=scale, indices=le_bytes(moved, "<u4"), deltas=le_bytes(counts[moved], "<i2"))
 
 
-def unpack_compound(asset: CompoundAsset, count: int) -> NDArray[np.float64]:
-    """The displacements (count, 3), metres, that a page reads from a compound."""
-    moves = np.zeros((count, 3))
-    moves[np.frombuffer(asset.indices, "<u4")] = np.frombuffer(asset.deltas, "<i2").reshape(-1, 3) * asset.scale
-    return moves
-
-
 def _mesh_document(mesh: BakedMesh, starts: dict[str, int]) -> MeshDocument:
     if mesh.name not in starts:
         raise ValueError(f"there is no part {mesh.name!r} to draw; the space has {', '.join(starts)}")

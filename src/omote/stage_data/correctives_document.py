@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.geometry.orientation import LEAST_SLOPE, OVER_RELAXATION
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -12,7 +13,6 @@ from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.corrective_regions import CorrectiveRegions, Crossing, find_corrective_regions
 from omote.perform.blending.correctives import BULGE, CORNEA, LEAST_AREA, ROUNDS, Eyeballs, measure_allowance
-from omote.perform.blending.orientation import LEAST_SLOPE, OVER_RELAXATION
 from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument
 from omote.show.wire import le_bytes
 

@@ -12,9 +12,9 @@ from scipy.spatial.distance import cdist
 
 from omote.builtin import load_cast
 from omote.geometry import mesh
-from omote.model.recipes.face_handles import FARTHEST_MOVE, Handle, default_handles, drag_handles, handle_basis
+from omote.model.recipes.face_handles import FARTHEST_MOVE, Handle, default_handles, drag_handles, validate_rows
 from omote.model.sculpting.extrapolation import find_folds
-from omote.model.sculpting.sculpt import Sculpt, sculpted
+from omote.model.sculpting.sculpt import Sculpt, sculpted, warp_basis
 from omote.model.space.eye_socket import ball_heights, radius_of
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
@@ -45,6 +45,13 @@ def moderate(face: Face, seed: int) -> np.ndarray:
 def everything(face: Face) -> np.ndarray:
     fitted = fit(SPACE, face)
     return np.concatenate([fitted.positions, *fitted.parts.values()]).astype(np.float64)
+
+
+def handle_basis(space: ParameterSpace, face: Face, rows: list[int]) -> np.ndarray:
+    """How far each position follows each handle's move, (N, n): the sculptor's map around the face's own handles."""
+    where, fitted = validate_rows(space, rows), fit(space, face)
+    places = np.concatenate([fitted.positions, *(fitted.parts[name] for name in space.parts)]).astype(np.float64)
+    return warp_basis(places[where], places)
 
 
 @spaces
@@ -205,8 +212,3 @@ def similar(before: np.ndarray, after: np.ndarray) -> bool:
 def test_what_cannot_be_dragged_is_refused_with_a_sentence(rows: Any, far: Any, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
         drag_handles(SPACE, CAST.faces["generic"], "a", rows=rows, moves=far)
-
-
-def test_a_basis_of_handles_in_one_plane_is_refused() -> None:
-    with pytest.raises(ValueError, match="lie in one plane"):
-        handle_basis(SPACE, CAST.faces["generic"], ROWS[:3])

@@ -7,9 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 import omote
-from omote.model.space.ears import ear_weights, find_ear, turn_ears
+from omote.geometry.orientation import area_shares, rest_normals
+from omote.model.space.ears import ear_weights, find_ear, rotate_ears, rotations, turn_ears
 from omote.model.space.gain import Gain
 from omote.model.transfer.compound import compound
 from tests.synthetic import space as egg
@@ -58,6 +60,26 @@ def test_an_ear_turns_as_one_and_leaves_the_rest_of_the_skin(name: str) -> None:
     whole = np.flatnonzero(weights[0] >= 1.0)
     distances = [np.linalg.norm(points[whole, None] - points[whole], axis=2) for points in (rest, moved)]
     np.testing.assert_allclose(distances[1], distances[0], atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ANIMALS)
+def test_turning_an_ear_folds_no_triangle(name: str) -> None:
+    """Seen along their normals at rest, turned as far as their corners are in the mean."""
+    rest, turns = CAST.faces[name].positions, np.array([[1.0, -0.5, 0.4]] * 2)
+    corners, folded = CAST.space.sheet_triangles, []
+    for moved in (rotate_ears(CAST.space, rest, rest, turns), turn_ears(CAST.space, rest, rest, turns)):
+        normals, sizes = rest_normals(rest.astype(np.float64), corners)
+        for weights, (_, axis) in rotations(CAST.space, rest, turns):
+            normals = Rotation.from_rotvec(weights[corners].mean(axis=1)[:, None] * axis).apply(normals)
+        folded.append(int((area_shares(moved.astype(np.float64), normals, sizes, corners) < 0).sum()))
+    assert folded[0] > 0
+    assert folded[1] == 0
+
+
+def test_rotated_ears_rotate_back() -> None:
+    rest, turns = CAST.faces["dog"].positions, np.array([[0.4, -0.5, 0.4], [0.1, 0.2, 0.0]])
+    there = rotate_ears(CAST.space, rest, rest, turns)
+    np.testing.assert_allclose(rotate_ears(CAST.space, rest, there, -turns), rest, atol=1e-6)
 
 
 def test_left_and_right_are_mirror_images() -> None:

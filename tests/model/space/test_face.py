@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from omote.geometry.cylinder import Cylinder
-from omote.model.space.face import Face, align
+from omote.model.space.face import Face
 from tests.synthetic import head
 
 
@@ -18,19 +17,6 @@ def test_a_face_keeps_a_copy_nobody_can_write() -> None:
     assert face.positions.dtype == np.float32
     with pytest.raises(ValueError, match="read-only"):
         face.positions[0] = 0.0
-
-
-def test_alignment_undoes_a_rigid_motion_exactly_and_keeps_the_size() -> None:
-    points = head()[0]
-    turn = np.array([[0.8, -0.6, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
-    rows = np.arange(0, len(points), 2, dtype=np.int32)
-    moved = points @ turn.T + [0.07, -1.2, 0.3]
-    rotation, shift = align(moved, points, rows=rows)
-    assert np.allclose(moved @ rotation.T + shift, points)
-    rotation, shift = align(moved * 0.5, points, rows=rows)
-    back = moved * 0.5 @ rotation.T + shift
-    assert np.isclose(np.ptp(back[:, 1]), 0.5 * np.ptp(points[:, 1]))
-    assert np.isfinite(Cylinder(0, 0).unroll(back)[0]).all()
 
 
 def test_faces_are_refused() -> None:

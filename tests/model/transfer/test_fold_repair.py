@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from omote.model.transfer.fold_repair import (
+    LAST_ROUNDS,
     NEAR,
     build_sheet_geometry,
     find_folds,
@@ -13,6 +14,7 @@ from omote.model.transfer.fold_repair import (
     relax_patches,
     repair,
     triangle_frames,
+    turn_upright,
 )
 
 SIZE = 12
@@ -66,6 +68,21 @@ def test_repair_gives_back_what_folds_nowhere_and_closes_the_lines_only_once_the
     result = repair(sheet, folded(), points, on_line, lambda sheet: closed.append(1))
     assert closed
     assert not folds_of(result).any()
+
+
+def test_folded_triangles_are_turned_upright_and_those_of_the_source_stay() -> None:
+    points, triangles = grid()
+    sheet, positions = build_sheet_geometry(points, points, triangles), folded()
+    bad = find_folds(sheet, positions, points)
+    for _ in range(LAST_ROUNDS):
+        turn_upright(sheet, positions, points, find_folds(sheet, positions, points))
+    assert bad.any()
+    assert not find_folds(sheet, positions, points).any()
+    far = np.linalg.norm(points - points[5 * SIZE + 5], axis=1) > 5
+    assert np.array_equal(positions[far], points[far])
+    same = folded()
+    turn_upright(sheet, same, folded(), find_folds(sheet, folded(), folded()))
+    assert np.array_equal(same, folded())
 
 
 def test_held_vertices_do_not_move() -> None:

@@ -98,6 +98,12 @@ def test_repair_leaves_no_fold_where_the_continuous_stages_leave_some() -> None:
     assert sum(folds) > 0
 
 
+@pytest.mark.parametrize(("face", "unit"), [("cat", "asleep"), ("cat", "mouth-corner-puller")])
+def test_what_least_squares_leave_folded_is_turned_upright(face: str, unit: str) -> None:
+    done = run(SHEET_STAGES, begin(face, unit))
+    assert find_folds(done.smooth_map.geometry, done.sheet, done.source).sum() == 0
+
+
 def test_the_inner_skin_is_linear_in_the_residual_before_the_mouth_bag_is_fitted() -> None:
     state = begin("kaori", "jawOpen")
     more = start(state.space, state.face, state.displacement, 2.0 * state.residual)

@@ -9,9 +9,12 @@ import pytest
 
 import omote
 from omote.model.cast import Cast
+from omote.model.space.face_fit import fit
 from omote.model.space.gain import Gain
+from omote.model.transfer.paper_map import apply_paper_map
 from omote.perform.blending.answered_mix import answered_mix
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
+from omote.perform.blending.expression_tables import ExpressionTables
 from omote.perform.frame import Frame
 
 PLAIN = omote.load_cast()
@@ -34,6 +37,19 @@ def test_faces_with_gains_bring_their_own_fields_by_their_weight() -> None:
     alone = answered_mix(LOUD, {"dog": 1.0}, MIX)
     assert not alone.plain
     assert sum(weight for _, weight in alone.own) == pytest.approx(1.0)
+
+
+def test_the_mix_of_answers_is_one_expression_located_once() -> None:
+    """What tables and rows add up is what the expressions add up, as a table of them alone would."""
+    mix = answered_mix(LOUD, {"dog": 0.25, "kaori": 0.75}, MIX)
+    alone = {str(place): expression for place, (expression, _) in enumerate(mix.expressions())}
+    weights = {str(place): weight for place, (_, weight) in enumerate(mix.expressions())}
+    wanted, found = ExpressionTables(LOUD.space, alone).mix(weights), mix.compile()
+    np.testing.assert_allclose(found.ratios, wanted.ratios, atol=1e-6)
+    np.testing.assert_allclose(found.residual, wanted.residual, atol=1e-8)
+    fitted = fit(LOUD.space, LOUD.faces["kaori"])
+    worn = [apply_paper_map(LOUD.space, fitted, compiled) for compiled in (found, wanted)]
+    np.testing.assert_allclose(worn[0], worn[1], atol=1e-6)
 
 
 @pytest.mark.parametrize("cast", [LOUD, LOUD.under("paper")], ids=["smooth", "paper"])

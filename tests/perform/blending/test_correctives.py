@@ -6,13 +6,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omote.builtin import load_cast
+from omote.geometry.orientation import area_shares, rest_normals
 from omote.model.cast import NEUTRAL, Cast
 from omote.model.space.face_fit import fit
 from omote.model.transfer.compound import compound
 from omote.model.transfer.corrective_regions import CorrectiveRegions, find_corrective_regions
 from omote.perform.blending.correctives import Eyeballs, correct_combination, measure_allowance
 from omote.perform.blending.evaluate import MODES, Mode, evaluate, evaluate_parts
-from omote.perform.blending.orientation import area_shares, rest_normals
 from omote.perform.frame import Frame
 
 CAST = load_cast()

@@ -22,7 +22,8 @@ from omote.show.messages import CompoundAsset, ContentAsset, Manifest
 from omote.show.wire import encode
 from omote.showfile.changes import Change, PutRevision
 from omote.showfile.show_file import ShowFile, open_show
-from omote.stage_data.assets import rest_positions, unpack_compound
+from omote.stage_data.assets import rest_positions
+from tests.compound_assets import unpack_compound
 from tests.server.conftest import EditHarness, Editor, ShowHarness, answer, open_edit_harness, send_and_wait, state
 
 pytestmark = pytest.mark.asyncio

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from omote.server.process.process_messages import Ended, News, Order, Ready, Started, read_news, send_order
+from omote.server.process.process_messages import REJECTED, Ended, News, Order, Ready, Started, read_news, send_order
 from omote.server.supervision.standby import fork_server, main, reap_servers, serve_orders
 
 
@@ -141,7 +141,7 @@ def test_a_standby_without_its_cast_says_what_to_do(
 
     before = signal.getsignal(signal.SIGINT)
     arguments = ["--show", str(tmp_path / "a.omote"), "--listen", "0", "--line", "0"]
-    assert main(arguments, load) == 1  # type: ignore[arg-type]
+    assert main(arguments, load) == REJECTED  # type: ignore[arg-type]
     signal.signal(signal.SIGINT, before)
     assert "run `make bake`" in capsys.readouterr().err
 

@@ -19,6 +19,11 @@ import pytest
 
 from omote.edit.protocol import messages as editing
 from omote.edit.protocol.messages import EDITING_PATH
+from omote.server.persistence.lock import lock_show
+from omote.server.process.process_messages import REJECTED
+from omote.server.supervision.listening_socket import listen_on
+from omote.server.supervision.start_limit import FAILURES
+from omote.server.supervision.supervisor import Supervisor
 from omote.show import messages as wire
 from omote.show.wire import decode_answer, encode
 from omote.showfile.show_file import JournalEntry, open_show
@@ -274,3 +279,33 @@ def test_a_state_that_kills_servers_is_left_behind(tmp_path: Path) -> None:
     assert poisoned.process.wait(LIMIT) == 0
     assert poisoned.process.stdout is not None
     poisoned.process.stdout.close()
+
+
+@pytest.fixture
+def signals() -> Iterator[None]:
+    """Puts the handlers of the signals back that a supervisor takes."""
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
+    yield
+    for number, handler in before.items():
+        signal.signal(number, handler)
+
+
+@pytest.mark.usefixtures("signals")
+@pytest.mark.parametrize(("status", "tries"), [(REJECTED, 1), (1, FAILURES), (0, FAILURES)])
+def test_a_standby_that_never_gets_ready_ends_the_show_after_the_start_limit(
+    tmp_path: Path, status: int, tries: int
+) -> None:
+    started, said = tmp_path / "started", list[str]()
+    program = ("/bin/sh", "-c", f"echo started >> '{started}'; exit {status}")
+    with listen_on("127.0.0.1", 0) as listening:
+        lock = lock_show(tmp_path / "a.omote")
+        supervisor = Supervisor(
+            listening, lock, tmp_path / "a.omote", report=said.append, opened=pytest.fail, program=program
+        )
+        assert supervisor.run() == 1
+        os.close(lock)
+    assert started.read_text().splitlines() == ["started"] * tries
+    # One that was rejected has told the terminal itself.
+    assert said == (
+        [] if status == REJECTED else [f"the show could not be started in {tries} tries; what went wrong stands above."]
+    )

@@ -13,10 +13,10 @@ from omote.geometry.cylinder import wrap
 from omote.model.controls.net_field import NetField
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.model.space.gain import field_gain
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import apply_expression
-from omote.model.transfer.paper_map import displace_generic, locate_field
+from omote.model.transfer.gain_limit import answer_expression
+from omote.model.transfer.paper_map import compile_expression, displace_generic
 from omote.model.transfer.pipeline import apply_smooth_map
 
 Values = NDArray[np.float64]
@@ -88,12 +88,6 @@ class _Drag:
         """The field without the net's (V, 3): dtheta, dh, R - 1."""
         return np.stack([self.under.dtheta, self.under.dh, self.under.ratio - 1.0], axis=1)
 
-    @cached_property
-    def gain(self) -> Values:
-        """The face's own strength (V, 1)."""
-        found = field_gain(self.space, self.face.gains)
-        return np.ones((self.space.vertex_count, 1)) if found is None else found.skin[:, None]
-
     def vectors(self, places: Values) -> Values:
         """The net's vectors (n, 3) with which the generic head's points go to places (m, 3)."""
         theta, h, radius = self.space.cylinder.unroll(places)
@@ -119,10 +113,9 @@ class _Drag:
 
     def positions_at(self, places: Values) -> Values:
         """Where the points lie on the face, (m, 3), when they are at places on the generic head."""
-        dtheta, dh, over = (self.gain * (self.beneath + self.net_field.field(self.vectors(places)))).T
-        ratios = np.maximum(1.0 + over, _LEAST_RATIO)
-        residual = self.gain[self.space.inner.vertices] * self.under.residual
-        compiled = locate_field(self.space, dtheta, dh, ratios, residual, {})
+        dtheta, dh, over = (self.beneath + self.net_field.field(self.vectors(places))).T
+        worn = replace(self.under, dtheta=dtheta, dh=dh, ratio=np.maximum(1.0 + over, _LEAST_RATIO))
+        compiled = compile_expression(self.space, answer_expression(self.space, self.face.gains, worn))
         if self.space.transfer == "paper":
             return apply_expression(self.space, self.face, compiled)[self.rows].astype(np.float64)
         return apply_smooth_map(self.space, self.face, displace_generic(self.space, compiled))[self.rows]

@@ -17,14 +17,15 @@ from omote.geometry import mesh
 from omote.model.extraction.inner_skin_residual import solve_inner_residual
 from omote.model.extraction.sheet_field import REST, measure_field
 from omote.model.extraction.smooth_map_inverse import invert_smooth_map
-from omote.model.space.ears import turn_ears
+from omote.model.space.ears import rotate_ears
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.space.gain import answer, ask
+from omote.model.space.gain import ask
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.space.parts import eye_angles, eye_rotation
 from omote.model.transfer.compound import apply_expression, predict_part
+from omote.model.transfer.gain_limit import answer_expression
 from omote.model.transfer.paper_map import compile_expression, refuse_foreign
 from omote.model.transfer.smooth_map import prepare_smooth_map
 
@@ -94,7 +95,7 @@ def extract(
         raise ValueError(
             f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
         )
-    answered = [answer(space, face.gains, expression) for expression in known]
+    answered = [answer_expression(space, face.gains, expression) for expression in known]
     bare, near = _measure_sheet(space, face, moved, answered)
     still = moved if near is None else _without_ears(space, face, moved, near.ears)
     if near is not None and still is not moved:
@@ -109,7 +110,7 @@ def _without_ears(space: ParameterSpace, face: Face, moved: Values, ears: Values
     if not ears.any():
         return moved
     rest = face.positions
-    still = turn_ears(space, rest, (rest + moved).astype(np.float32), -ears).astype(np.float64) - rest
+    still = rotate_ears(space, rest, (rest + moved).astype(np.float32), -ears).astype(np.float64) - rest
     return still if (still**2).sum() < (moved**2).sum() else moved
 
 

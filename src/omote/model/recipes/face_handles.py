@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import cKDTree
 
 from omote.geometry import mesh
-from omote.model.sculpting.sculpt import Sculpt, warp, warp_basis
+from omote.model.sculpting.sculpt import Sculpt, warp
 from omote.model.space.eye_socket import ball_heights, move_ball, set_ball_heights
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit
@@ -107,18 +107,6 @@ def _nearest(
     distance = np.linalg.norm(points[among] - np.asarray(where) / 1000, axis=1)
     place = among[int(distance.argmin())]
     return int(rows[place]), int(images[place])
-
-
-def handle_basis(space: ParameterSpace, face: Face, rows: ArrayLike, /) -> Values:
-    """How far each position of a face follows each handle's move: (N, n), skin then parts in the space's order, such
-    that basis @ moves (n, 3) is the displacement of `drag_handles` before eyeballs are made round and lids laid on.
-
-    It is the sculptor's map around the face's own handles, so a face with a small nose has a fine map there. Raises
-    ValueError as `drag_handles` does.
-    """
-    where, fitted = validate_rows(space, rows), fit(space, face)
-    places = np.concatenate([fitted.positions, *(fitted.parts[name] for name in space.parts)]).astype(np.float64)
-    return warp_basis(places[where], places)
 
 
 def drag_handles(space: ParameterSpace, face: Face, name: str, /, *, rows: ArrayLike, moves: ArrayLike) -> Face:

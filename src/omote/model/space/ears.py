@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from omote.geometry.laplacian import smoothing_matrix
+from omote.geometry.orientation import area_shares, keep_orientation, rest_normals
 from omote.geometry.ramp import smooth_ramp
 from omote.model.space.head_regions import eye_frame
 from omote.model.space.parameter_space import ParameterSpace
@@ -26,6 +27,8 @@ _LOW, _HIGH = (-1.15, -0.95), (0.42, 0.62)
 _RINGS, _NOTHING, _WHOLE = 10, 0.05, 0.7
 _SIDES = (1.0, -1.0)
 _SMALL = 1e-9
+# Where an ear that turns folds: the share of its area that a triangle gets, and steps at most.
+_UPRIGHT, _STEPS = 0.05, 200
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,19 +75,48 @@ def find_ear(weights: Values, rest: Values, /) -> Ear | None:
 
 
 def turn_ears(space: ParameterSpace, rest: Floats, skin: Floats, turns: Values, /) -> Floats:
-    """The skin (V, 3) of a face at rest (V, 3) with its ears turned, metres, float32.
+    """The skin (V, 3) of a face at rest (V, 3) with its ears turned (`rotate_ears`), metres, float32; triangles between
+    skull and ear that this turns over are brought back by position based dynamics (Mueller et al. 2007)."""
+    moved = rotate_ears(space, rest, skin, turns).astype(np.float64)
+    for weights, (_, axis) in rotations(space, rest, turns):
+        _keep_upright(space, rest.astype(np.float64), skin.astype(np.float64), moved, weights, axis)
+    return np.where(space.on_sheet[:, None], moved[space.welded], moved).astype(np.float32)
+
+
+def rotate_ears(space: ParameterSpace, rest: Floats, skin: Floats, turns: Values, /) -> Floats:
+    """The skin (V, 3) of a face at rest (V, 3) with its ears rotated, metres, float32; by minus the turns, back again.
 
     turns (2, 3): how far the left and the right one go back, up and out, radians: each is a rotation about the root,
     at right angles to the ear and to the way it goes. An ear that already points there does not turn, one across it
     turns the whole angle (the sine of what is between them, so nothing jumps).
     """
     moved = skin.astype(np.float64)
+    for weights, (root, axis) in rotations(space, rest, turns):
+        rows = np.flatnonzero(weights)
+        moved[rows] = root + Rotation.from_rotvec(weights[rows, None] * axis).apply(moved[rows] - root)
+    return moved.astype(np.float32)
+
+
+def rotations(space: ParameterSpace, rest: Floats, turns: Values, /) -> list[tuple[Values, tuple[Values, Values]]]:
+    """Of each ear that turns: the weights (V,), its root (3,) and the rotation vector (3,)."""
+    found = []
     for weights, side, turn in zip(ear_weights(space), _SIDES, turns, strict=True):
         ear = find_ear(weights, rest.astype(np.float64)) if turn.any() else None
-        if ear is None:
-            continue
-        ways = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [side, 0.0, 0.0]])
-        axis = turn @ np.cross(ear.direction, ways)
-        rows = np.flatnonzero(weights)
-        moved[rows] = ear.root + Rotation.from_rotvec(weights[rows, None] * axis).apply(moved[rows] - ear.root)
-    return moved.astype(np.float32)
+        if ear is not None:
+            ways = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [side, 0.0, 0.0]])
+            found.append((weights, (ear.root, turn @ np.cross(ear.direction, ways))))
+    return found
+
+
+def _keep_upright(
+    space: ParameterSpace, rest: Values, skin: Values, moved: Values, weights: Values, axis: Values
+) -> None:
+    """Brings triangles that turn over between skin and moved (V, 3) back in moved, in place; their normals at rest turn
+    with them."""
+    corners = space.sheet_triangles[(weights[space.sheet_triangles] > 0).any(axis=1)]
+    normals, sizes = rest_normals(rest, corners)
+    turned = Rotation.from_rotvec(weights[corners].mean(axis=1)[:, None] * axis).apply(normals)
+    before, after = area_shares(skin, normals, sizes, corners), area_shares(moved, turned, sizes, corners)
+    if ((after < 0) & (before >= 0)).any():
+        goals = np.where(before < 0, -np.inf, np.minimum(_UPRIGHT, before))
+        keep_orientation(moved, turned, sizes, corners, goals, _STEPS)

@@ -13,6 +13,9 @@ from omote.geometry import mesh
 
 Values = NDArray[np.float64]
 
+LONGEST_NAME = 80
+"""Characters; what a message of a console may hold (`show/messages.py`)."""
+
 
 @dataclass(frozen=True, eq=False)
 class Expression:
@@ -98,6 +101,15 @@ class Expression:
             name: _validate(value, f"part {name!r}", (*np.shape(value)[:1], 3)) for name, value in self.parts.items()
         }
         object.__setattr__(self, "parts", MappingProxyType(parts))
+
+
+def refuse_name(name: object, what: str, /) -> None:
+    """Raises ValueError on a name that nobody could call on the wire, where names are keys, or read on a console."""
+    if not isinstance(name, str) or not 1 <= len(name) <= LONGEST_NAME or not name.isprintable():
+        shown = repr(name)
+        raise ValueError(
+            f"{what} is named {shown[:LONGEST_NAME]}; expected a text of 1 to {LONGEST_NAME} printable characters"
+        )
 
 
 def _validate(value: ArrayLike, name: str, shape: tuple[int, ...]) -> Values:

@@ -11,11 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
+from omote.model.space.expression import refuse_name
 from omote.model.space.gain import Gain, validate_gains
-from omote.model.space.parts import fit_similarity
-
-LONGEST_NAME = 80
-"""Characters; what a message of a console may hold (`show/messages.py`)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,28 +66,7 @@ class Face:
         object.__setattr__(self, "gains", validate_gains(self.gains, f"face {self.name!r}"))
 
 
-def refuse_name(name: object, what: str, /) -> None:
-    """Raises ValueError on a name that nobody could call on the wire, where names are keys, or read on a console."""
-    if not isinstance(name, str) or not 1 <= len(name) <= LONGEST_NAME or not name.isprintable():
-        shown = repr(name)
-        raise ValueError(
-            f"{what} is named {shown[:LONGEST_NAME]}; expected a text of 1 to {LONGEST_NAME} printable characters"
-        )
-
-
 def _freeze(points: ArrayLike, name: str) -> NDArray[np.float32]:
     result = np.ascontiguousarray(mesh.validate_points(points, name=name), dtype=np.float32)
     result.setflags(write=False)
     return result
-
-
-def align(
-    points: NDArray[np.float64], generic: NDArray[np.float64], /, *, rows: NDArray[np.int32]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Rotation (3, 3) and shift (3,) that bring a face nearest to the generic one, size kept
-    (docs/method.md, "The cylinder").
-
-    points, generic (V, 3); rows: the vertices that decide (the sheet's). Apply as `points @ rotation.T + shift`.
-    """
-    _, rotation, _ = fit_similarity(points[rows], generic[rows])
-    return rotation, generic[rows].mean(axis=0) - rotation @ points[rows].mean(axis=0)

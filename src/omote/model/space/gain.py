@@ -11,7 +11,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.space.expression import Expression
+from omote.model.space.expression import Expression, refuse_name
 from omote.model.space.head_regions import region_mask
 from omote.model.space.parameter_space import ParameterSpace
 
@@ -68,11 +68,8 @@ class Gain:
 
     def __post_init__(self) -> None:
         check_gain_region(self.region)
-        if self.expression is not None and not _is_name(self.expression):
-            raise ValueError(
-                f"the gain of {self.region} is for expression {str(self.expression)[:80]!r}; "
-                "expected a name of 1 to 80 printable characters, or none for all expressions"
-            )
+        if self.expression is not None:
+            refuse_name(self.expression, f"the expression of the gain of {self.region}")
         number = self.value
         usable = isinstance(number, int | float | np.floating) and not isinstance(number, bool)
         if not usable or not LEAST_GAIN <= number <= MOST_GAIN:
@@ -89,10 +86,6 @@ def check_gain_region(name: str, /) -> GainRegion:
         if region == name:
             return region
     raise ValueError(f"a gain is of region {name!r}; expected one of {', '.join(GAIN_REGIONS)}")
-
-
-def _is_name(name: object) -> bool:
-    return isinstance(name, str) and 1 <= len(name) <= 80 and name.isprintable()
 
 
 def validate_gains(gains: Iterable[Gain], what: str, /) -> tuple[Gain, ...]:
@@ -158,6 +151,11 @@ def override_gains(gains: Sequence[Gain], own: Sequence[Gain], /) -> tuple[Gain,
     return validate_gains(known.values(), "a face")
 
 
+def changes_field(gains: Sequence[Gain], expression: str = "", /) -> bool:
+    """Whether the field of an expression by name is answered otherwise than it is."""
+    return any(gain_of(gains, region, expression) != 1.0 for region in FIELD_REGIONS)
+
+
 @dataclass(frozen=True, eq=False)
 class FieldGain:
     """The gain of every vertex: skin (V,), parts (n,) by name."""
@@ -183,19 +181,21 @@ def field_gain(space: ParameterSpace, gains: Sequence[Gain], expression: str = "
     return FieldGain(skin, parts)
 
 
-def answer(space: ParameterSpace, gains: Sequence[Gain], expression: Expression, /) -> Expression:
+def answer(
+    space: ParameterSpace, gains: Sequence[Gain], expression: Expression, /, limited: FieldGain | None = None
+) -> Expression:
     """The expression as a face with these gains answers it: the field, and what inner skin and parts do beyond it,
     times the gain of each vertex; ears' and head's turn times theirs. Eyeballs and pupils stay the expression's.
 
-    It is the expression itself where that changes nothing.
+    limited: the gain of each vertex, in place of `field_gain`. It is the expression itself where that changes nothing.
     """
     ears = gain_of(gains, "ears", expression.name) * expression.ears
     head = gain_of(gains, "head", expression.name) * expression.head
     turned = expression
     if not (np.array_equal(ears, expression.ears) and np.array_equal(head, expression.head)):
         turned = replace(expression, ears=ears, head=head)
-    factor = field_gain(space, gains, expression.name)
-    return turned if factor is None else _multiply(space, turned, factor)
+    factor = field_gain(space, gains, expression.name) if limited is None else limited
+    return turned if factor is None else multiply_field(space, turned, factor)
 
 
 def ask(space: ParameterSpace, gains: Sequence[Gain], answered: Expression, /) -> Expression:
@@ -211,7 +211,7 @@ def ask(space: ParameterSpace, gains: Sequence[Gain], answered: Expression, /) -
     if factor is None:
         return answered
     parts = {name: _invert(values) for name, values in factor.parts.items()}
-    return _multiply(space, answered, FieldGain(_invert(factor.skin), parts))
+    return multiply_field(space, answered, FieldGain(_invert(factor.skin), parts))
 
 
 def _invert(values: Values) -> Values:
@@ -219,7 +219,7 @@ def _invert(values: Values) -> Values:
     return np.where(seen, 1.0 / np.where(seen, values, 1.0), 0.0)
 
 
-def _multiply(space: ParameterSpace, expression: Expression, factor: FieldGain) -> Expression:
+def multiply_field(space: ParameterSpace, expression: Expression, factor: FieldGain, /) -> Expression:
     """The expression with its field, its residuals and those of parts times a factor per vertex."""
     ratio = np.maximum(1.0 + factor.skin * (expression.ratio - 1.0), LEAST_RATIO)
     return replace(

@@ -14,9 +14,9 @@ from omote.model.space.ears import turn_ears
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit
-from omote.model.space.gain import answer
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import eye_rotation
+from omote.model.transfer.gain_limit import answer_expression
 from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression, refuse_foreign
 from omote.model.transfer.pipeline import transfer_expression
 
@@ -68,10 +68,10 @@ def compound(space: ParameterSpace, face: Face, expression: Expression, /, weigh
 
 
 def compile_answer(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> Compiled:
-    """The expression as a face answers it (`omote.model.space.gain`), located on S; errors as `compile_expression`."""
+    """The expression as a face answers it (`answer_expression`), located on S; errors as `compile_expression`."""
     refuse_foreign(space, expression)
     fit(space, face)
-    return compile_expression(space, answer(space, face.gains, expression), weight)
+    return compile_expression(space, answer_expression(space, face.gains, expression), weight)
 
 
 def apply_expression(space: ParameterSpace, face: Face, compiled: Compiled, /) -> Floats:

@@ -1,7 +1,8 @@
 """Turns back the triangles that a displacement has turned over (docs/method.md, "Fold repair").
 
 Gradient-domain editing of small patches: weighted least squares on deformation gradients (Sumner & Popovic 2004),
-solved by conjugate gradients. A patch changes with every compound, so nothing is factorised.
+solved by conjugate gradients. A patch changes with every compound, so nothing is factorised. What that leaves folded,
+position based dynamics turn back triangle by triangle (Mueller et al. 2007).
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from omote.geometry.conjugate_gradients import solve_conjugate_gradients
+from omote.geometry.orientation import area_shares, keep_orientation
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -25,6 +27,9 @@ FOLDED = 3.0
 # to move, and the weight of the anchor that keeps vertices where they are.
 HELD_ROUNDS, NEAR_RINGS, NEAR = 6, 2, 0.1
 FREE_ROUNDS, FAR_RINGS, FAR = 8, 3, 0.02
+# Then what is still folded: how many rounds, of how many steps, on how many rings; a triangle gets this share of its
+# area.
+LAST_ROUNDS, STEPS, LAST_RINGS, UPRIGHT = 12, 10, 3, 0.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,14 +76,19 @@ def repair(
     """
     free, folded = np.zeros_like(on_line), find_folds(geometry, positions, source)
     best, fewest = positions, int(folded.sum())
-    for number in range(HELD_ROUNDS + FREE_ROUNDS):
+    for number in range(HELD_ROUNDS + FREE_ROUNDS + LAST_ROUNDS):
         if fewest == 0:
             break
+        if number == HELD_ROUNDS + FREE_ROUNDS:
+            positions, folded = best, find_folds(geometry, best, source)
         positions = positions.copy()
         if number < HELD_ROUNDS:
             relax_patches(geometry, positions, source, folded, on_line, NEAR_RINGS, NEAR)
         else:
-            relax_patches(geometry, positions, source, folded, free, FAR_RINGS, FAR)
+            if number < HELD_ROUNDS + FREE_ROUNDS:
+                relax_patches(geometry, positions, source, folded, free, FAR_RINGS, FAR)
+            else:
+                turn_upright(geometry, positions, source, folded)
             close(positions)
         folded = find_folds(geometry, positions, source)
         if folded.sum() < fewest:
@@ -88,10 +98,15 @@ def repair(
 
 def find_folds(geometry: SheetGeometry, positions: Values, source: Values, /) -> Mask:
     """The sheet triangles (T,) turned over on the face (V, 3) but not on the source (V, 3), the generic face."""
-    here, there = np.empty(len(geometry.triangles), np.bool_), np.empty(len(geometry.triangles), np.bool_)
+    here = np.empty(len(geometry.triangles), np.bool_)
     mark_folds(positions, geometry.triangles, geometry.normals, here)
-    mark_folds(source, geometry.triangles, geometry.generic_normals, there)
-    return here & ~there
+    return here & ~_find_source_folds(geometry, source)
+
+
+def _find_source_folds(geometry: SheetGeometry, source: Values) -> Mask:
+    found = np.empty(len(geometry.triangles), np.bool_)
+    mark_folds(source, geometry.triangles, geometry.generic_normals, found)
+    return found
 
 
 def relax_patches(
@@ -110,6 +125,18 @@ def relax_patches(
     step = solve_conjugate_gradients(pull, diagonal + anchor * mean, anchor * mean, corners, slopes, weights)
     inside = place >= 0
     positions[inside] += step[place[inside]]
+
+
+def turn_upright(geometry: SheetGeometry, positions: Values, source: Values, folded: Mask, /) -> None:
+    """One round, in place: folded (T,) triangles get UPRIGHT of their area along their normal at rest, those around
+    keep as much where they have it; what is folded on the source (V, 3) may stay (position based dynamics)."""
+    grown = _grow_patch(folded, LAST_RINGS, geometry.triangles, geometry.starts, geometry.fans)
+    patch = np.flatnonzero(grown & ~_find_source_folds(geometry, source))
+    corners, normals = geometry.triangles[patch], geometry.normals[patch]
+    sizes = (normals**2).sum(axis=1)
+    shares = area_shares(positions, normals, sizes, corners)
+    goals = np.where(folded[patch], UPRIGHT, np.minimum(UPRIGHT, shares))
+    keep_orientation(positions, normals, sizes, corners, goals, STEPS)
 
 
 def triangle_frames(positions: Values, triangles: Indices, /) -> Values:

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
-from omote.model.space.face_fit import fit, generic_face
-from omote.model.space.gain import answer, field_gain, gain_of
-from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression
+from omote.model.space.gain import changes_field, gain_of
+from omote.model.transfer.paper_map import Compiled
+from omote.perform.blending.answer_cache import Answer, answers_of
 from omote.perform.blending.compound_cache import compound_cache
-from omote.perform.blending.expression_tables import ExpressionTables, tables_of
+from omote.perform.blending.expression_tables import tables_of
 
 Floats = NDArray[np.float32]
 Values = NDArray[np.float64]
@@ -27,46 +27,37 @@ class AnsweredMix:
 
     cast: Cast
     plain: Mapping[str, float]
-    own: tuple[tuple[Expression, float], ...] = ()
+    own: tuple[tuple[Answer, float], ...] = ()
     ears: Values = field(default_factory=lambda: np.zeros((2, 3)))
 
     def expressions(self) -> list[tuple[Expression, float]]:
         """All of them with their weights."""
-        return [*((self.cast.expressions[name], weight) for name, weight in self.plain.items()), *self.own]
+        plain = [(self.cast.expressions[name], weight) for name, weight in self.plain.items()]
+        return plain + [(answer.expression, weight) for answer, weight in self.own]
 
     def compile(self) -> Compiled:
         """The sum of all fields by weight, located on S; no parts."""
-        if not self.own:
-            return tables_of(self.cast).mix(self.plain)
-        expressions = {name: self.cast.expressions[name] for name in self.plain}
-        answers = {f"\n{place}": expression for place, (expression, _) in enumerate(self.own)}
-        weights = {f"\n{place}": weight for place, (_, weight) in enumerate(self.own)}
-        return ExpressionTables(self.cast.space, expressions | answers).mix({**self.plain, **weights})
+        return tables_of(self.cast).mix(self.plain, [(answer.row, weight) for answer, weight in self.own])
 
     def compounds(self) -> list[tuple[Floats, float]]:
         """What the generic face does under each of the fields alone, by the paper's map, (V, 3) metres, and its
         weight."""
-        space, known = self.cast.space, compound_cache(self.cast)
-        source = fit(space, generic_face(space))
-        found = [(known.source(name), weight) for name, weight in self.plain.items()]
-        return found + [
-            (apply_paper_map(space, source, compile_expression(space, expression)), weight)
-            for expression, weight in self.own
-        ]
+        known = compound_cache(self.cast)
+        plain = [(known.source(name), weight) for name, weight in self.plain.items()]
+        return plain + [(answer.source, weight) for answer, weight in self.own]
 
 
 def answered_mix(cast: Cast, faces: Mapping[str, float], weights: Mapping[str, float], /) -> AnsweredMix:
     """What faces by weight make of expressions by weight."""
     if not any(cast.faces[face].gains for face in faces):
         return AnsweredMix(cast, weights)
-    plain, own, ears = dict[str, float](), list[tuple[Expression, float]](), np.zeros((2, 3))
+    plain, own, ears = dict[str, float](), list[tuple[Answer, float]](), np.zeros((2, 3))
     for face, share in faces.items():
         gains = cast.faces[face].gains
         for name, weight in weights.items():
-            expression = cast.expressions[name]
-            ears += share * weight * gain_of(gains, "ears", name) * expression.ears
-            if field_gain(cast.space, gains, name) is None:  # as the cast has it, in tables and caches
+            ears += share * weight * gain_of(gains, "ears", name) * cast.expressions[name].ears
+            if changes_field(gains, name):
+                own.append((answers_of(cast)(face, name), share * weight))
+            else:  # as the cast has it, in tables and caches
                 plain[name] = plain.get(name, 0.0) + share * weight
-            else:
-                own.append((answer(cast.space, gains, expression), share * weight))
     return AnsweredMix(cast, plain, tuple(own), ears)

@@ -5,7 +5,7 @@ them correctives or combination shapes; here they are computed. One compound on 
 allowance of what it uses up by itself (`measure_allowance`), weighted like the mix. The GPU of a stage does the same
 (web/src/face/blend/corrective_shaders.ts). All of it is continuous in the weights: lids and lips that cross move apart
 by half each; lids are pushed out of the eyeball, whose cornea bulges where it looks; triangles about to turn over are
-projected (`omote.perform.blending.orientation`). Rejected: smoothing displacements folded more than it mended.
+projected (`omote.geometry.orientation`). Rejected: smoothing displacements folded more than it mended.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.geometry.orientation import area_shares, keep_orientation, rest_normals
 from omote.model.space.expression import Expression
 from omote.model.space.face_fit import FittedFace
 from omote.model.space.lid_lip_lines import RUNGS
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.corrective_regions import CorrectiveRegions, Crossing
-from omote.perform.blending.orientation import area_shares, keep_orientation, rest_normals
 
 Floats = NDArray[np.float32]
 Values = NDArray[np.float64]

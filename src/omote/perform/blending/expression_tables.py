@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -19,6 +20,20 @@ Floats = NDArray[np.float32]
 
 SMALLEST_RATIO = 0.05
 """Many channels may add up to a radius below nothing; the surface stops short of the axis then."""
+
+
+@dataclass(frozen=True, eq=False)
+class TableRow:
+    """An expression as tables hold it: field (3 s,), dtheta, dh and R - 1 of the sheet; residual (3 inner,)."""
+
+    field: Floats
+    residual: Floats
+
+    @staticmethod
+    def of(space: ParameterSpace, expression: Expression) -> TableRow:
+        """The row of an expression made on a space."""
+        field = _sheet_row(expression, np.flatnonzero(space.on_sheet).astype(np.int32))
+        return TableRow(field.astype(np.float32), expression.residual.ravel().astype(np.float32))
 
 
 class ExpressionTables:
@@ -38,13 +53,18 @@ class ExpressionTables:
         self._table = _table([_sheet_row(expression, self._sheet) for expression in expressions.values()])
         self._residuals = _table([expression.residual.ravel() for expression in expressions.values()])
 
-    def mix(self, weights: Mapping[str, float]) -> Compiled:
-        """The expression sum of weight times field, located on S: dtheta, dh, R - 1 and residuals add; no parts."""
+    def mix(self, weights: Mapping[str, float], own: Sequence[tuple[TableRow, float]] = ()) -> Compiled:
+        """The expression sum of weight times field, located on S: dtheta, dh, R - 1 and residuals add; no parts.
+
+        own: expressions that are not in the tables, by their rows, and their weights.
+        """
         names, factors = list(weights), np.array(list(weights.values()), np.float32)
         rows = np.array([self._rows[name] for name in names], np.int64)
-        field = _product(self._table, rows, factors).reshape(3, -1)
-        residual = _product(self._residuals, rows, factors).reshape(-1, 3)
-        return self._locate(field, residual)
+        field, residual = _product(self._table, rows, factors), _product(self._residuals, rows, factors)
+        for row, weight in own:
+            field += np.float32(weight) * row.field
+            residual += np.float32(weight) * row.residual
+        return self._locate(field.reshape(3, -1), residual.reshape(-1, 3))
 
     def _locate(self, field: Floats, residual: Floats) -> Compiled:
         space = self._space

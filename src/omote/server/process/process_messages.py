@@ -16,6 +16,9 @@ PULSE_TICKS = 6
 """Ticks between two pulses: ten pulses a second."""
 MOVED = b'{"show":'
 """How a line of a pulse begins that is no notice."""
+REJECTED = 78
+"""Exit status of a standby whose cast or pages cannot be used, which it has said (EX_CONFIG of sysexits.h): another one
+would say the same."""
 LONGEST_ORDER = 65536
 """Bytes of an order with all its notices."""
 

@@ -23,7 +23,7 @@ from omote.perform.performer import Performer
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.process.fork import fork_process
 from omote.server.process.priority import raise_priority
-from omote.server.process.process_messages import Ended, Order, Ready, Started, receive_order, send_news
+from omote.server.process.process_messages import REJECTED, Ended, Order, Ready, Started, receive_order, send_news
 from omote.server.supervision.show_process import Pipes, ShowMaterial, load_material, report, run
 from omote.show.messages import STATE_RATE
 from omote.showfile.database_errors import describe_error
@@ -44,7 +44,7 @@ def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = 
         warm(material.documents)
     except (OSError, ValueError) as error:
         report(describe_error(error))
-        return 1
+        return REJECTED
     with socket.socket(fileno=options.line) as line:
 
         def start(order: Order, control: int, pulse: int) -> int:

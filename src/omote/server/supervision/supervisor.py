@@ -35,6 +35,7 @@ from omote.server.process.process_messages import (
     send_order,
 )
 from omote.server.supervision.crash_loop import CrashLoop
+from omote.server.supervision.start_limit import FAILURES, StartLimit
 from omote.show.messages import Notice
 
 PROGRAM = (sys.executable, "-m", "omote.server.supervision.standby")
@@ -44,10 +45,6 @@ START_SECONDS = 10.0
 """Seconds from an order to the first tick after which a server counts as hung."""
 END_SECONDS = 3.0
 """How long servers may take to end when told to."""
-PAUSE_SECONDS = 2.0
-"""Pause before another try when a standby, or a server that never ticked, died."""
-FAILURES = 6
-"""Servers that die before their first tick until the supervisor gives up, when none has ever ticked."""
 WAIT_SECONDS = 0.25
 
 Report = Callable[[str], None]
@@ -99,12 +96,11 @@ class Supervisor:
         self._report, self._opened = report, opened
         self._standby: Standby | None = None
         self._server: Server | None = None
-        self._crash_loop = CrashLoop()
-        self._epoch = self._failures = 0
+        self._crash_loop, self._start_limit = CrashLoop(), StartLimit()
         self._failover: Failover | None = None
         self._notices = list(notices)
         self._not_before = self._checked = 0.0
-        self._played = self._ending = False
+        self._epoch, self._ending = 0, False
         self._selector = selectors.DefaultSelector()
 
     def run(self) -> int:
@@ -117,8 +113,9 @@ class Supervisor:
             signal.signal(number, self._end)
         try:
             while not self._ending:
-                if not self._keep_playing(time.monotonic()):
-                    return 1
+                if self._start_limit.reached:
+                    return self._give_up()
+                self._keep_playing(time.monotonic())
                 self._listen_to_all()
             return 0
         finally:
@@ -131,7 +128,12 @@ class Supervisor:
     def _end(self, *_: object) -> None:
         self._ending = True
 
-    def _keep_playing(self, now: float) -> bool:
+    def _give_up(self) -> int:
+        if not self._start_limit.rejected:  # a standby that was rejected has said why itself
+            self._report(f"the show could not be started in {FAILURES} tries; what went wrong stands above.")
+        return 1
+
+    def _keep_playing(self, now: float) -> None:
         if self._server is not None and now - self._checked > HANG_SECONDS / 2:
             self._server.heard = now  # we got no time ourselves, so its silence proves nothing
         self._checked = now
@@ -146,8 +148,6 @@ class Supervisor:
                 self._standby = self._start_standby()
             if self._server is None and self._standby.ready:
                 self._server = self._start_server(self._standby, now)
-        hopeless = self._standby is None or self._failures >= FAILURES
-        return self._played or not hopeless
 
     def _start_standby(self) -> Standby:
         ours, theirs = socket.socketpair()
@@ -225,10 +225,8 @@ class Supervisor:
         self._show = next((Path(each.show) for each in reversed(told) if isinstance(each, ShowMoved)), self._show)
         if not server.playing:
             server.playing = True
-            self._failures = 0
             raise_priority()
-            if not self._played:
-                self._played = True
+            if self._start_limit.record_play():
                 self._opened()
 
     def _note_failover(self, server: Server, ended: float, *, hung: bool) -> None:
@@ -245,9 +243,10 @@ class Supervisor:
         os.close(server.pulse)
         os.close(server.control)
         self._server = None
-        if not server.playing:  # trying again at once would help nobody
-            self._failures += 1
-            self._not_before = time.monotonic() + (PAUSE_SECONDS if self._failures >= FAILURES else 0.0)
+        if not server.playing:
+            self._not_before = time.monotonic() + self._start_limit.record_server()
+        elif self._standby is None:
+            self._not_before = 0.0  # the pause was for a standby beside a server that plays
 
     def _drop_standby(self, standby: Standby) -> None:
         self._selector.unregister(standby.line)
@@ -255,9 +254,10 @@ class Supervisor:
         standby.process.kill()
         status = standby.process.wait()
         self._standby = None
-        if self._played:
+        plays = self._server is not None
+        self._not_before = time.monotonic() + self._start_limit.record_standby(status, ready=standby.ready, plays=plays)
+        if self._start_limit.played and self._start_limit.unready < 2:  # the next ones would only say the same
             self._report(f"the standby ended (status {status}); another one is started.")
-            self._not_before = time.monotonic() + (0.0 if standby.ready else PAUSE_SECONDS)
 
     def _end_all(self) -> None:
         if self._server is not None:

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.blending.orientation import area_shares, keep_orientation, rest_normals
+from omote.geometry.orientation import area_shares, keep_orientation, rest_normals
 
 SIDE = 7
 GOAL = 0.1
