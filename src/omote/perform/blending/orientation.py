@@ -1,8 +1,9 @@
 """Keeps triangles from turning over: position based dynamics (Mueller et al. 2007, section 3.3).
 
 Jacobi iterations with over-relaxation: each triangle with too little area moves its three corners along the gradient of
-its area, a corner takes the mean over its triangles. One that lacks next to nothing weighs next to nothing there: counted
-in full, it would halve what another wants at once, and a frame would jump. Vertices of other triangles do not move.
+its area, a corner takes the mean over its triangles. One that lacks next to nothing weighs next to nothing there:
+counted in full, it would halve what another wants at once, and a frame would jump. Vertices of other triangles do not
+move.
 """
 
 from __future__ import annotations
