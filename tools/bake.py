@@ -11,7 +11,17 @@ from rich.console import Console
 from rich.progress import Progress
 
 from omote.model.cast import GENERIC
-from tools.baking.assemble import Arrays, Step, about, face_arrays, field_arrays, fit_mouths, mesh_arrays, space_of
+from tools.baking.assemble import (
+    Arrays,
+    Step,
+    about,
+    face_arrays,
+    field_arrays,
+    fit_generic_mouth,
+    fit_mouths,
+    mesh_arrays,
+    space_of,
+)
 from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
 from tools.baking.hair.strands import hair_arrays
 from tools.baking.hair.styles import GROOMS
@@ -54,7 +64,7 @@ def cast_arrays(package: Package, base: BaseMesh, head: Head, layout: Floats, st
     moves = all_moves(package, base, head)
     step("targets of the units")
     arrays["jaw"] = jaw_vertices(moves)
-    fit_mouths(arrays, space_of(arrays), [GENERIC])  # the space of all is that of the generic face with closed lips
+    fit_generic_mouth(arrays)
     space, sculpts = space_of(arrays), read_sculpts()
     fit_mouths(arrays, space, [name for name in PEOPLE if name != GENERIC])
     arrays.update(sculpt_arrays(arrays, space, sculpts, step))

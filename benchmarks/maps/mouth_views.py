@@ -42,8 +42,8 @@ PLACES = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [3, 3, 0], [0, 3, 3], [3, 0,
 @dataclass(frozen=True)
 class Seen:
     """Of one compound: how deep teeth lie outside of the skin, and crowns in the mouth's walls, millimetres; how far a
-    gum's edge that is seen is from the mouth's lining; how much of the open mouth is seen from behind or not at all,
-    square millimetres; how far one can look through between the lips, millimetres."""
+    gum's edge that is seen is from the mouth's lining; how much of the open mouth shows the outer skin from behind or
+    nothing at all, square millimetres; how far one can look through between the lips, millimetres."""
 
     pierced: float
     buried: float
@@ -69,6 +69,9 @@ class MouthViews:
         parts = [space.parts[name].triangles + start for name, start in zip(PARTS, starts, strict=False)]
         self._triangles = np.concatenate([*skin, *parts]).astype(np.int64)
         self._kind = np.repeat(np.arange(5), [len(list_) for list_ in (*skin, *parts)])
+        touching = space.on_sheet[bag.triangles].any(axis=1)  # the lips' own edges
+        self._of_lips = np.zeros(len(self._kind), np.bool_)
+        self._of_lips[: len(skin[0]) + len(skin[1])] = np.concatenate([np.ones(len(skin[0]), np.bool_), touching])
         closed = space.location_triangles
         self._closed = closed.astype(np.int64)
         near = np.linalg.norm(space.points[closed].mean(axis=1) - lips, axis=1)
@@ -131,8 +134,7 @@ class MouthViews:
         """Area of holes, square metres, and the greatest distance of a gum's edge that is seen to what is around it."""
         low, size = _frame(np.concatenate([points[self._lips], gums]))
         depth, first, front = draw(points, self._triangles, low, size)
-        kind = np.where(first >= 0, self._kind[first], 1)
-        wrong = (~front & (kind < 4)) | (first < 0)
+        wrong = (~front & (self._kind[first] == 0)) | (first < 0)  # the stage draws the lining from both sides
         hole = (wrong & _inside(points[self._lips], low, size)).sum() * PIXEL**2
         column, row = ((gums[:, :2] - low) / PIXEL).astype(np.int64).T
         seen = gums[:, 2] >= depth[row, column] - 3e-4
@@ -144,14 +146,15 @@ class MouthViews:
         for pitch in (-20, 0, 20):
             turned = points @ _turn(0, pitch).T
             low, size = _frame(turned[self._lips])
-            depth, first, _ = draw(turned, self._triangles, low, size)
+            depth, first, front = draw(turned, self._triangles, low, size)
+            lips = front & (first >= 0) & self._of_lips[first]  # on a muzzle they go far back
             order = np.argsort(turned[self._lips, 0])
             columns = low[0] + (np.arange(size[1]) + 0.5) * PIXEL
             surface = np.interp(columns, turned[self._lips, 0][order], turned[self._lips, 2][order])
             within = _inside(turned[self._lips], low, size)
             within = within | np.roll(within, 2, axis=0) | np.roll(within, -2, axis=0)
             run = np.zeros(size[1], np.int64)
-            for through in within & ((depth < surface - BEHIND) | (first < 0)):
+            for through in within & ~lips & (depth < surface - BEHIND):
                 run = np.where(through, run + 1, 0)
                 longest = max(longest, int(run.max()))
         return longest * PIXEL

@@ -20,6 +20,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.mouth.gum_binding import carry_bag
+from omote.model.transfer.mouth.lip_closure import close_behind_lips
 from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
 from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, ear_turns, head_turn, region
 from tools.baking.heads.basemesh import BaseMesh, Floats
@@ -80,10 +81,13 @@ def face_of(arrays: Arrays, name: str) -> Face:
 
 
 def space_of(arrays: Arrays) -> ParameterSpace:
-    """The parameter space of the generic face, its parts bound; the arrays hold its meshes and `jaw`."""
+    """The parameter space of the generic face, its parts bound; the arrays hold its meshes and `jaw`, and `sheet` once
+    it is known."""
     generic = face_of(arrays, GENERIC)
     parts = {part: PartMesh(generic.parts[part].astype(np.float64), arrays[f"part/{part}"]) for part in PARTS}
-    return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
+    return head_space(
+        generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"], arrays.get("sheet")
+    )
 
 
 def fit_mouths(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
@@ -92,10 +96,26 @@ def fit_mouths(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> N
     for name in names:
         parts = {part: arrays[f"face/{name}/{part}"] for part in PARTS}
         before = arrays[f"face/{name}"]
-        placed = fit_mouth_at_rest(space, before, parts).astype(np.float64)
-        if np.abs(before - before[across] * _ACROSS).max() < _SYMMETRIC:
-            placed = 0.5 * (placed + placed[across] * _ACROSS)  # gums are met on one side a little more than across
-        arrays[f"face/{name}"] = np.asarray(np.round(placed, 9) + 0.0, np.float32)  # no machine's last bits
+        placed = fit_mouth_at_rest(space, before, parts)
+        arrays[f"face/{name}"] = _symmetric_as(before, placed, across)
+
+
+def fit_generic_mouth(arrays: Arrays) -> None:
+    """Does so with the generic face, whose sheet is S and stays: the arrays' `sheet` from then on, for behind closed
+    lips it would be found without the edges of the lower one."""
+    open_lips = space_of(arrays)
+    arrays["sheet"] = open_lips.skin_triangles
+    fit_mouths(arrays, open_lips, [GENERIC])
+    space, name = space_of(arrays), f"face/{GENERIC}"  # which skin belongs to which lip is measured on this one
+    arrays[name] = _symmetric_as(arrays[name], close_behind_lips(space, arrays[name]), mirror_rows(space))
+
+
+def _symmetric_as(before: NDArray[Any], placed: NDArray[np.floating], across: NDArray[np.integer]) -> NDArray[Any]:
+    """The placed points (V, 3), symmetric if those before were: gums are met on one side a little more than across."""
+    found = placed.astype(np.float64)
+    if np.abs(before - before[across] * _ACROSS).max() < _SYMMETRIC:
+        found = 0.5 * (found + found[across] * _ACROSS)
+    return np.asarray(np.round(found, 9) + 0.0, np.float32)  # no machine's last bits
 
 
 def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move], step: Step) -> Arrays:

@@ -33,18 +33,19 @@ class PartMesh:
 
 
 def head_space(
-    points: NDArray[np.float64], triangles: NDArray[np.int32], parts: Mapping[str, PartMesh], jaw: NDArray[np.int32]
-) -> ParameterSpace:
+    points: NDArray[np.float64], triangles: NDArray[np.int32], parts: Mapping[str, PartMesh], jaw: NDArray[np.int32],
+    sheet: NDArray[np.int32] | None = None,
+) -> ParameterSpace:  # fmt: skip
     """The parameter space of the baked head with its parts bound, its lids and lips named, its gums bound to
     the jaws.
 
     points (V, 3) metres, triangles (F, 3) of the generic skin; parts by the names in PARTS; jaw (m,): the skin vertices
-    that show where the jaw is.
+    that show where the jaw is; sheet (f, 3): the triangles of the skin sheet, found where they are not known.
     """
-    space = ParameterSpace.build(points, triangles, axis=AXIS)
-    sheet = np.flatnonzero(space.on_sheet).astype(np.int32)
-    jaw = np.intersect1d(jaw, sheet).astype(np.int32)
-    bound = space.with_parts(*(_bind(name, parts[name], space.points, sheet, jaw) for name in PARTS))
+    space = ParameterSpace.build(points, triangles, axis=AXIS, sheet=sheet)
+    skin = np.flatnonzero(space.on_sheet).astype(np.int32)
+    jaw = np.intersect1d(jaw, skin).astype(np.int32)
+    bound = space.with_parts(*(_bind(name, parts[name], space.points, skin, jaw) for name in PARTS))
     for line, eye in LIDS.items():
         bound = bound.with_line(line, "lids", parts[eye].points.mean(axis=0))
     bound = bound.with_line(LIPS, "lips", np.concatenate([parts[name].points for name in TEETH]).mean(axis=0))

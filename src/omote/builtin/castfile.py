@@ -6,6 +6,7 @@ Arrays, V vertices of the skin, n of a part, E expressions:
     about               JSON text as bytes: faces {name: look}, gains {name: [{region, value, expression}]} of those
                         who set any, expressions [{name, label, kind, region}]
     triangles (F, 3)    of the skin                  jaw (m,)            skin vertices that show where the jaw is
+    sheet (f, 3)        of the sheet S, which the generic face's lips, closed, would cover in part
     face/NAME (V, 3)    metres                       face/NAME/PART (n, 3)
     part/PART (t, 3)    triangles of a part
     dtheta, dh, swell (E, V)                         fields on S, radians, metres and R - 1
@@ -33,7 +34,7 @@ from omote.model.space.face import Face
 from omote.model.space.gain import Gain
 from omote.model.space.parameter_space import ParameterSpace
 
-FORMAT = 2
+FORMAT = 3
 SKIN = "skin"
 Arrays = Mapping[str, NDArray[Any]]
 
@@ -96,7 +97,7 @@ def _face(arrays: Arrays, name: str, gains: Iterable[Mapping[str, Any]]) -> Face
 
 def _space(arrays: Arrays, generic: Face) -> ParameterSpace:
     parts = {part: PartMesh(generic.parts[part].astype(np.float64), arrays[f"part/{part}"]) for part in PARTS}
-    return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"])
+    return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"], arrays["sheet"])
 
 
 def _expression(arrays: Arrays, name: str, row: int, space: ParameterSpace) -> Expression:

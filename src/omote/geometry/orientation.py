@@ -1,7 +1,9 @@
 """Keeps triangles from turning over: position based dynamics (Mueller et al. 2007, section 3.3).
 
 Jacobi iterations with over-relaxation: each triangle with too little area moves its three corners along the gradient of
-its area, a corner takes the mean over its triangles. Vertices of other triangles do not move.
+its area, a corner takes the mean over its triangles. One that lacks next to nothing weighs next to nothing there:
+counted in full, it would halve what another wants at once, and a frame would jump. Vertices of other triangles do not
+move.
 """
 
 from __future__ import annotations
@@ -15,6 +17,8 @@ Indices = NDArray[np.int32]
 
 OVER_RELAXATION = 1.5
 """A step goes so many times as far as one triangle alone would need (over-relaxation)."""
+FULL = 0.05
+"""A triangle weighs in full in the mean at a corner from where it lacks so much of its area at rest."""
 LEAST_SLOPE = 1e-3
 """The least squared slope of a triangle's area that is divided by, over the root of its squared normal."""
 
@@ -59,7 +63,8 @@ def keep_orientation(
 def _accumulate(
     points: Values, normals: Values, sizes: Values, triangles: Indices, goals: Values, push: Values, wanted: Values
 ) -> bool:  # fmt: skip
-    """Adds the corrections of triangles with too little area to push (m, 3), counts them in wanted (m,); any at all?"""
+    """Adds the corrections of triangles with too little area to push (m, 3), their weights to wanted (m,); any at
+    all?"""
     some = False
     for t in range(len(triangles)):
         i, j, k = triangles[t]
@@ -71,13 +76,14 @@ def _accumulate(
         at_k = np.cross(normals[t], points[j] - points[i]) / sizes[t]
         at_i = -at_j - at_k
         slope = (at_i**2).sum() + (at_j**2).sum() + (at_k**2).sum()
-        size = missing / max(slope, LEAST_SLOPE / np.sqrt(sizes[t]))
+        weight = min(missing / FULL, 1.0)
+        size = weight * missing / max(slope, LEAST_SLOPE / np.sqrt(sizes[t]))
         push[i] += size * at_i
         push[j] += size * at_j
         push[k] += size * at_k
-        wanted[i] += 1.0
-        wanted[j] += 1.0
-        wanted[k] += 1.0
+        wanted[i] += weight
+        wanted[j] += weight
+        wanted[k] += weight
     return some
 
 

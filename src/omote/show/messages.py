@@ -484,6 +484,7 @@ class SettlingDocument(msgspec.Struct, frozen=True):
     upright: float
     eager: float
     flattest: float
+    full: float
     bulge: float
     cornea: float
     rows: bytes

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.geometry.orientation import LEAST_SLOPE, OVER_RELAXATION
+from omote.geometry.orientation import FULL, LEAST_SLOPE, OVER_RELAXATION
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -27,7 +27,8 @@ def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | 
         return None
     followers, anchors, weights = _followers(cast, regions, starts)
     return SettlingDocument(
-        rounds=ROUNDS, upright=LEAST_AREA, eager=OVER_RELAXATION, flattest=LEAST_SLOPE, bulge=BULGE, cornea=CORNEA,
+        rounds=ROUNDS, upright=LEAST_AREA, eager=OVER_RELAXATION, flattest=LEAST_SLOPE, full=FULL,
+        bulge=BULGE, cornea=CORNEA,
         rows=le_bytes(regions.rows, "<u4"),
         triangles=le_bytes(regions.triangles, "<u4"),
         crossings=[_crossing(crossing) for crossing in regions.crossings],

@@ -60,7 +60,7 @@ def test_lifting_all_points_of_a_lower_lip_or_lid_moves_nothing_of_the_upper_one
             chosen = (side[list(made.rows)] == -sign) & np.isin(made.rows, line.loop)
             vectors[chosen, 1] = 0.01
             field = made.field(vectors)
-            assert 0.0099 < field[side == -sign, 1].max() < 0.0115  # between points it swings a little over
+            assert field[side == -sign, 1].max() == pytest.approx(0.01, rel=0.1)
             assert not field[side == sign].any()
 
 

@@ -23,6 +23,9 @@ from tests import synthetic
 
 CAST = load_cast()
 SPACE = CAST.space
+_LIPS = next(line.loop for line in SPACE.lines if line.kind == "lips")
+# What closing lips and fitting the mouth bag may move.
+MOUTH = ~SPACE.on_sheet | (cdist(SPACE.points, SPACE.points[_LIPS]).min(axis=1) < 0.015)
 HANDLES = default_handles(SPACE)
 ROWS = [handle.row for handle in HANDLES]
 MIRROR = np.array([-1.0, 1.0, 1.0])
@@ -132,13 +135,12 @@ def test_mirrored_moves_give_the_mirrored_face() -> None:
 
 @given(seed=seeds, name=names)
 @settings(max_examples=10)
-def test_the_basis_is_the_displacement_before_eyes_are_made_round_and_lids_are_laid_on_them(
-    seed: int, name: str
-) -> None:
+def test_the_basis_is_the_displacement_before_eyes_and_mouth_are_put_in_order(seed: int, name: str) -> None:
     face = CAST.faces[name]
     drawn = moderate(face, seed)
     made = drag_handles(SPACE, face, "hers", rows=ROWS, moves=drawn)
     difference = everything(made) - everything(face) - handle_basis(SPACE, face, ROWS) @ drawn
+    difference[: SPACE.vertex_count][MOUTH] = 0.0
     fitted, row = fit(SPACE, face), SPACE.vertex_count
     for part in SPACE.parts.values():
         rows = slice(row, row + len(part.points))

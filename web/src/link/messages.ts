@@ -428,6 +428,7 @@ export interface SettlingDocument {
   upright: number;
   eager: number;
   flattest: number;
+  full: number;
   bulge: number;
   cornea: number;
   rows: Uint8Array;

@@ -15,6 +15,7 @@ from omote.model.space.eye_socket import ball_heights, move_ball, set_ball_heigh
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.mouth.mouth_at_rest import mend_mouth
 
 Values = NDArray[np.float64]
 
@@ -128,9 +129,7 @@ def drag_handles(space: ParameterSpace, face: Face, name: str, /, *, rows: Array
         part.name: move_ball(ball, ball, move(ball)) if part.eye else move(ball)
         for part, ball in zip(space.parts.values(), before.values(), strict=True)
     }
-    result = Face(name, _keep_lids(space, fitted, move(skin), parts), parts, face.gains)
-    fit(space, result)
-    return result
+    return mend_mouth(space, Face(name, _keep_lids(space, fitted, move(skin), parts), parts, face.gains))
 
 
 def _keep_lids(space: ParameterSpace, before: FittedFace, skin: Values, parts: dict[str, Values]) -> Values:

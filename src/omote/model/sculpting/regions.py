@@ -15,6 +15,7 @@ from omote.model.space.gain import Gain, regional_gains
 from omote.model.space.head_regions import REGIONS, Region, region_weights
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import Similarity, fit_similarity
+from omote.model.transfer.mouth.mouth_at_rest import mend_mouth
 
 Values = NDArray[np.float64]
 _NOWHERE = np.zeros((1, 3))
@@ -117,7 +118,7 @@ def fit_with_lids(
     space: ParameterSpace, name: str, skin: Values, parts: dict[str, Values], wanted: Mapping[str, Values],
     gains: tuple[Gain, ...],
 ) -> Face:  # fmt: skip
-    """The face, fitted, its lids at the wanted heights over its eyeballs."""
-    face = Face(name, set_ball_heights(skin, {eye: parts[eye] for eye in wanted}, wanted), parts, gains)
-    fit(space, face)
-    return face
+    """The face, fitted, its lids at the wanted heights over its eyeballs, its mouth in order."""
+    return mend_mouth(
+        space, Face(name, set_ball_heights(skin, {eye: parts[eye] for eye in wanted}, wanted), parts, gains)
+    )

@@ -20,6 +20,7 @@ from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.gain import Gain, validate_gains
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.mouth.mouth_at_rest import mend_mouth
 
 Values = NDArray[np.float64]
 Kernel = Literal["biharmonic", "triharmonic"]
@@ -190,8 +191,7 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
         parts[name] = move_ball(parts[name], part.points, there) if part.eye else parts[name] + there - part.points
     _scale_mouth(parts, sculpt.teeth)
     face = Face(sculpt.name, set_ball_heights(skin, {name: parts[name] for name in eyes}, wanted), parts, sculpt.gains)
-    fit(space, face)
-    return face
+    return mend_mouth(space, face)
 
 
 def _scale_mouth(parts: dict[str, Values], scale: float) -> None:

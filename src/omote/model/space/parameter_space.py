@@ -16,7 +16,7 @@ from omote.geometry import mesh
 from omote.geometry.cylinder import Cylinder
 from omote.geometry.laplacian import harmonic_weights, smoothing_matrix
 from omote.geometry.locate import Landing, Strip
-from omote.model.space import skin_sheet as sheet
+from omote.model.space import skin_sheet
 from omote.model.space.lid_lip_lines import Kind, Line, find_line
 from omote.model.space.parts import Part
 
@@ -111,7 +111,7 @@ class ParameterSpace:
     @staticmethod
     def build(
         points: ArrayLike, triangles: ArrayLike, radius: Radius = "origin", *,
-        axis: tuple[float, float] | None = None, transfer: Transfer = "smooth",
+        axis: tuple[float, float] | None = None, transfer: Transfer = "smooth", sheet: NDArray[np.int32] | None = None,
     ) -> ParameterSpace:  # fmt: skip
         """The parameter space of any head, y up, +z forward: axis, skin sheet and membranes are found here.
 
@@ -127,6 +127,8 @@ class ParameterSpace:
             x and z of the cylinder, metres, where it is known.
         transfer : {"smooth", "paper"}
             The map that carries expressions to other faces.
+        sheet : ndarray of int32, (F, 3), optional
+            The triangles of the skin sheet where they are known; without it they are found.
 
         Returns
         -------
@@ -152,17 +154,20 @@ class ParameterSpace:
         _refuse_unknown(transfer, TRANSFERS, "transfer")
         checked = mesh.validate_points(points)
         faces = mesh.validate_triangles(triangles, len(checked))
-        sheet.refuse_degenerate(checked, faces)
+        skin_sheet.refuse_degenerate(checked, faces)
         joined = mesh.weld(checked)
-        cylinder = _cylinder(sheet.find_axis(checked, faces) if axis is None else axis)
+        cylinder = _cylinder(skin_sheet.find_axis(checked, faces) if axis is None else axis)
         theta, h, _ = cylinder.unroll(checked)
-        skin, membranes = sheet.cut_sheet(checked, joined[faces], theta, h, cylinder)
-        corners = np.concatenate([joined[faces[skin]], membranes])
-        sheet.refuse_axis_outside(checked, corners, cylinder)
-        strip = Strip.of(sheet.unwrap_corners(theta, corners), h[corners], mesh.neighbours(corners))
+        if sheet is None:
+            sheet = faces[skin_sheet.cut_sheet(checked, joined[faces], theta, h, cylinder)]
+        skin = mesh.validate_triangles(sheet, len(checked))
+        membranes = skin_sheet.close_holes(checked, joined[skin], theta, h, cylinder)
+        corners = np.concatenate([joined[skin], membranes])
+        skin_sheet.refuse_axis_outside(checked, corners, cylinder)
+        strip = Strip.of(skin_sheet.unwrap_corners(theta, corners), h[corners], mesh.neighbours(corners))
         on_sheet = np.isin(joined, corners)
         return ParameterSpace(
-            points=checked, triangles=faces, skin_triangles=faces[skin], membranes=membranes, cylinder=cylinder,
+            points=checked, triangles=faces, skin_triangles=skin, membranes=membranes, cylinder=cylinder,
             radius=radius, transfer=transfer, theta=theta, h=h, strip=strip, fans=_fans(corners, joined),
             inner=_inner_skin(checked, faces, on_sheet), on_sheet=on_sheet,
         )  # fmt: skip
@@ -347,7 +352,7 @@ def _inner_skin(points: NDArray[np.float64], triangles: NDArray[np.int32], on_sh
     vertices = np.flatnonzero(free).astype(np.int32)
     first = np.searchsorted(np.flatnonzero(own), joined[vertices])
     names, weights = names[first], weights[first]
-    names, weights = sheet.bind_islands(points, vertices, np.flatnonzero(on_sheet), names, weights)
+    names, weights = skin_sheet.bind_islands(points, vertices, np.flatnonzero(on_sheet), names, weights)
     return InnerSkin(vertices, np.ascontiguousarray(names, np.int32), np.ascontiguousarray(weights, np.float32))
 
 

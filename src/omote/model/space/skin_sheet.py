@@ -85,12 +85,11 @@ def unwrap_corners(theta: NDArray[np.float64], corners: Triangles, /) -> NDArray
 
 def cut_sheet(
     points: Points, corners: Triangles, theta: NDArray[np.float64], h: NDArray[np.float64], cylinder: Cylinder, /
-) -> tuple[NDArray[np.bool_], Triangles]:  # fmt: skip
-    """Cuts the one-layered skin sheet out of a head, and closes its holes with membranes.
+) -> NDArray[np.bool_]:  # fmt: skip
+    """Cuts the one-layered skin sheet out of a head.
 
     corners (F, 3) with seams welded. The sheet is the flood fill, from a forehead triangle, over triangles that face
-    outward in S, the outer one wherever two lie over each other: S has one layer. Returns the mask (F,) of the sheet
-    and the membranes (m, 3).
+    outward in S, the outer one wherever two lie over each other: S has one layer. Returns the mask (F,) of the sheet.
     """
     keep = find_outward(theta, h, corners)
     seed = _forehead(points, corners, keep, cylinder)
@@ -102,8 +101,7 @@ def cut_sheet(
             f"the skin sheet has {keep.sum()} triangles; "
             "expected a head whose forehead faces +z, wound counter-clockwise"
         )
-    plane = np.stack([theta * metric, h], axis=1)
-    return keep, _membranes(corners[keep], theta, plane, metric)
+    return keep
 
 
 def find_outward(theta: NDArray[np.float64], h: NDArray[np.float64], corners: Triangles, /) -> NDArray[np.bool_]:
@@ -160,8 +158,13 @@ def _outermost(
     return result
 
 
-def _membranes(sheet: Triangles, theta: NDArray[np.float64], plane: Points, metric: float) -> Triangles:
-    """Triangles over every hole of the sheet; the rims that go once around the axis (neck, crown) stay open."""
+def close_holes(
+    points: Points, sheet: Triangles, theta: NDArray[np.float64], h: NDArray[np.float64], cylinder: Cylinder, /
+) -> Triangles:  # fmt: skip
+    """The membranes (m, 3): triangles over every hole of a sheet (f, 3), seams welded; the rims that go once around the
+    axis (neck, crown) stay open."""
+    metric = float(np.hypot(points[:, 0] - cylinder.x, points[:, 2] - cylinder.z)[sheet].mean())
+    plane = np.stack([theta * metric, h], axis=1)
     found = [np.zeros((0, 3), np.int32)]
     for loop in mesh.boundary_loops(sheet, plane, period=2 * np.pi * metric):
         hole = loop[::-1]

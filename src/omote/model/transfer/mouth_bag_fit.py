@@ -115,6 +115,15 @@ def fit_mouth_bag_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats
     )
 
 
+def measure_shallow(space: ParameterSpace, positions: Floats, /) -> float:
+    """By how much the mouth bag of a face at rest (V, 3) lies less deep than wanted, where most, metres."""
+    bag = find_mouth_bag(space)
+    if bag is None:
+        return 0.0
+    here = measure_depths(space, bag, positions.astype(np.float64))
+    return float(missing_depths(require_depths(space, bag), here).max())
+
+
 def _is_at_rest(bag: MouthBag, positions: Floats, rest: Floats) -> bool:
     """Whether neither the bag nor the skin over it has moved by STILL: then it is as far inside as at rest."""
     return bool(np.abs(positions[bag.region] - rest[bag.region]).max() < STILL)

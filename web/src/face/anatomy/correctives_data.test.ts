@@ -14,6 +14,7 @@ const document: SettlingDocument = {
   upright: 0.1,
   eager: 1.5,
   flattest: 0.001,
+  full: 0.05,
   bulge: 0.03,
   cornea: 0.6,
   rows: whole(10, 20, 30, 40),

@@ -149,7 +149,7 @@ export class CorrectivePasses {
   /** What never changes. */
   private fix(): void {
     const { gl, programs, correctives } = this;
-    const { bulge, cornea, upright, eager, flattest } = correctives.document;
+    const { bulge, cornea, upright, eager, flattest, full } = correctives.document;
     for (const program of [programs.part, programs.upright]) {
       gl.useProgram(program);
       gl.uniform2f(gl.getUniformLocation(program, "cornea"), bulge, Math.cos(cornea));
@@ -158,6 +158,7 @@ export class CorrectivePasses {
     gl.uniform1f(last("upright"), upright);
     gl.uniform1f(last("eager"), eager);
     gl.uniform1f(last("flattest"), flattest);
+    gl.uniform1f(last("full"), full);
     gl.useProgram(programs.rung);
     gl.uniform1i(gl.getUniformLocation(programs.rung, "first"), correctives.triangles.length / 4);
     gl.uniform1fv(gl.getUniformLocation(programs.rung, "upward"), correctives.upward);

@@ -125,13 +125,15 @@ void main() {
 }
 `;
 
-/** Each vertex takes the mean of what its triangles want that lack area. */
+/** Each vertex takes the mean of what its triangles want that lack area; one that lacks next to nothing weighs next to
+ * nothing, or it would halve what another wants at once. */
 export const UPRIGHT_FRAGMENT = `${PLACE_HEAD}
 uniform sampler2D restNormals;
 uniform usampler2D corners;
 uniform float upright;
 uniform float eager;
 uniform float flattest;
+uniform float full;
 
 void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
@@ -150,8 +152,9 @@ void main() {
     vec3 atC = cross(rested.xyz, b) / rested.w;
     vec3 own = -atB - atC;
     float slope = dot(own, own) + dot(atB, atB) + dot(atC, atC);
-    push += lack / max(slope, flattest * inversesqrt(rested.w)) * own;
-    wanted += 1.0;
+    float weight = min(lack / full, 1.0);
+    push += weight * lack / max(slope, flattest * inversesqrt(rested.w)) * own;
+    wanted += weight;
   }
   if (wanted > 0.0) at += eager / wanted * push;
   position = vec4(left(at, span), 1.0);

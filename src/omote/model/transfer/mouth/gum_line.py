@@ -135,6 +135,15 @@ def _stiffness(space: ParameterSpace, bag: MouthBag) -> sparse.csr_array:
     return sparse.csr_array(slopes.T @ sparse.diags_array(pull) @ slopes + sparse.diags_array(springs))
 
 
+def measure_gums(
+    line: GumLine, positions: Values, parts: Mapping[str, NDArray[np.floating]], /
+) -> tuple[Values, Values]:  # fmt: skip
+    """How far gums' edges are from their places in the bag of positions (V, 3), and how far crowns are inside of
+    theirs, negative where they are through the wall; metres."""
+    apart = (line.weights[..., None] * positions[line.corners]).sum(axis=1) - line.gather(parts)
+    return np.linalg.norm(apart[line.edge], axis=1), (apart * line.outward)[~line.edge].sum(axis=1)
+
+
 def meet_gums(line: GumLine, positions: Values, parts: Mapping[str, NDArray[np.floating]], /) -> Values:
     """Where the bag of a face at rest (V, 3) goes, (m, 3), to meet the gums of its placed parts.
 

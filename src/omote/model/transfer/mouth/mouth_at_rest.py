@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.space.face import Face
+from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.mouth.gum_line import find_gum_line, meet_gums
-from omote.model.transfer.mouth.lip_closure import close_lips
-from omote.model.transfer.mouth_bag_fit import fit_mouth_bag_at_rest, place_bag
+from omote.model.transfer.mouth.gum_line import GumLine, find_gum_line, measure_gums, meet_gums
+from omote.model.transfer.mouth.lip_closure import close_behind_lips, close_lips
+from omote.model.transfer.mouth_bag_fit import fit_mouth_bag_at_rest, measure_shallow, place_bag
 
 Floats = NDArray[np.float32]
+
+# A mouth is out of order where a tenth of the gums' edges are farther from their places in the bag than FLOATING, a
+# crown is through its wall, or the bag lies SHALLOW less deep than on the generic face, metres: no face of the cast's
+# is.
+FLOATING, SHALLOW = 0.0016, 0.0008
 
 
 def fit_mouth_at_rest(
@@ -35,4 +43,26 @@ def fit_mouth_at_rest(
         return fit_mouth_bag_at_rest(space, closed.astype(np.float32))
     placed = meet_gums(line, closed, parts)
     inside = fit_mouth_bag_at_rest(space, place_bag(space, line.bag, closed.astype(np.float32), placed))
-    return close_lips(space, inside).astype(np.float32)  # the bag begins at the lips' inner edge
+    return close_behind_lips(space, inside).astype(np.float32)  # the bag begins at the lips' inner edge
+
+
+def mend_mouth(space: ParameterSpace, face: Face, /) -> Face:
+    """A face made of others or from control points with its mouth in order; itself where that is so.
+
+    Its lips are closed; its bag is fitted anew only where it is out of order, for faces in order mix to such.
+    ValueError where the face does not belong to the space.
+    """
+    fitted = fit(space, face)
+    line = find_gum_line(space)
+    if line is not None and _is_out_of_order(space, line, fitted.positions, fitted.parts):
+        positions = fit_mouth_at_rest(space, fitted.positions, fitted.parts)
+    else:
+        positions = close_lips(space, fitted.positions).astype(np.float32)
+    return face if np.array_equal(positions, fitted.positions) else replace(face, positions=positions)
+
+
+def _is_out_of_order(
+    space: ParameterSpace, line: GumLine, positions: Floats, parts: Mapping[str, NDArray[np.floating]]
+) -> bool:  # fmt: skip
+    edges, crowns = measure_gums(line, positions.astype(np.float64), parts)
+    return bool(np.quantile(edges, 0.9) > FLOATING or crowns.min() < 0.0) or measure_shallow(space, positions) > SHALLOW
