@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.extraction.known_span import fit_known
+from omote.model.extraction.known_span import KnownSum, fit_known, refine_known
 from omote.model.extraction.sheet_field import measure_field
 from omote.model.extraction.smooth_map_jacobian import SmoothMapJacobian, linearise_smooth_map
 from omote.model.space.expression import Expression
@@ -89,8 +89,8 @@ def invert_smooth_map(
     if not known:
         return _finish(target, _solve_all_stages(target, smooth), None)
     field = measure_field(space, ready.generic, target.spread(smooth)[space.welded])
-    sums = [(each, _displace(target, each)) for each in fit_known(space, field, known)]
-    sum_of_known, guess = min(sums, key=lambda each: float(np.linalg.norm(target.measure_lack(each[1]))))
+    sum_of_known = _refine_sums(target, fit_known(space, field, known)).expression
+    guess = _displace(target, sum_of_known)
     by_known = _solve_all_stages(target, guess)
     if by_known.error < _GOOD and np.abs(target.measure_lack(guess)).max() < _SAME:
         return _finish(target, by_known, sum_of_known)
@@ -101,6 +101,21 @@ def invert_smooth_map(
     return _finish(
         target, min(good, key=lambda root: measure_roughness(space, root.displacement - guess)), sum_of_known
     )
+
+
+def _refine_sums(target: Target, sums: Sequence[KnownSum]) -> KnownSum:
+    """The sum of known expressions that lacks least on the face, its weights refined."""
+
+    def measure_lack(each: KnownSum) -> Values:
+        return target.measure_lack(_displace(target, each.expression))
+
+    def measure_size(each: KnownSum) -> float:
+        return float(np.linalg.norm(measure_lack(each)))
+
+    nearest = min(sums, key=measure_size)
+    if np.abs(measure_lack(nearest)).max() < _CLOSE:
+        return nearest
+    return min([refine_known(each, measure_lack) for each in sums], key=measure_size)
 
 
 def _displace(target: Target, expression: Expression) -> Values:
