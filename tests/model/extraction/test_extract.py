@@ -78,12 +78,12 @@ def test_a_sum_is_taken_from_a_random_face_and_is_right_on_others() -> None:
 
 @pytest.mark.parametrize("unit", UNITS)
 def test_nothing_need_be_known_to_give_a_compound_back(unit: str) -> None:
-    """Within 0.01 mm; a blink's lids, unfolded or pushed out of the eyeball, within a fifth of a millimetre."""
+    """Within 0.01 mm, the mouth bag too; a blink's lids, unfolded or pushed out of the eyeball, within 0.05 mm."""
     for name in ("kaori", "doll"):
         face, shape = CAST.faces[name], CAST.expressions[unit]
         taken = extract(CAST.space, face, displace(face, shape))
         itself, _ = measure_errors(face, shape, taken, face)
-        assert itself < (2e-4 if unit == "eyeBlinkLeft" else 1e-5), name
+        assert itself < (5e-5 if unit == "eyeBlinkLeft" else 1e-5), name
 
 
 def test_what_is_known_must_belong_to_the_space() -> None:
