@@ -53,7 +53,7 @@ def test_the_fewest_are_named_where_two_are_alike() -> None:
 
 def test_where_nothing_known_moves_the_skin_the_sum_is_at_rest() -> None:
     (found,) = fit_known(CAST.space, UNITS["jawOpen"], [CAST.expressions["neutral"]])
-    assert not found.members
+    assert (found.members, found.places) == ((), ())
     assert not found.expression.dh.any()
     assert (found.expression.ratio == 1.0).all()
 
@@ -61,7 +61,7 @@ def test_where_nothing_known_moves_the_skin_the_sum_is_at_rest() -> None:
 def sum_up(*weights: float) -> KnownSum:
     """Of a smile, a blink and an open jaw."""
     names = ("mouthSmileLeft", "eyeBlinkRight", "jawOpen")
-    return KnownSum(CAST.space, tuple(UNITS[name] for name in names), np.array(weights))
+    return KnownSum(CAST.space, tuple(UNITS[name] for name in names), (0, 1, 2), np.array(weights))
 
 
 def test_weights_are_refined_though_the_face_jumps_where_it_folds() -> None:

@@ -41,10 +41,12 @@ _FEW, _REFINEMENTS, _NUDGE, _CLOSE = 6, 6, 2e-4, 2e-7
 
 @dataclass(frozen=True, eq=False)
 class KnownSum:
-    """A weighted sum of known expressions: members, k of them, and their share (k,) of it, in a space."""
+    """A weighted sum of known expressions: members, k of them, their places among all that are known, and their share
+    (k,) of it, in a space."""
 
     space: ParameterSpace
     members: tuple[Expression, ...]
+    places: tuple[int, ...]
     share: Values
 
     @cached_property
@@ -90,12 +92,13 @@ def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expressi
     sizes = np.sqrt((basis**2).sum(axis=(1, 2)))
     moving = np.flatnonzero(sizes > 1e-6)
     if not len(moving):
-        return [KnownSum(space, (), np.zeros(0))]
+        return [KnownSum(space, (), (), np.zeros(0))]
     found = dict[tuple[int, ...], KnownSum]()
     for share in _fit_sparsely(basis[moving] / sizes[moving, None, None], _as_metres(field, rows, metric)):
         chosen = np.flatnonzero(share)
         members = tuple(moving[chosen].tolist())
-        found[members] = KnownSum(space, tuple(known[k] for k in members), share[chosen] / sizes[moving[chosen]])
+        weights = share[chosen] / sizes[moving[chosen]]
+        found[members] = KnownSum(space, tuple(known[k] for k in members), members, weights)
     return list(found.values())
 
 

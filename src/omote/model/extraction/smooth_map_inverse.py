@@ -72,10 +72,12 @@ class Root:
 
 @dataclass(frozen=True, eq=False)
 class InverseResult:
-    """A displacement (V, 3) of the generic face, metres, and the sum of known expressions that it is near, if any."""
+    """A displacement (V, 3) of the generic face, metres; the sum of known expressions that it is near, if any; exact:
+    whether it is that sum."""
 
     displacement: Values
-    known: Expression | None
+    known: KnownSum | None
+    exact: bool = False
 
 
 def invert_smooth_map(
@@ -94,11 +96,11 @@ def invert_smooth_map(
     if not known:
         return _finish(target, _solve_by_hops(target, _solve_all_stages(target, smooth)), None)
     field = measure_field(space, ready.generic, target.spread(smooth)[space.welded])
-    sum_of_known = _refine_sums(target, fit_known(space, field, known)).expression
-    guess = _displace(target, sum_of_known)
+    sum_of_known = _refine_sums(target, fit_known(space, field, known))
+    guess = _displace(target, sum_of_known.expression)
     by_known = _solve_all_stages(target, guess)
     if by_known.error < _GOOD and np.abs(target.measure_lack(guess)).max() < _SAME:
-        return _finish(target, by_known, sum_of_known)
+        return _finish(target, by_known, sum_of_known, exact=True)
     return _finish(target, _choose(target, guess, [by_known, _solve_all_stages(target, smooth)]), sum_of_known)
 
 
@@ -132,8 +134,8 @@ def _displace(target: Target, expression: Expression) -> Values:
     return displace_generic(target.space, compile_expression(target.space, expression))[target.rows]
 
 
-def _finish(target: Target, root: Root, known: Expression | None) -> InverseResult:
-    return InverseResult(target.spread(root.displacement)[target.space.welded], known)
+def _finish(target: Target, root: Root, known: KnownSum | None, *, exact: bool = False) -> InverseResult:
+    return InverseResult(target.spread(root.displacement)[target.space.welded], known, exact)
 
 
 def _solve_newton(target: Target, start: Values) -> Values:
