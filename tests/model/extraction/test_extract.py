@@ -48,6 +48,16 @@ def test_what_is_taken_from_a_face_is_right_on_it_and_on_others(name: str, unit:
     assert other < 1e-3
 
 
+def test_a_blink_whose_lids_are_nearly_all_unfolded_or_pushed_is_right_where_it_is_known() -> None:
+    """Most of what moves on the baby is not what the blink says, so the weight has to be found on the face itself."""
+    face, shape = CAST.faces["baby"], CAST.expressions["eyeBlinkLeft"]
+    itself, other = measure_errors(
+        face, shape, extract(CAST.space, face, displace(face, shape), known=KNOWN), CAST.faces["man"]
+    )
+    assert itself < 2e-6
+    assert other < 2e-6
+
+
 def test_a_sum_is_taken_from_a_random_face_and_is_right_on_others() -> None:
     weights = np.random.default_rng(11).dirichlet(np.ones(3))
     mixed = sum(
@@ -68,12 +78,12 @@ def test_a_sum_is_taken_from_a_random_face_and_is_right_on_others() -> None:
 
 @pytest.mark.parametrize("unit", UNITS)
 def test_nothing_need_be_known_to_give_a_compound_back(unit: str) -> None:
-    """Within 0.01 mm; a blink's lids, unfolded or pushed out of the eyeball, within a fifth of a millimetre."""
-    for name in ("kaori", "doll"):
+    """Within 0.01 mm, the mouth bag too; a blink's lids, unfolded or pushed out of the eyeball, within 0.05 mm."""
+    for name in ("kaori", "doll") if unit == "eyeBlinkLeft" else ("kaori", "baby", "doll"):
         face, shape = CAST.faces[name], CAST.expressions[unit]
         taken = extract(CAST.space, face, displace(face, shape))
         itself, _ = measure_errors(face, shape, taken, face)
-        assert itself < (2e-4 if unit == "eyeBlinkLeft" else 1e-5), name
+        assert itself < (5e-5 if unit == "eyeBlinkLeft" else 1e-5), name
 
 
 def test_what_is_known_must_belong_to_the_space() -> None:

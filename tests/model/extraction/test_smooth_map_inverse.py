@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.extraction.smooth_map_inverse import invert_smooth_map, measure_roughness
+from omote.model.extraction.smooth_map_inverse import invert_smooth_map
 from omote.model.transfer.paper_map import compile_expression, displace_generic
 from omote.model.transfer.pipeline import apply_smooth_map
 from omote.model.transfer.smooth_map import prepare_smooth_map
@@ -22,12 +22,26 @@ def displace(unit: str) -> np.ndarray:
     return result
 
 
-@pytest.mark.parametrize(("name", "unit"), [("kaori", "jawOpen"), ("goblin", "mouthClose"), ("alien", "mouthPucker")])
+@pytest.mark.parametrize(
+    ("name", "unit"),
+    [
+        ("kaori", "jawOpen"),
+        ("dog", "mouthClose"),
+        ("baby", "mouthClose"),
+        ("goblin", "mouthClose"),
+        ("alien", "mouthPucker"),
+    ],
+)
 def test_where_no_fold_is_turned_back_the_displacement_itself_is_found(name: str, unit: str) -> None:
-    """Nor lips pressed on each other, as the dog's and the baby's are by mouthClose: that hides how hard they press."""
+    """Found to 0.002 mm; a vertex that hangs on the sheet by one triangle, as two in the corners of the lips do, has
+    two places that give that triangle's detail, a tenth of a millimetre apart on the dog."""
     face, meant = CAST.faces[name], displace(unit)
     found = invert_smooth_map(SPACE, face, apply_smooth_map(SPACE, face, meant))
-    assert np.abs(found.displacement - meant).max() < 1e-6
+    off = np.abs(found.displacement - meant).max(axis=1)
+    hanging = (np.bincount(SPACE.sheet_triangles.ravel(), minlength=SPACE.vertex_count) == 1)[SPACE.welded]
+    assert hanging[SPACE.on_sheet].sum() == 12
+    assert off[~hanging].max() < 2e-6
+    assert off.max() < 2e-4
     assert found.known is None
 
 
@@ -55,10 +69,3 @@ def test_a_sheet_that_no_expression_reaches_ends_with_a_finite_displacement() ->
     goal = face.positions + 0.003 * np.random.default_rng(1).normal(size=(SPACE.vertex_count, 3)) * chin[:, None]
     assert (chin & SPACE.on_sheet).sum() > 50
     assert np.isfinite(invert_smooth_map(SPACE, face, goal).displacement).all()
-
-
-def test_roughness_knows_no_constant_and_grows_with_the_square() -> None:
-    rows = prepare_smooth_map(SPACE, CAST.faces["generic"]).detail.used
-    wave = np.sin(200 * SPACE.points[rows])
-    assert measure_roughness(SPACE, np.ones((len(rows), 3))) == pytest.approx(0.0, abs=1e-9)
-    assert measure_roughness(SPACE, 3 * wave) == pytest.approx(9 * measure_roughness(SPACE, wave))

@@ -15,13 +15,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
 from omote.model.extraction.inner_skin_residual import solve_inner_residual
+from omote.model.extraction.known_span import KnownSum
 from omote.model.extraction.sheet_field import REST, measure_field
-from omote.model.extraction.smooth_map_inverse import invert_smooth_map
+from omote.model.extraction.smooth_map_inverse import InverseResult, invert_smooth_map
 from omote.model.space.ears import rotate_ears
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
-from omote.model.space.gain import ask
+from omote.model.space.gain import ask, gain_of
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.space.parts import eye_angles, eye_rotation
 from omote.model.transfer.compound import apply_expression, predict_part
@@ -58,7 +59,8 @@ def extract(
         a rest.
     known : sequence of Expression, optional
         Expressions that it may be a sum of, such as the cast's. Where the face's map gives the same displacement for
-        several fields (folds turned back, lids pushed off an eyeball), they say which is meant.
+        several fields (folds turned back, lids pushed off an eyeball), they say which is meant; where it is such a sum,
+        its turns of head and ears are theirs too.
 
     Returns
     -------
@@ -96,13 +98,25 @@ def extract(
             f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
         )
     answered = [answer_expression(space, face.gains, expression) for expression in known]
-    bare, near = _measure_sheet(space, face, moved, answered)
+    bare, found = _measure_sheet(space, face, moved, answered)
+    near = found.known.expression if found.known else None
     still = moved if near is None else _without_ears(space, face, moved, near.ears)
     if near is not None and still is not moved:
-        ears, (bare, near) = near.ears, _measure_sheet(space, face, still, answered)
-        bare = replace(bare, ears=ears)
+        ears, (bare, found) = near.ears, _measure_sheet(space, face, still, answered)
+        near, bare = found.known.expression if found.known else None, replace(bare, ears=ears)
     worn = _with_parts(space, face, _with_inner_skin(space, face, bare, still, near), parts or {})
-    return ask(space, face.gains, worn)
+    asked = ask(space, face.gains, worn)
+    return _with_unseen(face, asked, found.known, known) if found.exact and found.known else asked
+
+
+def _with_unseen(face: Face, taken: Expression, found: KnownSum, known: Sequence[Expression]) -> Expression:
+    """The expression, which is a sum of known ones, with their turns of the head, and of the ears where a face that
+    does not turn its own cannot show them."""
+    shares = [(weight, known[place]) for weight, place in zip(found.share, found.places, strict=True)]
+    turned = replace(taken, head=sum((weight * each.head for weight, each in shares), np.zeros(3)))
+    if gain_of(face.gains, "ears"):
+        return turned
+    return replace(turned, ears=sum((weight * each.ears for weight, each in shares), np.zeros((2, 3))))
 
 
 def _without_ears(space: ParameterSpace, face: Face, moved: Values, ears: Values) -> Values:
@@ -116,14 +130,14 @@ def _without_ears(space: ParameterSpace, face: Face, moved: Values, ears: Values
 
 def _measure_sheet(
     space: ParameterSpace, face: Face, moved: Values, known: Sequence[Expression]
-) -> tuple[Expression, Expression | None]:
-    """The field of a face's displacement (V, 3), and the sum of known expressions that it is near, if any."""
+) -> tuple[Expression, InverseResult]:
+    """The field of a face's displacement (V, 3), and what the inverse found."""
     if space.transfer == "paper":
-        return measure_field(space, face.positions.astype(np.float64), moved), None
+        return measure_field(space, face.positions.astype(np.float64), moved), InverseResult(moved, None)
     ready = prepare_smooth_map(space, face)
     goal = ready.positions + moved * space.on_sheet[:, None]
     found = invert_smooth_map(space, face, goal, known)
-    return measure_field(space, ready.generic, found.displacement), found.known
+    return measure_field(space, ready.generic, found.displacement), found
 
 
 def _with_inner_skin(
