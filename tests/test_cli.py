@@ -390,7 +390,7 @@ def test_a_face_is_written_as_numbers(tmp_path: Path, ending: str) -> None:
     ("arguments", "sentence"),
     [
         (["nobody", "-o", "a.glb"], "there is no face 'nobody'"),
-        (["dog", "-o", "a.gltf"], "is no name of a GLB file"),
+        (["dog", "-o", "a.gltf"], "is no name of a GLB file; end it with .glb, or with .npz or .csv for numbers"),
         (["dog", "-o", "a.glb", "--expressions", "grin"], "there is no expression 'grin'"),
         (["dog", "-o", "a.glb", "--show", "none.omote"], "there is no show file"),
     ],

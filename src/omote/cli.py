@@ -159,11 +159,13 @@ def find_encoder(path: Path, *, hair: bool) -> Callable[[Cast, str, Iterable[tup
     from omote.builtin import load_mask, load_meshes
     from omote.interchange.export_deltas import ENDINGS, encode_deltas, measure_deltas
     from omote.interchange.export_face import ExportContext, build_scene
-    from omote.interchange.formats.glb_writer import check_name, glb_bytes
+    from omote.interchange.formats.glb_writer import SUFFIX, glb_bytes
 
     if path.suffix.lower() in ENDINGS:
         return lambda cast, face, poses: encode_deltas(measure_deltas(cast, face, poses), path)
-    check_name(path)
+    if path.suffix.lower() != SUFFIX:
+        numbers = " or ".join(ENDINGS)
+        raise ValueError(f"{path.name!r} is no name of a GLB file; end it with {SUFFIX}, or with {numbers} for numbers")
 
     def encode(cast: Cast, face: str, poses: Iterable[tuple[str, Meshes]]) -> bytes:
         return glb_bytes(build_scene(ExportContext(cast, load_meshes(), load_mask()), face, poses, hair=hair))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from omote.interchange.formats.glb_reader import read_glb
-from omote.interchange.formats.glb_writer import Material, Scene, Target, check_name, glb_bytes
+from omote.interchange.formats.glb_writer import Material, Scene, Target, glb_bytes
 from omote.interchange.formats.png import png_bytes
 from tests.interchange.formats.scenes import NAMES, scene, taken_apart, tetrahedron
 from tools.gltf import inspect
@@ -80,9 +80,3 @@ def test_arrays_that_do_not_belong_together_are_refused() -> None:
     short = Target(shape.points[:3], shape.points[:3])
     with pytest.raises(ValueError, match="target 'x' of 'tetra' has 3 rows; expected 4"):
         replace(shape, targets={"x": short})
-
-
-def test_a_file_is_named_as_what_it_is() -> None:
-    check_name(Path("face.GLB"))
-    with pytest.raises(ValueError, match=r"'face\.gltf' is no name of a GLB file; end it with \.glb"):
-        check_name(Path("face.gltf"))

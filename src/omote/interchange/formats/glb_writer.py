@@ -10,7 +10,6 @@ from __future__ import annotations
 import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -29,6 +28,7 @@ ROWS = "_VID"
 RESERVED = frozenset({"", "Basis"})
 """No names of targets: Blender leaves out the empty one and keeps the other for the mesh at rest."""
 GENERATOR = "Omote"
+SUFFIX = ".glb"
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,12 +101,6 @@ class Scene:
                 raise ValueError(f"{shape.name!r} has other targets than {self.shapes[0].name!r}; give all of them all")
         if reserved := RESERVED & set(names):
             raise ValueError(f"a target is named {min(reserved)!r}, which Blender keeps for itself: rename it")
-
-
-def check_name(path: Path, /) -> None:
-    """Raises ValueError for a path that does not end with .glb."""
-    if path.suffix.lower() != ".glb":
-        raise ValueError(f"{path.name!r} is no name of a GLB file; end it with .glb")
 
 
 def glb_bytes(scene: Scene, /) -> bytes:
