@@ -11,10 +11,9 @@ from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.model.cast import Cast
 from omote.server.http import uploads
 from omote.server.http.uploads import Uploads, plan_upload
-from omote.show import messages as wire
 from omote.showfile.changes import Stored
 from omote.showfile.show_file import open_show
-from tests.server.conftest import EditHarness, ShowHarness, answer
+from tests.server.conftest import EditHarness, ShowHarness
 
 # Stands for `omote file import`: makes the changes that lie in the file.
 IMPORTS = """
@@ -63,11 +62,10 @@ async def test_what_a_file_brings_is_in_the_file_and_plays_each_time_under_a_new
     edit_harness: EditHarness, cast: Cast
 ) -> None:
     use_fake_command(edit_harness)
-    console = await edit_harness.link()
-    for _ in range(2):
+    for number in (1, 2):
         status, text = await post(edit_harness, "grin.json", letter(cast, stored_in(edit_harness.path)))
         assert (status, '"labels": ["Smile", "Broad"]' in text, "Grin, from grin.json" in text) == (200, True, True)
-        assert isinstance(await answer(console), wire.CastChanged)
+        assert edit_harness.show.session.revision == 1 + number, "pages are told of another cast"
     names = {"smile_2", "smile_3", "broad_2", "broad_3"}
     assert {own.name for own in edit_harness.show.documents.playing.own} == names
     stored = stored_in(edit_harness.path)
@@ -109,13 +107,6 @@ async def test_only_our_own_pages_may_send_files(edit_harness: EditHarness) -> N
 async def test_without_a_show_file_nothing_is_taken_in(show_harness: ShowHarness) -> None:
     status, text = await post(show_harness, "grin.json", b"words")
     assert (status, "no show file that can be written" in text) == (503, True)
-
-
-@pytest.mark.asyncio
-async def test_the_real_command_reads_the_file(edit_harness: EditHarness, tmp_path: Path) -> None:
-    edit_harness.show.uploads = Uploads(lambda: edit_harness.path)
-    status, text = await post(edit_harness, "notes.json", b"dear diary")
-    assert (status, text.startswith("notes.json: this is no expression of Omote")) == (400, True)
 
 
 def test_a_name_from_a_page_is_no_path() -> None:
