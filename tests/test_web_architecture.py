@@ -22,7 +22,7 @@ USED: dict[str, str] = {
     "face/pose": "link",
     "face/quality": "link",
     "face/anatomy": "link",
-    "face/gpu": "face/quality",
+    "face/gpu": "",
     "face/blend": "link face/pose face/anatomy face/gpu",
     "face/light": "link face/gpu",
     "face/skin": "link face/gpu face/light",

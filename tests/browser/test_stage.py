@@ -188,6 +188,7 @@ def test_a_transparent_stage_leaves_the_background_open(stage: Callable[..., Pag
     alpha = picture(page)[..., 3]
     assert (alpha[:8, [0, 1, -2, -1]] == 0).all()
     assert (alpha[80:160, 130:190] == 255).all()
+    assert ((alpha > 0) & (alpha < 255)).sum() > 100  # edges are smooth at the lowest level too
 
 
 def test_nine_tiles_make_one_picture(stage: Callable[..., Page]) -> None:

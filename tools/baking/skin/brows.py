@@ -6,9 +6,9 @@ import numpy as np
 
 from tools.baking.heads.basemesh import Floats
 
-HAIRS = 560  # per brow
+HAIRS = 1300  # per brow
 BUSHIEST = 1.7  # half heights from the middle line to the last hair
-WIDTH = 0.00026  # metres, half the thickness of a drawn hair at its root
+WIDTH = 0.00017  # metres, half the thickness of a drawn hair at its root
 # The middle line of the character's left brow on the generic head: x, y, half height (metres), from nose to temple.
 LINE = np.array(
     [
@@ -31,7 +31,7 @@ def brow_cover(places: Floats, *, seed: int) -> Floats:
     across = np.abs(places[:, 0])
     near = (across > 0.008) & (across < 0.062) & (np.abs(places[:, 1] - 0.02) < 0.014) & (places[:, 2] > 0.06)
     flat = np.stack([across[near], places[near, 1]], axis=1)
-    drawn = 0.32 * _body(flat)
+    drawn = 0.36 * _body(flat)
     for root, tip, strength in _hairs(seed):
         drawn = np.maximum(drawn, strength * _stroke(flat, root, tip))  # not darker where they cross: gaps stay
     cover[near] = drawn

@@ -60,7 +60,7 @@ def mask_paint(texels: Texels) -> Floats:
         ramp(np.abs(y - (edge - down) + 0.25 * down), 0.0011, 0.0005) * ramp(x, 0.012 + 3 * down, 0.02 + 3 * down)
         for down in (0.0035, 0.007, 0.0105)
     )
-    ears = np.maximum(ramp(x, 0.0735, 0.0715), ramp(y, 0.024, 0.03))
+    ears = np.maximum(ramp(x, 0.0735, 0.0715), ramp(y, 0.011, 0.015))
     return np.asarray(
         np.clip(np.maximum(np.maximum(0.9 * brow, hair), np.maximum(behind, 0.9 * strands)) * ears, 0.0, 1.0)
     )

@@ -6,6 +6,7 @@ import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
 import { AssetResidency, namesOf } from "./blend/asset_residency";
 import { Blender, type Eyeballs } from "./blend/blender";
 import { following, frame, PORTRAIT, portraitCamera, type Shot, type Tile, tileView, turnedAbout } from "./framing";
+import { EdgeSmoothing } from "./gpu/edge_smoothing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
 import { createRenderer, NO_WEBGL2 } from "./gpu/renderer";
 import { Hair } from "./hair/hair";
@@ -65,6 +66,7 @@ export class FaceView {
   private blended = "";
   private drawnAt: number | undefined;
   private readonly crossfade: PictureCrossfade;
+  private readonly smoothing: EdgeSmoothing;
   private head = new THREE.Group();
   private nextHead: { level: Level; head: THREE.Group } | undefined;
   private wanted: Level;
@@ -85,8 +87,9 @@ export class FaceView {
     private readonly options: FaceViewOptions,
   ) {
     this.level = this.wanted = options.level ?? firstLevel(drawsInSoftware());
-    this.renderer = createRenderer(canvas, FEATURES[this.level]);
+    this.renderer = createRenderer(canvas);
     this.crossfade = new PictureCrossfade(this.renderer);
+    this.smoothing = new EdgeSmoothing(this.renderer);
     this.eyes = {
       rows: anatomy.eyeRows,
       centres: new Float32Array(6),
@@ -186,9 +189,7 @@ export class FaceView {
     this.alive = false;
     this.canvas.removeEventListener("webglcontextlost", this.contextLost);
     this.canvas.removeEventListener("webglcontextrestored", this.contextRestored);
-    this.blender.dispose();
-    this.shadow.dispose();
-    this.renderer.dispose();
+    for (const part of [this.blender, this.shadow, this.smoothing, this.renderer]) part.dispose();
   }
 
   private build(): void {
@@ -268,7 +269,7 @@ export class FaceView {
     this.looks.dress(this.pose, this.shared, this.eyeUniforms);
     writeEyeTraits(eyeTraitsOf(this.pose, this.library), this.shared);
     this.lightUp();
-    this.renderer.render(this.scene, this.camera);
+    this.smoothing.render(this.scene, this.camera, FEATURES[this.level].multisample);
   }
 
   /** The light on air, or that of this stage alone. */

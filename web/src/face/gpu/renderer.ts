@@ -1,20 +1,17 @@
 /** three's renderer and the material that every part of the head uses. */
 
 import * as THREE from "three";
-import type { Features } from "../quality/quality_levels";
 
 /** What people read where no face can be drawn. */
 export const NO_WEBGL2 =
   "This browser gives no WebGL2, so no face can be drawn; update the graphics driver or use another browser.";
 
 /** A renderer on a canvas, clear to begin with; an Error with a sentence when the browser gives no WebGL2. */
-export function createRenderer(
-  canvas: HTMLCanvasElement | OffscreenCanvas,
-  { multisample }: Features,
-): THREE.WebGLRenderer {
+export function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas): THREE.WebGLRenderer {
   const context = canvas.getContext("webgl2", {
     alpha: true,
-    antialias: multisample,
+    antialias: false, // `EdgeSmoothing` does it, at every level in its way, and has the depth
+    depth: false,
     premultipliedAlpha: true,
     powerPreference: "high-performance",
   }) as WebGL2RenderingContext | null;
@@ -23,6 +20,14 @@ export function createRenderer(
   renderer.setClearColor(0x000000, 0);
   return renderer;
 }
+
+/** Edges by samples: alpha says how many of a pixel's samples are covered; the picture's own alpha only grows. */
+export const COVERAGE = {
+  alphaToCoverage: true,
+  blendDst: THREE.ZeroFactor,
+  blendSrcAlpha: THREE.OneFactor,
+  blendDstAlpha: THREE.OneFactor,
+};
 
 export type Uniforms = Record<string, THREE.IUniform>;
 

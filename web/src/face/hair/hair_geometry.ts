@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import type { HairStrands } from "../../link/strands";
-import { material } from "../gpu/renderer";
+import { COVERAGE, material } from "../gpu/renderer";
 import type { HeadUniforms } from "../head/head";
 import { definesOf, type Features } from "../quality/quality_levels";
 import { HAIR_FRAGMENT, HAIR_VERTEX } from "./hair_shaders";
@@ -17,18 +17,10 @@ export interface RibbonStyle {
 }
 
 /** Pieces of a ribbon where its course is drawn round, where all ribbons are drawn, and where few are. */
-const PIECES = { round: 20, fine: 11, coarse: 5 };
-
-/** Edges by samples: alpha says how many of a pixel's samples a fibre covers; the picture's own alpha only grows. */
-const SOFT = {
-  alphaToCoverage: true,
-  blendDst: THREE.ZeroFactor,
-  blendSrcAlpha: THREE.OneFactor,
-  blendDstAlpha: THREE.OneFactor,
-};
+const PIECES = { round: 14, fine: 11, coarse: 5 };
 
 /** Thin ribbons that follow each strand where hair is drawn in detail, and how wide each is, of the whole. */
-const KIN = { count: 3, width: 0.62 };
+const KIN = { count: 4, width: 0.47 };
 
 export type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTexture>> &
   Record<"stations" | "width", THREE.IUniform<number>> & { tint: THREE.IUniform<THREE.Color> };
@@ -75,7 +67,7 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
   });
   look.defines = { ...definesOf(features), KIN: kin, ...(features.multisample ? { SOFT: "" } : {}) };
   look.side = THREE.DoubleSide;
-  Object.assign(look, features.multisample ? SOFT : { blending: THREE.NoBlending });
+  Object.assign(look, features.multisample ? COVERAGE : { blending: THREE.NoBlending });
   const mesh = new THREE.Mesh(geometry, look);
   mesh.name = style.name;
   mesh.frustumCulled = false;

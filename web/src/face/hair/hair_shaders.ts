@@ -34,16 +34,28 @@ HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float sunlit,
 
 /** A ribbon of strands: its places are offsets from the skin at its root (\`source\`), mixed as the faces are. */
 export const HAIR_VERTEX = `${VERTEX_HEAD}
-#define SPIN chanceOf(1.9)
+#define SPIN chanceOf(0u)
+#ifdef DETAIL
+#define FIBRE 0.0007 // metres across the hairs that cling together and are seen as one
+#else
+#define FIBRE 0.0011
+#endif
 #define SLENDER 0.12 // half the width of a ribbon that is this short, of its length
-float chanceOf(float salt) { return fract(sin(float(gl_InstanceID) * 12.9898 + salt) * 43758.5453); }
+
+/** A chance (0..1) of this ribbon, another for every salt; in whole numbers, so that it is the same on every machine. */
+float chanceOf(uint salt) {
+  uint mixed = uint(gl_InstanceID) * 0x9e3779b1u + salt * 0x85ebca6bu;
+  mixed = (mixed ^ (mixed >> 16)) * 0x7feb352du;
+  mixed = (mixed ^ (mixed >> 15)) * 0x846ca68bu;
+  return float(mixed >> 8) / 16777216.0;
+}
 ${SHADED_LIGHTS}${HAIR_LIGHT}
 uniform sampler2D strands; // a line for each strand: metres from its anchor, root to tip; how much of its length and width, its length (w)
 uniform sampler2D shape;   // away from the head (xyz), open sky (w)
 uniform float stations;
 uniform float width;
 in vec2 place; // across -1..1, along 0..1
-out vec2 vPlace;
+out vec3 vPlace; // and half of the ribbon's width, in fibres
 out vec2 vChance;
 #ifdef FAST
 out vec3 vDiffuse;
@@ -58,7 +70,7 @@ out float vSunlit;
 #endif
 
 #ifdef DETAIL
-#define KIN_APART 4.0 // half-widths of a ribbon that those of one strand spread over
+#define KIN_APART 5.5 // half-widths of a ribbon that those of one strand spread over
 /** A round course through the stations (Catmull and Rom 1974): where it is \`part\` of the way between the middle two. */
 vec3 coursed(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
   return b + 0.5 * part * (c - a + part * (2.0 * a - 5.0 * b + 4.0 * c - d + part * (3.0 * (b - c) + d - a)));
@@ -75,20 +87,20 @@ void main() {
 #else
   int strand = gl_InstanceID;
 #endif
-  float chance = chanceOf(0.0);
-  float roll = chanceOf(3.7) - 0.5;
+  float chance = chanceOf(1u);
+  float roll = chanceOf(2u) - 0.5;
   float grown = texelFetch(strands, ivec2(0, strand), 0).w;
   float shown = texelFetch(strands, ivec2(1, strand), 0).w;
   float length_ = grown * (1.0 - 0.8 * chance * (1.0 - grown)); // no two are cut alike
   float metres = texelFetch(strands, ivec2(2, strand), 0).w;
-  float thin = clamp(shown * 1.5 - 0.5 * chanceOf(1.9), 0.0, 1.0) * smoothstep(0.0, 0.5, length_);
+  float thin = clamp(shown * 1.5 - 0.5 * chanceOf(0u), 0.0, 1.0) * smoothstep(0.0, 0.5, length_);
   thin *= min(1.0, SLENDER * length_ * metres / width); // what is short is fine: a wide ribbon would lie there like a chip
   if (thin <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // nothing to draw
     return;
   }
 #ifdef DETAIL
-  length_ *= 1.0 - 0.14 * chanceOf(5.3);
+  length_ *= 1.0 - 0.14 * chanceOf(3u);
 #endif
   float at = place.y * length_ * (stations - 1.0);
   int here = int(min(at, stations - 2.0));
@@ -113,7 +125,7 @@ void main() {
   aside = normalize(aside + roll * away);
 #ifdef DETAIL
   float apart = KIN_APART * smoothstep(0.0, 0.15, place.y) * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
-  spot += apart * width * ((chanceOf(9.1) - 0.5) * aside + 0.4 * chanceOf(11.3) * away);
+  spot += apart * width * ((chanceOf(4u) - 0.5) * aside + 0.4 * chanceOf(5u) * away);
 #endif
   thin *= 1.0 - 0.45 * place.y * place.y;
 #ifdef DETAIL
@@ -128,8 +140,8 @@ void main() {
   normal = headTurn * normal;
   along = headTurn * along;
   float open = facing.w * mix(0.45, 1.0, smoothstep(0.0, 0.22, place.y));
-  vPlace = place;
-  vChance = vec2(chance, chanceOf(7.1));
+  vPlace = vec3(place, width * thin / FIBRE);
+  vChance = vec2(chance, chanceOf(6u));
 #ifdef FAST
   HairFall light = hairFall(point, normal, along, open, 1.0, 0.2 * (vChance.y - 0.5));
   vDiffuse = light.diffuse;
@@ -149,7 +161,7 @@ void main() {
 export const HAIR_FRAGMENT = `${FRAGMENT_HEAD}${HAIR_LIGHT}
 uniform sampler2D grain;
 uniform vec3 tint;
-in vec2 vPlace;
+in vec3 vPlace;
 in vec2 vChance;
 #ifdef FAST
 in vec3 vDiffuse;
@@ -164,14 +176,15 @@ in float vSunlit;
 #endif
 
 void main() {
-#ifdef DETAIL
-  // Single hairs, a few noise cells wide, that sway along the ribbon; broader ones show when it is seen from afar.
+  // A ribbon is a bundle: fibres as wide on every ribbon, that sway along it, and single hairs within them.
   vec2 start = vec2(vChance.x * 7.3, vChance.y);
+  float aside = vPlace.x * vPlace.z / 256.0; // the noise has so many cells
+#ifdef DETAIL
   float sway = 0.010 * (texture(grain, start.yx + vec2(0.0, vPlace.y * 0.010)).b - 0.5);
-  vec4 fibre = texture(grain, start + vec2(vPlace.x * 0.016 + sway, vPlace.y * 0.008));
-  fibre.rg = clamp(fibre.rg + 0.7 * (texture(grain, start.yx + vec2(vPlace.x * 0.045 + sway, vPlace.y * 0.012)).rg - 0.5), 0.0, 1.0);
+  vec4 fibre = texture(grain, start + vec2(aside + sway, vPlace.y * 0.008));
+  fibre.rg = clamp(fibre.rg + 0.7 * (texture(grain, start.yx + vec2(2.8 * aside + sway, vPlace.y * 0.012)).rg - 0.5), 0.0, 1.0);
 #else
-  vec4 fibre = texture(grain, vec2(vPlace.x * 0.05 + vChance.x * 7.3, vPlace.y * 0.013 + vChance.y));
+  vec4 fibre = texture(grain, start + vec2(aside, vPlace.y * 0.0025));
 #endif
   float edge = vPlace.x * vPlace.x;
   float tip = vPlace.y * vPlace.y;
@@ -180,9 +193,9 @@ void main() {
 #else
   float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
 #endif
-  float cover = fibre.r - bare - 0.06; // fibres end one after the other, at the edges and at the tip
+  float cover = fibre.r - bare - 0.12; // fibres end one after the other, at the edges and at the tip
 #ifdef SOFT
-  cover = clamp(cover / max(fwidth(cover), 1e-4) + 0.5, 0.0, 1.0);
+  cover = clamp(cover / max(fwidth(cover), 0.1) + 0.5, 0.0, 1.0);
 #endif
   if (cover <= 0.0) discard;
 #ifdef FAST
@@ -194,7 +207,7 @@ void main() {
   vec3 albedo = tint * (0.78 + 0.5 * vChance.x) * (0.22 + 1.5 * fibre.r) * mix(0.62, 1.12, vPlace.y);
   albedo *= mix(vec3(1.10, 0.98, 0.86), vec3(0.92, 1.02, 1.12), fract(vChance.y * 3.0 + 0.4 * fibre.g)); // no two of one hue
 #else
-  vec3 albedo = tint * (0.72 + 0.56 * vChance.x) * (0.55 + 0.9 * fibre.r);
+  vec3 albedo = tint * (0.72 + 0.56 * vChance.x) * (0.25 + 1.5 * fibre.r);
 #endif
   vec3 seen = albedo * light.diffuse;
   seen += (0.05 + 0.25 * albedo) * light.sheen * (0.4 + 1.2 * fibre.g) + (0.02 + 0.9 * albedo) * light.glow;

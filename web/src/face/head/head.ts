@@ -127,7 +127,7 @@ function drawn(mesh: Mesh, { anatomy, shared, eyes, features }: HeadParts): THRE
     case "teeth_upper":
     case "teeth_lower":
     case "tongue":
-      return mouthPart(geometry, mesh, anatomy, shared);
+      return mouthPart(geometry, mesh, anatomy, shared, features);
     default:
       return skin(geometry, mesh, anatomy, material(skins.SKIN_VERTEX, skins.SKIN_FRAGMENT, shared));
   }
@@ -162,7 +162,7 @@ function grainTexture(size = 256): THREE.DataTexture {
   const texture = new THREE.DataTexture(blurred(data, size), size, size);
   texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
   texture.magFilter = THREE.LinearFilter;
-  texture.minFilter = THREE.LinearMipmapLinearFilter;
+  texture.minFilter = THREE.LinearMipmapNearestFilter;
   texture.generateMipmaps = true;
   texture.needsUpdate = true;
   return texture;

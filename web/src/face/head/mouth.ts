@@ -6,7 +6,8 @@ import { ARCH, ARCH_DEPTH, TOOTH_REACH } from "../../link/constants";
 import type { Anatomy } from "../anatomy/anatomy";
 import { type Opening, opening, outline } from "../anatomy/openings";
 import { extent } from "../anatomy/topology";
-import { material, type Uniforms } from "../gpu/renderer";
+import { COVERAGE, material, type Uniforms } from "../gpu/renderer";
+import type { Features } from "../quality/quality_levels";
 import { edgeUniforms } from "./eyeballs";
 import { MOUTH_VERTEX, TEETH_FRAGMENT, TONGUE_FRAGMENT } from "./mouth_shaders";
 
@@ -16,6 +17,7 @@ export function mouthPart(
   mesh: Mesh,
   anatomy: Anatomy,
   uniforms: Uniforms,
+  { multisample }: Features,
 ): THREE.Mesh {
   geometry.setAttribute("place", new THREE.BufferAttribute(places(mesh, anatomy.positions), 4));
   const look = material(MOUTH_VERTEX, mesh.name === "tongue" ? TONGUE_FRAGMENT : TEETH_FRAGMENT, {
@@ -23,6 +25,7 @@ export function mouthPart(
     ...edgeUniforms(lips(mesh, anatomy)),
   });
   look.side = THREE.DoubleSide;
+  if (multisample) Object.assign(look, COVERAGE, { defines: { SOFT: "" } });
   return new THREE.Mesh(geometry, look);
 }
 

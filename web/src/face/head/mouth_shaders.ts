@@ -82,6 +82,8 @@ vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
   vec3 light = albedo * (fallen + sky + walls);
   float gleam = shine(normal, view, KEY, 60.0) + 0.35 * shine(normal, view, KEY, 14.0);
   light += wet * (KEY_LIGHT * gleam * direct + FILL_LIGHT * shine(normal, view, FILL, 30.0) * around);
+  float grazing = 1.0 - max(dot(normal, view), 0.0);
+  light += wet * (0.10 + 0.9 * grazing * grazing * grazing) * (ambient(reflect(-view, normal)) + 0.25 * KEY_LIGHT) * around; // saliva mirrors all that is before it
   return mix(light, shut, vLight.z);
 }
 
@@ -135,24 +137,32 @@ void main() {
   // The edge: rounded corners, the upper lateral teeth a little shorter, canines pointed.
   float point = tooth.z == 2.0 ? 0.07 : 0.0;
   float end = 1.0 - 0.075 * sides * sides * sides - point * abs(across) - (tooth.z == 1.0 ? 0.05 * upper : 0.0);
-  if (height > end + 0.02) discard;
+  float cover = end + 0.02 - height;
+#ifdef SOFT
+  cover = clamp(cover / max(fwidth(cover), 1e-4) + 0.5, 0.0, 1.0);
+#endif
+  if (cover <= 0.0) discard;
   float gumLine = 0.36 + 0.13 * sides * sides - (tooth.z == 1.0 ? 0.0 : 0.03);
   float gum = 1.0 - smoothstep(gumLine - 0.03, gumLine + 0.03, height);
-  float groove = smoothstep(0.80, 1.0, abs(across)) * (1.0 - gum);
+  float groove = smoothstep(0.84, 1.0, abs(across)) * (1.0 - gum);
 
   vec3 normal = facing();
   vec3 along = headTurn * vec3(cos(vPlace.y), 0.0, -sin(vPlace.y));
   float curl = across * 0.42 + across * sides * 0.55;
   normal = normalize(normal + along * curl * (1.0 - 0.5 * gum) + headTurn * vec3(0.0, upper * 2.0 - 1.0, 0.0) * 0.5 * (exp(-pow((height - gumLine) / 0.05, 2.0))));
   float shade = fract(sin(tooth.z * 12.9 + sign(vPlace.y) * 3.7 + upper) * 43.7) - 0.5;
-  vec3 enamel = mix(vec3(0.80, 0.68, 0.50), vec3(0.86, 0.79, 0.68), smoothstep(gumLine, gumLine + 0.45, height));
-  enamel = mix(enamel, vec3(0.60, 0.60, 0.60), 0.55 * smoothstep(0.84, 1.02, height + 0.05 * sides)); // the edge lets the dark through
+  vec3 enamel = mix(vec3(0.84, 0.72, 0.53), vec3(0.93, 0.88, 0.78), smoothstep(gumLine, gumLine + 0.35, height));
+  enamel = mix(enamel, vec3(0.74, 0.74, 0.73), 0.4 * smoothstep(0.88, 1.02, height + 0.05 * sides)); // the edge lets the dark through
   enamel *= mix(vec3(1.0), vec3(0.93, 0.84, 0.66), age);
-  enamel *= (1.0 + 0.07 * shade) * (1.0 - 0.62 * groove) * (tooth.z > 2.5 ? 0.90 : 1.0);
+  enamel *= (1.0 + 0.07 * shade) * mix(vec3(1.0), vec3(0.46, 0.34, 0.28), groove); // light between teeth went through them
+  enamel *= (1.0 - 0.20 * sides) * mix(1.0, 0.62, smoothstep(1.5, 5.5, tooth.z)); // round each, and the farther back the less light
   vec3 pink = mix(vec3(0.50, 0.17, 0.16), vec3(0.60, 0.27, 0.25), smoothstep(gumLine - 0.16, gumLine, height));
   pink *= 1.0 + 0.5 * (texture(grain, vec2(vPlace.y * 1.3, height * 0.6)).b - 0.5);
   vec3 albedo = mix(enamel, pink, gum);
   albedo *= mix(0.72, 1.0, smoothstep(0.0, 0.06, abs(height - gumLine) + 0.02)); // where the gum begins
-  colour = premultiplied(lit(albedo, normal, mix(0.75, 0.4, gum), mix(0.34, 0.22, gum) * (1.0 - groove)), 1.0);
+  colour = premultiplied(lit(albedo, normal, mix(0.75, 0.4, gum), mix(0.40, 0.24, gum) * (1.0 - groove)), 1.0);
+#ifdef SOFT
+  colour.a = cover;
+#endif
 }
 `;

@@ -85,7 +85,7 @@ precision highp float;
 out vec4 height;
 #ifdef STRANDS
 uniform highp sampler2D grain;
-in vec2 vPlace;
+in vec3 vPlace;
 in vec2 vChance;
 #endif
 

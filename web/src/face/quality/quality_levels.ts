@@ -12,7 +12,7 @@ export interface Features {
   readonly detail: boolean;
   /** The share of a hair style's ribbons that is drawn, 0..1. */
   readonly hair: number;
-  /** Edges drawn from several samples; like `anisotropy` of the machine: fixed when the view is made. */
+  /** Edges drawn from several samples a pixel; false: smoothed afterwards. */
   readonly multisample: boolean;
   /** Samples along a texture that is seen at a slant, 1 or more. */
   readonly anisotropy: number;

@@ -41,7 +41,7 @@ struct Layers {
 struct Ground { vec3 albedo; float lips; float hair; float fur; float leather; float lining; };
 
 /** How much a brow's hairs cover: the thinner the brow, the higher the threshold. */
-float browHairs(float drawn) { return clamp((drawn - mix(1.0, -0.12, brows)) * 2.6, 0.0, 1.0); }
+float browHairs(float drawn) { return clamp((drawn - mix(1.0, -0.12, brows)) * 2.3, 0.0, 1.0); }
 
 vec3 bare(Layers at) {
   vec3 seen = skin * (1.0 + pores * (at.finish.a - 0.5) * vec3(0.08, -0.34, -0.30));
@@ -77,12 +77,13 @@ Ground ground(Layers at, float hairline) {
   vec3 seen = mix(bare(at), lip * (0.86 + 0.28 * at.finish.a), found.lips * 0.9);
   seen = mix(seen, mix(furred(at), lip, leather), found.fur);
   float hairs = browHairs(at.mask.g);
-  seen = mix(seen, brow, hairs * 0.92);
+  seen = mix(seen, brow * (0.7 + 0.6 * at.marks.a), hairs * 0.88);
   seen = mix(seen, brow * 0.5, at.patches.a * lacquer);
   seen = mix(seen, hair * (0.7 + 0.6 * at.marks.a), found.hair);
   found.hair = max(found.hair, hairs * 0.85);
   seen = mix(seen, vec3(0.62, 0.16, 0.14), lining);
-  found.albedo = seen * at.mask.a * mix(1.0, at.mask.a, 0.3); // what cavities and the lash line leave of the light
+  float left = mix(at.mask.a, 0.75, lining); // light comes into the mouth through teeth and lips
+  found.albedo = seen * left * mix(1.0, left, 0.3); // what cavities and the lash line leave of the light
   return found;
 }
 `;

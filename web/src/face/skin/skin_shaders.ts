@@ -140,7 +140,7 @@ vec3 lit(Layers layers, Ground at, float open) {
   vec3 seen = at.albedo * diffuse + strength * 1.6 * mirror;
   seen += at.albedo * (aside + KEY_LIGHT * 0.25 * sunlit * max(dot(form, KEY) + 0.5, 0.0)) * down * (0.35 * flesh + 1.2 * at.fur) * open; // down on the skin
   vec3 rim = onFlesh(RIM_LIGHT, 0.5 * flesh) * mix(1.0, 0.75, flesh);
-  seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, vec3(0.16), at.hair) * (1.0 + at.fur);
+  seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, vec3(0.06), at.hair) * (1.0 + at.fur);
   seen += at.albedo * vec3(1.0, 0.34, 0.18) * RIM_LIGHT * behind * through * open * 0.6;
   return seen;
 }
@@ -210,7 +210,7 @@ void main() {
   float oil = (0.05 + 0.13 * at.lips * gloss + 0.06 * lacquer) * (1.0 - at.hair) * (1.0 - 0.7 * at.fur) * vTraits.x;
   vec3 seen = at.albedo * vDiffuse;
   seen += KEY_LIGHT * oil * (vGloss.x + (1.2 + 3.0 * at.lips) * vGloss.y);
-  seen += RIM_LIGHT * vGloss.z * mix(0.02 + 0.85 * at.albedo, vec3(0.16), at.hair);
+  seen += RIM_LIGHT * vGloss.z * mix(0.02 + 0.85 * at.albedo, vec3(0.06), at.hair);
 #else
   vec3 seen = lit(layers, at, max(vTraits.x, ${GLOW} * at.lining));
 #endif
