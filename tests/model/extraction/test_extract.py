@@ -48,14 +48,15 @@ def test_what_is_taken_from_a_face_is_right_on_it_and_on_others(name: str, unit:
     assert other < 1e-3
 
 
-def test_a_blink_whose_lids_are_nearly_all_unfolded_or_pushed_is_right_where_it_is_known() -> None:
-    """Most of what moves on the baby is not what the blink says, so the weight has to be found on the face itself."""
-    face, shape = CAST.faces["baby"], CAST.expressions["eyeBlinkLeft"]
+@pytest.mark.parametrize(("name", "unit"), [("baby", "eyeBlinkLeft"), ("dog", "mouth-open")])
+def test_weights_are_found_so_exactly_that_lids_and_mouth_bag_come_out_the_same(name: str, unit: str) -> None:
+    """Most of what moves on the baby is not what the blink says, and a ray of the dog's mouth bag tells nanometres."""
+    face, shape = CAST.faces[name], CAST.expressions[unit]
     itself, other = measure_errors(
         face, shape, extract(CAST.space, face, displace(face, shape), known=KNOWN), CAST.faces["man"]
     )
     assert itself < 2e-6
-    assert other < 2e-6
+    assert other < (2e-6 if unit == "eyeBlinkLeft" else 2e-4)
 
 
 def test_a_sum_is_taken_from_a_random_face_and_is_right_on_others() -> None:

@@ -36,7 +36,7 @@ _LEAST_RATIO = 0.05
 
 # Gauss and Newton's method: for so many members at most, rounds, the change of a weight that gives a slope, and
 # where it ends, metres.
-_FEW, _REFINEMENTS, _NUDGE, _CLOSE = 6, 6, 2e-4, 2e-7
+_FEW, _REFINEMENTS, _NUDGE, _CLOSE = 6, 6, 2e-4, 3e-8
 
 
 @dataclass(frozen=True, eq=False)

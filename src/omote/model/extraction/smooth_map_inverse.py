@@ -125,7 +125,7 @@ def _refine_sums(target: Target, sums: Sequence[KnownSum]) -> KnownSum:
 
     nearest = min(sums, key=measure_size)
     if np.abs(measure_lack(nearest)).max() < _CLOSE:
-        return nearest
+        return refine_known(nearest, measure_lack)
     return min([refine_known(each, measure_lack) for each in sums], key=measure_size)
 
 
