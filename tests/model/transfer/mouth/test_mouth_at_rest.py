@@ -45,7 +45,7 @@ def made_at_run_time() -> list[Face]:
     moves = np.zeros((len(rows), 3))
     moves[np.linalg.norm(space.points[rows] - space.points[lips].mean(axis=0), axis=1) < 0.03, 1] = -0.012
     points = np.array([[0, -0.1, 0.148], [0.08, 0, 0.04], [0, 0.12, 0.04], [0, -0.13, -0.02], [0, -0.035, 0.168]])
-    sculpt = Sculpt("long", points, [[0, -0.02, 0.01], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]])
+    sculpt = Sculpt("long", points, np.array([[0, -0.02, 0.01], *np.zeros((4, 3))]))
     return [
         caricature(space, faces["dog"], 1.5),
         regional(space, "hers", {"mouth": faces["dog"], "jaw": faces["dog"]}, rest=faces["kaori"]),
