@@ -39,7 +39,7 @@ def test_where_no_fold_is_turned_back_the_displacement_itself_is_found(name: str
     found = invert_smooth_map(SPACE, face, apply_smooth_map(SPACE, face, meant))
     off = np.abs(found.displacement - meant).max(axis=1)
     hanging = (np.bincount(SPACE.sheet_triangles.ravel(), minlength=SPACE.vertex_count) == 1)[SPACE.welded]
-    assert hanging[SPACE.on_sheet].sum() == 12
+    assert hanging[SPACE.on_sheet].mean() < 0.01
     assert off[~hanging].max() < 2e-6
     assert off.max() < 2e-4
     assert found.known is None
