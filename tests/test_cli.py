@@ -349,8 +349,8 @@ def test_the_real_show_opens_and_ends(tmp_path: Path) -> None:
 
 
 def test_a_face_is_written_with_its_expressions_as_targets(tmp_path: Path) -> None:
-    path = tmp_path / "dog.glb"
-    done = runner.invoke(app, ["export", "dog", "-o", str(path), "--expressions", "smile,jawOpen"])
+    path = tmp_path / "dog.glb"  # the ending may be left out
+    done = runner.invoke(app, ["export", "dog", "-o", str(tmp_path / "dog"), "--expressions", "smile,jawOpen"])
     assert done.exit_code == 0, done.output
     assert {tuple(piece.moves) for piece in read_glb(path.read_bytes())} == {("smile", "jawOpen")}
 
@@ -358,12 +358,10 @@ def test_a_face_is_written_with_its_expressions_as_targets(tmp_path: Path) -> No
 def test_an_ending_that_is_left_out_is_the_files_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     open_show(tmp_path / "a.omote").close()
-    done = runner.invoke(app, ["export", "dog", "-o", "dog", "--expressions", "smile"])
-    assert "omote: dog.glb: dog, morph targets: 1" in done.stderr
     done = runner.invoke(app, ["file", "export", "a.omote", "smile", "-o", "smile"])
     assert "smile.json holds smile" in done.stderr
     assert "did you mean smile.json?" in runner.invoke(app, ["file", "import", "a.omote", "smile"]).stderr
-    (tmp_path / "head").write_bytes((tmp_path / "dog.glb").read_bytes())
+    (tmp_path / "head").write_bytes(b"glTF")
     assert "is told by its name; end that with .json, .glb, .obj" in (
         runner.invoke(app, ["file", "import", "a.omote", "head"]).stderr
     )
@@ -372,7 +370,7 @@ def test_an_ending_that_is_left_out_is_the_files_own(tmp_path: Path, monkeypatch
         runner.invoke(app, ["file", "export", "a.omote", "smile", "-o", "smile.xml"]).stderr
     )
     assert runner.invoke(app, ["file", "import", "b", "smile.json"]).exit_code == 0
-    assert {path.name for path in tmp_path.iterdir()} >= {"dog.glb", "smile.json", "b.omote"}
+    assert {path.name for path in tmp_path.iterdir()} >= {"smile.json", "b.omote"}
 
 
 @pytest.mark.parametrize("ending", [".npz", ".csv"])
