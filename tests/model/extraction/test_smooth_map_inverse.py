@@ -8,7 +8,7 @@ import pytest
 import omote
 from omote.model.extraction.smooth_map_inverse import invert_smooth_map
 from omote.model.transfer.paper_map import compile_expression, displace_generic
-from omote.model.transfer.pipeline import apply_smooth_map
+from omote.model.transfer.pipeline import CONTINUOUS_STAGES, apply_smooth_map
 from omote.model.transfer.smooth_map import prepare_smooth_map
 
 CAST = omote.load_cast()
@@ -28,7 +28,6 @@ def displace(unit: str) -> np.ndarray:
         ("kaori", "jawOpen"),
         ("dog", "mouthClose"),
         ("baby", "mouthClose"),
-        ("goblin", "mouthClose"),
         ("alien", "mouthPucker"),
     ],
 )
@@ -36,7 +35,9 @@ def test_where_no_fold_is_turned_back_the_displacement_itself_is_found(name: str
     """Found to 0.002 mm; a vertex that hangs on the sheet by one triangle, as two in the corners of the lips do, has
     two places that give that triangle's detail, a tenth of a millimetre apart on the dog."""
     face, meant = CAST.faces[name], displace(unit)
-    found = invert_smooth_map(SPACE, face, apply_smooth_map(SPACE, face, meant))
+    goal = apply_smooth_map(SPACE, face, meant)
+    assert np.abs(goal - apply_smooth_map(SPACE, face, meant, CONTINUOUS_STAGES)).max() < 1e-6  # no fold
+    found = invert_smooth_map(SPACE, face, goal)
     off = np.abs(found.displacement - meant).max(axis=1)
     hanging = (np.bincount(SPACE.sheet_triangles.ravel(), minlength=SPACE.vertex_count) == 1)[SPACE.welded]
     assert hanging[SPACE.on_sheet].mean() < 0.01
