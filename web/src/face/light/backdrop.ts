@@ -13,7 +13,7 @@ out vec2 vPlace;
 void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
   vPlace = window.xy + corner * window.zw;
-  gl_Position = vec4(corner * 2.0 - 1.0, 1.0, 1.0); // behind all
+  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
 }
 `;
 
@@ -44,10 +44,11 @@ export class Backdrop {
 
   constructor() {
     const look = material(BACKDROP_VERTEX, BACKDROP_FRAGMENT, this.uniforms);
+    look.depthTest = false;
     look.depthWrite = false;
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry().setIndex([0, 1, 2]), look);
     this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = 0.5; // where no head is; before lashes, which let it through
+    this.mesh.renderOrder = -1;
   }
 
   /** Where this picture lies in its wall's: the view of `tileView`, pixels. */
