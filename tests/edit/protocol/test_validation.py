@@ -91,7 +91,7 @@ def test_expressions_that_say_what_they_must_not_are_refused(change: dict[str, A
         ({"points": (3, 1000)}, "a handle stands on vertex 1000"),
         ({"gains": (GainRow("tail", 1.0),)}, "a gain is of region 'tail'"),
         ({"gains": (GainRow("mouth", 1.0), GainRow("mouth", 2.0))}, "two gains of mouth for all expressions"),
-        ({"gains": (GainRow("mouth", 1.0, "\n"),)}, "the gain of mouth is for expression"),
+        ({"gains": (GainRow("mouth", 1.0, "\n"),)}, "the expression of the gain of mouth is named"),
         ({"gains": (GainRow("mouth", 1.0),) * 401}, "401 gains"),
         *[({"gains": (GainRow("mouth", x),)}, "the gain of mouth is") for x in (*STRANGE, 4.1)],
         *[({"moves": ((x, 0.0, 0.0),) * 2}, "a handle's move") for x in (*STRANGE, 0.6)],

@@ -65,7 +65,7 @@ def test_gains_say_how_strongly_the_face_answers_by_region_and_by_expression() -
         ("tail = 2", "a gain is of region 'tail'; expected one of brows"),
         ("mouth = 5", "the gain of mouth is 5; expected a number from 0"),
         ('mouth = "much"', "the gain of mouth is 'much'"),
-        ('mouth = { "" = 1.5 }', "the gain of mouth is for expression ''"),
+        ('mouth = { "" = 1.5 }', "the expression of the gain of mouth is named ''"),
     ],
 )
 def test_a_gain_that_is_none_is_refused(line: str, sentence: str) -> None:
