@@ -54,7 +54,7 @@ export function parsed(document: string): ConsoleLayout | string {
   } catch {
     return `The layout cannot be read${OWN}`;
   }
-  if (!isRecord(found) || (found["version"] !== VERSION && found["version"] !== 1))
+  if (!isRecord(found) || (found.version !== VERSION && found.version !== 1))
     return `The layout is of another version${OWN}`;
   // layouts of before know no own faces, no views, no springs, and of calls by hand no seconds
   const { timing, kind, tab, linked, ownFaces = false, springs: sprung = FIRST.springs, view = FIRST.view } = found;
