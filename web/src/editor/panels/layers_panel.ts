@@ -53,7 +53,7 @@ export class Layers extends EditorElement {
   }
 
   #change(at: number, change: Partial<Layer>): void {
-    this.store.setLayers(changed(this.#layers, at, change));
+    this.store.setLayers((layers) => changed(layers, at, change));
   }
 
   /** Shows what a change of a layer would make, without making it. */
@@ -63,10 +63,11 @@ export class Layers extends EditorElement {
 
   #move(at: number, by: -1 | 1): void {
     this.store.layerPreview.end(); // places change
-    const layers = [...this.#layers];
-    const [layer] = layers.splice(at, 1);
-    layers.splice(at + by, 0, layer as Layer);
-    this.store.setLayers(layers);
+    this.store.setLayers((before) => {
+      const layers = [...before];
+      layers.splice(at + by, 0, ...layers.splice(at, 1));
+      return layers;
+    });
   }
 
   override render() {
@@ -83,10 +84,8 @@ export class Layers extends EditorElement {
         );
         return;
       }
-      this.store.setLayers([
-        ...this.#layers,
-        { source, label, weight: 1, region: null, mirrored: false, muted: false },
-      ]);
+      const layer: Layer = { source, label, weight: 1, region: null, mirrored: false, muted: false };
+      this.store.setLayers((layers) => [...layers, layer]);
       if (source === own)
         this.store.say(`"${label}" now counts twice: as a layer and as the needles here. Give the layer less weight.`);
     };
@@ -143,7 +142,7 @@ export class Layers extends EditorElement {
 
   #remove(at: number): void {
     this.store.layerPreview.end(); // places change
-    this.store.setLayers(this.#layers.filter((_, place) => place !== at));
+    this.store.setLayers((layers) => layers.filter((_, place) => place !== at));
   }
 
   #bake() {

@@ -48,9 +48,9 @@ export class FaceRecipePanel extends EditorElement {
     );
   }
 
-  #set(change: Partial<FaceRecipe>, what: string): void {
-    const recipe = this.store.face;
-    if (recipe !== null) this.store.setFace({ ...recipe, ...change }, what);
+  /** `made`: what changes, from the recipe as it is when the steps before are done. */
+  #set(made: (recipe: FaceRecipe) => Partial<FaceRecipe>, what: string): void {
+    this.store.setFace((recipe) => ({ ...recipe, ...made(recipe) }), what);
   }
 
   override render() {
@@ -62,21 +62,26 @@ export class FaceRecipePanel extends EditorElement {
       <h2>Caricature</h2>
       <omote-amount label="Exaggerate" .unit=${PERCENT} .low=${1} .high=${2} .value=${recipe.amount}
         hint="How far its own traits are taken; 100 % as it is"
-        @done=${(event: Event) => this.#set({ amount: Math.min(2, Math.max(1, amountOf(event))) }, "caricature")}></omote-amount>
+        @done=${(event: Event) => {
+          const amount = Math.min(2, Math.max(1, amountOf(event)));
+          this.#set(() => ({ amount }), "caricature");
+        }}></omote-amount>
       ${this.#handles(recipe)} ${this.#gains(recipe)}
     `;
   }
 
   #mix({ base: mix }: FaceRecipe, sources: readonly Source[]) {
     const one = Object.keys(mix).length === 1;
-    const put = (weights: FaceRecipe["base"]): void => this.#set({ base: normalised(weights) }, "mix of faces");
+    const put = (made: (mix: FaceRecipe["base"]) => FaceRecipe["base"]): void =>
+      this.#set((before) => ({ base: normalised(made(before.base)) }), "mix of faces");
+    const weigh = (source: string, weight: number): void => put((before) => ({ ...before, [source]: weight }));
     return html`<h2>Mix of faces</h2>
       ${Object.entries(mix).map(
         ([source, weight]) => html`<div class="row">
           <omote-amount class="grow" label=${labelOf(sources, source)} .unit=${PERCENT} .value=${weight} ?disabled=${one}
-            @done=${(event: Event) => put({ ...mix, [source]: Math.max(0, amountOf(event)) })}></omote-amount>
+            @done=${(event: Event) => weigh(source, Math.max(0, amountOf(event)))}></omote-amount>
           <button class="icon quiet" ?disabled=${one} title="Without it" aria-label="Without ${labelOf(sources, source)}"
-            @click=${() => put(Object.fromEntries(Object.entries(mix).filter(([name]) => name !== source)))}>✕</button>
+            @click=${() => put((before) => Object.fromEntries(Object.entries(before).filter(([name]) => name !== source)))}>✕</button>
         </div>`,
       )}
       ${sourceChoice(
@@ -84,15 +89,18 @@ export class FaceRecipePanel extends EditorElement {
         {
           label: "Mix in a face",
           first: "+ mix in a face…",
-          chosen: (source) => (source === "" ? undefined : put({ ...mix, [source]: 1 / Object.keys(mix).length })),
+          chosen: (source) =>
+            source === "" ? undefined : put((before) => ({ ...before, [source]: 1 / Object.keys(before).length })),
         },
       )}`;
   }
 
   #regions({ regions }: FaceRecipe, sources: readonly Source[]) {
     const chosen = (region: string, source: string): void => {
-      const others = Object.fromEntries(Object.entries(regions).filter(([name]) => name !== region));
-      this.#set({ regions: source === "" ? others : { ...others, [region]: source } }, `${region} of another`);
+      this.#set(({ regions: before }) => {
+        const others = Object.fromEntries(Object.entries(before).filter(([name]) => name !== region));
+        return { regions: source === "" ? others : { ...others, [region]: source } };
+      }, `${region} of another`);
     };
     return html`<h2>Parts of others</h2>
       ${this.store.regions.map(
@@ -111,7 +119,10 @@ export class FaceRecipePanel extends EditorElement {
     const far = (move: readonly number[]): number => Math.hypot(...move);
     const moved = moves.flatMap((move, at) => (far(move) > 0 ? [at] : []));
     const reset = (places: readonly number[]): void =>
-      this.#set({ moves: moves.map((move, at) => (places.includes(at) ? [0, 0, 0] : move)) }, "handles back at rest");
+      this.#set(
+        (before) => ({ moves: before.moves.map((move, at) => (places.includes(at) ? [0, 0, 0] : move)) }),
+        "handles back at rest",
+      );
     return html`<h2>Handles</h2>
       <p class="note">${moved.length === 0 ? "None moved yet: drag one on the face. " : nothing}With Alt held it goes to and fro, along your view.</p>
       <ul>${moved.map(
@@ -131,22 +142,20 @@ export class FaceRecipePanel extends EditorElement {
     const now = overrideGains(inherited, recipe.gains);
     const named = [...inherited, ...recipe.gains].filter(({ expression }) => expression !== null);
     const single = [...new Map(named.map((gain) => [`${gain.region}:${gain.expression}`, gain])).values()];
-    const put = (gains: readonly Gain[], what: string): void => this.#set({ gains: [...gains] }, what);
     return html`<h2>How strongly it answers</h2>
       <p class="note">1 as every expression says, 0 not at all. Ears and head turn only where a face sets them.</p>
-      ${GAIN_REGIONS.map((region) => this.#gain(recipe, { region, value: gainOf(now, region), expression: null }, inherited))}
-      ${single.map((gain) => this.#gain(recipe, gain, inherited))}
-      ${this.#oneExpression(recipe, now)}
-      ${recipe.gains.length === 0 ? nothing : html`<button @click=${() => put([], "gains of its faces")}>As its faces answer</button>`}`;
+      ${GAIN_REGIONS.map((region) => this.#gain({ region, value: gainOf(now, region), expression: null }, inherited))}
+      ${single.map((gain) => this.#gain(gain, inherited))}
+      ${this.#oneExpression(now)}
+      ${recipe.gains.length === 0 ? nothing : html`<button @click=${() => this.#set(() => ({ gains: [] }), "gains of its faces")}>As its faces answer</button>`}`;
   }
 
-  #gain(recipe: FaceRecipe, gain: Gain, inherited: readonly Gain[]) {
+  #gain(gain: Gain, inherited: readonly Gain[]) {
     const { region, expression } = gain;
     const name = expression === null ? titled(region) : `${titled(region)}, ${this.#expressionLabel(expression)}`;
-    const others = recipe.gains.filter((one) => one.region !== region || one.expression !== expression);
     const done = (event: Event): void => {
       const value = Math.min(GAIN_RANGE[1], Math.max(GAIN_RANGE[0], amountOf(event)));
-      this.#set({ gains: [...others, { ...gain, value }] }, `gain of ${name.toLowerCase()}`);
+      this.#set(withGain({ region, expression, value }), `gain of ${name.toLowerCase()}`);
     };
     return html`<omote-amount data-gain="${region}${expression === null ? "" : `:${expression}`}" label=${name} .unit=${GAIN}
       .low=${GAIN_RANGE[0]} .high=${GAIN_RANGE[1]} .value=${gain.value} .rest=${gainOf(inherited, region, expression)}
@@ -154,7 +163,7 @@ export class FaceRecipePanel extends EditorElement {
   }
 
   /** Adds a gain for one expression, in the region that is chosen first. */
-  #oneExpression(recipe: FaceRecipe, now: readonly Gain[]) {
+  #oneExpression(now: readonly Gain[]) {
     const region = this.region;
     const sources = sourcesOf(this.store, "expression").filter(({ source }) => !source.startsWith("#"));
     return html`<div class="row">
@@ -166,9 +175,7 @@ export class FaceRecipePanel extends EditorElement {
         first: "+ for one expression…",
         chosen: (source) => {
           const value = gainOf(now, region) === 1 ? 1.5 : 1; // what says nothing new would be left out
-          const others = recipe.gains.filter((one) => one.region !== region || one.expression !== source);
-          const gains = [...others, { region, value, expression: source }];
-          if (source !== "") this.#set({ gains }, "gain of one expression");
+          if (source !== "") this.#set(withGain({ region, value, expression: source }), "gain of one expression");
         },
       })}</div>`;
   }
@@ -181,6 +188,14 @@ export class FaceRecipePanel extends EditorElement {
     return this.handles?.labels[this.handles.points.indexOf(row)] ?? `handle ${at + 1}`;
   }
 }
+
+/** Puts a gain in the place of the one for the same region and expression. */
+const withGain =
+  (gain: Gain) =>
+  ({ gains }: FaceRecipe): Partial<FaceRecipe> => {
+    const others = gains.filter((one) => one.region !== gain.region || one.expression !== gain.expression);
+    return { gains: [...others, gain] };
+  };
 
 const titled = (name: string): string => name[0]?.toUpperCase() + name.slice(1);
 

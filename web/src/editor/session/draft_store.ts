@@ -12,6 +12,7 @@ import type {
   RevisionDocument,
   ToEditor,
 } from "../../link/editing_messages";
+import { RecipeSteps } from "../link/recipe_steps";
 import type { Answer, Ask, Change, Request } from "../link/requests";
 import { flat, type Net, readNet, split, type Vector } from "./control_net";
 import { EditorStore } from "./editor_store";
@@ -46,6 +47,8 @@ export class DraftStore extends EditorStore {
   #dragged: readonly number[] | null = null;
   #before: Float64Array = new Float64Array(0);
   #unanswered = 0;
+  /** Steps on layers, or on a face's recipe, that the server has not answered. */
+  readonly #steps = new RecipeSteps<Recipe | FaceRecipe>(() => this.draft?.recipe ?? null);
 
   constructor(private readonly send: Ask) {
     super();
@@ -58,14 +61,14 @@ export class DraftStore extends EditorStore {
     return this.items.find(({ id }) => id === this.draft?.item) ?? null;
   }
 
-  /** The recipe under work, where it is an expression's. */
+  /** The recipe under work as the hand has it, where it is an expression's. */
   get recipe(): Recipe | null {
-    return this.draft?.recipe.kind === "expression" ? this.draft.recipe : null;
+    return this.draft?.recipe.kind === "expression" ? this.#steps.shown(this.draft.recipe) : null;
   }
 
-  /** The recipe under work, where it is a face's. */
+  /** The recipe under work as the hand has it, where it is a face's. */
   get face(): FaceRecipe | null {
-    return this.draft?.recipe.kind === "face" ? this.draft.recipe : null;
+    return this.draft?.recipe.kind === "face" ? this.#steps.shown(this.draft.recipe) : null;
   }
 
   /** The source of the expression that faces wear now: an old revision that is looked at, the draft, or neutral. */
@@ -142,8 +145,12 @@ export class DraftStore extends EditorStore {
     this.edit({ type: "set_net", net: [...rows] });
   }
 
-  setLayers(layers: readonly Layer[]): void {
-    this.#change({ type: "set_layers", layers: [...layers] });
+  /** Other layers, made of those that the steps before leave. */
+  setLayers(made: (layers: readonly Layer[]) => readonly Layer[]): void {
+    this.#step<Recipe>(
+      (recipe) => ({ ...recipe, layers: [...made(recipe.layers)] }),
+      ({ layers }) => ({ type: "set_layers", layers }),
+    );
   }
 
   /** A muscle pulls so much, on this page only, until `sendPulls`. */
@@ -167,25 +174,46 @@ export class DraftStore extends EditorStore {
     this.edit({ type: "set_eyes", eyes: this.liveEyes.turns, pupil: this.liveEyes.pupil });
   }
 
-  setFace(recipe: FaceRecipe, what: string): void {
-    this.edit({ type: "set_face", recipe, what });
+  /** Another recipe of a face, made of the one that the steps before leave; `what` goes into the history. */
+  setFace(made: (recipe: FaceRecipe) => FaceRecipe, what: string): void {
+    this.#endSolo();
+    this.#step<FaceRecipe>(made, (recipe) => ({ type: "set_face", recipe, what }));
+  }
+
+  /** A step that is made of the recipe: it waits for the steps before it, and is shown at once. */
+  #step<Kind extends Recipe | FaceRecipe>(change: (recipe: Kind) => Kind, asked: (recipe: Kind) => Change): void {
+    if (this.draft === null) return;
+    if (this.look !== null) this.setLook(null);
+    const { item } = this.draft;
+    this.#steps.add(change as (recipe: Recipe | FaceRecipe) => Kind, (recipe, answered) =>
+      this.#askNow({ ...asked(recipe as Kind), item } as Request, answered),
+    );
+    this.tell("draft");
   }
 
   // --- requests -------------------------------------------------------------------------------------------------------
 
   /** Asks, takes the answer in, and says what is refused; null where it was. */
   async ask(request: Request): Promise<Answer | null> {
+    if (this.#steps.size > 0) await this.#steps.empty(); // a save or an undo is of all that was done before it
+    return this.#askNow(request, () => undefined);
+  }
+
+  async #askNow(request: Request, answered: () => void): Promise<Answer | null> {
     this.#unanswered += 1;
     try {
       const answer = await this.send(request);
       this.#unanswered -= 1;
+      answered();
       this.receive(answer);
       if (answer.type !== "draft") this.#takeAnswer();
       return answer;
     } catch (error) {
       this.#unanswered -= 1;
+      answered();
       this.say(error instanceof Error ? error.message : String(error));
       this.#takeAnswer(); // what was refused goes from sight
+      this.tell("draft");
       return null;
     }
   }
@@ -245,6 +273,7 @@ export class DraftStore extends EditorStore {
   /** Another item is open: what belonged to the one before goes. */
   #forget(): void {
     this.layerPreview.end();
+    this.#steps.forget();
     [this.#dragged, this.look, this.revisions, this.undone] = [null, null, [], []];
     this.select([]);
     this.tell("history");

@@ -178,9 +178,8 @@ export class HandleDrag {
   }
 
   private send(handles: Handles, places: readonly number[], what = "moved"): void {
-    const { store } = this.place;
-    if (store.face !== null)
-      store.setFace(withMoves(store.face, handles, this.moves), `${namesOf(handles, places)} ${what}`);
+    const moves = this.moves.slice();
+    this.place.store.setFace((face) => withMoves(face, handles, moves), `${namesOf(handles, places)} ${what}`);
   }
 
   private pick(at: Pair, touch: boolean): Needle | undefined {
