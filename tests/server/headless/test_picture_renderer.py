@@ -121,6 +121,8 @@ def test_what_cannot_be_drawn_is_refused_before_a_browser_starts(
         render(drawing, frame, path="a.jpg")
     with pytest.raises(ValueError, match="1x1 pixels cannot be drawn"):
         render(drawing, frame, size=(1, 1))
+    with pytest.raises(ValueError, match=r"size is \(64,\); give width and height"):
+        render(drawing, frame, size=(64,))  # type: ignore[arg-type]
     monkeypatch.setattr("omote.server.headless.picture_renderer.load_cast", load_cast)
     with pytest.raises(ValueError, match=r"cannot be drawn; give one on the head of omote\.load_cast"):
         render(drawing, frame)

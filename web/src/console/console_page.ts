@@ -123,6 +123,7 @@ export class ConsolePage extends ConsoleElement {
 
   /** Expressions that are dropped on the page come under Own. */
   async #takeIn(files: readonly File[]): Promise<void> {
+    this.store.say(`Taking in ${files.map(({ name }) => name).join(", ")} ...`, "done");
     const { done, failed } = await importFiles(files, "expression");
     const sentences = [done, ...failed, failed.length > 0 ? "Faces come in by the editor (In & out)." : ""];
     this.store.say(sentences.filter((one) => one !== "").join(" "), failed.length > 0 ? "attention" : "done");

@@ -95,9 +95,12 @@ def make_document(
 
 def export_document(cast: Cast, stored: Stored, contents: Mapping[str, bytes], name: str, /) -> ExpressionFile:
     """Makes the document of an authored expression, else of one of the cast, by its name or label; ValueError for
-    neither."""
+    neither, and for a face."""
     own = {item.name: item.label for item in stored.items if item.kind == "expression" and item.head}
     labels = {name: title.label for name, title in cast.titles.items()} | own
+    faces = {word for item in stored.items if item.kind == "face" and item.head for word in (item.name, item.label)}
+    if name in faces.difference(own, labels.values(), cast.expressions):
+        raise ValueError(f"{name!r} is a face; only expressions become documents")
     name = find_name(name, [*own, *(each for each in cast.expressions if each not in own)], "expression", labels)
     revisions = {(revision.item, revision.number): revision for revision in stored.revisions}
     for item in stored.items:

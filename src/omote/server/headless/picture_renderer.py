@@ -137,6 +137,8 @@ def render(
     docs/conventions.md; the light and the levels are those of docs/gallery.md.
     """
     check_playable(cast, frame)
+    if len(size) != 2:
+        raise ValueError(f"size is {size!r}; give width and height in pixels, as in (640, 720)")
     setting = Setting(*size, background=background, transparent=transparent, quality=quality)
     if len(cast.space.points) != len(load_cast().space.points):
         raise ValueError(

@@ -42,5 +42,5 @@ export const otherStyle = css`
 export function paintOther(write: StyleWriter, mark: HTMLElement, store: ConsoleStore, knob: Knob, now: number): void {
   const other = store.otherOn(knob) ?? "";
   write.text(mark, other);
-  write.flag(mark, "contested", other !== "" && (knob.gripped() || knob.counts(now)));
+  write.flag(mark, "contested", other !== "" && (knob.touched() || knob.counts(now)));
 }

@@ -315,8 +315,9 @@ describe("a hand at another console", () => {
     now += 1;
     heard(0.3);
     expect([jaw.value(now), jaw.gripped()]).toEqual([0.3, false]);
+    expect(jaw.touched()).toBe(true); // so the mark of the other hand stays yellow
     jaw.leave();
-    expect(jaw.value(now)).toBe(0.3);
+    expect([jaw.value(now), jaw.touched()]).toEqual([0.3, false]);
     jaw.grip(0.35);
     expect([jaw.value(now), jaw.gripped()]).toEqual([0.35, true]);
   });

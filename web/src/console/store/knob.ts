@@ -19,6 +19,8 @@ export interface Knob {
   leave(): void;
   /** A hand of this console is on the knob. */
   gripped(): boolean;
+  /** A hand of this console is on the knob, also one that has lost it to a hand elsewhere. */
+  touched(): boolean;
   /** The hand of this console counts at `now`: what moves then moves by it. */
   counts(now: number): boolean;
 }
@@ -40,6 +42,8 @@ export class Knobs {
   readonly #holds = new HeldValues<number>();
   /** When a hand of this console last moved what it holds, by key. */
   readonly #moved = new Map<string, number>();
+  /** Keys that a hand of this console is on, also one that has lost the control to another. */
+  readonly #touched = new Set<string>();
 
   constructor(
     private readonly host: KnobHost,
@@ -50,6 +54,7 @@ export class Knobs {
   clear(): void {
     this.#holds.clear();
     this.#moved.clear();
+    this.#touched.clear();
   }
 
   /** A hand elsewhere moves a control: one here that keeps still has lost it, until it moves again. */
@@ -115,6 +120,7 @@ export class Knobs {
         for (const one of keys) {
           this.#holds.grip(one, value);
           this.#moved.set(one, host.now());
+          this.#touched.add(one);
         }
         put(value);
       },
@@ -125,7 +131,9 @@ export class Knobs {
       },
       leave: () => {
         for (const one of keys) this.#holds.leave(one, host.now());
+        for (const one of keys) this.#touched.delete(one);
       },
+      touched: () => this.#touched.has(key),
       gripped: () => this.#holds.gripped(key),
       counts: (now) => this.#holds.counts(key, now),
     };
