@@ -87,3 +87,9 @@ export const split = (vectors: Float64Array): Vector[] =>
 /** The muscle on the other side of the face, by name; one on the midline is its own twin. */
 export const mirrorMuscle = (name: string): string =>
   name.replace(/_(left|right)$/, (_, side: string) => (side === "left" ? "_right" : "_left"));
+
+/** The places of the same points in another net. */
+export function keptPlaces(places: ReadonlySet<number>, from: Net | null, to: Net | null): number[] {
+  const rows = new Set([...places].map((place) => from?.rows[place]));
+  return (to?.rows ?? []).flatMap((row, place) => (rows.has(row) ? [place] : []));
+}

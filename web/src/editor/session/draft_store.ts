@@ -14,7 +14,7 @@ import type {
 } from "../../link/editing_messages";
 import { RecipeSteps } from "../link/recipe_steps";
 import type { Answer, Ask, Change, Request } from "../link/requests";
-import { flat, type Net, readNet, split, type Vector } from "./control_net";
+import { flat, keptPlaces, type Net, readNet, split, type Vector } from "./control_net";
 import { EditorStore } from "./editor_store";
 import { LayerPreview } from "./layer_preview";
 
@@ -264,7 +264,7 @@ export class DraftStore extends EditorStore {
     else if (draft.recipe.kind === "face") this.net = null;
     this.draft = draft;
     if (other) this.#forget();
-    else if (this.net !== before) this.select(kept(this.selection, before, this.net));
+    else if (this.net !== before) this.select(keptPlaces(this.selection, before, this.net));
     this.layerPreview.renew();
     this.#takeAnswer();
     this.tell("draft");
@@ -296,10 +296,4 @@ export class DraftStore extends EditorStore {
     this.livePulls = new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction]));
     this.tell("live");
   }
-}
-
-/** The places of the same points in another net. */
-function kept(places: ReadonlySet<number>, from: Net | null, to: Net | null): number[] {
-  const rows = new Set([...places].map((place) => from?.rows[place]));
-  return (to?.rows ?? []).flatMap((row, place) => (rows.has(row) ? [place] : []));
 }
