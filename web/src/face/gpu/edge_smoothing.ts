@@ -1,19 +1,10 @@
 /** Draws a scene with smooth edges: by samples, or after it has been drawn. */
 
 import * as THREE from "three";
+import { FULLSCREEN_VERTEX, fullscreenTriangle } from "./renderer";
 
 /** Samples of a pixel where edges are drawn from several. */
 const SAMPLES = 4;
-
-const VERTEX = `
-precision highp float;
-out vec2 place;
-void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
-  place = corner;
-  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
-}
-`;
 
 /**
  * Fast approximate antialiasing (T. Lottes, "FXAA", 2009), in its short form: where the four diagonal neighbours differ,
@@ -62,10 +53,9 @@ export class EdgeSmoothing {
   private readonly target = new THREE.WebGLRenderTarget(1, 1, { generateMipmaps: false, resolveDepthBuffer: false });
   private readonly size = new THREE.Vector2();
   private readonly looks = { sampled: this.look({ SAMPLED: "" }), smoothed: this.look({}) };
-  private readonly sheet = new THREE.Mesh(new THREE.BufferGeometry().setIndex([0, 1, 2]));
+  private readonly sheet = fullscreenTriangle();
 
   constructor(private readonly renderer: THREE.WebGLRenderer) {
-    this.sheet.frustumCulled = false;
     this.scene.add(this.sheet);
   }
 
@@ -93,7 +83,7 @@ export class EdgeSmoothing {
   private look(defines: Record<string, string>): THREE.RawShaderMaterial {
     return new THREE.RawShaderMaterial({
       glslVersion: THREE.GLSL3,
-      vertexShader: VERTEX,
+      vertexShader: FULLSCREEN_VERTEX,
       fragmentShader: FRAGMENT,
       defines,
       uniforms: { picture: { value: this.target.texture } },

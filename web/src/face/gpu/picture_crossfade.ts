@@ -1,16 +1,8 @@
 /** Crossfades from the last picture of one level of quality to the next. */
 
 import * as THREE from "three";
+import { FULLSCREEN_VERTEX, fullscreenTriangle } from "./renderer";
 
-const VERTEX = `
-precision highp float;
-out vec2 place;
-void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
-  place = corner;
-  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
-}
-`;
 const FRAGMENT = `
 precision mediump float;
 uniform sampler2D before;
@@ -28,7 +20,7 @@ export class PictureCrossfade {
   private readonly camera = new THREE.Camera();
   private readonly look = new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3,
-    vertexShader: VERTEX,
+    vertexShader: FULLSCREEN_VERTEX,
     fragmentShader: FRAGMENT,
     uniforms: { before: { value: null } },
     depthTest: false,
@@ -41,10 +33,7 @@ export class PictureCrossfade {
   private left = 0;
 
   constructor(private readonly renderer: THREE.WebGLRenderer) {
-    const geometry = new THREE.BufferGeometry().setIndex([0, 1, 2]);
-    const sheet = new THREE.Mesh(geometry, this.look);
-    sheet.frustumCulled = false;
-    this.scene.add(sheet);
+    this.scene.add(fullscreenTriangle(this.look));
   }
 
   /** Keeps the picture that has just been drawn. */

@@ -44,3 +44,21 @@ export function material(vertexShader: string, fragmentShader: string, uniforms:
     transparent: false,
   });
 }
+
+/** The vertex shader of a triangle that covers the picture; `place`: 0..1 from its left and from its bottom. */
+export const FULLSCREEN_VERTEX = `
+precision highp float;
+out vec2 place;
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+  place = corner;
+  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}
+`;
+
+/** A triangle that covers the picture; its vertex shader finds the corners by their numbers. */
+export function fullscreenTriangle(look?: THREE.Material): THREE.Mesh {
+  const triangle = new THREE.Mesh(new THREE.BufferGeometry().setIndex([0, 1, 2]), look);
+  triangle.frustumCulled = false;
+  return triangle;
+}

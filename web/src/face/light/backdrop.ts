@@ -1,7 +1,7 @@
 /** The backdrop behind the head. */
 
 import * as THREE from "three";
-import { material } from "../gpu/renderer";
+import { fullscreenTriangle, material } from "../gpu/renderer";
 import type { Light } from "./lights";
 import { encodeSrgb } from "./tone";
 
@@ -46,8 +46,7 @@ export class Backdrop {
     const look = material(BACKDROP_VERTEX, BACKDROP_FRAGMENT, this.uniforms);
     look.depthTest = false;
     look.depthWrite = false;
-    this.mesh = new THREE.Mesh(new THREE.BufferGeometry().setIndex([0, 1, 2]), look);
-    this.mesh.frustumCulled = false;
+    this.mesh = fullscreenTriangle(look);
     this.mesh.renderOrder = -1;
   }
 
