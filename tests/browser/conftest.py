@@ -7,11 +7,12 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, expect, sync_playwright
+from playwright.sync_api import Browser, CDPSession, Error, Page, expect, sync_playwright
 
 from tests.browser.waiting import PATIENCE
 from tools.browser import SENTENCE, find_browser
@@ -83,48 +84,82 @@ def browser() -> Iterator[Browser]:
         chromium.close()
 
 
-class Windows:
-    """Windows of one browser, each with a store of its own: to open one costs more than most pages."""
+@dataclass
+class Tab:
+    """A tab in a window of its own, which tests take in turn: to open one costs more than most pages.
+
+    Its process keeps the compiled scripts of the pages that were open in it: one that opens again costs half.
+    """
+
+    page: Page
+    tools: CDPSession
+    scripts: list[str] = field(default_factory=list)
+    """What runs before the page's own scripts, as Chromium names it."""
+
+    def run_before(self, script: str) -> None:
+        """Runs a script before those of each page that this tab opens, until it is cleared."""
+        added = self.tools.send("Page.addScriptToEvaluateOnNewDocument", {"source": script})
+        self.scripts.append(added["identifier"])
+
+    def clear(self, show: str) -> None:
+        """Leaves the page and empties its store; nothing of the test stays."""
+        self.page.unroute_all(behavior="ignoreErrors")
+        for script in self.scripts:
+            self.tools.send("Page.removeScriptToEvaluateOnNewDocument", {"identifier": script})
+        self.scripts.clear()
+        self.page.goto(f"{show}/nothing")  # of the same server, so that the process stays
+        self.tools.send("Storage.clearDataForOrigin", {"origin": show, "storageTypes": "local_storage"})
+        for page in self.page.context.pages:
+            if page is not self.page:
+                page.close()
+
+
+class Tabs:
+    """The tabs of one browser."""
 
     def __init__(self, browser: Browser) -> None:
         self.browser = browser
-        self.free: list[BrowserContext] = []
+        self.free: list[Tab] = []
 
-    def take(self) -> BrowserContext:
-        """A window that nobody has, with nothing in its store; a blank page keeps it open."""
-        if self.free:
-            return self.free.pop()
-        context = self.browser.new_context()
-        context.new_page()
-        return context
+    def take(self) -> Tab:
+        """A tab that nobody has, with nothing in its store."""
+        return self.free.pop() if self.free else self.open()
 
-    def give_back(self, context: BrowserContext, show: str) -> None:
-        """Closes what was opened and empties the store."""
-        blank, *opened = context.pages
-        for page in opened:
-            page.close()
-        tools = context.new_cdp_session(blank)
-        tools.send("Storage.clearDataForOrigin", {"origin": show, "storageTypes": "local_storage"})
-        tools.detach()
-        self.free.append(context)
+    def open(self, **options: Any) -> Tab:
+        """A new tab; options: those of a context of Playwright."""
+        context = self.browser.new_context(**options)
+        context.set_default_timeout(1000 * PATIENCE)
+        page = context.new_page()
+        return Tab(page, context.new_cdp_session(page))
+
+    def give_back(self, tab: Tab, show: str) -> None:
+        """Clears a tab for the next test; closes one that its test has closed, or that cannot leave its page."""
+        try:
+            tab.clear(show)
+        except Error:
+            tab.page.context.close()
+        else:
+            self.free.append(tab)
 
 
 @pytest.fixture(scope="session")
-def windows(browser: Browser) -> Windows:
-    """The windows that tests take in turn."""
-    return Windows(browser)
+def tabs(browser: Browser) -> Tabs:
+    """The tabs that tests take in turn."""
+    return Tabs(browser)
 
 
 @pytest.fixture
-def open_page(show: str, windows: Windows) -> Iterator[OpenPage]:
+def open_page(show: str, tabs: Tabs) -> Iterator[OpenPage]:
     """Opens a page of the show, each one somebody else's: `open_page("/console", width=1280, height=800)`.
 
     One that is opened without `pictures` finds no WebGL2 and draws no face, which is most of what a console costs.
     `kept` is what its browser keeps from an earlier visit, JSON by key.
+    A `disposable` one is in no tab that another test takes: for a test that routes web sockets or adds scripts.
+    One that is opened `over` another page of the test takes its place in its tab.
     More options (`has_touch`) are those of a context of Playwright.
     """
-    taken: list[BrowserContext] = []
-    made: list[BrowserContext] = []
+    taken: list[Tab] = []
+    made: list[Tab] = []
     errors: list[str] = []
 
     def open_one(
@@ -134,28 +169,33 @@ def open_page(show: str, windows: Windows) -> Iterator[OpenPage]:
         height: int = 800,
         pictures: bool = True,
         kept: dict[str, Any] | None = None,
+        disposable: bool = False,
+        over: Page | None = None,
         **options: Any,
     ) -> Page:
-        context = windows.browser.new_context(**options) if options else windows.take()
-        (made if options else taken).append(context)
-        context.set_default_timeout(1000 * PATIENCE)
-        page = context.new_page()
+        if over is not None:
+            tab = next(tab for tab in (*taken, *made) if tab.page is over)
+        else:
+            tab = tabs.open(**options) if options or disposable else tabs.take()
+            (made if options or disposable else taken).append(tab)
+        page = tab.page
         page.set_viewport_size({"width": width, "height": height})
         if not pictures:
-            page.add_init_script(NO_PICTURES)
+            tab.run_before(NO_PICTURES)
         if kept:
             texts = [(key, json.dumps(value)) for key, value in kept.items()]
-            page.add_init_script(f"if (location.origin === {show!r}) {KEEP % json.dumps(texts)}")
+            tab.run_before(f"if (location.origin === {show!r}) {KEEP % json.dumps(texts)}")
         page.on("pageerror", lambda error: errors.append(f"{path}: {error}"))
         page.goto(show + path)
         return page
 
     yield open_one
-    for context in made:
-        context.close()
-    for context in taken:
-        windows.give_back(context, show)
-    assert not errors, errors
+    reported = list(errors)  # what a page reports because it is left is not asked
+    for tab in made:
+        tab.page.context.close()
+    for tab in taken:
+        tabs.give_back(tab, show)
+    assert not reported, reported
 
 
 def _address(process: subprocess.Popen[str]) -> str:

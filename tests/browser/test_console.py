@@ -540,7 +540,7 @@ def test_names_are_text_whatever_they_hold(console: Console) -> None:
 
 def test_a_lost_link_is_seen_nothing_is_pretended_and_it_comes_back(open_page: OpenPage, console: Console) -> None:
     console()
-    page = open_page("/console", pictures=False)
+    page = open_page("/console", pictures=False, disposable=True)
     links: list[WebSocketRoute] = []
     away = [False]
 
@@ -576,7 +576,7 @@ def test_a_lost_link_is_seen_nothing_is_pretended_and_it_comes_back(open_page: O
 
 def test_a_server_with_another_built_in_cast_reloads_the_page(open_page: OpenPage, console: Console) -> None:
     console()
-    page = open_page("/console", pictures=False)
+    page = open_page("/console", pictures=False, disposable=True)
     other = [False]
     links: list[WebSocketRoute] = []
 

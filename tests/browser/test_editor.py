@@ -372,7 +372,7 @@ def test_whoever_saves_second_is_told_and_chooses(editor: Editor) -> None:
 
 
 def test_a_drag_made_while_the_link_is_lost_arrives_when_it_is_back(editor: Editor) -> None:
-    page = editor()
+    page = editor(disposable=True)
     links: list[WebSocketRoute] = []
     away = [False]
 

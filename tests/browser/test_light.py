@@ -14,13 +14,13 @@ GREEN = (0, 0xB1, 0x40, 255)
 
 
 def test_a_keyer_finds_exactly_the_colour_it_was_told(open_page: OpenPage) -> None:
+    page = None
     for query, colour in (("light=flat", GREEN), ("background=%231a2b3c", (0x1A, 0x2B, 0x3C, 255))):
-        page = open_page(f"/stage?quality=lowest&{query}", width=200, height=120)
+        page = open_page(f"/stage?quality=lowest&{query}", width=200, height=120, over=page)
         wait_until(page, READY)
         pixels = picture(page)
         assert (pixels[:60, :40] == colour).all()
         assert (pixels[:60, -40:] == colour).all()
-        page.close()
 
 
 def test_a_light_changes_as_smoothly_as_its_weights(open_page: OpenPage) -> None:

@@ -39,8 +39,10 @@ def wait_for(page: Page, condition: str) -> None:
 def stage(open_page: OpenPage) -> Callable[..., Page]:
     """Opens a stage and waits until it draws; one that is not `live` draws what it is to hold from then on."""
 
-    def open_one(query: str = "", *, width: int = 320, height: int = 240, live: bool = False) -> Page:
-        page = open_page(f"/stage{query}", width=width, height=height)
+    def open_one(
+        query: str = "", *, width: int = 320, height: int = 240, live: bool = False, over: Page | None = None
+    ) -> Page:
+        page = open_page(f"/stage{query}", width=width, height=height, over=over)
         wait_for(page, "stage.counters().drawn > 0")
         if not live:
             draw_on_demand(page)
@@ -192,14 +194,15 @@ def test_a_transparent_stage_leaves_the_background_open(stage: Callable[..., Pag
 
 
 def test_nine_tiles_make_one_picture(stage: Callable[..., Page]) -> None:
-    def shown(query: str, width: int, height: int) -> NDArray[np.int16]:
-        page = stage(query, width=width, height=height)
-        hold(page, LAUGHING)
-        seen = picture(page)
-        page.close()
-        return seen
+    page = stage("", width=480, height=360)
 
-    whole = shown("", 480, 360)
+    def shown(query: str, width: int, height: int) -> NDArray[np.int16]:
+        stage(query, width=width, height=height, over=page)
+        hold(page, LAUGHING)
+        return picture(page)
+
+    hold(page, LAUGHING)
+    whole = picture(page)
     tiles = [[shown(f"?tile={column},{row}&of=3x3", 160, 120) for column in range(3)] for row in range(3)]
     wall = np.concatenate([np.concatenate(row, axis=1) for row in tiles], axis=0)
     difference = np.abs(wall - whole).max(axis=2)
@@ -213,9 +216,8 @@ def test_a_bezel_hides_what_lies_behind_it(stage: Callable[..., Page]) -> None:
     whole = stage("", width=352, height=160)
     hold(whole, LAUGHING)
     everything = picture(whole)
-    whole.close()
     for column, left in ((0, 0), (1, 192)):
-        page = stage(f"?tile={column},0&of=2x1&bezel=20", width=160, height=160)
+        page = stage(f"?tile={column},0&of=2x1&bezel=20", width=160, height=160, over=whole)
         hold(page, LAUGHING)
         difference = np.abs(picture(page) - everything[:, left : left + 160]).max(axis=2)
         assert (difference <= 2).mean() > 0.99
@@ -256,7 +258,7 @@ def test_a_lost_context_comes_back_with_the_same_face(stage: Callable[..., Page]
 
 
 def test_without_webgl_the_page_says_so(open_page: OpenPage, show: str) -> None:
-    page = open_page("/")
+    page = open_page("/", disposable=True)
     page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
     page.goto(f"{show}/stage")
     expect(page.get_by_role("alert")).to_contain_text("WebGL2")
@@ -300,7 +302,7 @@ class Wire:
 
 
 def test_a_stage_holds_its_face_while_the_server_is_gone(open_page: OpenPage) -> None:
-    page = open_page("/")
+    page = open_page("/", disposable=True)
     wire = Wire(page)
     page.goto(page.url + "stage")
     wait_for(page, "stage.counters().received > 5 && stage.settled()")
@@ -316,7 +318,7 @@ def test_a_stage_holds_its_face_while_the_server_is_gone(open_page: OpenPage) ->
 
 
 def test_an_older_state_is_ignored(open_page: OpenPage) -> None:
-    page = open_page("/")
+    page = open_page("/", disposable=True)
     wire = Wire(page)
     page.goto(page.url + "stage")
     wait_for(page, "stage.counters().received > 5")
