@@ -20,6 +20,7 @@ from tools.baking.assemble import (
     fit_generic_mouth,
     fit_mouths,
     mesh_arrays,
+    openness_arrays,
     space_of,
 )
 from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
@@ -71,6 +72,7 @@ def cast_arrays(package: Package, base: BaseMesh, head: Head, layout: Floats, st
     fit_mouths(arrays, space, [sculpt.name for sculpt in sculpts])
     arrays.update(field_arrays(arrays, space, moves, step))
     arrays.update(hair_arrays(space, step))
+    arrays.update(openness_arrays(arrays))
     arrays.update(about(moves, sculpts))
     return arrays
 

@@ -206,6 +206,16 @@ def test_the_mask_has_lips_brows_and_blush_where_the_face_has_them() -> None:
     assert brows.max() > 0.5
 
 
+def test_the_sky_is_open_over_the_forehead_and_shut_inside_the_mouth() -> None:
+    meshes = {mesh.name: mesh for mesh in builtin.load_meshes()}
+    for mesh in meshes.values():
+        assert mesh.openness.shape == mesh.source.shape
+    skin = meshes["skin"]
+    forehead = np.linalg.norm(GENERIC.positions[skin.source] - (0.0, 0.063, 0.145), axis=1).argmin()
+    assert skin.openness[forehead] > 230
+    assert np.median(meshes["tongue"].openness) < 60
+
+
 def test_a_missing_cast_is_refused_with_what_to_do(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match=r"cast is missing: there is no cast.npz in .*; run `make bake`"):
         builtin.read_cast(tmp_path / "cast.npz")

@@ -22,7 +22,8 @@ PAGES = {path: Page(f"page {path}".encode(), "text/html", immutable=False) for p
 
 def drawn(name: str, triangles: NDArray[np.int32], count: int) -> BakedMesh:
     """A mesh drawn without seams."""
-    return BakedMesh(name, np.arange(count, dtype=np.int32), np.zeros((count, 2), np.float32), triangles)
+    open_sky = np.full(count, 255, np.uint8)
+    return BakedMesh(name, np.arange(count, dtype=np.int32), np.zeros((count, 2), np.float32), triangles, open_sky)
 
 
 def meshes(cast: Cast) -> list[BakedMesh]:

@@ -25,10 +25,12 @@ def meshes() -> tuple[BakedMesh, ...]:
     triangles = space.triangles.copy()
     triangles[np.flatnonzero((triangles == 0).any(axis=1))[0]][triangles[0] == 0] = len(source) - 1
     place = np.stack([(space.theta + np.pi) / (2 * np.pi), (space.h - space.h.min()) / np.ptp(space.h)], axis=1)
-    skin = BakedMesh("skin", source, np.clip(place, 0, 1)[source].astype(np.float32), triangles)
+    skin = BakedMesh(
+        "skin", source, np.clip(place, 0, 1)[source].astype(np.float32), triangles, np.full(len(source), 255, np.uint8)
+    )
     parts = [
         BakedMesh(name, np.arange(len(part.points), dtype=np.int32), np.zeros((len(part.points), 2), np.float32),
-                  part.triangles)
+                  part.triangles, np.full(len(part.points), 255, np.uint8))
         for name, part in space.parts.items()
     ]  # fmt: skip
     return skin, *parts

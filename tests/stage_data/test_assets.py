@@ -145,7 +145,8 @@ def test_a_face_asset_is_the_face_and_named_by_its_content(cast: Cast) -> None:
 
 
 def test_a_mesh_of_no_part_is_refused(cast: Cast) -> None:
-    stray = BakedMesh("hat", np.zeros(1, np.int32), np.zeros((1, 2), np.float32), np.zeros((1, 3), np.int32))
+    nothing = np.zeros((1, 3), np.int32)
+    stray = BakedMesh("hat", nothing[:, 0], np.zeros((1, 2), np.float32), nothing, np.zeros(1, np.uint8))
     with pytest.raises(ValueError, match="there is no part 'hat' to draw; the space has skin, "):
         documents(cast, [stray], mask="")
 

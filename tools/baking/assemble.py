@@ -31,6 +31,7 @@ from tools.baking.heads.people import PEOPLE
 from tools.baking.heads.person import person_points
 from tools.baking.labels import label
 from tools.baking.package import Package
+from tools.baking.skin.raster import openness
 
 Arrays = dict[str, NDArray[Any]]
 Step = Callable[[str], None]
@@ -73,6 +74,16 @@ def _split_at_seams(name: str, piece: Piece, uvs: Floats) -> Arrays:
         f"drawn/{name}/uv": uvs[drawn[:, 1]].astype(np.float32),
         f"drawn/{name}/triangles": corners.reshape(-1, 3).astype(np.int32),
     }
+
+
+def openness_arrays(arrays: Arrays) -> Arrays:
+    """How much of the sky the drawn vertices of the generic face see, 0 to 255, all meshes in each other's way."""
+    points = {SKIN: arrays[f"face/{GENERIC}"], **{part: arrays[f"face/{GENERIC}/{part}"] for part in PARTS}}
+    starts = dict(zip(points, np.cumsum([0, *map(len, points.values())]), strict=False))
+    own = {SKIN: arrays["triangles"], **{part: arrays[f"part/{part}"] for part in PARTS}}
+    triangles = np.concatenate([own[mesh] + start for mesh, start in starts.items()])
+    sky = np.rint(255 * openness(np.concatenate([*points.values()]).astype(np.float64), triangles)).astype(np.uint8)
+    return {f"drawn/{mesh}/openness": sky[start + arrays[f"drawn/{mesh}/source"]] for mesh, start in starts.items()}
 
 
 def face_of(arrays: Arrays, name: str) -> Face:

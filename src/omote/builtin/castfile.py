@@ -13,7 +13,7 @@ Arrays, V vertices of the skin, n of a part, E expressions:
     residual (E, i, 3)  of the inner skin            rest/PART (E, n, 3)  eyes (E, 2, 2)  pupil (E,)
     ears (E, 2, 3)      radians, head (E, 3) radians: what ears and heads do that answer
     hair/STYLE/WHAT     of a HairStyle: points, rows, weights, anchors, facing, light, width
-    drawn/MESH/source (k,), drawn/MESH/uv (k, 2), drawn/MESH/triangles (t, 3)
+    drawn/MESH/source (k,), drawn/MESH/uv (k, 2), drawn/MESH/triangles (t, 3), drawn/MESH/openness (k,)
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from omote.model.space.face import Face
 from omote.model.space.gain import Gain
 from omote.model.space.parameter_space import ParameterSpace
 
-FORMAT = 3
+FORMAT = 4
 SKIN = "skin"
 Arrays = Mapping[str, NDArray[Any]]
 
@@ -43,13 +43,15 @@ Arrays = Mapping[str, NDArray[Any]]
 class BakedMesh:
     """A mesh ready to be drawn: its vertices are split where the texture has a seam.
 
-    source (k,): the row of the mesh's own vertices;  uv (k, 2), (0, 0) the upper left corner;  triangles (t, 3)
+    source (k,): the row of the mesh's own vertices;  uv (k, 2), (0, 0) the upper left corner;  triangles (t, 3);
+    openness (k,): how much of the sky each vertex of the generic face sees, 0 to 255 (ambient occlusion)
     """
 
     name: str
     source: NDArray[np.int32]
     uv: NDArray[np.float32]
     triangles: NDArray[np.int32]
+    openness: NDArray[np.uint8]
 
 
 def cast_of(arrays: Arrays) -> Cast:
@@ -74,7 +76,7 @@ def cast_of(arrays: Arrays) -> Cast:
 def meshes_of(arrays: Arrays) -> tuple[BakedMesh, ...]:
     """The meshes that draw the head: the skin first, then the parts."""
     return tuple(
-        BakedMesh(name, *(arrays[f"drawn/{name}/{what}"] for what in ("source", "uv", "triangles")))
+        BakedMesh(name, *(arrays[f"drawn/{name}/{what}"] for what in ("source", "uv", "triangles", "openness")))
         for name in (SKIN, *PARTS)
     )
 

@@ -394,12 +394,15 @@ class LineDocument(msgspec.Struct, frozen=True):
 
 
 class MeshDocument(msgspec.Struct, frozen=True):
-    """A drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32."""
+    """A drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32.
+
+    `openness` (n,) u8: how much of the sky each vertex of the generic face sees."""
 
     name: str
     source: bytes
     uv: bytes
     triangles: bytes
+    openness: bytes
 
 
 class FaceGain(msgspec.Struct, frozen=True):

@@ -166,7 +166,13 @@ def _mesh_document(mesh: BakedMesh, starts: dict[str, int]) -> MeshDocument:
     if mesh.name not in starts:
         raise ValueError(f"there is no part {mesh.name!r} to draw; the space has {', '.join(starts)}")
     source = np.asarray(mesh.source, np.int64) + starts[mesh.name]
-    return MeshDocument(mesh.name, le_bytes(source, "<u4"), le_bytes(mesh.uv, "<f4"), le_bytes(mesh.triangles, "<u4"))
+    return MeshDocument(
+        mesh.name,
+        le_bytes(source, "<u4"),
+        le_bytes(mesh.uv, "<f4"),
+        le_bytes(mesh.triangles, "<u4"),
+        le_bytes(mesh.openness, "u1"),
+    )
 
 
 def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, source: str) -> FaceDocument:

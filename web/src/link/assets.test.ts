@@ -9,6 +9,7 @@ const mesh = {
   source: bytes(Uint32Array.from([0, 1, 2])),
   uv: bytes(new Float32Array(6)),
   triangles: bytes(Uint32Array.from([0, 1, 2])),
+  openness: new Uint8Array(3),
 };
 const manifest = {
   lines: [],
@@ -113,6 +114,7 @@ describe("reading", () => {
     expect(readMesh(mesh, 3).triangles).toEqual(Uint32Array.from([0, 1, 2]));
     expect(() => readMesh(mesh, 2)).toThrow("skin");
     expect(() => readMesh({ ...mesh, uv: bytes(new Float32Array(4)) }, 3)).toThrow("texture coordinates");
+    expect(() => readMesh({ ...mesh, openness: new Uint8Array(2) }, 3)).toThrow("3 vertices but openness for 2");
   });
 
   it("refuses a line that points past the positions", () => {

@@ -16,12 +16,14 @@ import type {
 } from "./messages";
 import { type HairStrands, readStrands } from "./strands";
 
-/** A drawn mesh; `source` maps its vertices to rows of the positions, `uv` (0, 0) is the upper left corner. */
+/** A drawn mesh; `source` maps its vertices to rows of the positions, `uv` (0, 0) is the upper left corner.
+ *  `openness`: how much of the sky each sees on the generic face, 0 to 255. */
 export interface Mesh {
   name: string;
   source: Uint32Array;
   uv: Float32Array;
   triangles: Uint32Array;
+  openness: Uint8Array;
 }
 
 /** A compound less its face: row `indices[n]` moves by `scale * deltas[3n .. 3n+2]` metres. */
@@ -70,7 +72,9 @@ export function readMesh(mesh: MeshDocument, vertices: number): Mesh {
     throw new Error(`Mesh ${mesh.name} points past its ${vertices} positions; bake the cast again.`);
   if (uv.length !== 2 * source.length || triangles.length % 3 !== 0)
     throw new Error(`Mesh ${mesh.name} has ${source.length} vertices but ${uv.length / 2} texture coordinates.`);
-  return { name: mesh.name, source, uv, triangles };
+  if (mesh.openness.length !== source.length)
+    throw new Error(`Mesh ${mesh.name} has ${source.length} vertices but openness for ${mesh.openness.length}.`);
+  return { name: mesh.name, source, uv, triangles, openness: mesh.openness };
 }
 
 /** The rows of a line around an opening, in walking order; an Error when one points past the positions. */

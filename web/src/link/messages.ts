@@ -342,12 +342,16 @@ export interface LineDocument {
   loop: Uint8Array;
 }
 
-/** A drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32. */
+/**
+ * A drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32.
+ * `openness` (n,) u8: how much of the sky each vertex of the generic face sees.
+ */
 export interface MeshDocument {
   name: string;
   source: Uint8Array;
   uv: Uint8Array;
   triangles: Uint8Array;
+  openness: Uint8Array;
 }
 
 /** In which strength a face answers expressions in a region, 0 to 4; `expression`: the one that alone it is for. */

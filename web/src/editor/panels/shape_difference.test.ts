@@ -23,6 +23,7 @@ const mesh = (triangles: number[], rows: number): Mesh => ({
   source: Uint32Array.from({ length: rows }, (_, row) => row),
   uv: new Float32Array(2 * rows),
   triangles: Uint32Array.from(triangles),
+  openness: new Uint8Array(rows),
 });
 
 /** A roof of two faces that fill the picture, its ridge upright in the middle. */

@@ -4,7 +4,6 @@ import { MathUtils } from "three";
 import type { Library, Mesh } from "../../link/assets";
 import { HAIRLINE } from "../../link/constants";
 import { type CorrectivesData, readCorrectives } from "./correctives_data";
-import { openness } from "./occlusion";
 import { distances, type Fans, fans, lowestBorder, rowTriangles, smoothed } from "./topology";
 
 /** What the stage works out once per cast from the generic face: all that is painted or turned by place. */
@@ -44,7 +43,8 @@ async function buildAnatomy(library: Library): Promise<Anatomy> {
   const around = fans(triangles, library.manifest.vertices);
   const skin = library.meshes.findIndex((mesh) => mesh.name === "skin");
   const rim = skin < 0 ? [] : lowestBorder(triangles[skin] as Uint32Array, positions);
-  const traits = readTraits(around, positions, rim, library.manifest.skin, triangles);
+  const sky = smoothed(around, openness(library), 1, 1);
+  const traits = readTraits(around, positions, rim, library.manifest.skin, sky);
   const document = library.manifest.settling;
   const correctives = document === null || document === undefined ? undefined : readCorrectives(document);
   return { fans: around, traits, rim, eyeRows: eyeRows(library.meshes), positions, lines: library.lines, correctives };
@@ -66,12 +66,22 @@ function eyeRows(meshes: readonly Mesh[]): Int32Array {
   );
 }
 
+/** How much of the sky over each row is open, 0..1: the head's own shadow in light from everywhere. */
+function openness(library: Library): Float32Array {
+  const sky = new Float32Array(library.manifest.vertices);
+  for (const mesh of library.meshes)
+    mesh.source.forEach((row, at) => {
+      sky[row] = (mesh.openness[at] as number) / 255;
+    });
+  return sky;
+}
+
 function readTraits(
   around: Fans,
   positions: Float32Array,
   rim: readonly number[],
   skin: number,
-  triangles: readonly Uint32Array[],
+  sky: Float32Array,
 ): Float32Array {
   const rows = around.starts.length - 1;
   const far = distances(around, positions, rim);
@@ -81,7 +91,6 @@ function readTraits(
     1,
     6,
   );
-  const sky = smoothed(around, openness(around, positions, triangles), 1, 1);
   const traits = new Float32Array(4 * rows);
   for (let row = 0; row < rows; row++) {
     const part = row < skin ? (turn[row] as number) : 1;

@@ -1,4 +1,4 @@
-/** Topology of meshes by rows of the positions: fans, borders, distances along the skin, normals. */
+/** Topology of meshes by rows of the positions: fans, borders, distances along the skin, extents. */
 
 import type { Mesh } from "../../link/assets";
 
@@ -122,32 +122,11 @@ function averageRing(of: Fans, from: Float32Array, to: Float32Array, row: number
   }
 }
 
-/** Unit normals per row from the triangles around it; (0, 0, 1) where there are none. */
-export function normals(of: Fans, positions: Float32Array): Float32Array {
-  const out = new Float32Array(positions.length);
-  for (let row = 0; row < of.starts.length - 1; row++) {
-    const sum: [number, number, number] = [0, 0, 0];
-    for (let slot = of.starts[row] as number; slot < (of.starts[row + 1] as number); slot++)
-      addCross(sum, positions, row, of.pairs[2 * slot] as number, of.pairs[2 * slot + 1] as number);
-    const length = Math.hypot(...sum);
-    out.set(length > 0 ? sum.map((part) => part / length) : [0, 0, 1], 3 * row);
-  }
-  return out;
-}
-
-function addCross(sum: [number, number, number], positions: Float32Array, row: number, a: number, b: number): void {
-  const at = (index: number, axis: number) =>
-    (positions[3 * index + axis] as number) - (positions[3 * row + axis] as number);
-  sum[0] += at(a, 1) * at(b, 2) - at(a, 2) * at(b, 1);
-  sum[1] += at(a, 2) * at(b, 0) - at(a, 0) * at(b, 2);
-  sum[2] += at(a, 0) * at(b, 1) - at(a, 1) * at(b, 0);
-}
-
-/** The least and greatest coordinate on an axis, of all rows or of some. */
-export function extent(positions: Float32Array, axis: number, rows?: Uint32Array): [number, number] {
+/** The least and greatest coordinate of some rows on an axis. */
+export function extent(positions: Float32Array, axis: number, rows: Uint32Array): [number, number] {
   let [low, high] = [Infinity, -Infinity];
-  for (let n = 0; n < (rows?.length ?? positions.length / 3); n++) {
-    const value = positions[3 * (rows?.[n] ?? n) + axis] as number;
+  for (const row of rows) {
+    const value = positions[3 * row + axis] as number;
     [low, high] = [Math.min(low, value), Math.max(high, value)];
   }
   return [low, high];

@@ -13,6 +13,7 @@ const mesh = (name: string) => ({
   source: Uint32Array.from({ length: 18 }, (_, row) => row),
   uv: new Float32Array(36),
   triangles: new Uint32Array(),
+  openness: new Uint8Array(18),
 });
 const column = (values: Float32Array, part: number) => Array.from({ length: 18 }, (_, row) => values[4 * row + part]);
 

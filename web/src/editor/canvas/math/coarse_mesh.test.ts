@@ -8,6 +8,7 @@ const mesh = {
   source: Uint32Array.from({ length: 81 }, (_, n) => n),
   uv: new Float32Array(162),
   triangles,
+  openness: Uint8Array.from({ length: 81 }, (_, n) => n),
 };
 const fineness = { lines: [40], around: 0.012, near: 1e-5, cell: 0.022, sky: () => 1 };
 
@@ -19,6 +20,7 @@ it("draws fewer triangles of the same rows, and those around lines in their own 
   for (const row of [40, 39, 41, 31, 49]) expect(rows.has(row)).toBe(true);
   expect(Math.max(...made.triangles)).toBeLessThan(made.source.length);
   expect(made.uv).toHaveLength(2 * made.source.length);
+  expect(made.openness).toHaveLength(made.source.length);
 });
 
 it("changes nothing where cells hold one row, and leaves out what no light reaches", () => {
@@ -34,6 +36,7 @@ it("keeps apart what lies in one place but hangs together nowhere: lips that tou
     source: Uint32Array.from({ length: 2 * count }, (_, n) => n),
     uv: new Float32Array(4 * count),
     triangles: Uint32Array.from([...triangles, ...triangles.map((corner) => corner + count)]),
+    openness: new Uint8Array(2 * count),
   };
   const made = coarsened(both, twice, { ...fineness, lines: [] });
   for (let at = 0; at < made.triangles.length; at += 3) {

@@ -23,7 +23,7 @@ export function coarsened(mesh: Mesh, positions: Float32Array, fineness: Finenes
   const near = nearRows(positions, fineness);
   const shown = clusters(mesh, positions, (row) => (near(row) ? fineness.near : fineness.cell));
   const made = new Map<string, number>();
-  const [source, uv]: [number[], number[]] = [[], []];
+  const [source, uv, openness]: [number[], number[], number[]] = [[], [], []];
   const places = Array.from(mesh.source, (row, corner) => {
     const [u, v] = [mesh.uv[2 * corner] as number, mesh.uv[2 * corner + 1] as number];
     const key = [shown(row), Math.floor(u * ISLAND), Math.floor(v * ISLAND)].join();
@@ -31,11 +31,18 @@ export function coarsened(mesh: Mesh, positions: Float32Array, fineness: Finenes
     if (known !== undefined) return known;
     source.push(shown(row));
     uv.push(u, v);
+    openness.push(mesh.openness[corner] as number);
     made.set(key, source.length - 1);
     return source.length - 1;
   });
   const triangles = kept(mesh, places, source, (row) => near(row) || fineness.sky(row) > DARK);
-  return { name: mesh.name, source: Uint32Array.from(source), uv: Float32Array.from(uv), triangles };
+  return {
+    name: mesh.name,
+    source: Uint32Array.from(source),
+    uv: Float32Array.from(uv),
+    triangles,
+    openness: Uint8Array.from(openness),
+  };
 }
 
 /** For each row the one that is drawn for it: rows of a cell are one where edges within the cell join them. So an upper
