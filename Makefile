@@ -4,8 +4,10 @@
 PYTHON ?= python3
 RUN := .venv/bin/python
 NODE := $(RUN) tools/node.py web
-# A worker for each core: those of one file stay together, since they share what a module sets up.
-PYTEST := $(RUN) -m pytest --numprocesses=auto --maxprocesses=4 --dist=loadfile --no-loadscope-reorder
+# Those of one file stay together, since they share what a module sets up. Browsers fill a core each; other tests wait
+# for processes, so that one worker more than there are cores keeps those busy.
+PYTEST := $(RUN) -m pytest --dist=loadfile --no-loadscope-reorder
+CORES = $(shell $(PYTHON) -c "import os; print(min(os.cpu_count() or 1, 4))" 2>/dev/null)
 export OPENBLAS_NUM_THREADS := 1
 MAKEFLAGS += --no-print-directory
 
@@ -87,17 +89,17 @@ check-web: $(MODULES)
 
 tests: setup
 	@echo "== Tests"
-	@$(PYTEST)
+	@$(PYTEST) --numprocesses=$$(( $(CORES) + 1 ))
 
 # The wheel's tests wait for pip: other tests run beside them.
 tests-and-wheel: setup
 	@echo "== Tests, those of the wheel among them"
-	@$(PYTEST) --override-ini="addopts=--import-mode=importlib --ignore=tests/browser"
+	@$(PYTEST) --numprocesses=$$(( $(CORES) + 1 )) --override-ini="addopts=--import-mode=importlib --ignore=tests/browser"
 
 browser-tests: setup
 	@echo "== Tests in a browser"
 	@$(RUN) tools/browser.py
-	@$(PYTEST) tests/browser
+	@$(PYTEST) --numprocesses=$(CORES) tests/browser
 
 wheel-test: setup
 	@echo "== Test of the wheel"
