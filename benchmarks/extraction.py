@@ -65,12 +65,14 @@ class Case:
 @dataclass(frozen=True)
 class Error:
     """What was missed in one case, millimetres, each the worst vertex: on the face itself, by the sheet and by the
-    inner skin of others; and how long extraction took, seconds of one core."""
+    inner skin of others; what extraction itself tells of these two; and how long it took, seconds of one core."""
 
     title: str
     own: float
     sheet: float
     inner: float
+    told_sheet: float
+    told_inner: float
     seconds: float
 
     @property
@@ -148,7 +150,8 @@ def measure(cast: Cast, case: Case, known: Sequence[Expression]) -> Error:
         meant = compound(space, wearer, shape).astype(np.float64)
         off = np.maximum(off, np.linalg.norm(compound(space, wearer, taken) - meant, axis=1))
     worn_here, sheet, inner = (1000 * float(each.max()) for each in (own, off[space.on_sheet], off[~space.on_sheet]))
-    return Error(case.title, worn_here, sheet, inner, seconds)
+    told = [1000 * float(taken.uncertainty[each].max()) for each in (space.on_sheet, ~space.on_sheet)]
+    return Error(case.title, worn_here, sheet, inner, *told, seconds)
 
 
 def list_cases(cast: Cast, options: argparse.Namespace) -> Iterator[Case]:
@@ -181,14 +184,23 @@ def tell(errors: Sequence[Error], way: str) -> tuple[str, ...]:
         worst = max(errors, key=lambda each: float(getattr(each, part)))
         row.append(f"{np.median([getattr(each, part) for each in errors]):.4f}")
         row.append(f"{getattr(worst, part):.4f} {worst.title}")
+    row += [count_told(errors, part) for part in ("sheet", "inner")]
     return *row, f"{np.median([each.seconds for each in errors]):.2f}"
+
+
+def count_told(errors: Sequence[Error], part: str) -> str:
+    """Of how many cases over the bar on others extraction says so itself, and of how many below it, it does too."""
+    off = np.array([getattr(each, part) for each in errors]) > BAR_OTHERS
+    told = np.array([getattr(each, f"told_{part}") for each in errors]) > BAR_OTHERS
+    return f"{(off & told).sum()} of {off.sum()}, {(told & ~off).sum()} of {(~off).sum()}"
 
 
 def print_found(found: Mapping[str, Sequence[Error]], seed: int, console: Console) -> None:
     """The table, and each case with the unit known that is not within its bars."""
     table = Table(title=f"Extract on a face, wear by others (worst vertex, mm), seed {seed}")
     for column in (
-        "known", "cases", "held", "itself, median", "worst", "others, sheet", "worst", "inner skin", "worst", "CPU s",
+        "known", "cases", "held", "itself, median", "worst", "others, sheet", "worst", "inner skin", "worst",
+        "told, sheet", "told, inner", "CPU s",
     ):  # fmt: skip
         table.add_column(column, justify="left" if column in ("known", "worst") else "right")
     for way, errors in found.items():
@@ -198,12 +210,13 @@ def print_found(found: Mapping[str, Sequence[Error]], seed: int, console: Consol
     for error in (each for each in found.get("with", ()) if not each.good):
         console.print(f"not held, with: {error}")
     bars = f"bars, with: itself <= {BAR_SELF} mm, others <= {BAR_OTHERS} mm"
-    console.print(f"{bars}; without and alone are told, not judged")
+    console.print(f"{bars}; without and alone are printed, not judged")
+    console.print("told: of the cases over the bar, those that extraction says are uncertain by so much; of the others")
 
 
 def main() -> int:
     """Prints the table; 0 when every bar is held."""
-    options, cast, console = parse_options(), load_cast(), Console(width=170)
+    options, cast, console = parse_options(), load_cast(), Console(width=200)
     units, found = list_units(cast), {way: list[Error]() for way in options.ways.split(",")}
     for case in track(list_cases(cast, options), "cases", console=console):
         for way, errors in found.items():

@@ -35,6 +35,7 @@ _HOMES = {
     "Cast": "omote.model.cast",
     "ControlNet": "omote.model.controls.control_net",
     "Expression": "omote.model.space.expression",
+    "ExtractedExpression": "omote.model.extraction.extracted_expression",
     "Face": "omote.model.space.face",
     "Gain": "omote.model.space.gain",
     "ParameterSpace": "omote.model.space.parameter_space",

@@ -24,7 +24,7 @@ GROUPS: Mapping[str, Sequence[str]] = {
     "The cast": ("load_cast", "Cast", "Face", "Gain", "Expression", "ParameterSpace"),
     "Playing": ("Performer", "parse_pose", "evaluate", "evaluate_parts"),
     "Pictures": ("render",),
-    "Expressions": ("compound", "extract", "ControlNet", "action_units"),
+    "Expressions": ("compound", "extract", "ExtractedExpression", "ControlNet", "action_units"),
     "Faces": ("Sculpt", "read_sculpt", "sculpted", "regional", "caricature"),
 }
 SECTION = re.compile(r"^(\w+)\n-+\n", re.MULTILINE)

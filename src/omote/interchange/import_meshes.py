@@ -18,6 +18,7 @@ from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.mesh_correspondence import SKIN, MatchedHead, Meshes, build_face, match_head, rest_of
 from omote.model.cast import NEUTRAL, Cast, Look
 from omote.model.extraction.extract import extract
+from omote.model.extraction.extracted_expression import describe_uncertainty
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
@@ -36,12 +37,14 @@ WIDELY = 10.0
 
 @dataclass(frozen=True, eq=False)
 class ImportedExpression:
-    """An imported expression; error: metres by which the face wearing it differs from the source shape."""
+    """An imported expression; error: metres by which the face wearing it differs from the source shape; doubt: in words, how
+    far it may be off on other faces, "" where its face says all of it."""
 
     label: str
     expression: Expression
     face: str
     error: float
+    doubt: str = ""
 
 
 def import_expressions(
@@ -113,7 +116,8 @@ def _import_expression(cast: Cast, face: Face, label: str, moves: Meshes) -> Imp
         expression = extract(cast.space, face, moves[SKIN], parts=parts, known=[*cast.expressions.values()])
     except ValueError as error:
         raise ValueError(f"{label!r} does not fit the faces of the cast: {error}") from error
-    return ImportedExpression(label, expression, face.name, _position_error(cast, face, expression, moves))
+    off, doubt = _position_error(cast, face, expression, moves), describe_uncertainty(cast.space, expression)
+    return ImportedExpression(label, expression, face.name, off, doubt)
 
 
 def _position_error(cast: Cast, face: Face, expression: Expression, moves: Meshes) -> float:

@@ -8,17 +8,19 @@ predicts.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
+from omote.model.extraction.ear_turns import fit_ear_turns, undo_ears
+from omote.model.extraction.extracted_expression import ExtractedExpression
+from omote.model.extraction.field_uncertainty import measure_uncertainty
 from omote.model.extraction.inner_skin_residual import solve_inner_residual
 from omote.model.extraction.known_span import KnownSum
 from omote.model.extraction.sheet_field import REST, measure_field
 from omote.model.extraction.smooth_map_inverse import InverseResult, invert_smooth_map
-from omote.model.space.ears import rotate_ears
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
@@ -32,6 +34,9 @@ from omote.model.transfer.smooth_map import prepare_smooth_map
 
 Values = NDArray[np.float64]
 
+# What differs from the positions at rest by less than this share of them is positions and no displacement.
+_ALIKE = 0.5
+
 
 def extract(
     space: ParameterSpace,
@@ -41,7 +46,7 @@ def extract(
     *,
     parts: Mapping[str, ArrayLike] | None = None,
     known: Sequence[Expression] = (),
-) -> Expression:
+) -> ExtractedExpression:
     """The expression that moves a face by a displacement; the way back of `compound`.
 
     In a space with transfer="smooth" the displacement is first brought to the generic face and measured there.
@@ -64,13 +69,15 @@ def extract(
 
     Returns
     -------
-    Expression
-        A field on S: any face of the space wears it.
+    ExtractedExpression
+        A field on S: any face of the space wears it. Its `uncertainty` says, vertex by vertex, how far others may be
+        off, where several fields give the same displacement of this face.
 
     Raises
     ------
     ValueError
-        On other shapes and on values that are not finite.
+        On other shapes, on values that are not finite, and on what is no displacement in metres: positions,
+        millimetres.
     TypeError
         Where the space is none, parts is no mapping, or one of known is no expression.
 
@@ -92,21 +99,65 @@ def extract(
         raise TypeError(f"parts is a {type(parts).__name__}; expected a mapping from part names to (n, 3) metres")
     for expression in known:
         refuse_foreign(space, expression)
-    moved = mesh.validate_points(displacement, name="displacement")
+    moved = _validate_displacement(space, face, displacement)
+    answered = [answer_expression(space, face.gains, expression) for expression in known]
+    bare, found, still = _measure_without_ears(space, face, moved, answered)
+    near = found.known.expression if found.known else None
+    worn = _with_parts(space, face, _with_inner_skin(space, face, bare, still, near), parts or {})
+    asked = ask(space, face.gains, worn)
+    if found.exact and found.known:
+        return _with_uncertainty(_with_unseen(face, asked, found.known, known), np.zeros(space.vertex_count))
+    return _with_uncertainty(asked, measure_uncertainty(space, face, worn))
+
+
+def _validate_displacement(space: ParameterSpace, face: Face, displacement: ArrayLike) -> Values:
+    """The displacement (V, 3) of a face; ValueError on another shape, on positions and on what is not metres."""
+    moved, rest = mesh.validate_points(displacement, name="displacement"), face.positions
     if len(moved) != space.vertex_count:
         raise ValueError(
             f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
         )
-    answered = [answer_expression(space, face.gains, expression) for expression in known]
-    bare, found = _measure_sheet(space, face, moved, answered)
-    near = found.known.expression if found.known else None
-    still = moved if near is None else _without_ears(space, face, moved, near.ears)
-    if near is not None and still is not moved:
-        ears, (bare, found) = near.ears, _measure_sheet(space, face, still, answered)
-        near, bare = found.known.expression if found.known else None, replace(bare, ears=ears)
-    worn = _with_parts(space, face, _with_inner_skin(space, face, bare, still, near), parts or {})
-    asked = ask(space, face.gains, worn)
-    return _with_unseen(face, asked, found.known, known) if found.exact and found.known else asked
+    for unit, scale in (("", 1.0), (" in millimetres", 1000.0)):
+        if np.linalg.norm(moved - scale * rest) < _ALIKE * np.linalg.norm(scale * rest):
+            raise ValueError(
+                f"displacement[0] is {moved[0]}: these are positions{unit}; expected how far each vertex goes from "
+                "rest, metres: subtract face.positions"
+            )
+    _refuse_far(moved, rest, "displacement")
+    return moved
+
+
+def _refuse_far(moved: Values, rest: NDArray[np.float32], name: str) -> None:
+    """ValueError where something goes farther than the head (V, 3) is long."""
+    far, longest = np.linalg.norm(moved, axis=1), float(np.ptp(rest, axis=0).max())
+    worst = int(far.argmax())
+    if far[worst] > longest:
+        raise ValueError(
+            f"{name}[{worst}] is {moved[worst]}, {far[worst]:.3g} m; expected at most {longest:.2g} m, as the head is "
+            "long: give it in metres (divide millimetres by 1000)"
+        )
+
+
+def _with_uncertainty(taken: Expression, uncertainty: Values) -> ExtractedExpression:
+    """The expression with its uncertainty (V,), metres."""
+    values = {each.name: getattr(taken, each.name) for each in fields(Expression)}
+    return ExtractedExpression(**values, uncertainty=uncertainty)
+
+
+def _measure_without_ears(
+    space: ParameterSpace, face: Face, moved: Values, known: Sequence[Expression]
+) -> tuple[Expression, InverseResult, Values]:
+    """The field of a displacement (V, 3) whose ears are turned back, with their turns: those of the known sum where it
+    is one, else the least that turn them so; what the inverse found, and the displacement that is left (V, 3)."""
+    turns = fit_ear_turns(space, face, moved)
+    still = undo_ears(space, face, moved, turns) if turns.any() else moved
+    bare, found = _measure_sheet(space, face, still, known)
+    if turns.any() and found.known is not None:
+        again = undo_ears(space, face, moved, found.known.expression.ears)
+        exactly = _measure_sheet(space, face, again, known)
+        if exactly[1].exact:
+            turns, still, (bare, found) = found.known.expression.ears, again, exactly
+    return replace(bare, ears=turns), found, still
 
 
 def _with_unseen(face: Face, taken: Expression, found: KnownSum, known: Sequence[Expression]) -> Expression:
@@ -117,15 +168,6 @@ def _with_unseen(face: Face, taken: Expression, found: KnownSum, known: Sequence
     if gain_of(face.gains, "ears"):
         return turned
     return replace(turned, ears=sum((weight * each.ears for weight, each in shares), np.zeros((2, 3))))
-
-
-def _without_ears(space: ParameterSpace, face: Face, moved: Values, ears: Values) -> Values:
-    """The displacement (V, 3) with the ears turned back by turns (2, 3), where that brings them nearer to rest."""
-    if not ears.any():
-        return moved
-    rest = face.positions
-    still = rotate_ears(space, rest, (rest + moved).astype(np.float32), -ears).astype(np.float64) - rest
-    return still if (still**2).sum() < (moved**2).sum() else moved
 
 
 def _measure_sheet(
@@ -163,6 +205,7 @@ def _with_parts(space: ParameterSpace, face: Face, skin: Expression, parts: Mapp
         shift = mesh.validate_points(given, name=f"displacement of part {name!r}")
         if len(shift) != len(before):
             raise ValueError(f"displacement of part {name!r} has {len(shift)} rows; expected {len(before)}")
+        _refuse_far(shift, face.positions, f"displacement of part {name!r}")
         after = before + shift
         if part.eye:
             angles = eye_angles(before, after)

@@ -42,7 +42,8 @@ def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> It
     for each in import_expressions(cast, load_meshes(), shapes, face=face):
         off = f"; it misses its shape by up to {1000 * each.error:.2f} mm" if each.error > FAR else ""
         note = f"from {', '.join(path.name for path in paths)}"[:200]
-        yield ImportedItem(each.label, each.expression, note=note), f"{each.label}, taken from {each.face}{off}"
+        doubt = f"; {each.doubt}" if each.doubt else ""
+        yield ImportedItem(each.label, each.expression, note=note), f"{each.label}, taken from {each.face}{off}{doubt}"
 
 
 def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator[Brought]:
