@@ -150,8 +150,8 @@ def measure(cast: Cast, case: Case, known: Sequence[Expression]) -> Error:
         meant = compound(space, wearer, shape).astype(np.float64)
         off = np.maximum(off, np.linalg.norm(compound(space, wearer, taken) - meant, axis=1))
     worn_here, sheet, inner = (1000 * float(each.max()) for each in (own, off[space.on_sheet], off[~space.on_sheet]))
-    told = [1000 * float(taken.uncertainty[each].max()) for each in (space.on_sheet, ~space.on_sheet)]
-    return Error(case.title, worn_here, sheet, inner, *told, seconds)
+    told, hidden = (1000 * float(taken.uncertainty[each].max()) for each in (space.on_sheet, ~space.on_sheet))
+    return Error(case.title, worn_here, sheet, inner, told, hidden, seconds)
 
 
 def list_cases(cast: Cast, options: argparse.Namespace) -> Iterator[Case]:

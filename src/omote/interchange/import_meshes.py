@@ -37,8 +37,8 @@ WIDELY = 10.0
 
 @dataclass(frozen=True, eq=False)
 class ImportedExpression:
-    """An imported expression; error: metres by which the face wearing it differs from the source shape; doubt: in words, how
-    far it may be off on other faces, "" where its face says all of it."""
+    """An imported expression; error: metres by which the face wearing it differs from the source shape; doubt: in
+    words, how far it may be off on other faces, "" where its face says all of it."""
 
     label: str
     expression: Expression

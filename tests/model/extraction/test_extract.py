@@ -115,3 +115,22 @@ def test_what_is_taken_from_the_generic_face_is_the_same_field_under_both_rules(
     assert smooth.dh == pytest.approx(paper.dh, abs=1e-9)
     assert smooth.ratio == pytest.approx(paper.ratio, abs=1e-9)
     assert (smooth.transfer, paper.transfer) == ("smooth", "paper")
+
+
+def test_positions_and_millimetres_are_rejected_with_what_to_do() -> None:
+    face = CAST.faces["kaori"]
+    moved = displace(face, CAST.expressions["jawOpen"])
+    worn = face.positions + moved
+    for wrong, message in (
+        (worn, "these are positions; expected how far each vertex goes from rest, metres: subtract face.positions"),
+        (1000.0 * worn, "these are positions in millimetres; expected how far"),
+        (
+            1000.0 * moved,
+            r"displacement\[\d+\] is .* m; expected at most 0.25 m, as the head is long: give it in met",
+        ),
+    ):
+        with pytest.raises(ValueError, match=message):
+            extract(CAST.space, face, wrong)
+    name, points = next(iter(face.parts.items()))
+    with pytest.raises(ValueError, match=f"displacement of part '{name}'.* divide millimetres by 1000"):
+        extract(CAST.space, face, moved, parts={name: np.full_like(points, 3.0)})

@@ -1,7 +1,7 @@
 """How far the ears of a face turn in a displacement of its skin, found without any known expression.
 
-An ear turns rigidly about its root: the rotation is that of least squares (Kabsch 1976) on what is all ear. Of the turns
-that move an ear so, the least are taken: there are three ways to turn, and two say where its tip goes.
+An ear turns rigidly about its root: the rotation is that of least squares (Kabsch 1976) on what is all ear. Of the
+turns that move an ear so, the least are taken: there are three ways to turn, and two say where its tip goes.
 """
 
 from __future__ import annotations

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -20,6 +21,8 @@ Values = NDArray[np.float64]
 
 # How much of the field is worn; twice what moves there bounds what is wrong on 28 of 29 shapes more than 1 mm off.
 _WEIGHTS, _SAFETY = (1.0, 1.1, 1.25), 2.0
+# A wrong place lies near a repaired one, not at it, metres.
+_AROUND = 0.015
 # Less is rounding, metres.
 _NOTHING = 1e-5
 
@@ -32,7 +35,18 @@ def measure_uncertainty(space: ParameterSpace, face: Face, taken: Expression, /)
     if space.transfer == "paper":
         return np.zeros(space.vertex_count)
     moved: Values = np.max([_measure_repairs(space, face, taken, weight) / weight for weight in _WEIGHTS], axis=0)
-    return np.where(moved > _NOTHING, _SAFETY * moved, 0.0)
+    return _spread(space, np.where(moved > _NOTHING, _SAFETY * moved, 0.0))
+
+
+def _spread(space: ParameterSpace, moved: Values) -> Values:
+    """Values (V,) spread over the skin around, less and less."""
+    rows = np.flatnonzero(moved)
+    if not len(rows):
+        return moved
+    far = cKDTree(space.points).sparse_distance_matrix(cKDTree(space.points[rows]), _AROUND).tocoo()
+    result = moved.copy()
+    np.maximum.at(result, far.row, moved[rows[far.col]] * (1.0 - far.data / _AROUND))
+    return result
 
 
 def _measure_repairs(space: ParameterSpace, face: Face, taken: Expression, weight: float) -> Values:
@@ -45,4 +59,5 @@ def _measure_repairs(space: ParameterSpace, face: Face, taken: Expression, weigh
     sheet = np.linalg.norm(repaired.sheet - before.sheet, axis=1)[space.welded]
     inner = np.linalg.norm(placed.skin.astype(np.float64) - joined.skin, axis=1)
     inner[space.inner.vertices] /= fit(space, face).scale
-    return np.where(space.on_sheet, sheet, inner)
+    moved: Values = np.where(space.on_sheet, sheet, inner)
+    return moved
