@@ -126,11 +126,11 @@ def test_positions_and_millimetres_are_rejected_with_what_to_do() -> None:
         (1000.0 * worn, "these are positions in millimetres; expected how far"),
         (
             1000.0 * moved,
-            r"displacement\[\d+\] is .* m; expected at most 0.25 m, as the head is long: give it in met",
+            r"row \d+ of the displacement is .* m; expected at most 0.25 m, as the head is long: give it in met",
         ),
     ):
         with pytest.raises(ValueError, match=message):
             extract(CAST.space, face, wrong)
     name, points = next(iter(face.parts.items()))
-    with pytest.raises(ValueError, match=f"displacement of part '{name}'.* divide millimetres by 1000"):
+    with pytest.raises(ValueError, match=f"row 0 of the displacement of part '{name}' is .*divide millimetres by 1000"):
         extract(CAST.space, face, moved, parts={name: np.full_like(points, 3.0)})

@@ -133,7 +133,7 @@ def _refuse_far(moved: Values, rest: NDArray[np.float32], name: str) -> None:
     worst = int(far.argmax())
     if far[worst] > longest:
         raise ValueError(
-            f"{name}[{worst}] is {moved[worst]}, {far[worst]:.3g} m; expected at most {longest:.2g} m, as the head is "
+            f"row {worst} of the {name} is {moved[worst]}, {far[worst]:.3g} m; expected at most {longest:.2g} m, as the head is "
             "long: give it in metres (divide millimetres by 1000)"
         )
 

@@ -27,6 +27,14 @@ class ExtractedExpression(Expression):
 
     Parameters
     ----------
+    dtheta, dh, ratio : array_like, (V,)
+    residual : array_like, (inner, 3)
+    parts : mapping of array_like (n, 3), by the name of a part
+    eyes, ears : array_like, (2, 2) and (2, 3)
+    head : array_like, (3,)
+    radius, transfer, name : str
+    pupil : float
+        As of `omote.Expression`.
     uncertainty : ndarray of float64, (V,)
         How far the skin of other faces may be off, metres: 0 where the displacement says it, or a sum of known
         expressions does. An estimate, good on the sheet and low inside the mouth: `benchmarks/extraction.py` says how
