@@ -133,8 +133,8 @@ def _refuse_far(moved: Values, rest: NDArray[np.float32], name: str) -> None:
     worst = int(far.argmax())
     if far[worst] > longest:
         raise ValueError(
-            f"row {worst} of the {name} is {moved[worst]}, {far[worst]:.3g} m; expected at most {longest:.2g} m, as the head is "
-            "long: give it in metres (divide millimetres by 1000)"
+            f"row {worst} of the {name} is {moved[worst]}, {far[worst]:.3g} m; expected at most "
+            f"{longest:.2g} m, as the head is long: give it in metres (divide millimetres by 1000)"
         )
 
 

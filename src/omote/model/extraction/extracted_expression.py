@@ -28,13 +28,21 @@ class ExtractedExpression(Expression):
     Parameters
     ----------
     dtheta, dh, ratio : array_like, (V,)
+        The field on S, as of `omote.Expression`.
     residual : array_like, (inner, 3)
+        What the inner skin does beyond it, metres.
     parts : mapping of array_like (n, 3), by the name of a part
-    eyes, ears : array_like, (2, 2) and (2, 3)
-    head : array_like, (3,)
+        The same of the parts.
+    eyes : array_like, (2, 2)
+        Turns of the eyeballs, radians.
     radius, transfer, name : str
+        The rules under which it was taken; extraction gives no name.
     pupil : float
-        As of `omote.Expression`.
+        Nothing, 0: a displacement does not say it.
+    ears : array_like, (2, 3)
+        Turns of the ears, radians.
+    head : array_like, (3,)
+        Turn of the head, radians.
     uncertainty : ndarray of float64, (V,)
         How far the skin of other faces may be off, metres: 0 where the displacement says it, or a sum of known
         expressions does. An estimate, good on the sheet and low inside the mouth: `benchmarks/extraction.py` says how
