@@ -13,8 +13,8 @@ from omote.cli import app
 from omote.model.cast import Cast
 from omote.server.headless.devtools import BrowserError
 from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress, write_picture
-from omote.showfile.changes import PutContent, PutItem, PutRevision
-from omote.showfile.contents import content_key, pack_expression
+from omote.showfile.changes import PutContent, PutItem, PutRevision, content_key
+from omote.showfile.contents import pack_expression
 from omote.showfile.show_file import open_show
 from omote.stage_data.picture_sidecar import checksum_of, encode_sidecar, read_sidecar
 from tests.server.synthetic_server import MASK, PAGES, meshes
@@ -124,6 +124,25 @@ def test_another_parameter_draws_again_under_the_same_name(tmp_path: Path, runs:
     sidecar.write_text(json.dumps(json.loads(sidecar.read_text()) | {"cast": "another"}))
     assert "drawn with another cast than this one" in typed(*words, "--turn", "10").stderr
     assert len(runs) == 3
+
+
+def test_how_a_replaced_picture_was_drawn_is_kept(tmp_path: Path, runs: list[PictureRun]) -> None:
+    words = ["render", "-o", str(tmp_path / "a.png")]
+    typed(*words)
+    first = (tmp_path / "a.png.json").read_bytes()
+    kept = tmp_path / "a.before-1.png.json"
+    assert f"stays in {kept}: omote redraw" in typed(*words, "--turn", "10").stderr
+    assert kept.read_bytes() == first
+    second = (tmp_path / "a.png.json").read_bytes()
+    typed(*words, "--turn", "20")
+    assert (tmp_path / "a.before-2.png.json").read_bytes() == second
+    typed(*words)
+    typed(*words, "--turn", "10")  # drawn from the same as before: kept already
+    assert {path.name for path in tmp_path.glob("*before*")} == {f"a.before-{n}.png.json" for n in (1, 2, 3)}
+    typed("redraw", str(kept))
+    assert (tmp_path / "a.before-1.png").read_bytes() == PICTURES[".png"]
+    typed(*words, "--turn", "10", "--fresh")
+    assert not (tmp_path / "a.before-4.png.json").exists(), "the same picture again takes no other's place"
 
 
 @pytest.mark.parametrize("sidecar", [True, False])
@@ -336,7 +355,7 @@ def test_a_run_that_is_stopped_says_how_it_goes_on(
         ("--size huge", "the size 'huge'"),
         ("--size 1x1", "1x1 pixels"),
         ("--quality best", "no quality 'best'"),
-        ("--turn up", "'up' is no number"),
+        ("--turn up", "the turn's yaw is 'up', which is no number"),
         ("-o a.gif", "'a.gif' is no name of a picture"),
         ("-o nowhere/a.png", "there is no folder"),
         ("-o a.jpg --transparent", "a JPEG cannot be transparent"),

@@ -7,14 +7,19 @@ Its `request` alone says what is drawn again; the rest records what was drawn, u
 from __future__ import annotations
 
 import hashlib
+import itertools
 import os
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
 
-from omote.stage_data.picture_grid import PictureGrid, Setting
+from omote.interchange.formats.atomic_file import write_whole
 from omote.stage_data.picture_request import Request
+from omote.stage_data.picture_setting import Setting
+
+if TYPE_CHECKING:
+    from omote.stage_data.picture_grid import PictureGrid
 
 LARGEST_SIDECAR = 16_000_000
 
@@ -128,6 +133,30 @@ def picture_state(picture: Path, wanted: Sidecar) -> State:
     if found.picture != hash_picture(picture.read_bytes()):
         return "foreign"
     return "drawn" if found.record == wanted.record else "former"
+
+
+def keep_former(picture: Path, wanted: Sidecar) -> Path | None:
+    """Copies the sidecar that another picture's takes the place of, so that the one before can be drawn again.
+
+    `smile.png.json` is kept as `smile.before-1.png.json`; gives where, None where nothing would be lost. OSError where
+    it cannot be written.
+    """
+    try:
+        found = read_sidecar(sidecar_path(picture))
+    except (OSError, ValueError):
+        return None
+    if found.record == wanted.record:
+        return None
+    data = sidecar_path(picture).read_bytes()
+    for number in itertools.count(1):
+        former = picture.with_name(f"{picture.stem}.before-{number}{picture.suffix}")
+        kept = sidecar_path(former)
+        if kept.is_file() and kept.read_bytes() == data:
+            return kept
+        if not kept.exists() and not former.exists():
+            break
+    write_whole(kept, data)
+    return kept
 
 
 def hash_picture(data: bytes) -> str:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.atomic_file import write_whole
-from omote.interchange.formats.picture_names import picture_kind
+from omote.interchange.formats.file_names import picture_kind
 from omote.interchange.formats.png import read_png
 from omote.model.cast import Cast
 from omote.perform.blending.evaluate import check_playable
@@ -30,7 +30,8 @@ from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
 from omote.show.session import ShowSession
-from omote.stage_data.picture_grid import PictureGrid, Setting
+from omote.stage_data.picture_grid import PictureGrid
+from omote.stage_data.picture_setting import Setting
 from omote.stage_data.pose_parser import Pose, pose_of
 
 OPENED = """new Promise((open, refuse) => {
