@@ -247,11 +247,14 @@ def test_redraw_proves_brings_back_and_replaces_only_when_told(tmp_path: Path, r
     path.unlink()
     typed("redraw", str(sidecar))
     assert path.read_bytes() == PICTURES[".png"]
+    assert "the same to the last byte" in typed("redraw", str(path)).stderr, "the picture stands for its sidecar"
+    strange = typed("redraw", str(tmp_path / "b.png"), status=1).stderr
+    assert f"no b.png.json lies beside {tmp_path / 'b.png'}" in strange
     path.write_bytes(PICTURES[".png"] + b", retouched")
     refused = typed("redraw", str(sidecar), status=1).stderr
     assert f"{path} is not the picture that its sidecar is of, it was changed since" in refused
     assert path.read_bytes() == PICTURES[".png"] + b", retouched"
-    assert len(runs) == 2  # it was not drawn to find that out
+    assert len(runs) == 3  # it was not drawn to find that out
     typed("redraw", str(sidecar), "--force")
     assert path.read_bytes() == PICTURES[".png"]
 
@@ -379,7 +382,7 @@ def test_a_grid_wants_faces_or_a_morph(tmp_path: Path, runs: list[PictureRun], w
     assert (runs, list(tmp_path.iterdir())) == ([], [])
 
 
-@pytest.mark.parametrize(("text", "named"), [("{}", "`omote`"), ('{"format": "gltf"}', "gltf")])
+@pytest.mark.parametrize(("text", "named"), [("{}", "omote is missing"), ('{"format": "gltf"}', "gltf")])
 def test_what_is_no_sidecar_is_one_sentence(tmp_path: Path, text: str, named: str) -> None:
     (tmp_path / "a.png.json").write_text(text)
     done = typed("redraw", str(tmp_path / "a.png.json"), status=1)

@@ -143,15 +143,13 @@ def export(
     from omote.perform.name_lookup import find_name
     from omote.stage_data.full_cast import build_full_cast
 
-    try:
+    with exit_on_refusal():
         encode = find_encoder(output, hair=hair)
         cast = load_cast() if found is None else build_full_cast(load_cast(), found.stored, found.contents)
         face, names = find_name(face, cast.faces, "face"), choose_expressions(cast, expressions)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
         poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
         write_whole(output, encode(cast, face, poses))
-    except (OSError, ValueError, RuntimeError) as error:
-        fail_with(error)
     what = "morph targets" if output.suffix.lower() == ".glb" else "expressions"
     say(f"{output}: {face}, {what}: {len(names)}, {output.stat().st_size / 1e6:.1f} MB")
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.terminal import complete_name, exit_on_refusal, fail, say
+from omote.terminal import INTERRUPTED, complete_name, exit_on_refusal, fail, read_count, say
 
 if TYPE_CHECKING:
     from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress
@@ -28,7 +28,9 @@ BackgroundOption = Annotated[str | None, typer.Option(help="Behind the head: gre
 TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
 QualityOption = Annotated[str, typer.Option(help="lowest, low, medium or high.")]
 ShowOption = Annotated[Path | None, typer.Option(help="A show file (.omote) whose own work can be named too.")]
-JobsOption = Annotated[int, typer.Option("--jobs", "-j", min=1, max=64, help="Browsers that draw at once.")]
+JobsOption = Annotated[
+    int, typer.Option("--jobs", "-j", parser=read_count, metavar="COUNT", help="Browsers that draw at once.")
+]
 FreshOption = Annotated[bool, typer.Option("--fresh", help="Draw again what is there already.")]
 ForceOption = Annotated[bool, typer.Option("--force", help="Replace a picture that Omote did not draw as it is.")]
 STOPPED = "stopped; what is drawn stays, and the same command goes on from there."
@@ -90,7 +92,7 @@ def grid(
 
 
 def redraw(
-    sidecar: Annotated[Path, typer.Argument(help="What lies beside a picture: smile.png.json.")],
+    sidecar: Annotated[Path, typer.Argument(help="The picture, or what lies beside it: smile.png.json.")],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="The picture to write; else the one beside it is proved.")
     ] = None,
@@ -101,9 +103,10 @@ def redraw(
     """Draws a picture or a grid again from its sidecar; one that is there is never replaced by another unasked."""
     import msgspec
 
-    from omote.stage_data.picture_sidecar import move_request, read_record
+    from omote.stage_data.picture_sidecar import find_sidecar, move_request, read_record
 
     with exit_on_refusal():
+        sidecar = find_sidecar(sidecar)
         written = read_record(sidecar)
         request = move_request(written.request, sidecar.parent, Path())
         request = request if show is None else msgspec.structs.replace(request, show=str(show))
@@ -240,7 +243,7 @@ def shown_progress(run: PictureRun, path: Path, stopped: str) -> Iterator[Callab
             yield _lines(run)
     except KeyboardInterrupt:
         say(stopped)
-        raise typer.Exit(130) from None
+        raise typer.Exit(INTERRUPTED) from None
 
 
 def _bar(run: PictureRun, path: Path, there: int) -> Iterator[Callable[[Progress], None]]:

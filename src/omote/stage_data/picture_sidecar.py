@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import msgspec
 
 from omote.interchange.formats.atomic_file import write_whole
+from omote.interchange.formats.error_reasons import explain_error
+from omote.interchange.formats.file_names import KINDS
 from omote.stage_data.picture_request import Request
 from omote.stage_data.picture_setting import Setting
 
@@ -58,6 +60,17 @@ def sidecar_path(picture: Path) -> Path:
     return picture.with_name(f"{picture.name}.json")
 
 
+def find_sidecar(path: Path) -> Path:
+    """The sidecar that a person means who names it, or the picture that it is of; FileNotFoundError for the latter
+    without one."""
+    beside = sidecar_path(path)
+    if path.suffix.lower() not in KINDS:
+        return path
+    if not beside.is_file():
+        raise FileNotFoundError(f"no {beside.name} lies beside {path}; only from that a picture is drawn again")
+    return beside
+
+
 def describe(request: Request, sheet: PictureGrid, setting: Setting, made_by: tuple[str, str, str]) -> Sidecar:
     """The sidecar of a picture that is not drawn yet; made_by: Omote's version, the digests of cast and pages."""
     version, cast, pages = made_by
@@ -95,7 +108,8 @@ def read_sidecar(path: Path) -> Sidecar:
         return msgspec.json.decode(path.read_bytes(), type=Sidecar)
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise ValueError(
-            f"{path} is no sidecar of a picture ({error}); give the .json that lies beside one, as smile.png.json"
+            f"{path} is no sidecar of a picture ({explain_error(error)}); give the .json that lies beside one, as "
+            "smile.png.json"
         ) from None
 
 

@@ -1,5 +1,6 @@
 """Which names files may have."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -31,6 +32,12 @@ def test_another_ending_is_refused() -> None:
         check_export_name(Path("a.obj"))
     with pytest.raises(ValueError, match=r"'a\.txt' is no name of a document; end it with \.json"):
         check_document_name(Path("a.txt"))
+
+
+@pytest.mark.parametrize("check", [picture_kind, check_export_name, check_document_name])
+def test_a_folder_is_no_file(tmp_path: Path, check: Callable[[Path], object]) -> None:
+    with pytest.raises(IsADirectoryError, match="is a folder; give the name of a file in it"):
+        check(tmp_path)
 
 
 def test_files_to_be_taken_in_are_there_and_say_what_they_are(tmp_path: Path) -> None:

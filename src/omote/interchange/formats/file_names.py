@@ -17,14 +17,22 @@ IMPORTS = (DOCUMENT, GLB, ".obj")
 
 def picture_kind(path: Path) -> Kind:
     """The media type of a file name's suffix; ValueError for an unknown one."""
+    refuse_folder(path)
     kind = KINDS.get(path.suffix.lower())
     if kind is None:
         raise ValueError(f"{path.name!r} is no name of a picture; end it with {' or '.join(KINDS)}")
     return kind
 
 
+def refuse_folder(path: Path) -> None:
+    """IsADirectoryError for a folder, where the name of a file is wanted."""
+    if path.name and path.is_dir():
+        raise IsADirectoryError(f"{path} is a folder; give the name of a file in it")
+
+
 def check_export_name(path: Path) -> None:
     """ValueError for a name that says neither GLB nor a table of numbers."""
+    refuse_folder(path)
     if path.suffix.lower() not in (GLB, *NUMBERS):
         numbers = " or ".join(NUMBERS)
         raise ValueError(f"{path.name!r} is no name of a GLB file; end it with {GLB}, or with {numbers} for numbers")
@@ -32,6 +40,7 @@ def check_export_name(path: Path) -> None:
 
 def check_document_name(path: Path) -> None:
     """ValueError for a name that does not say that it is a document's."""
+    refuse_folder(path)
     if path.suffix.lower() != DOCUMENT:
         raise ValueError(f"{path.name!r} is no name of a document; end it with {DOCUMENT}")
 
