@@ -24,7 +24,7 @@ from omote.perform.panic import (
     with_settling_head,
     without_channel,
 )
-from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next
+from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
 
 
 class Performer:
@@ -56,6 +56,7 @@ class Performer:
     """
 
     def __init__(self, cast: Playable) -> None:
+        refuse_no_cast(cast)
         check_known(GENERIC, cast.faces, "face")
         self._cast = cast
         self._now = Snapshot(Axis(GENERIC), Axis(NEUTRAL))

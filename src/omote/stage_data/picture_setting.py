@@ -28,6 +28,8 @@ class Setting:
     def __post_init__(self) -> None:
         """Rejects sizes that no canvas has, unknown levels of quality, and what is no colour."""
         sides = (self.width, self.height)
+        if not all(isinstance(side, int) and not isinstance(side, bool) for side in sides):
+            raise TypeError(f"width and height are {self.width!r} and {self.height!r}; give whole numbers of pixels")
         if not (min(sides) >= SMALLEST and max(sides) <= LARGEST and self.width * self.height <= MOST_PIXELS):
             raise ValueError(
                 f"a picture of {self.width}x{self.height} pixels cannot be drawn; give {SMALLEST} to {LARGEST} a side, "
@@ -37,6 +39,8 @@ class Setting:
             raise ValueError(f"there is no quality {self.quality!r}; give one of {', '.join(get_args(Level))}")
         if self.transparent and self.background is not None:
             raise ValueError(f"a picture is transparent or has the background {self.background!r}; leave one out")
+        if not isinstance(self.background, str | None):
+            raise TypeError(f"the background is {self.background!r}; give a colour as text, as in '#00b140'")
         if self.background is not None:
             object.__setattr__(self, "background", find_background(self.background))
 

@@ -9,6 +9,7 @@ import msgspec
 from omote.model.known_names import NEUTRAL
 from omote.perform.frame import Frame
 from omote.perform.lights import FIRST_LIGHT
+from omote.perform.snapshot import refuse_no_cast
 from omote.show.state import state_of
 from omote.stage_data.playing_cast import PlayingCast, labels_of
 from omote.stage_data.pose_words import EVEN, PoseWords, merge_names, read_pose
@@ -58,7 +59,7 @@ def parse_pose(
     ValueError
         For text that is not understood, unknown names, angles out of range, and weights that do not sum to one.
     TypeError
-        For what is no text.
+        For what is no text, and no cast.
 
     Examples
     --------
@@ -69,6 +70,7 @@ def parse_pose(
     ----------
     docs/conventions.md for weights and angles.
     """
+    refuse_no_cast(cast)
     words = {"face": face, "expression": expression, "channels": channels}
     return find_pose(cast, read_pose(**words, turn=turn, gaze=gaze, light=light))
 

@@ -138,13 +138,15 @@ def render(
     docs/conventions.md; the light and the levels are those of docs/gallery.md.
     """
     check_playable(cast, frame)
-    if len(size) != 2:
+    if not isinstance(size, Sequence) or len(size) != 2:
         raise ValueError(f"size is {size!r}; give width and height in pixels, as in (640, 720)")
     setting = Setting(*size, background=background, transparent=transparent, quality=quality)
     if len(cast.space.points) != len(load_cast().space.points):
         raise ValueError(
             f"a cast of {len(cast.space.points)} vertices cannot be drawn; give one on the head of omote.load_cast()"
         )
+    if not isinstance(path, str | Path | None):
+        raise TypeError(f"a picture is named by its path, not by {path!r}; write 'smile.png'")
     target = None if path is None else Path(path)
     if target is not None and picture_kind(target) != "image/png":
         raise ValueError(f"{target.name!r} is no name of a PNG; end it with .png")
