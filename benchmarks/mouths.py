@@ -32,8 +32,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import omote
 from benchmarks.maps.mouth_views import TURNS, MouthViews, Seen
 from omote.builtin import load_cast
-from omote.model.cast import NEUTRAL, Cast
+from omote.model.cast import Cast
 from omote.model.controls.default_net import default_net
+from omote.model.known_names import NEUTRAL
 from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import Layer, Recipe
 from omote.model.space.face import Face

@@ -18,10 +18,11 @@ from rich.console import Console
 from rich.table import Table
 
 import omote
-from omote.model.cast import NEUTRAL, Cast
+from omote.model.cast import Cast
 from omote.model.controls.default_net import default_net
 from omote.model.controls.inverse_solve import Solution, solve_vectors
 from omote.model.controls.net_field import NetField, build_net_field
+from omote.model.known_names import NEUTRAL
 from omote.model.space.face import Face
 
 FACES = ("kaori", "baby", "dog", "noh", "goblin", "cat")

@@ -35,6 +35,7 @@ from omote.server.headless.picture_renderer import OPENED, open_picture_page, se
 from omote.server.headless.picture_run import PictureStudio, draw_run
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.http.static_pages import Page
+from omote.stage_data.picture_grid import lay_out
 from omote.stage_data.picture_request import GridRequest
 
 BEFORE = "1d92172"
@@ -57,7 +58,7 @@ TICKS = os.sysconf("SC_CLK_TCK")
 def draw_before(pages: dict[str, Page], request: GridRequest, path: Path) -> None:
     """Draws a table as before: one sheet, one page, one file at the end."""
     documents, setting = built_in_documents(), request.setting
-    sheet = request.sheet(documents.cast).on_paper(setting, "image/png")
+    sheet = lay_out(request, documents.cast).on_paper(setting, "image/png")
 
     async def run() -> bytes:
         async with serve_pages(documents, pages) as address, open_chromium(find_chromium()) as tools:

@@ -47,8 +47,9 @@ from omote.showfile.changes import (
     PutLayout,
     PutRevision,
     Revision,
+    content_key,
 )
-from omote.showfile.contents import content_key, pack_expression
+from omote.showfile.contents import pack_expression
 from omote.showfile.inspection import verdicts
 from omote.showfile.schema import migrate
 from omote.showfile.show_file import FilePlace, JournalEntry, ShowFile, open_show

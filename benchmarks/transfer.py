@@ -26,7 +26,7 @@ from benchmarks.maps.bars import Run, verdicts
 from benchmarks.maps.figures import Comparison, Figures
 from benchmarks.maps.methods import METHODS, OURS
 from benchmarks.maps.source import TRIPLES, load_source
-from omote.model.cast import GENERIC
+from omote.model.known_names import GENERIC
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "transfer.md"
 

@@ -36,8 +36,8 @@ from omote.showfile.changes import (
     PutRevision,
     Revision,
     Stored,
+    content_key,
 )
-from omote.showfile.contents import content_key
 
 MUSCLES = ("smiler", "frowner")
 WALL = 1.75e9

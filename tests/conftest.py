@@ -57,7 +57,7 @@ def _by_hand(axis: str) -> st.SearchStrategy[Command]:
 _channel = st.builds(
     Command, st.just("set_channel"), st.tuples(st.sampled_from(synthetic.EXPRESSIONS[1:]), st.floats(-0.5, 1.5))
 )
-_gaze = st.builds(Command, st.just("set_gaze"), st.tuples(st.floats(-0.7, 0.7), st.floats(-0.5, 0.5)))
+_gaze = st.builds(Command, st.just("set_gaze"), st.tuples(st.floats(-0.69, 0.69), st.floats(-0.5, 0.5)))
 
 _light = st.builds(
     Command, st.just("call_light"), st.tuples(st.sampled_from([*LIGHTS])), st.floats(0.0, 4.0), _easings, _waits

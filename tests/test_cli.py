@@ -55,6 +55,35 @@ def test_help_is_quick_because_nothing_heavy_is_imported() -> None:
     assert done.stdout.strip() == "[]"
 
 
+def test_errors_that_need_no_cast_do_not_wait_for_one(tmp_path: Path) -> None:
+    """What a person mistypes is told before the mathematics is loaded, which takes seconds."""
+    (tmp_path / "notes.txt").write_text("hello")
+    typed = [
+        "--version", "shwo", "render --sise 3 -o a.png", "render -o nowhere/a.png", "render -o a.gif",
+        "render -o a.png --background gren", "render -o a.png --gaze 80", "render -o a.png --face kaori=.3",
+        "render -o a.png --quality best", "render -o a.png --light noon", "render -o a.png --show none.omote",
+        "render -o a.jpg --transparent", "grid -o a.png", "grid -o a.png --faces old --turns x", "redraw none.json",
+        "export kaori -o a.obj", "export kaori -o nowhere/a.glb", "export kaori -o a.glb --show notes.txt",
+        "file list none.omote", "file list notes.txt", "file check notes.txt", "file history none.omote smile",
+        "file import a.omote none.json", "file import notes.txt none.json", "file export none.omote smile -o a",
+        "show notes.txt", "show nowhere/a.omote", "show --port 99999",
+    ]  # fmt: skip
+    code = f"""
+import sys
+from typer.testing import CliRunner
+from omote.cli import app
+for words in {typed!r}:
+    done = CliRunner().invoke(app, words.split())
+    assert (done.exit_code == 0) == (words == "--version"), words
+    assert not isinstance(done.exception, Exception), (words, done.exception)
+    loaded = [name for name in ("numba", "scipy") if name in sys.modules]
+    assert not loaded, (words, loaded)
+"""
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-1000:]
+    assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]
+
+
 def test_help_names_the_commands() -> None:
     done = runner.invoke(app, ["--help"])
     assert done.exit_code == 0

@@ -124,6 +124,9 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("extract", ValueError): lambda: omote.extract(space, kaori, np.zeros((2, 3))),
         ("extract", TypeError): lambda: omote.extract(space, kaori, kaori.positions, parts=no_parts),
         ("parse_pose", ValueError): lambda: omote.parse_pose(cast, face="nobody"),
+        ("parse_pose", TypeError): lambda: omote.parse_pose(cast, turn=no_parts),
+        ("read_show", RuntimeError): lambda: omote.read_show(nowhere),
+        ("read_show", TypeError): lambda: omote.read_show(no_parts),
         ("read_sculpt", ValueError): lambda: omote.read_sculpt(nowhere),
         ("regional", ValueError): lambda: omote.regional(space, "new", {words: kaori}),
         ("render", ValueError): lambda: omote.render(cast, frame, size=(1, 1)),
@@ -216,3 +219,34 @@ def test_every_announced_error_is_raised_and_no_other_is_listed(cast: omote.Cast
     assert announced == {(name, error.__name__) for name, error in calls}
     for (name, error), call in calls.items():
         assert type(raised_by(call)) in {error, *error.__subclasses__()}, name
+
+
+def test_what_is_of_another_type_is_refused_with_what_was_expected(cast: omote.Cast) -> None:
+    space, kaori, wrong = cast.space, cast.faces["kaori"], cast_to_any(7)
+    performer, frame = omote.Performer(cast), omote.Performer(cast).advance(0.0)
+    expected = {
+        "a channel is named by text": lambda: omote.action_units(wrong),
+        "expected an omote.ParameterSpace": lambda: omote.caricature(wrong, kaori, 1.5),
+        "expected a number such as 1.5": lambda: omote.caricature(space, kaori, cast_to_any("x")),
+        "expected an omote.Sculpt": lambda: omote.sculpted(space, wrong),
+        "a sculpt file is named by its path": lambda: omote.read_sculpt(wrong),
+        "a show file is named by its path": lambda: omote.read_show(wrong),
+        "a picture is named by its path": lambda: omote.render(cast, frame, path=wrong),
+        "give a colour as text": lambda: omote.render(cast, frame, background=wrong),
+        "give whole numbers of pixels": lambda: omote.render(cast, frame, size=cast_to_any((64.5, 64))),
+        "the cast is a int; expected an omote.Cast": lambda: omote.Performer(wrong),
+        "the cast is a ParameterSpace; expected": lambda: omote.parse_pose(cast_to_any(space)),
+        "expected an omote.Cast, such as": lambda: performer.recast(wrong),
+        "expected what Performer.snapshot": lambda: omote.Performer.restored(cast, wrong),
+        "turn must be text, not 7; write turn='30,-5'": lambda: omote.parse_pose(cast, turn=wrong),
+    }
+    for said, call in expected.items():
+        error = raised_by(call)
+        assert isinstance(error, TypeError), (said, error)
+        assert said in str(error)
+    assert "give width and height" in str(raised_by(lambda: omote.render(cast, frame, size=wrong)))
+
+
+def cast_to_any(value: object) -> Any:
+    """A value that no type checker looks at."""
+    return value

@@ -14,8 +14,8 @@ from omote.file_commands import format_time
 from omote.interchange.formats.expression_json import encode
 from omote.model.cast import Cast
 from omote.showfile.backup import back_up
-from omote.showfile.changes import PutContent, PutItem, PutRevision
-from omote.showfile.contents import content_key, pack_expression
+from omote.showfile.changes import PutContent, PutItem, PutRevision, content_key
+from omote.showfile.contents import pack_expression
 from omote.showfile.show_file import ShowFile, open_show
 from tests.showfile.authored_work import item, revision
 

@@ -13,8 +13,8 @@ from omote.cli import app
 from omote.model.cast import Cast
 from omote.server.headless.devtools import BrowserError
 from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress, write_picture
-from omote.showfile.changes import PutContent, PutItem, PutRevision
-from omote.showfile.contents import content_key, pack_expression
+from omote.showfile.changes import PutContent, PutItem, PutRevision, content_key
+from omote.showfile.contents import pack_expression
 from omote.showfile.show_file import open_show
 from omote.stage_data.picture_sidecar import checksum_of, encode_sidecar, read_sidecar
 from tests.server.synthetic_server import MASK, PAGES, meshes
@@ -126,6 +126,25 @@ def test_another_parameter_draws_again_under_the_same_name(tmp_path: Path, runs:
     assert len(runs) == 3
 
 
+def test_how_a_replaced_picture_was_drawn_is_kept(tmp_path: Path, runs: list[PictureRun]) -> None:
+    words = ["render", "-o", str(tmp_path / "a.png")]
+    typed(*words)
+    first = (tmp_path / "a.png.json").read_bytes()
+    kept = tmp_path / "a.before-1.png.json"
+    assert f"stays in {kept}: omote redraw" in typed(*words, "--turn", "10").stderr
+    assert kept.read_bytes() == first
+    second = (tmp_path / "a.png.json").read_bytes()
+    typed(*words, "--turn", "20")
+    assert (tmp_path / "a.before-2.png.json").read_bytes() == second
+    typed(*words)
+    typed(*words, "--turn", "10")  # drawn from the same as before: kept already
+    assert {path.name for path in tmp_path.glob("*before*")} == {f"a.before-{n}.png.json" for n in (1, 2, 3)}
+    typed("redraw", str(kept))
+    assert (tmp_path / "a.before-1.png").read_bytes() == PICTURES[".png"]
+    typed(*words, "--turn", "10", "--fresh")
+    assert not (tmp_path / "a.before-4.png.json").exists(), "the same picture again takes no other's place"
+
+
 @pytest.mark.parametrize("sidecar", [True, False])
 def test_a_picture_that_omote_did_not_draw_stays_unless_it_is_told(
     tmp_path: Path, runs: list[PictureRun], sidecar: bool
@@ -228,11 +247,14 @@ def test_redraw_proves_brings_back_and_replaces_only_when_told(tmp_path: Path, r
     path.unlink()
     typed("redraw", str(sidecar))
     assert path.read_bytes() == PICTURES[".png"]
+    assert "the same to the last byte" in typed("redraw", str(path)).stderr, "the picture stands for its sidecar"
+    strange = typed("redraw", str(tmp_path / "b.png"), status=1).stderr
+    assert f"no b.png.json lies beside {tmp_path / 'b.png'}" in strange
     path.write_bytes(PICTURES[".png"] + b", retouched")
     refused = typed("redraw", str(sidecar), status=1).stderr
     assert f"{path} is not the picture that its sidecar is of, it was changed since" in refused
     assert path.read_bytes() == PICTURES[".png"] + b", retouched"
-    assert len(runs) == 2  # it was not drawn to find that out
+    assert len(runs) == 3  # it was not drawn to find that out
     typed("redraw", str(sidecar), "--force")
     assert path.read_bytes() == PICTURES[".png"]
 
@@ -336,7 +358,7 @@ def test_a_run_that_is_stopped_says_how_it_goes_on(
         ("--size huge", "the size 'huge'"),
         ("--size 1x1", "1x1 pixels"),
         ("--quality best", "no quality 'best'"),
-        ("--turn up", "'up' is no number"),
+        ("--turn up", "the turn's yaw is 'up', which is no number"),
         ("-o a.gif", "'a.gif' is no name of a picture"),
         ("-o nowhere/a.png", "there is no folder"),
         ("-o a.jpg --transparent", "a JPEG cannot be transparent"),
@@ -360,7 +382,7 @@ def test_a_grid_wants_faces_or_a_morph(tmp_path: Path, runs: list[PictureRun], w
     assert (runs, list(tmp_path.iterdir())) == ([], [])
 
 
-@pytest.mark.parametrize(("text", "named"), [("{}", "`omote`"), ('{"format": "gltf"}', "gltf")])
+@pytest.mark.parametrize(("text", "named"), [("{}", "omote is missing"), ('{"format": "gltf"}', "gltf")])
 def test_what_is_no_sidecar_is_one_sentence(tmp_path: Path, text: str, named: str) -> None:
     (tmp_path / "a.png.json").write_text(text)
     done = typed("redraw", str(tmp_path / "a.png.json"), status=1)

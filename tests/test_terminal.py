@@ -8,7 +8,7 @@ import pytest
 import typer
 
 from omote.showfile.schema import ShowFileError
-from omote.terminal import escape_controls, exit_on_refusal, fail, say
+from omote.terminal import escape_controls, exit_on_refusal, fail, read_count, say
 
 
 @pytest.mark.parametrize("text", ["\x1b[2J", "a\nb", "\u202e", "\x07"])
@@ -39,6 +39,19 @@ def test_an_error_of_a_file_is_said_and_no_traceback(error: Exception, capsys: p
     with pytest.raises(typer.Exit), exit_on_refusal():
         raise error
     assert capsys.readouterr().err.startswith("omote: ")
+
+
+def test_what_is_stopped_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(typer.Exit) as ended, exit_on_refusal():
+        raise KeyboardInterrupt
+    assert (ended.value.exit_code, capsys.readouterr().err) == (130, "omote: stopped.\n")
+
+
+@pytest.mark.parametrize("text", ["0", "65", "two", "", "-1", "²", "9" * 5000])
+def test_what_is_no_number_of_browsers_is_refused(text: str) -> None:
+    assert (read_count(" 2 "), read_count(64)) == (2, 64)
+    with pytest.raises(typer.BadParameter, match="is no number of browsers; give one from 1 to 64"):
+        read_count(text)
 
 
 def test_an_error_of_our_own_is_not_hidden() -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import Progress
 
-from omote.model.cast import GENERIC
+from omote.model.known_names import GENERIC
 from tools.baking.assemble import (
     Arrays,
     Step,

@@ -25,7 +25,7 @@ from omote.model.space.eye_socket import FAR, NEAR
 from omote.model.space.gain import LEAST_GAIN, MOST_GAIN, NEUTRAL_GAINS
 from omote.model.space.lid_lip_lines import RUNGS
 from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.perform.lights import FIRST_LIGHT, LIGHTS
+from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 from omote.show import messages
 
@@ -79,6 +79,7 @@ def editing_module() -> str:
 CONSTANTS: Mapping[str, tuple[str, object]] = {
     "LIGHT_NAMES": ("The lights that a show can call, in the order of the console.", tuple(LIGHTS)),
     "FIRST_LIGHT": ("The light that a show begins with.", FIRST_LIGHT),
+    "BACKGROUNDS": ("The backgrounds that have a name.", dict(BACKGROUNDS)),
     "EASING_NAMES": ("The easings of a call.", tuple(EASINGS)),
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
     "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(messages.Level)),

@@ -14,7 +14,7 @@ from benchmarks.maps.measures import Creases, closure_errors, find_folds
 from benchmarks.maps.piercing import balls_of, depth_in_balls, teeth_on, teeth_out
 from benchmarks.maps.source import Source
 from benchmarks.maps.sums import SumFigures, Sums
-from omote.model.cast import GENERIC
+from omote.model.known_names import GENERIC
 from omote.model.space.face import Face
 
 Values = NDArray[np.float64]

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import omote
-from omote.model.cast import GENERIC, Cast
+from omote.model.cast import Cast
+from omote.model.known_names import GENERIC
 from omote.model.space.lid_lip_lines import Line
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
     from omote.perform.performer import Performer as Performer
     from omote.server.headless.picture_renderer import render as render
+    from omote.stage_data.full_cast import read_show as read_show
     from omote.stage_data.pose_parser import parse_pose as parse_pose
 
 __version__ = "0.1.0"
@@ -50,6 +51,7 @@ _HOMES = {
     "load_cast": "omote.builtin",
     "parse_pose": "omote.stage_data.pose_parser",
     "read_sculpt": "omote.interchange.formats.sculpt_toml",
+    "read_show": "omote.stage_data.full_cast",
     "regional": "omote.model.sculpting.regions",
     "render": "omote.server.headless.picture_renderer",
     "sculpted": "omote.model.sculpting.sculpt",

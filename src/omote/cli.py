@@ -17,11 +17,12 @@ import typer
 
 from omote.file_commands import file_app
 from omote.picture_commands import grid, redraw, render
-from omote.terminal import complete_name, fail, fail_with, say
+from omote.terminal import complete_name, exit_on_refusal, fail, fail_with, say
 
 if TYPE_CHECKING:
     from omote.interchange.export_face import Meshes
     from omote.model.cast import Cast
+    from omote.showfile.inspection import Inspection
 
 HIGHEST_PORT = 65535
 
@@ -132,40 +133,49 @@ def export(
     show: Annotated[Path | None, typer.Option(help="A show file (.omote) whose own work can be named too.")] = None,
 ) -> None:
     """Writes a face with expressions: as morph targets (GLB), or as what each moves in numbers (NPZ, CSV)."""
-    from rich.console import Console
+    output = complete_name(output, ".glb")
+    found = check_export(output, show)
+    from rich.console import Console  # what is heavy comes after what can be refused without it
     from rich.progress import track
 
     from omote.interchange.export_face import choose_expressions, named_compound_meshes
-    from omote.interchange.formats.atomic_file import check_writable, write_whole
+    from omote.interchange.formats.atomic_file import write_whole
     from omote.perform.name_lookup import find_name
+    from omote.stage_data.full_cast import build_full_cast
 
-    output = complete_name(output, ".glb")
-    try:
+    with exit_on_refusal():
         encode = find_encoder(output, hair=hair)
-        check_writable(output)
-        cast = load_cast() if show is None else load_full_cast(show)
+        cast = load_cast() if found is None else build_full_cast(load_cast(), found.stored, found.contents)
         face, names = find_name(face, cast.faces, "face"), choose_expressions(cast, expressions)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
         poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
         write_whole(output, encode(cast, face, poses))
-    except (OSError, ValueError, RuntimeError) as error:
-        fail_with(error)
     what = "morph targets" if output.suffix.lower() == ".glb" else "expressions"
     say(f"{output}: {face}, {what}: {len(names)}, {output.stat().st_size / 1e6:.1f} MB")
 
 
-def find_encoder(path: Path, *, hair: bool) -> Callable[[Cast, str, Iterable[tuple[str, Meshes]]], bytes]:
-    """What makes the bytes of an exported face, by the file's ending; ValueError for another one."""
-    from omote.builtin import load_mask, load_meshes
-    from omote.interchange.export_deltas import ENDINGS, encode_deltas, measure_deltas
-    from omote.interchange.export_face import ExportContext, build_scene
-    from omote.interchange.formats.glb_writer import SUFFIX, glb_bytes
+def check_export(output: Path, show: Path | None) -> Inspection | None:
+    """What the show file holds, if one is named; ends the command where the export could not be written."""
+    from omote.interchange.formats.atomic_file import check_writable
+    from omote.interchange.formats.file_names import check_export_name
+    from omote.showfile.inspection import inspect_show
 
-    if path.suffix.lower() in ENDINGS:
+    with exit_on_refusal():
+        check_export_name(output)
+        check_writable(output)
+        return None if show is None else inspect_show(show)
+
+
+def find_encoder(path: Path, *, hair: bool) -> Callable[[Cast, str, Iterable[tuple[str, Meshes]]], bytes]:
+    """What makes the bytes of an exported face, by the file's ending."""
+    from omote.builtin import load_mask, load_meshes
+    from omote.interchange.export_deltas import encode_deltas, measure_deltas
+    from omote.interchange.export_face import ExportContext, build_scene
+    from omote.interchange.formats.file_names import GLB
+    from omote.interchange.formats.glb_writer import glb_bytes
+
+    if path.suffix.lower() != GLB:
         return lambda cast, face, poses: encode_deltas(measure_deltas(cast, face, poses), path)
-    if path.suffix.lower() != SUFFIX:
-        numbers = " or ".join(ENDINGS)
-        raise ValueError(f"{path.name!r} is no name of a GLB file; end it with {SUFFIX}, or with {numbers} for numbers")
 
     def encode(cast: Cast, face: str, poses: Iterable[tuple[str, Meshes]]) -> bytes:
         return glb_bytes(build_scene(ExportContext(cast, load_meshes(), load_mask()), face, poses, hair=hair))
@@ -213,15 +223,6 @@ def load_cast() -> Cast:
         return builtin.load_cast()
     except (OSError, ValueError) as error:
         fail_with(error)
-
-
-def load_full_cast(path: Path) -> Cast:
-    """Loads the built-in cast with the own faces and expressions of a show file."""
-    from omote.showfile.inspection import inspect_show
-    from omote.stage_data.full_cast import build_full_cast
-
-    found = inspect_show(path)
-    return build_full_cast(load_cast(), found.stored, found.contents)
 
 
 def print_json(cast: Cast) -> None:

@@ -4,12 +4,16 @@ also while a show plays it."""
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
 from omote.terminal import complete_name, escape_controls, exit_on_refusal, fail
+
+if TYPE_CHECKING:
+    from omote.showfile.changes import Stored
 
 WIDEST = 4000
 """Characters of a line of a table at most."""
@@ -107,19 +111,21 @@ def take_in(
     ] = "expression",
 ) -> None:
     """Takes expressions or faces made elsewhere into a show file that no show plays."""
-    from omote.builtin import load_cast
-    from omote.edit.store.import_items import changes_to_import
+    from omote.interchange.formats.file_names import require_imports
     from omote.server.persistence.offline_show import open_offline_show, wall_clock
-    from omote.server.sandbox.import_files import expressions_from, faces_from
     from omote.showfile.recovery import name_show
-    from omote.stage_data.full_cast import build_full_cast
 
     arrivals = []
     with exit_on_refusal():
-        file, cast = name_show(file), load_cast()
-        if file.exists():
-            with open_offline_show(file) as show:  # checks the lock before the slow part
-                cast = build_full_cast(cast, show.stored(), show.contents())
+        file = name_show(file)
+        own = read_own_work(file)
+        require_imports(things)
+        from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
+        from omote.edit.store.import_items import changes_to_import
+        from omote.server.sandbox.import_files import expressions_from, faces_from
+        from omote.stage_data.full_cast import build_full_cast
+
+        cast = load_cast() if own is None else build_full_cast(load_cast(), *own)
         found = faces_from(cast, things, look=face) if kind == "face" else expressions_from(cast, things, face=face)
         for arrival, sentence in found:
             typer.echo(f"omote: {escape_controls(sentence)}", err=True)
@@ -129,6 +135,18 @@ def take_in(
     typer.echo(f"omote: {file} has {len(arrivals)} {kind}{'' if len(arrivals) == 1 else 's'} more.", err=True)
 
 
+def read_own_work(file: Path) -> tuple[Stored, Mapping[str, bytes]] | None:
+    """What a show file holds that no show plays, None where it will be made; errors of what cannot be one."""
+    from omote.server.persistence.offline_show import open_offline_show
+    from omote.showfile.identification import require_folder
+
+    require_folder(file)
+    if not file.exists():
+        return None
+    with open_offline_show(file) as show:
+        return show.stored(), show.contents()
+
+
 @file_app.command("export")
 def give_out(
     file: ShowFileArgument,
@@ -136,18 +154,19 @@ def give_out(
     output: Annotated[Path, typer.Option("--output", "-o", help="The document to write: smile.json.")],
 ) -> None:
     """Writes an expression as a document that any crew can take in."""
-    from omote.builtin import load_cast
-    from omote.edit.store.import_items import export_document
     from omote.interchange.formats.atomic_file import check_writable, write_whole
-    from omote.interchange.formats.expression_json import encode
+    from omote.interchange.formats.file_names import check_document_name
     from omote.showfile.inspection import inspect_show
 
     output = complete_name(output, ".json")
     with exit_on_refusal():
         check_writable(output)
-        if output.suffix.lower() != ".json":
-            fail(f"{output.name!r} is no name of a document; end it with .json")
+        check_document_name(output)
         found = inspect_show(file)
+        from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
+        from omote.edit.store.import_items import export_document
+        from omote.interchange.formats.expression_json import encode
+
         write_whole(output, encode(export_document(load_cast(), found.stored, found.contents, name)))
     typer.echo(f"omote: {output} holds {name}.", err=True)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.terminal import complete_name, exit_on_refusal, fail, say
+from omote.terminal import INTERRUPTED, complete_name, exit_on_refusal, fail, read_count, say
 
 if TYPE_CHECKING:
     from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress
@@ -24,11 +24,13 @@ FacesOption = Annotated[list[str] | None, typer.Option("--face", help="A face; s
 ExpressionsOption = Annotated[list[str] | None, typer.Option("--expression", help="An expression: smile, smile=0.7.")]
 ChannelsOption = Annotated[list[str] | None, typer.Option("--channel", help="A channel over it: jawOpen=0.5.")]
 LightOption = Annotated[str, typer.Option(help="theatre, portrait, flat or a mix: theatre=0.5+flat.")]
-BackgroundOption = Annotated[str | None, typer.Option(help="A colour behind the head: #00b140.")]
+BackgroundOption = Annotated[str | None, typer.Option(help="Behind the head: green, grey, or #rrggbb.")]
 TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
 QualityOption = Annotated[str, typer.Option(help="lowest, low, medium or high.")]
 ShowOption = Annotated[Path | None, typer.Option(help="A show file (.omote) whose own work can be named too.")]
-JobsOption = Annotated[int, typer.Option("--jobs", "-j", min=1, max=64, help="Browsers that draw at once.")]
+JobsOption = Annotated[
+    int, typer.Option("--jobs", "-j", parser=read_count, metavar="COUNT", help="Browsers that draw at once.")
+]
 FreshOption = Annotated[bool, typer.Option("--fresh", help="Draw again what is there already.")]
 ForceOption = Annotated[bool, typer.Option("--force", help="Replace a picture that Omote did not draw as it is.")]
 STOPPED = "stopped; what is drawn stays, and the same command goes on from there."
@@ -41,7 +43,7 @@ def render(
     expression: ExpressionsOption = None,
     channel: ChannelsOption = None,
     turn: Annotated[str, typer.Option(help="The head's yaw, pitch and roll, degrees: 30,0,-5.")] = "",
-    gaze: Annotated[str, typer.Option(help="The eyes' yaw and pitch, degrees.")] = "",
+    gaze: Annotated[str, typer.Option(help="The eyes' yaw and pitch, degrees: to 40 and 30 either way.")] = "",
     size: Annotated[str, typer.Option(help="Width x height, pixels.")] = "640x720",
     light: LightOption = "theatre",
     background: BackgroundOption = None,
@@ -90,7 +92,7 @@ def grid(
 
 
 def redraw(
-    sidecar: Annotated[Path, typer.Argument(help="What lies beside a picture: smile.png.json.")],
+    sidecar: Annotated[Path, typer.Argument(help="The picture, or what lies beside it: smile.png.json.")],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="The picture to write; else the one beside it is proved.")
     ] = None,
@@ -101,9 +103,10 @@ def redraw(
     """Draws a picture or a grid again from its sidecar; one that is there is never replaced by another unasked."""
     import msgspec
 
-    from omote.stage_data.picture_sidecar import move_request, read_record
+    from omote.stage_data.picture_sidecar import find_sidecar, move_request, read_record
 
     with exit_on_refusal():
+        sidecar = find_sidecar(sidecar)
         written = read_record(sidecar)
         request = move_request(written.request, sidecar.parent, Path())
         request = request if show is None else msgspec.structs.replace(request, show=str(show))
@@ -131,12 +134,12 @@ def draw(
     path = complete_name(path, ".png")
     with exit_on_refusal():
         studio, run = plan(path, request, fresh=fresh)
-        tell_difference(run, before)
         if run.complete:
             say(f"{path} is there already, drawn from the same parameters; --fresh draws it again.")
             return
         if not force:
             run.refuse_foreign()
+        tell_difference(run, before)
         draw_shown(studio, run, path, jobs=jobs, stopped=STOPPED)
         clear_former(run, path)
     say(f"{path}: {len(run.pictures)} {'picture' if len(run.pictures) == 1 else 'pictures'}.")
@@ -169,21 +172,30 @@ def prove(path: Path, request: Request, written: Sidecar, *, jobs: int) -> None:
 
 
 def plan(path: Path, request: Request, *, fresh: bool) -> tuple[PictureStudio, PictureRun]:
-    """What is to be drawn and by what; ValueError, OSError where that cannot be, before anything is drawn."""
+    """What is to be drawn and by what; ValueError, OSError where that cannot be, before anything is drawn.
+
+    What needs no cast is checked before one is loaded: a person who mistypes an option waits for nothing.
+    """
     from omote.interchange.formats.atomic_file import check_writable
-    from omote.interchange.formats.picture_names import picture_kind
+    from omote.interchange.formats.file_names import picture_kind
+    from omote.server.headless.chromium import find_chromium
+    from omote.showfile.inspection import inspect_show
+    from omote.stage_data.picture_request import check_request
+
+    check_request(request, picture_kind(path))
+    check_writable(path)
+    show = inspect_show(Path(request.show)) if request.show else None
+    find_chromium()
     from omote.server.headless.picture_run import PictureStudio
 
-    picture_kind(path)
-    check_writable(path)
-    _ = request.setting
-    studio = PictureStudio(Path(request.show) if request.show else None)
+    studio = PictureStudio(show)
     return studio, studio.plan(request, path, fresh=fresh)
 
 
 def tell_difference(run: PictureRun, before: Sidecar | None) -> None:
-    """Says where a picture is made of something else than the sidecar that it is drawn from, or than the one there."""
-    from omote.stage_data.picture_sidecar import explain_difference, read_sidecar, sidecar_path
+    """Says where a picture is made of something else than the sidecar that it is drawn from, or than the one there,
+    whose sidecar is kept."""
+    from omote.stage_data.picture_sidecar import explain_difference, keep_former, read_sidecar, sidecar_path
 
     whole = run.whole
     if before is not None and before.record != whole.sidecar.record:
@@ -191,6 +203,8 @@ def tell_difference(run: PictureRun, before: Sidecar | None) -> None:
     elif before is None and run.states[whole.path] == "former":
         why = explain_difference(read_sidecar(sidecar_path(whole.path)), whole.sidecar)
         say(f"{whole.path} is there already, drawn {why}; it is drawn anew in its place.")
+    if kept := keep_former(whole.path, whole.sidecar):
+        say(f"how the one before was drawn stays in {kept}: omote redraw draws it from there.")
 
 
 def clear_former(run: PictureRun, path: Path) -> None:
@@ -229,7 +243,7 @@ def shown_progress(run: PictureRun, path: Path, stopped: str) -> Iterator[Callab
             yield _lines(run)
     except KeyboardInterrupt:
         say(stopped)
-        raise typer.Exit(130) from None
+        raise typer.Exit(INTERRUPTED) from None
 
 
 def _bar(run: PictureRun, path: Path, there: int) -> Iterator[Callable[[Progress], None]]:

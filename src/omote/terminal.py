@@ -12,10 +12,22 @@ from typing import NoReturn
 
 import typer
 
+MOST_JOBS = 64
+INTERRUPTED = 130
+"""The exit status of a command that was stopped by Ctrl-C."""
+
 
 def escape_controls(text: str) -> str:
     """Escapes control characters: names in untrusted files must not control the terminal."""
     return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+
+
+def read_count(text: str | int) -> int:
+    """How many browsers draw at once, as it is typed."""
+    digits = str(text).strip()
+    if not digits.isascii() or not digits.isdecimal() or not 1 <= int(digits[:9]) <= MOST_JOBS:
+        raise typer.BadParameter(f"{digits!r} is no number of browsers; give one from 1 to {MOST_JOBS}")
+    return int(digits)
 
 
 def complete_name(path: Path, ending: str) -> Path:
@@ -25,7 +37,7 @@ def complete_name(path: Path, ending: str) -> Path:
 
 @contextlib.contextmanager
 def exit_on_refusal() -> Iterator[None]:
-    """Turns errors of files and browsers into an error message and exit status 1."""
+    """Turns errors of files and browsers into an error message and exit status 1, and Ctrl-C into a word and 130."""
     import sqlite3
 
     from omote.server.headless.devtools import BrowserError
@@ -36,6 +48,9 @@ def exit_on_refusal() -> Iterator[None]:
         yield
     except (ShowFileError, ShowLockedError, BrowserError, OSError, ValueError, OverflowError, sqlite3.Error) as error:
         fail_with(error)
+    except KeyboardInterrupt:
+        say("stopped.")
+        raise typer.Exit(INTERRUPTED) from None
 
 
 def say(sentence: str) -> None:

@@ -8,9 +8,10 @@ from hypothesis import strategies as st
 from omote.model.cast import Cast
 from omote.perform.channels import GAZE_UNITS, effective_channels, eye_angles, gaze_channels, with_channel
 from omote.perform.frame import Gaze
+from omote.perform.limits import GAZE_LIMITS
 from tests.synthetic import EXPRESSIONS, LOOKS
 
-yaws, pitches = st.floats(-0.9, 0.9), st.floats(-0.6, 0.6)
+yaws, pitches = (st.floats(-limit, limit) for limit in GAZE_LIMITS.values())
 faders = st.dictionaries(st.sampled_from(EXPRESSIONS[1:]), st.floats(-0.5, 1.5))
 
 

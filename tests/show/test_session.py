@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.perform.lights import LIGHTS
+from omote.perform.limits import GAZE_LIMITS
 from omote.perform.panic import PANIC_SECONDS
 from omote.perform.performer import Performer
 from omote.show import messages as wire
@@ -50,7 +51,7 @@ command = st.one_of(
     st.builds(wire.FadeExpression, st.floats(0.0, 1.0)),
     st.builds(wire.SetChannel, st.sampled_from(synthetic.EXPRESSIONS[1:]), st.floats(-0.5, 1.5)),
     st.builds(wire.SetHead, *[st.floats(-1.0, 1.0)] * 3),
-    st.builds(wire.SetGaze, *[st.floats(-1.0, 1.0)] * 2),
+    st.builds(wire.SetGaze, *(st.floats(-limit, limit) for limit in GAZE_LIMITS.values())),
     st.sampled_from([wire.ReleaseFace(), wire.ReleaseExpression(), wire.Panic(), wire.SetHome("broad", 1.0)]),
 )
 wrong = st.one_of(

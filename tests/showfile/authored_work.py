@@ -18,8 +18,8 @@ from omote.showfile.changes import (
     PutRevision,
     Revision,
     Stored,
+    content_key,
 )
-from omote.showfile.contents import content_key
 
 DATA = [b"", b"one", b"two" * 3000]
 KEYS = [content_key(data) for data in DATA]

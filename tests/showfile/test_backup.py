@@ -11,8 +11,7 @@ from pathlib import Path
 import pytest
 
 from omote.showfile.backup import back_up, backup_paths, put_in_place
-from omote.showfile.changes import PutContent, PutLayout
-from omote.showfile.contents import content_key
+from omote.showfile.changes import PutContent, PutLayout, content_key
 from omote.showfile.identification import MAGIC, ForeignFileError
 from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.schema import CorruptShowFileError

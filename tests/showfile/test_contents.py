@@ -16,9 +16,9 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.gain import GAIN_REGIONS, Gain
 from omote.showfile import contents
+from omote.showfile.changes import content_key
 from omote.showfile.contents import (
     ContentError,
-    content_key,
     content_kind,
     pack_expression,
     pack_face,

@@ -14,8 +14,19 @@ from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.showfile.backup import back_up, backup_paths
-from omote.showfile.changes import Change, Draft, Edit, PutContent, PutDraft, PutEdit, PutItem, PutLayout, PutRevision
-from omote.showfile.contents import content_key, pack_expression, pack_face
+from omote.showfile.changes import (
+    Change,
+    Draft,
+    Edit,
+    PutContent,
+    PutDraft,
+    PutEdit,
+    PutItem,
+    PutLayout,
+    PutRevision,
+    content_key,
+)
+from omote.showfile.contents import pack_expression, pack_face
 from omote.showfile.inspection import inspect_show, item_named, revisions_of, verdicts
 from omote.showfile.schema import APPLICATION_ID, MIGRATIONS, ShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show

@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from omote.showfile.backup import back_up, backup_paths
-from omote.showfile.changes import PutContent, PutItem, PutLayout, PutRevision, Stored
-from omote.showfile.contents import content_key
+from omote.showfile.changes import PutContent, PutItem, PutLayout, PutRevision, Stored, content_key
 from omote.showfile.recovery import Recovery, is_lost, move_aside, recover_show
 from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show

@@ -1,12 +1,19 @@
 """A show file's own faces and expressions beside the built-in ones."""
 
+from contextlib import closing
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
+import pytest
 
 from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.model.cast import Cast, Look
 from omote.model.space.face import Face
 from omote.showfile.changes import Item, PutContent, PutItem, PutRevision, Stored
-from omote.stage_data.full_cast import build_full_cast, playing_items
+from omote.showfile.schema import ShowFileError
+from omote.showfile.show_file import open_show
+from omote.stage_data.full_cast import build_full_cast, playing_items, read_show
 from tests import synthetic
 
 
@@ -28,6 +35,37 @@ def test_what_plays_is_in_the_cast_under_its_name() -> None:
     np.testing.assert_array_equal(cast.expressions["grin"].dh, base.expressions["smile"].dh)
     assert cast.faces.keys() - base.faces.keys() == {"aunt"}
     assert cast.looks["aunt"].iris == "#00ff00"
+
+
+def test_a_show_file_is_read_from_python(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    base, path = synthetic.cast(), tmp_path / "evening show ü.omote"
+    monkeypatch.setattr("omote.stage_data.full_cast.load_cast", lambda: base)
+    with closing(open_show(path)) as show:
+        arrivals = [ImportedItem("Grin", base.expressions["smile"])]
+        show.apply(changes_to_import(base, Stored(), arrivals, wall=0.0))
+    before = path.read_bytes()
+    for named in (path, str(path)):
+        np.testing.assert_array_equal(read_show(named).expressions["grin"].dh, base.expressions["smile"].dh)
+    assert path.read_bytes() == before
+    assert [each.name for each in tmp_path.iterdir()] == [path.name], "nothing is left beside it"
+
+
+def test_what_is_no_show_or_of_another_head_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    small = synthetic.cast()
+    with pytest.raises(ShowFileError, match="there is no show file"):
+        read_show(tmp_path / "none.omote")
+    (tmp_path / "notes.txt").write_text("hello")
+    with pytest.raises(ShowFileError, match=r"notes\.txt is"):
+        read_show(tmp_path / "notes.txt")
+    with pytest.raises(TypeError, match="a show file is named by its path, not by 7"):
+        read_show(7)  # type: ignore[arg-type]
+    larger = small.expressions["smile"]
+    short = replace(larger, dtheta=larger.dtheta[1:], dh=larger.dh[1:], ratio=larger.ratio[1:])
+    monkeypatch.setattr("omote.stage_data.full_cast.load_cast", lambda: small)
+    with closing(open_show(tmp_path / "a.omote")) as show:
+        show.apply(changes_to_import(small, Stored(), [ImportedItem("Grin", short)], wall=0.0))
+    with pytest.raises(ShowFileError, match=r"holds what cannot be played on the built-in head: the expression has"):
+        read_show(tmp_path / "a.omote")
 
 
 def test_what_is_deleted_or_never_saved_does_not_play() -> None:

@@ -3,6 +3,7 @@
 import pytest
 
 from omote.model.cast import Cast
+from omote.stage_data.picture_grid import lay_out
 from omote.stage_data.picture_request import GridRequest, file_name, morph_steps, plan_cells
 
 
@@ -18,7 +19,7 @@ def test_a_grid_of_faces_has_a_row_for_each() -> None:
 
 def test_a_morph_goes_from_face_to_face_in_even_steps(cast: Cast) -> None:
     one, other = list(cast.faces)[:2]
-    sheet = GridRequest(morph=f"{one}:{other}:5", expressions="neutral,smile").sheet(cast)
+    sheet = lay_out(GridRequest(morph=f"{one}:{other}:5", expressions="neutral,smile"), cast)
     shares = [[pose["faces"].get(other, 0.0) for pose in row] for row in sheet.poses]
     assert shares == [pytest.approx([0, 0.25, 0.5, 0.75, 1.0])] * 2
     assert sheet.columns == ["0 %", "25 %", "50 %", "75 %", "100 %"]

@@ -8,6 +8,7 @@ import msgspec
 import pytest
 
 from omote.model.cast import Cast
+from omote.stage_data.picture_grid import lay_out
 from omote.stage_data.picture_request import RenderRequest
 from omote.stage_data.picture_sidecar import (
     LARGEST_SIDECAR,
@@ -24,7 +25,7 @@ REQUEST = RenderRequest(expression=("smile=0.3",), turn="10,-5", size="64x48")
 
 @pytest.fixture
 def sidecar(cast: Cast) -> Sidecar:
-    return describe(REQUEST, REQUEST.sheet(cast), REQUEST.setting, ("0.1.0", cast.digest, "pages"))
+    return describe(REQUEST, lay_out(REQUEST, cast), REQUEST.setting, ("0.1.0", cast.digest, "pages"))
 
 
 def test_it_comes_back_as_it_was_written(sidecar: Sidecar, tmp_path: Path) -> None:
@@ -56,9 +57,9 @@ def test_another_weight_is_another_picture(cast: Cast, sidecar: Sidecar, tmp_pat
     sidecar_path(path).write_bytes(encode_sidecar(sidecar, b"picture"))
     request = msgspec.structs.replace(REQUEST, expression=("smile=0.31",))
     made_by = ("0.1.0", cast.digest, "pages")
-    assert not is_drawn(path, describe(request, request.sheet(cast), request.setting, made_by))
+    assert not is_drawn(path, describe(request, lay_out(request, cast), request.setting, made_by))
     larger = replace(REQUEST.setting, width=65)
-    assert not is_drawn(path, describe(REQUEST, REQUEST.sheet(cast), larger, made_by))
+    assert not is_drawn(path, describe(REQUEST, lay_out(REQUEST, cast), larger, made_by))
 
 
 @pytest.mark.parametrize("text", [b"", b"{}", b'{"format":"omote-picture","version":9}', b"\xff"])

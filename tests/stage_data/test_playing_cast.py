@@ -8,7 +8,8 @@ from omote.model.cast import Cast, Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.show.messages import Manifest
-from omote.showfile.contents import ContentError, content_key, pack_expression, pack_face
+from omote.showfile.changes import content_key
+from omote.showfile.contents import ContentError, pack_expression, pack_face
 from omote.stage_data.assets import content_asset, documents
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast, digest_of, manifest_of
 from tests.server.synthetic_server import meshes

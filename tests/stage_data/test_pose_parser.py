@@ -7,43 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
-from omote.stage_data.pose_parser import (
-    parse_angles,
-    parse_channels,
-    parse_expression_mix,
-    parse_mix,
-    parse_pose,
-    pose_of,
-)
-
-NAMES = ("neutral", "smile", "sad", "jawOpen")
-FACES = ("generic", "kaori", "dog")
-
-
-def test_names_without_a_weight_share_what_is_left() -> None:
-    assert parse_mix("kaori", FACES, "face") == {"kaori": 1.0}
-    assert parse_mix("kaori+dog", FACES, "face") == {"kaori": 0.5, "dog": 0.5}
-    assert parse_mix(" kaori = 0.25 + dog ", FACES, "face") == {"kaori": 0.25, "dog": 0.75}
-
-
-def test_what_is_left_of_the_expressions_is_neutral() -> None:
-    assert parse_expression_mix("", NAMES) == {"neutral": 1.0}
-    assert parse_expression_mix("smile=0.75", NAMES) == {"smile": 0.75, "neutral": 0.25}
-    assert parse_expression_mix("smile=0.75+sad", NAMES) == {"smile": 0.75, "sad": 0.25}
-
-
-@given(st.floats(0.0, 1.0))
-def test_a_mix_of_expressions_sums_to_one(weight: float) -> None:
-    assert sum(parse_expression_mix(f"smile={weight!r}", NAMES).values()) == pytest.approx(1.0, abs=2e-6)
-
-
-def test_a_channel_without_a_weight_is_full() -> None:
-    assert parse_channels("jawOpen+smile=-0.25", NAMES) == {"jawOpen": 1.0, "smile": -0.25}
-
-
-def test_angles_are_degrees_and_may_be_left_out() -> None:
-    assert parse_angles("", 3, "turn") == []
-    assert parse_angles("30, -45", 3, "turn") == [math.radians(30), math.radians(-45)]
+from omote.stage_data.pose_parser import parse_pose, pose_of
 
 
 @pytest.mark.parametrize(
@@ -59,8 +23,11 @@ def test_angles_are_degrees_and_may_be_left_out() -> None:
         ({"channels": "jawOpen=9"}, "weight in 'jawOpen=9'"),
         ({"light": "noon"}, "no light 'noon'"),
         ({"turn": "1,2,3,4"}, "has 4 angles"),
-        ({"turn": "left"}, "'left' is no number"),
-        ({"turn": "120"}, "turn (degrees)"),
+        ({"turn": "left"}, "the turn's yaw is 'left', which is no number"),
+        ({"turn": "120"}, "the turn's yaw (degrees) is 120.0; give a number from -90 to 90"),
+        ({"gaze": "80"}, "the gaze's yaw (degrees) is 80.0; give a number from -40 to 40"),
+        ({"gaze": "0,-31"}, "the gaze's pitch (degrees) is -31.0; give a number from -30 to 30"),
+        ({"face": "=0.5"}, "is a weight of no face"),
         ({"gaze": "1,2,3"}, "has 3 angles"),
     ],
 )
@@ -68,6 +35,14 @@ def test_what_makes_no_sense_is_refused(cast: Cast, words: dict[str, str], named
     with pytest.raises(ValueError, match=r".") as refused:
         parse_pose(cast, **words)
     assert named in str(refused.value)
+
+
+@given(st.floats(0.0, 1.0))
+def test_what_is_left_of_the_expressions_is_neutral(cast: Cast, weight: float) -> None:
+    found = parse_pose(cast, expression=f"smile={weight!r}").expressions
+    assert sum(found.values()) == pytest.approx(1.0, abs=2e-6)
+    assert found["smile"] == weight
+    assert parse_pose(cast, expression="").expressions == {"neutral": 1.0}
 
 
 def test_a_pose_is_what_a_stage_would_be_told(cast: Cast) -> None:
@@ -80,3 +55,10 @@ def test_a_pose_is_what_a_stage_would_be_told(cast: Cast) -> None:
     assert pose["channels"] == {"jawOpen": 0.5}
     assert pose["head"] == pytest.approx([math.radians(30), 0.0, math.radians(5)])
     assert pose["gaze"] == pytest.approx([math.radians(10), 0.0])
+
+
+@pytest.mark.parametrize("name", ["face", "expression", "channels", "turn", "gaze", "light"])
+@pytest.mark.parametrize("value", [(30, -5), 30.0, None, {"smile": 0.5}, b"old"])
+def test_what_is_no_text_is_refused_with_how_it_is_written(cast: Cast, name: str, value: object) -> None:
+    with pytest.raises(TypeError, match=f"{name} must be text, not .*; write {name}='"):
+        parse_pose(cast, **{name: value})  # type: ignore[arg-type]

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from omote.builtin.binding import PARTS, PartMesh, head_space
 from omote.builtin.castfile import FORMAT, SKIN
-from omote.model.cast import GENERIC, NEUTRAL
 from omote.model.controls.mirror import mirror_rows
 from omote.model.extraction.extract import extract
+from omote.model.known_names import GENERIC, NEUTRAL
 from omote.model.sculpting.sculpt import Sculpt
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from omote.builtin.binding import EYES, PARTS
 from omote.interchange.formats.sculpt_toml import read_sculpt
-from omote.model.cast import GENERIC
+from omote.model.known_names import GENERIC
 from omote.model.sculpting.sculpt import Sculpt, sculpted
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace

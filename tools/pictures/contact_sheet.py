@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import omote
 from omote.model.cast import Cast
-from omote.stage_data.picture_grid import Setting
+from omote.stage_data.picture_setting import Setting
 from tools.baking.sculpts import sculpt_paths
 from tools.pictures.drawing import Picture, Words, draw_wanted, grid_of
 

@@ -14,7 +14,8 @@ from omote.server.headless.chromium import open_chromium
 from omote.server.headless.picture_renderer import open_picture_page, serve_pages
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.http.static_pages import read_pages
-from omote.stage_data.picture_grid import PictureGrid, Setting
+from omote.stage_data.picture_grid import PictureGrid
+from omote.stage_data.picture_setting import Setting
 from omote.stage_data.pose_parser import parse_pose, pose_of
 from tools.browser import SENTENCE, find_browser
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import omote
 from omote.model.cast import Cast
-from omote.stage_data.picture_grid import Setting
+from omote.stage_data.picture_setting import Setting
 from tools.pictures.drawing import PICTURES, Picture, draw_wanted, grid_of
 
 MOST_BYTES = 6_000_000

@@ -18,7 +18,7 @@ from omote.show.messages import ContentAsset
 from omote.show.wire import encode
 from omote.showfile.contents import unpack_expression, unpack_face
 from omote.stage_data.assets import documents
-from omote.stage_data.picture_grid import Setting
+from omote.stage_data.picture_setting import Setting
 from omote.stage_data.playing_cast import manifest_of
 from omote.stage_data.pose_parser import parse_pose, pose_of
 from tools.same.authoring import numbers_of

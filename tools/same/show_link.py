@@ -18,7 +18,8 @@ from omote.perform.performer import Performer
 from omote.show import messages as wire
 from omote.show.session import Outgoing, ShowSession
 from omote.show.wire import encode
-from omote.showfile.contents import content_key, pack_expression, pack_face
+from omote.showfile.changes import content_key
+from omote.showfile.contents import pack_expression, pack_face
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
 from tools.same.compounds import SEED
 from tools.same.recording import Recording

@@ -17,7 +17,7 @@ from omote.server.headless.picture_renderer import OPENED, OPENING, query, serve
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.http.static_pages import read_pages
 from omote.show.state import state_of
-from omote.stage_data.picture_grid import Setting
+from omote.stage_data.picture_setting import Setting
 from tools.browser import SENTENCE, find_browser
 from tools.same.compounds import SEED, pool, random_frame
 from tools.same.recording import Numbers, Recording

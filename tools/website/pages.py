@@ -19,14 +19,15 @@ DOCS = ROOT / "docs"
 
 
 def examples_page() -> str:
-    """The list of examples, and each of them whole."""
+    """The list of examples, and a place for each of them, where the site shows the script itself (snippets)."""
     readme = (ROOT / "examples" / "README.md").read_text()
     scripts = sorted((ROOT / "examples").glob("*.py"))
     listed = readme
     for script in scripts:
         listed = listed.replace(f"({script.name})", f"(#{script.stem})")
-    whole = [f"## {script.stem}\n\n```py\n{script.read_text()}```\n" for script in scripts]
-    return "\n".join([listed, *whole])
+    listed += "\nThe site shows them below; in the repository they lie in `examples/`.\n"
+    places = [f'## {script.stem}\n\n```py\n--8<-- "{script.name}"\n```\n' for script in scripts]
+    return "\n".join([listed, *places])
 
 
 GENERATED: Mapping[str, Callable[[], str]] = {

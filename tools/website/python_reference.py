@@ -21,7 +21,7 @@ typed (`py.typed`).
 In the examples of this page `cast` is `omote.load_cast()` and `np` is NumPy.
 """
 GROUPS: Mapping[str, Sequence[str]] = {
-    "The cast": ("load_cast", "Cast", "Face", "Gain", "Expression", "ParameterSpace"),
+    "The cast": ("load_cast", "read_show", "Cast", "Face", "Gain", "Expression", "ParameterSpace"),
     "Playing": ("Performer", "parse_pose", "evaluate", "evaluate_parts"),
     "Pictures": ("render",),
     "Expressions": ("compound", "extract", "ExtractedExpression", "ControlNet", "action_units"),

@@ -27,8 +27,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin.binding import PARTS, PartMesh, head_space
-from omote.model.cast import GENERIC, Cast, Look, Title
+from omote.model.cast import Cast, Look, Title
 from omote.model.hair import HairStyle
+from omote.model.known_names import GENERIC
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.gain import Gain

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.export_face import NOTICE, REST, SKIN, Meshes
+from omote.interchange.formats.file_names import NUMBERS
 from omote.model.action_units import action_units
 from omote.model.cast import Cast
 from omote.model.space.face_fit import fit
 
-ENDINGS = (".npz", ".csv")
 COLUMNS = ("expression", "facs", "mesh", "vertex", "x", "y", "z", "dx", "dy", "dz")
 
 
@@ -61,8 +61,8 @@ def measure_deltas(cast: Cast, face: str, poses: Iterable[tuple[str, Meshes]], /
 
 def encode_deltas(deltas: Deltas, path: Path, /) -> bytes:
     """The file for a path's ending, .npz or .csv; ValueError for another."""
-    if path.suffix.lower() not in ENDINGS:
-        raise ValueError(f"{path.name!r} is no name of a table of deltas; end it with {' or '.join(ENDINGS)}")
+    if path.suffix.lower() not in NUMBERS:
+        raise ValueError(f"{path.name!r} is no name of a table of deltas; end it with {' or '.join(NUMBERS)}")
     return _npz(deltas) if path.suffix.lower() == ".npz" else _csv(deltas)
 
 

@@ -16,7 +16,8 @@ from omote.interchange.formats.glb_writer import Material, Scene, Shape, Target
 from omote.interchange.formats.png import Picture, png_bytes, read_png
 from omote.interchange.hair_mesh import hair_shape
 from omote.interchange.skin_texture import Canvas, build_canvas, decode_srgb, paint_skin
-from omote.model.cast import NEUTRAL, Cast, Look
+from omote.model.cast import Cast, Look
+from omote.model.known_names import NEUTRAL
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit

@@ -16,9 +16,10 @@ from omote.builtin import BakedMesh
 from omote.interchange.export_face import compound_meshes
 from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.mesh_correspondence import SKIN, MatchedHead, Meshes, build_face, match_head, rest_of
-from omote.model.cast import NEUTRAL, Cast, Look
+from omote.model.cast import Cast, Look
 from omote.model.extraction.extract import extract
 from omote.model.extraction.extracted_expression import describe_uncertainty
+from omote.model.known_names import NEUTRAL
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit

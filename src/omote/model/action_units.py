@@ -72,6 +72,8 @@ def action_units(channel: str, /) -> tuple[str, ...]:
     ----------
     docs/exchange.md; the table of all is docs/reference/action-units.md.
     """
+    if not isinstance(channel, str):
+        raise TypeError(f"a channel is named by text, not by {channel!r}; write for instance 'jawOpen'")
     numbers, side = _numbers_of(channel)
     if channel.startswith("jaw"):
         return tuple(f"{number}{side}" for number in numbers)

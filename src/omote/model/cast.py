@@ -11,14 +11,12 @@ from types import MappingProxyType
 import numpy as np
 
 from omote.model.hair import HairStyle
-from omote.model.known_names import KnownNames
+from omote.model.known_names import GENERIC, NEUTRAL, KnownNames
 from omote.model.space.expression import Expression, refuse_name
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace, Transfer
 from omote.model.transfer.paper_map import compile_expression
-
-GENERIC, NEUTRAL = "generic", "neutral"
 
 # Radians, metres: a field extracted where nothing moves holds the rounding of float32.
 _REST = 1e-6

@@ -1,4 +1,4 @@
-"""Mappings by name that say, where somebody asks for a name that is not there, which ones are near."""
+"""The names that every cast has, and mappings by name that tell where a name is not there which ones are near."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ import difflib
 from collections.abc import Iterable, Mapping
 from typing import NoReturn, TypeVar
 
+GENERIC, NEUTRAL = "generic", "neutral"
+"""The face and the expression that every cast has."""
 Value = TypeVar("Value")
 
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.cast import NEUTRAL
+from omote.model.known_names import NEUTRAL
 from omote.model.space.expression import Expression
 from omote.perform.frame import Gaze
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within

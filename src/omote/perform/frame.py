@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from omote.model.cast import GENERIC
+from omote.model.known_names import GENERIC
 from omote.perform.lights import FIRST_LIGHT
-from omote.perform.limits import GAZE_LIMIT, HEAD_LIMIT, LONGEST_CALL, check_within
+from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_within
 
 
 @dataclass(frozen=True)
@@ -20,8 +20,8 @@ class Head:
 
     def __post_init__(self) -> None:
         """Rejects angles beyond a head's range."""
-        for name in ("yaw", "pitch", "roll"):
-            value = check_within(getattr(self, name), -HEAD_LIMIT, HEAD_LIMIT, f"the head's {name} (radians)")
+        for name, limit in HEAD_LIMITS.items():
+            value = check_within(getattr(self, name), -limit, limit, f"the head's {name} (radians)")
             object.__setattr__(self, name, value)
 
 
@@ -34,8 +34,8 @@ class Gaze:
 
     def __post_init__(self) -> None:
         """Rejects angles beyond an eye's range."""
-        for name in ("yaw", "pitch"):
-            value = check_within(getattr(self, name), -GAZE_LIMIT, GAZE_LIMIT, f"the gaze's {name} (radians)")
+        for name, limit in GAZE_LIMITS.items():
+            value = check_within(getattr(self, name), -limit, limit, f"the gaze's {name} (radians)")
             object.__setattr__(self, name, value)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from numbers import Real
 from typing import Any
 
@@ -11,9 +11,9 @@ from omote.model.known_names import explain_unknown
 
 CHANNEL_LOWEST, CHANNEL_HIGHEST = -0.5, 1.5
 """Trackers send up to 1.08, artists exaggerate; beyond this a face breaks."""
-HEAD_LIMIT = math.pi / 2
-GAZE_LIMIT = math.pi / 2
-"""Radians either way."""
+HEAD_LIMITS: Mapping[str, float] = dict.fromkeys(("yaw", "pitch", "roll"), math.pi / 2)
+GAZE_LIMITS: Mapping[str, float] = {"yaw": math.radians(40.0), "pitch": math.radians(30.0)}
+"""Radians either way; beyond those of the gaze the iris goes out of sight behind the lids."""
 LONGEST_CALL = 3600.0
 """Seconds; whoever wants longer wants the T-bar."""
 SHORTEST_CALL = 1e-3

@@ -10,12 +10,14 @@ from types import MappingProxyType
 NO_LABELS: Mapping[str, str] = MappingProxyType({})
 
 
-def find_name(typed: str, names: Iterable[str], what: str, labels: Mapping[str, str] = NO_LABELS) -> str:
+def find_name(
+    typed: str, names: Iterable[str], what: str, labels: Mapping[str, str] = NO_LABELS, *, where: str = " in this cast"
+) -> str:
     """Returns the one of `names` that a person means: `Crooked Smile`, `crooked-smile` and `crooked_smile` are one.
 
-    names: those there are; what: "face", "expression", for messages; labels: what people read, by name. A name exactly
-    as it is written wins, then names, then labels. ValueError with the nearest names where none is meant, and with all
-    that are where several could be.
+    names: those there are; labels: what people read, by name; what, where: "face", " in this cast", for messages. A
+    name exactly as it is written wins, then names, then labels. ValueError with the nearest names where none is meant,
+    and with all that are where several could be.
     """
     choices = list(names)
     if typed in choices:
@@ -29,7 +31,7 @@ def find_name(typed: str, names: Iterable[str], what: str, labels: Mapping[str, 
         raise ValueError(f"the {what} {typed[:80]!r} could be {' or '.join(found)}; write one of these names")
     near = nearest(typed, choices, labels) or sorted(choices)[:3]
     there = f"near are {', '.join(near)}" if near else "there are none"
-    raise ValueError(f"there is no {what} {typed[:80]!r} in this cast; {there}")
+    raise ValueError(f"there is no {what} {typed[:80]!r}{where}; {there}")
 
 
 def fold(text: str) -> str:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 
-from omote.model.cast import GENERIC, NEUTRAL
+from omote.model.known_names import GENERIC, NEUTRAL
 from omote.perform import axis
 from omote.perform.axis import Axis
 from omote.perform.channels import with_channel
@@ -24,7 +24,7 @@ from omote.perform.panic import (
     with_settling_head,
     without_channel,
 )
-from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next
+from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
 
 
 class Performer:
@@ -56,6 +56,7 @@ class Performer:
     """
 
     def __init__(self, cast: Playable) -> None:
+        refuse_no_cast(cast)
         check_known(GENERIC, cast.faces, "face")
         self._cast = cast
         self._now = Snapshot(Axis(GENERIC), Axis(NEUTRAL))
@@ -352,7 +353,8 @@ class Performer:
         Parameters
         ----------
         yaw, pitch : float
-            Radians, -pi/2 to pi/2; + is the character's left, up.
+            Radians; + is the character's left, up. Eyes turn 0.698 (40 degrees) sideways and 0.524 (30) up or down:
+            beyond, the iris would go out of sight.
 
         Raises
         ------

@@ -58,6 +58,12 @@ class Snapshot:
     panics: int = 0
 
 
+def refuse_no_cast(cast: object) -> None:
+    """Raises TypeError where a cast was expected and something else came."""
+    if not all(isinstance(getattr(cast, what, None), Mapping) for what in ("faces", "expressions")):
+        raise TypeError(f"the cast is a {type(cast).__name__}; expected an omote.Cast, such as omote.load_cast()")
+
+
 def is_home_next(snapshot: Snapshot) -> bool:
     """Whether the next panic brings the home face: nothing has been played since the last, which was another press."""
     if snapshot.panicked is None or snapshot.time - snapshot.panicked < SAME_PRESS:
@@ -72,6 +78,9 @@ def _mixes(axis: Axis) -> bool:
 
 def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     """Validates a snapshot and returns it; rejects one that the cast cannot play, or that no performer wrote."""
+    refuse_no_cast(cast)
+    if not isinstance(snapshot, Snapshot):
+        raise TypeError(f"the snapshot is a {type(snapshot).__name__}; expected what Performer.snapshot() gives")
     _check_axis(snapshot.face, cast.faces, "face")
     _check_axis(snapshot.expression, cast.expressions, "expression")
     _check_axis(snapshot.light, LIGHTS, "light")

@@ -112,7 +112,10 @@ class SetHead(Message, frozen=True):
 
 
 class SetGaze(Message, frozen=True):
-    """The gaze relative to the head in radians: + is the character's left, up."""
+    """The gaze relative to the head in radians: + is the character's left, up.
+
+    At most 0.698 sideways, 0.524 up or down: beyond, the iris would go out of sight.
+    """
 
     yaw: float
     pitch: float

@@ -30,8 +30,8 @@ from omote.showfile.changes import (
     PutRevision,
     Revision,
     Stored,
+    content_key,
 )
-from omote.showfile.contents import content_key
 from omote.showfile.database_errors import DamageError, WrongRowError
 
 

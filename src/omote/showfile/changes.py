@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from typing import Literal
 
 import msgspec
@@ -131,3 +132,8 @@ class Stored(msgspec.Struct, frozen=True):
     drafts: tuple[Draft, ...] = ()
     edits: tuple[Edit, ...] = ()
     layouts: dict[str, bytes] = {}
+
+
+def content_key(data: bytes, /) -> str:
+    """The permanent key of these bytes (their hash): 24 hexadecimal digits."""
+    return hashlib.blake2b(data, digest_size=12).hexdigest()

@@ -6,7 +6,6 @@ exactly, and only the rows that move; a face's as float32, as faces are kept. Th
 
 from __future__ import annotations
 
-import hashlib
 import zlib
 from collections.abc import Mapping
 from typing import Any
@@ -75,11 +74,6 @@ class _Face(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaul
 
 
 _Content = _Expression | _Face
-
-
-def content_key(data: bytes, /) -> str:
-    """The permanent key of these bytes (their hash): 24 hexadecimal digits."""
-    return hashlib.blake2b(data, digest_size=12).hexdigest()
 
 
 def content_kind(data: bytes, /) -> Kind:

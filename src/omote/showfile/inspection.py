@@ -15,7 +15,6 @@ from omote.perform.name_lookup import find_name, fold
 from omote.showfile.authored_rows import read_all, read_contents
 from omote.showfile.backup import backup_paths
 from omote.showfile.changes import Draft, Item, Kind, Revision, Stored
-from omote.showfile.contents import ContentError, content_kind
 from omote.showfile.database_errors import technical_texts
 from omote.showfile.identification import identify, locate_show
 from omote.showfile.integrity import open_read_only, verify_integrity
@@ -119,6 +118,8 @@ def _check_authored(found: Inspection) -> Iterator[tuple[bool, str]]:
 
 
 def _wrong_revisions(found: Inspection) -> Iterator[str]:
+    from omote.showfile.contents import ContentError, content_kind  # with the model: most commands need neither
+
     items = {item.id: item for item in found.stored.items}
     for revision in found.stored.revisions:
         item = items[revision.item]

@@ -1,14 +1,60 @@
-"""Builds one cast of the built-in one and all items of a show file, for commands."""
+"""Builds one cast of the built-in one and all items of a show file, for commands and for Python."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 
+from omote.builtin import load_cast
 from omote.model.cast import Cast, Title
+from omote.model.known_names import NEUTRAL
 from omote.showfile.changes import Item, Stored
 from omote.showfile.contents import unpack_expression, unpack_face
-from omote.stage_data.playing_cast import Own
+from omote.showfile.inspection import inspect_show
+from omote.showfile.schema import ShowFileError
+from omote.stage_data.playing_cast import Own, check_fit
+
+
+def read_show(path: str | Path) -> Cast:
+    """The built-in cast with the own faces and expressions of a show file; the file is only read.
+
+    Parameters
+    ----------
+    path : str or Path
+        A show file, `my.omote`, also one that a show plays at this moment.
+
+    Returns
+    -------
+    Cast
+        Built-in and own ones by their names (`omote file list` prints them), each own one in the revision that plays.
+
+    Raises
+    ------
+    RuntimeError
+        Where there is no show file, it is damaged, of a newer Omote or of another head; the message says what to do.
+    TypeError
+        For what is no path.
+
+    Examples
+    --------
+    >>> mine = omote.read_show("evening.omote")  # doctest: +SKIP
+    >>> on_dog = omote.compound(mine.space, mine.faces["dog"], mine.expressions["crooked_smile"])  # doctest: +SKIP
+
+    References
+    ----------
+    docs/conventions.md for units and axes; docs/reference/show-file.md for the file.
+    """
+    if not isinstance(path, str | Path):
+        raise TypeError(f"a show file is named by its path, not by {path!r}; write 'my.omote'")
+    found, base = inspect_show(Path(path)), load_cast()
+    try:
+        cast = build_full_cast(base, found.stored, found.contents)
+        for expression in cast.expressions.values():
+            check_fit(cast.expressions[NEUTRAL], expression)
+    except ValueError as error:
+        raise ShowFileError(f"{path} holds what cannot be played on the built-in head: {error}.") from error
+    return cast
 
 
 def build_full_cast(base: Cast, stored: Stored, contents: Mapping[str, bytes], /) -> Cast:

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 import msgspec
 
-from omote.stage_data.picture_grid import PictureGrid, Setting, read_size, split_list
-from omote.stage_data.pose_parser import parse_pose, pose_of
-
-if TYPE_CHECKING:
-    from omote.model.cast import Cast
-    from omote.stage_data.playing_cast import PlayingCast
+from omote.interchange.formats.file_names import Kind
+from omote.stage_data.picture_setting import Setting, read_size, refuse_count, split_list
+from omote.stage_data.pose_words import PoseWords, read_pose
 
 MOST_STEPS = 1000
 LONGEST_FILE_NAME = 80
@@ -46,12 +42,12 @@ class RenderRequest(Look, frozen=True, kw_only=True, tag_field="command", tag="r
     turn: str = ""
     gaze: str = ""
 
-    def sheet(self, cast: Cast | PlayingCast) -> PictureGrid:
-        """The picture as a table of one; ValueError for unknown names and invalid numbers."""
+    @property
+    def words(self) -> PoseWords:
+        """The pose; ValueError for what is not understood or out of range."""
         words = {"turn": self.turn, "gaze": self.gaze, "light": self.light}
         mixes = {"face": self.face, "expression": self.expression, "channels": self.channel}
-        joined = {name: "+".join(parts) for name, parts in mixes.items()}
-        return PictureGrid([[pose_of(cast, parse_pose(cast, **words, **joined))]])
+        return read_pose(**words, **{name: "+".join(parts) for name, parts in mixes.items()})
 
 
 class GridRequest(Look, frozen=True, kw_only=True, tag_field="command", tag="grid"):
@@ -64,14 +60,16 @@ class GridRequest(Look, frozen=True, kw_only=True, tag_field="command", tag="gri
     turns: str = "0"
     labels: bool = True
 
-    def sheet(self, cast: Cast | PlayingCast) -> PictureGrid:
-        """The table; ValueError for unknown names and invalid numbers."""
-        plan = plan_cells(self)
-        poses = [[cell.sheet(cast).poses[0][0] for _, cell in row] for row in plan.cells]
-        return PictureGrid(poses, plan.rows, plan.columns) if self.labels else PictureGrid(poses)
-
 
 Request = RenderRequest | GridRequest
+
+
+def check_request(request: Request, kind: Kind) -> None:
+    """ValueError for a request that no cast and no file of this kind could fulfil: all but the names in it."""
+    request.setting.paper(kind)
+    cells = [request] if isinstance(request, RenderRequest) else plan_cells(request).all
+    for cell in cells:
+        _ = cell.words
 
 
 class CellPlan(msgspec.Struct, frozen=True):
@@ -81,6 +79,11 @@ class CellPlan(msgspec.Struct, frozen=True):
     columns: list[str]
     cells: list[list[tuple[str, RenderRequest]]]
 
+    @property
+    def all(self) -> list[RenderRequest]:
+        """The pictures one after the other."""
+        return [cell for row in self.cells for _, cell in row]
+
 
 def plan_cells(grid: GridRequest) -> CellPlan:
     """Lays out the pictures of a table; ValueError where it names neither faces nor a morph, or both."""
@@ -88,6 +91,8 @@ def plan_cells(grid: GridRequest) -> CellPlan:
         raise ValueError("give the faces (--faces kaori,dog) or a morph (--morph kaori:dog:11), one of the two")
     turned = len(split_list(grid.turns)) > 1
     worn = [(expression, turn) for expression in split_list(grid.expressions) for turn in split_list(grid.turns)]
+    count = len(morph_steps(grid.morph)) if grid.morph.strip() else len(split_list(grid.faces))
+    refuse_count(count * len(worn))
     titles = [f"{expression} {turn}°" if turned else expression for expression, turn in worn]
     files = [file_name(f"{expression}-{turn}" if turned else expression) for expression, turn in worn]
     if grid.morph.strip():

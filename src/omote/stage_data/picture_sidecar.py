@@ -7,14 +7,21 @@ Its `request` alone says what is drawn again; the rest records what was drawn, u
 from __future__ import annotations
 
 import hashlib
+import itertools
 import os
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
 
-from omote.stage_data.picture_grid import PictureGrid, Setting
+from omote.interchange.formats.atomic_file import write_whole
+from omote.interchange.formats.error_reasons import explain_error
+from omote.interchange.formats.file_names import KINDS
 from omote.stage_data.picture_request import Request
+from omote.stage_data.picture_setting import Setting
+
+if TYPE_CHECKING:
+    from omote.stage_data.picture_grid import PictureGrid
 
 LARGEST_SIDECAR = 16_000_000
 
@@ -51,6 +58,17 @@ State = Literal["missing", "foreign", "former", "drawn"]
 def sidecar_path(picture: Path) -> Path:
     """Where the sidecar of a picture lies."""
     return picture.with_name(f"{picture.name}.json")
+
+
+def find_sidecar(path: Path) -> Path:
+    """The sidecar that a person means who names it, or the picture that it is of; FileNotFoundError for the latter
+    without one."""
+    beside = sidecar_path(path)
+    if path.suffix.lower() not in KINDS:
+        return path
+    if not beside.is_file():
+        raise FileNotFoundError(f"no {beside.name} lies beside {path}; only from that a picture is drawn again")
+    return beside
 
 
 def describe(request: Request, sheet: PictureGrid, setting: Setting, made_by: tuple[str, str, str]) -> Sidecar:
@@ -90,7 +108,8 @@ def read_sidecar(path: Path) -> Sidecar:
         return msgspec.json.decode(path.read_bytes(), type=Sidecar)
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise ValueError(
-            f"{path} is no sidecar of a picture ({error}); give the .json that lies beside one, as smile.png.json"
+            f"{path} is no sidecar of a picture ({explain_error(error)}); give the .json that lies beside one, as "
+            "smile.png.json"
         ) from None
 
 
@@ -128,6 +147,30 @@ def picture_state(picture: Path, wanted: Sidecar) -> State:
     if found.picture != hash_picture(picture.read_bytes()):
         return "foreign"
     return "drawn" if found.record == wanted.record else "former"
+
+
+def keep_former(picture: Path, wanted: Sidecar) -> Path | None:
+    """Copies the sidecar that another picture's takes the place of, so that the one before can be drawn again.
+
+    `smile.png.json` is kept as `smile.before-1.png.json`; gives where, None where nothing would be lost. OSError where
+    it cannot be written.
+    """
+    try:
+        found = read_sidecar(sidecar_path(picture))
+    except (OSError, ValueError):
+        return None
+    if found.record == wanted.record:
+        return None
+    data = sidecar_path(picture).read_bytes()
+    for number in itertools.count(1):
+        former = picture.with_name(f"{picture.stem}.before-{number}{picture.suffix}")
+        kept = sidecar_path(former)
+        if kept.is_file() and kept.read_bytes() == data:
+            return kept
+        if not kept.exists() and not former.exists():
+            break
+    write_whole(kept, data)
+    return kept
 
 
 def hash_picture(data: bytes) -> str:

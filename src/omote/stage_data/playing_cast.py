@@ -11,7 +11,8 @@ from types import MappingProxyType
 
 import msgspec
 
-from omote.model.cast import NEUTRAL, Cast, Title
+from omote.model.cast import Cast, Title
+from omote.model.known_names import NEUTRAL
 from omote.model.recipes.recipe import KEY
 from omote.model.space.expression import Expression
 from omote.show.messages import ExpressionDocument, FaceDocument, Manifest
@@ -78,7 +79,7 @@ class PlayingExpressions(Mapping[str, Expression]):
     def unpack(self, key: str) -> None:
         """Unpacks a content now; ValueError where it does not fit this head, KeyError where it is missing."""
         if key not in self._unpacked:
-            self._unpacked[key] = _check_fit(self._built_in[NEUTRAL], unpack_expression(self._contents[key]))
+            self._unpacked[key] = check_fit(self._built_in[NEUTRAL], unpack_expression(self._contents[key]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,7 +163,8 @@ def manifest_of(playing: PlayingCast, built_in: Manifest, faces: Mapping[str, Fa
     )
 
 
-def _check_fit(neutral: Expression, expression: Expression) -> Expression:
+def check_fit(neutral: Expression, expression: Expression) -> Expression:
+    """Returns an expression that is of the head of the neutral one; ValueError for any other."""
     count = len(neutral.dtheta)
     if len(expression.dtheta) != count or len(expression.residual) != len(neutral.residual):
         raise ValueError(f"the expression has {len(expression.dtheta)} vertices; expected the {count} of this cast")

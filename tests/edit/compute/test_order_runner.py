@@ -15,7 +15,8 @@ from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull, Recipe, Vector
 from omote.model.space.expression import Expression
 from omote.model.transfer.compound import compound
-from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
+from omote.showfile.changes import content_key
+from omote.showfile.contents import pack_expression, pack_face, unpack_expression, unpack_face
 
 CAST = omote.load_cast()
 RUNNER = OrderRunner(CAST)

@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 
 from omote.builtin import load_cast
 from omote.geometry.orientation import area_shares, rest_normals
-from omote.model.cast import NEUTRAL, Cast
+from omote.model.cast import Cast
+from omote.model.known_names import NEUTRAL
 from omote.model.space.face_fit import fit
 from omote.model.transfer.compound import compound
 from omote.model.transfer.corrective_regions import CorrectiveRegions, find_corrective_regions

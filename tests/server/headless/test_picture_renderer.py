@@ -16,7 +16,8 @@ from omote.server.headless.chromium import open_chromium
 from omote.server.headless.devtools import BrowserError
 from omote.server.headless.picture_renderer import draw_grid, open_picture_page, query, render, serve_pages
 from omote.server.http.cast_documents import CastDocuments
-from omote.stage_data.picture_grid import PictureGrid, Setting
+from omote.stage_data.picture_grid import PictureGrid
+from omote.stage_data.picture_setting import Setting
 from tests.server.false_browser import ANSWERS, false_browser
 from tests.server.synthetic_server import MASK, PAGES, meshes
 

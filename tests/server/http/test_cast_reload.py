@@ -14,7 +14,8 @@ from omote.server.http.cast_reload import CastReload, gather_cast
 from omote.show import messages as wire
 from omote.show.messages import Manifest
 from omote.show.session import ShowSession
-from omote.showfile.contents import content_key, pack_expression, pack_face
+from omote.showfile.changes import content_key
+from omote.showfile.contents import pack_expression, pack_face
 from omote.stage_data.playing_cast import Own, PlayingCast
 from tests.server.synthetic_server import MASK, meshes
 

@@ -12,7 +12,8 @@ from aiohttp import web
 from omote.model.cast import Cast
 from omote.server.http.command_process import COMMAND
 from omote.server.http.downloads import Downloads, plan_download
-from omote.showfile.contents import content_key, pack_expression
+from omote.showfile.changes import content_key
+from omote.showfile.contents import pack_expression
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
 
 SHOW = Path("my.omote")

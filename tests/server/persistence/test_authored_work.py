@@ -7,8 +7,8 @@ import pytest
 from omote.model.cast import Cast
 from omote.server.persistence.authored_work import open_authored_work
 from omote.server.workers.order_worker import OrderWorker
-from omote.showfile.changes import Item, PutContent, PutItem, PutLayout, PutRevision, Revision
-from omote.showfile.contents import content_key, pack_expression
+from omote.showfile.changes import Item, PutContent, PutItem, PutLayout, PutRevision, Revision, content_key
+from omote.showfile.contents import pack_expression
 from omote.showfile.database_errors import DamageError
 from omote.showfile.show_file import ShowFile, open_show
 

@@ -20,7 +20,8 @@ from omote.server.workers.order_worker import (
 )
 from omote.show.messages import CompoundAsset, ContentAsset
 from omote.show.wire import encode
-from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
+from omote.showfile.changes import content_key
+from omote.showfile.contents import pack_expression, pack_face, unpack_expression
 from omote.stage_data.assets import compound_asset, content_asset
 
 

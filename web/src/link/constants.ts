@@ -4,6 +4,8 @@
 export const LIGHT_NAMES = ["theatre", "portrait", "flat"] as const;
 /** The light that a show begins with. */
 export const FIRST_LIGHT = "theatre";
+/** The backgrounds that have a name. */
+export const BACKGROUNDS = {"green": "#00b140", "blue": "#0047bb", "black": "#000000", "grey": "#808080", "white": "#ffffff"} as const;
 /** The easings of a call. */
 export const EASING_NAMES = ["smooth", "gentle", "sharp", "early", "late"] as const;
 /** The easing of a call that names none. */

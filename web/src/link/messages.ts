@@ -80,7 +80,10 @@ export interface SetHead {
   roll: number;
 }
 
-/** The gaze relative to the head in radians: + is the character's left, up. */
+/**
+ * The gaze relative to the head in radians: + is the character's left, up.
+ * At most 0.698 sideways, 0.524 up or down: beyond, the iris would go out of sight.
+ */
 export interface SetGaze {
   type: "set_gaze";
   yaw: number;

@@ -24,7 +24,7 @@ describe("a stage's address", () => {
     expect(readParameters("?transparent=0").transparent).toBe(false);
   });
 
-  it.each(["#00b140", "00b140", "%2300B140"])("puts %s behind the head", (colour) => {
+  it.each(["#00b140", "00b140", "%2300B140", "green", "Green"])("puts %s behind the head", (colour) => {
     const [red, green, blue] = readParameters(`?background=${colour}`).background ?? [];
     expect(red).toBe(0);
     expect(encodeSrgb([0, green ?? 0, 0])[1] * 255).toBeCloseTo(0xb1, 6);
@@ -48,7 +48,8 @@ describe("a stage's address", () => {
   it.each([
     ["?colour=red", "colour"],
     ["?hud=maybe", "hud=maybe"],
-    ["?background=green", "background=green"],
+    ["?background=gren", "background=gren is no colour; write green, blue"],
+    ["?background=constructor", "is no colour"],
     ["?background=#00b14", "background=#00b14"],
     ["?background=#000000&transparent", "exclude"],
     ["?light=candle", "light=candle"],

@@ -4,7 +4,7 @@ import type { Tile } from "../face/framing";
 import type { Triple } from "../face/light/tone";
 import { decodeSrgb } from "../face/light/tone";
 import type { Level } from "../face/quality/quality_levels";
-import { LEVELS, LIGHT_NAMES } from "../link/constants";
+import { BACKGROUNDS, LEVELS, LIGHT_NAMES } from "../link/constants";
 
 /** Everything a stage is told by its address. */
 export interface StageParameters {
@@ -48,15 +48,19 @@ function readSwitch(given: URLSearchParams, name: string): boolean {
   throw new ParameterError(`${name}=${value} is neither on nor off; write ${name}=1 or leave it out.`);
 }
 
-/** `#rrggbb`; an address may write it with its "#" as it is, or leave that out. */
+/** A colour's name, or `#rrggbb`; an address may write it with its "#" as it is, or leave that out. */
 function readBackground(given: URLSearchParams): Triple | undefined {
   const value = given.get("background");
   if (value === null) return undefined;
-  if (!/^#?[0-9a-f]{6}$/i.test(value))
-    throw new ParameterError(`background=${value} is no colour; write background=#rrggbb, for example #00b140.`);
+  const named: Readonly<Record<string, string>> = BACKGROUNDS;
+  const colour = named[value.toLowerCase()] ?? value;
+  if (!/^#?[0-9a-f]{6}$/i.test(colour)) {
+    const names = Object.keys(BACKGROUNDS).join(", ");
+    throw new ParameterError(`background=${value} is no colour; write ${names}, or #rrggbb, for example #00b140.`);
+  }
   if (readSwitch(given, "transparent"))
     throw new ParameterError(`background=${value} and transparent exclude each other; leave one of them out.`);
-  return decodeSrgb(value.startsWith("#") ? value : `#${value}`);
+  return decodeSrgb(colour.startsWith("#") ? colour : `#${colour}`);
 }
 
 function readLight(value: string | null): string | undefined {

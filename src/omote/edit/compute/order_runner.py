@@ -20,7 +20,8 @@ from omote.model.recipes.compose_face import FaceWithLook, compose_face
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.model.space.expression import Expression
 from omote.show.wire import le_bytes
-from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression, unpack_face
+from omote.showfile.changes import content_key
+from omote.showfile.contents import pack_expression, pack_face, unpack_expression, unpack_face
 
 _CACHED = 64
 """Unpacked contents and control nets that stay cached."""

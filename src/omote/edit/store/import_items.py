@@ -18,8 +18,8 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.perform.name_lookup import find_name
-from omote.showfile.changes import Change, Item, Kind, PutContent, PutItem, PutRevision, Revision, Stored
-from omote.showfile.contents import content_key, pack_expression, pack_face, unpack_expression
+from omote.showfile.changes import Change, Item, Kind, PutContent, PutItem, PutRevision, Revision, Stored, content_key
+from omote.showfile.contents import pack_expression, pack_face, unpack_expression
 
 EDITOR = "import"
 """The author of imported revisions."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from omote.edit.store.sources import Sources
-from omote.model.cast import NEUTRAL
+from omote.model.known_names import NEUTRAL
 from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
 from omote.show.messages import State
 from omote.show.validation import Refusal

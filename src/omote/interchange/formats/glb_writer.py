@@ -28,7 +28,6 @@ ROWS = "_VID"
 RESERVED = frozenset({"", "Basis"})
 """No names of targets: Blender leaves out the empty one and keeps the other for the mesh at rest."""
 GENERATOR = "Omote"
-SUFFIX = ".glb"
 
 
 @dataclass(frozen=True, eq=False)

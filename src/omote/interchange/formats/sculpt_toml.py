@@ -31,12 +31,12 @@ class SculptFileError(ValueError):
     """The text is not a valid sculpt; the message says why."""
 
 
-def read_sculpt(path: Path) -> Sculpt:
+def read_sculpt(path: str | Path) -> Sculpt:
     """The sculpt in a text file (TOML).
 
     Parameters
     ----------
-    path : Path
+    path : str or Path
         The file; lengths in it are in the unit that it names, millimetres without one.
 
     Returns
@@ -60,6 +60,9 @@ def read_sculpt(path: Path) -> Sculpt:
     ----------
     docs/sculpts.md has the format, key by key.
     """
+    if not isinstance(path, str | Path):
+        raise TypeError(f"a sculpt file is named by its path, not by {path!r}; write 'mask.toml'")
+    path = Path(path)
     try:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:

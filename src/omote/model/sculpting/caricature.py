@@ -12,7 +12,7 @@ from omote.model.space.eye_socket import ball_heights, radius_of, set_ball_heigh
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.head_regions import eye_frame
-from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 
 Values = NDArray[np.float64]
 
@@ -53,6 +53,9 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     ----------
     docs/sculpts.md, "Mixes and caricature".
     """
+    refuse_no_space(space)
+    if isinstance(amount, bool) or not isinstance(amount, int | float | np.number):
+        raise TypeError(f"a caricature's amount is {amount!r}; expected a number such as 1.5")
     if not np.isfinite(amount):
         raise ValueError(f"a caricature's amount is {amount!r}; expected a finite number such as 1.5")
     fitted = fit(space, face)

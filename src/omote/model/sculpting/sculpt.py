@@ -19,7 +19,7 @@ from omote.model.space.eye_socket import ball_heights, move_ball, set_ball_heigh
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.gain import Gain, validate_gains
-from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.transfer.mouth.mouth_at_rest import mend_mouth
 
 Values = NDArray[np.float64]
@@ -179,6 +179,9 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
     ----------
     docs/sculpts.md, "What happens"; Duchon (1977): thin-plate splines in space.
     """
+    refuse_no_space(space)
+    if not isinstance(sculpt, Sculpt):
+        raise TypeError(f"the sculpt is a {type(sculpt).__name__}; expected an omote.Sculpt, as read_sculpt gives")
     _refuse_far(space, sculpt)
     move = warp(sculpt)
     skin, parts = _base(space, sculpt, faces or {})

@@ -9,7 +9,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.cast import NEUTRAL, Cast
+from omote.model.cast import Cast
+from omote.model.known_names import NEUTRAL
 from omote.model.space.ears import turn_ears
 from omote.model.space.face_fit import FittedFace, fit, generic_face
 from omote.model.transfer.compound import move_parts, predict_part, turn_eyes

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.atomic_file import write_whole
-from omote.interchange.formats.picture_names import picture_kind
+from omote.interchange.formats.file_names import picture_kind
 from omote.interchange.formats.png import read_png
 from omote.model.cast import Cast
 from omote.perform.blending.evaluate import check_playable
@@ -30,7 +30,8 @@ from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
 from omote.show.session import ShowSession
-from omote.stage_data.picture_grid import PictureGrid, Setting
+from omote.stage_data.picture_grid import PictureGrid
+from omote.stage_data.picture_setting import Setting
 from omote.stage_data.pose_parser import Pose, pose_of
 
 OPENED = """new Promise((open, refuse) => {
@@ -137,13 +138,15 @@ def render(
     docs/conventions.md; the light and the levels are those of docs/gallery.md.
     """
     check_playable(cast, frame)
-    if len(size) != 2:
+    if not isinstance(size, Sequence) or len(size) != 2:
         raise ValueError(f"size is {size!r}; give width and height in pixels, as in (640, 720)")
     setting = Setting(*size, background=background, transparent=transparent, quality=quality)
     if len(cast.space.points) != len(load_cast().space.points):
         raise ValueError(
             f"a cast of {len(cast.space.points)} vertices cannot be drawn; give one on the head of omote.load_cast()"
         )
+    if not isinstance(path, str | Path | None):
+        raise TypeError(f"a picture is named by its path, not by {path!r}; write 'smile.png'")
     target = None if path is None else Path(path)
     if target is not None and picture_kind(target) != "image/png":
         raise ValueError(f"{target.name!r} is no name of a PNG; end it with .png")

@@ -14,15 +14,16 @@ from typing import Any
 from omote import __version__
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.atomic_file import write_whole
-from omote.interchange.formats.picture_names import KINDS, picture_kind
+from omote.interchange.formats.file_names import KINDS, picture_kind
 from omote.server.headless.chromium import find_chromium, open_chromium
 from omote.server.headless.picture_renderer import PicturePage, open_picture_page, serve_pages
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.static_pages import Page, read_pages
-from omote.showfile.inspection import inspect_show
+from omote.showfile.inspection import Inspection
 from omote.stage_data.full_cast import own_items
-from omote.stage_data.picture_grid import PictureGrid, Setting
+from omote.stage_data.picture_grid import PictureGrid, lay_out
 from omote.stage_data.picture_request import GridRequest, RenderRequest, Request, plan_cells
+from omote.stage_data.picture_setting import Setting
 from omote.stage_data.picture_sidecar import (
     Sidecar,
     State,
@@ -107,20 +108,19 @@ class PictureRun:
 class PictureStudio:
     """The cast, with a show file's own work where one is given, and the pages that draw it; for one run."""
 
-    def __init__(self, show: Path | None = None) -> None:
+    def __init__(self, show: Inspection | None = None) -> None:
         self.documents = CastDocuments(load_cast(), load_meshes(), load_mask())
         self.pages = read_pages()
         own: tuple[Own, ...] = ()
         if show is not None:
-            found = inspect_show(show)
-            own, self.documents.contents = own_items(found.stored), found.contents
+            own, self.documents.contents = own_items(show.stored), show.contents
         self.cast: PlayingCast = build_playing_cast(self.documents.cast, own, self.documents.contents)
         self._made_by = (__version__, self.cast.digest, digest_of_pages(self.pages))
 
     def plan(self, request: Request, path: Path, *, fresh: bool = False) -> PictureRun:
         """Everything that a request wants drawn; ValueError where that cannot be, before anything is drawn."""
         kind, setting = picture_kind(path), request.setting
-        sheet = request.sheet(self.cast).on_paper(setting, kind)
+        sheet = lay_out(request, self.cast).on_paper(setting, kind)
         whole = self._file(request, path, sheet, setting)
         if isinstance(request, RenderRequest):
             return PictureRun(setting, [whole], fresh=fresh)
@@ -130,7 +130,7 @@ class PictureStudio:
         folder = pictures_folder(path)
         for row in plan_cells(request).cells:
             for name, cell in row:
-                sheet = cell.sheet(self.cast).on_paper(setting, "image/png")
+                sheet = lay_out(cell, self.cast).on_paper(setting, "image/png")
                 yield self._file(cell, folder / f"{name}.png", sheet, setting)
 
     def _file(self, request: Request, path: Path, sheet: PictureGrid, setting: Setting) -> PictureFile:

@@ -8,13 +8,12 @@ from pathlib import Path
 from omote.builtin import load_meshes
 from omote.edit.store.import_items import ImportedItem, import_document
 from omote.interchange.formats import expression_json
+from omote.interchange.formats.file_names import DOCUMENT, require_imports
 from omote.interchange.import_meshes import import_expressions, import_face
 from omote.model.cast import Cast
 from omote.perform.name_lookup import find_name
-from omote.server.sandbox.child_reader import READERS, read_in_sandbox
+from omote.server.sandbox.child_reader import read_in_sandbox
 
-DOCUMENT = ".json"
-ENDINGS = (DOCUMENT, *READERS)
 FAR = 5e-5
 """Metres; a larger error of an imported expression against its source shape is reported."""
 
@@ -26,7 +25,7 @@ def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> It
 
     ValueError for files without expressions; OSError where one cannot be read.
     """
-    _refuse_missing(paths)
+    require_imports(paths)
     documents = [path for path in paths if path.suffix.lower() == DOCUMENT]
     for path in documents:
         if path.stat().st_size > expression_json.LARGEST:
@@ -51,18 +50,8 @@ def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator
 
     Errors as `expressions_from`.
     """
-    _refuse_missing(paths)
+    require_imports(paths)
     for path in paths:
         face, own = import_face(cast, load_meshes(), path.stem, read_in_sandbox(path))
         worn = cast.looks[find_name(look, cast.faces, "face")] if look else own
         yield ImportedItem(path.stem, (face, worn), note=f"from {path.name}"), f"{path.stem}, a face"
-
-
-def _refuse_missing(paths: Sequence[Path]) -> None:
-    for path in paths:
-        if not path.is_file():
-            near = [each for ending in ENDINGS if (each := path.with_name(path.name + ending)).is_file()]
-            what = f"did you mean {near[0]}?" if near else "name one that is there"
-            raise FileNotFoundError(f"there is no file {path}; {what}")
-        if path.suffix.lower() not in ENDINGS:
-            raise ValueError(f"what {path} holds is told by its name; end that with {', '.join(ENDINGS)}")

@@ -1,0 +1,59 @@
+"""The files that commands write and read, by the suffix of their names; looks into none of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Literal
+
+Kind = Literal["image/png", "image/jpeg"]
+
+KINDS: dict[str, Kind] = {".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "image/jpeg"}
+GLB, DOCUMENT = ".glb", ".json"
+NUMBERS = (".npz", ".csv")
+"""What an export writes besides GLB."""
+IMPORTS = (DOCUMENT, GLB, ".obj")
+
+
+def picture_kind(path: Path) -> Kind:
+    """The media type of a file name's suffix; ValueError for an unknown one."""
+    refuse_folder(path)
+    kind = KINDS.get(path.suffix.lower())
+    if kind is None:
+        raise ValueError(f"{path.name!r} is no name of a picture; end it with {' or '.join(KINDS)}")
+    return kind
+
+
+def refuse_folder(path: Path) -> None:
+    """IsADirectoryError for a folder, where the name of a file is wanted."""
+    if path.name and path.is_dir():
+        raise IsADirectoryError(f"{path} is a folder; give the name of a file in it")
+
+
+def check_export_name(path: Path) -> None:
+    """ValueError for a name that says neither GLB nor a table of numbers."""
+    refuse_folder(path)
+    if path.suffix.lower() not in (GLB, *NUMBERS):
+        numbers = " or ".join(NUMBERS)
+        raise ValueError(f"{path.name!r} is no name of a GLB file; end it with {GLB}, or with {numbers} for numbers")
+
+
+def check_document_name(path: Path) -> None:
+    """ValueError for a name that does not say that it is a document's."""
+    refuse_folder(path)
+    if path.suffix.lower() != DOCUMENT:
+        raise ValueError(f"{path.name!r} is no name of a document; end it with {DOCUMENT}")
+
+
+def require_imports(paths: Iterable[Path]) -> None:
+    """FileNotFoundError, with the one that may be meant, for a file that is not there; ValueError where a name does not
+    say what a file holds."""
+    for path in paths:
+        if path.is_dir():
+            raise IsADirectoryError(f"{path} is a folder; name the files in it, as in {path / '*.json'}")
+        if not path.is_file():
+            near = [each for ending in IMPORTS if (each := path.with_name(path.name + ending)).is_file()]
+            what = f"did you mean {near[0]}?" if near else "name one that is there"
+            raise FileNotFoundError(f"there is no file {path}; {what}")
+        if path.suffix.lower() not in IMPORTS:
+            raise ValueError(f"what {path} holds is told by its name; end that with {', '.join(IMPORTS)}")

@@ -1,0 +1,73 @@
+"""What all pictures of a table share: size, background and quality; all of it is checked without a cast."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import get_args
+
+from omote.interchange.formats.file_names import Kind
+from omote.perform.lights import find_background
+from omote.show.messages import Level
+
+SMALLEST, LARGEST, MOST_PIXELS = 16, 8192, 8192 * 4320
+"""Pixels: of a side, and of one picture; no graphics driver draws more everywhere."""
+MOST_CELLS = 2000
+PAPER = "#000"
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What all pictures of a grid share: size in pixels, background, quality."""
+
+    width: int = 640
+    height: int = 720
+    background: str | None = None
+    transparent: bool = False
+    quality: str = "high"
+
+    def __post_init__(self) -> None:
+        """Rejects sizes that no canvas has, unknown levels of quality, and what is no colour."""
+        sides = (self.width, self.height)
+        if not all(isinstance(side, int) and not isinstance(side, bool) for side in sides):
+            raise TypeError(f"width and height are {self.width!r} and {self.height!r}; give whole numbers of pixels")
+        if not (min(sides) >= SMALLEST and max(sides) <= LARGEST and self.width * self.height <= MOST_PIXELS):
+            raise ValueError(
+                f"a picture of {self.width}x{self.height} pixels cannot be drawn; give {SMALLEST} to {LARGEST} a side, "
+                f"{MOST_PIXELS / 1e6:.0f} million in all"
+            )
+        if self.quality not in get_args(Level):
+            raise ValueError(f"there is no quality {self.quality!r}; give one of {', '.join(get_args(Level))}")
+        if self.transparent and self.background is not None:
+            raise ValueError(f"a picture is transparent or has the background {self.background!r}; leave one out")
+        if not isinstance(self.background, str | None):
+            raise TypeError(f"the background is {self.background!r}; give a colour as text, as in '#00b140'")
+        if self.background is not None:
+            object.__setattr__(self, "background", find_background(self.background))
+
+    def paper(self, kind: Kind) -> str | None:
+        """The colour behind the pictures of a file of this kind: dark, or None where the pictures are transparent.
+
+        ValueError for a transparent JPEG, which there is not.
+        """
+        if self.transparent and kind == "image/jpeg":
+            raise ValueError("a JPEG cannot be transparent; write a .png, or leave --transparent out")
+        return None if self.transparent else PAPER
+
+
+def refuse_count(cells: int) -> None:
+    """ValueError for a table of no pictures, and for one of too many."""
+    if not 0 < cells <= MOST_CELLS:
+        raise ValueError(f"the table has {cells} pictures; give 1 to {MOST_CELLS}")
+
+
+def split_list(text: str) -> list[str]:
+    """Splits a text at its commas."""
+    return [word.strip() for word in text.split(",") if word.strip()]
+
+
+def read_size(text: str) -> tuple[int, int]:
+    """Parses the width and height of `640x720`; ValueError for anything else."""
+    sides = text.lower().split("x")
+    if len(sides) != 2 or not all(side.strip().isdecimal() and len(side) < 9 for side in sides):
+        raise ValueError(f"the size {text!r} is not understood; give width x height in pixels, as in 640x720")
+    return int(sides[0]), int(sides[1])

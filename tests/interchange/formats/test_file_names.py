@@ -1,0 +1,55 @@
+"""Which names files may have."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from omote.interchange.formats.file_names import (
+    IMPORTS,
+    KINDS,
+    check_document_name,
+    check_export_name,
+    picture_kind,
+    require_imports,
+)
+
+
+def test_the_name_says_the_kind() -> None:
+    assert {picture_kind(Path(f"a{suffix}")) for suffix in KINDS} == set(KINDS.values())
+    assert picture_kind(Path("A.PNG")) == "image/png"
+    with pytest.raises(ValueError, match=r"'a\.gif' is no name of a picture; end it with \.png"):
+        picture_kind(Path("a.gif"))
+
+
+@pytest.mark.parametrize("name", ["a.glb", "a.NPZ", "b.csv"])
+def test_an_export_has_one_of_three_endings(name: str) -> None:
+    check_export_name(Path(name))
+
+
+def test_another_ending_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"'a\.obj' is no name of a GLB file; end it with \.glb, or with \.npz"):
+        check_export_name(Path("a.obj"))
+    with pytest.raises(ValueError, match=r"'a\.txt' is no name of a document; end it with \.json"):
+        check_document_name(Path("a.txt"))
+
+
+@pytest.mark.parametrize("check", [picture_kind, check_export_name, check_document_name])
+def test_a_folder_is_no_file(tmp_path: Path, check: Callable[[Path], object]) -> None:
+    with pytest.raises(IsADirectoryError, match="is a folder; give the name of a file in it"):
+        check(tmp_path)
+
+
+def test_files_to_be_taken_in_are_there_and_say_what_they_are(tmp_path: Path) -> None:
+    for ending in IMPORTS:
+        (tmp_path / f"smile{ending}").touch()
+    require_imports(tmp_path.iterdir())
+    (tmp_path / "smile.txt").touch()
+    with pytest.raises(ValueError, match=r"smile\.txt holds is told by its name; end that with \.json, \.glb, \.obj"):
+        require_imports([tmp_path / "smile.txt"])
+    with pytest.raises(FileNotFoundError, match=r"there is no file .*; did you mean .*smile\.json\?"):
+        require_imports([tmp_path / "smile"])
+    with pytest.raises(FileNotFoundError, match="name one that is there"):
+        require_imports([tmp_path / "frown.json"])
+    with pytest.raises(IsADirectoryError, match="is a folder; name the files in it"):
+        require_imports([tmp_path])
