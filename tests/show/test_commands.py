@@ -27,4 +27,4 @@ def test_infinite_seconds_are_no_word_of_the_wire(cast: Cast, kind: type[wire.Ca
 
 def test_every_message_that_plays_has_an_action() -> None:
     others = {wire.Hello, wire.KeepFace, wire.KeepExpression, wire.UndoKeep, wire.SetLayout, wire.RenameLayout}
-    assert {*wire.CLIENT_MESSAGES} - {*ACTIONS} == others | {wire.DropLayout, wire.Ping, wire.Drawing}
+    assert {*wire.CLIENT_MESSAGES} - {*ACTIONS} == others | {wire.DropLayout, wire.Cancel, wire.Ping, wire.Drawing}

@@ -11,7 +11,7 @@ from typing import Annotated, Literal, get_args
 
 import msgspec
 
-PROTOCOL_VERSION = 3
+PROTOCOL_VERSION = 4
 LINK_PATH = "/link"
 MESSAGE_LIMIT = 4096
 """Bytes; no message of a client is longer."""
@@ -172,6 +172,13 @@ class DropLayout(Message, frozen=True):
     name: Name
 
 
+class Cancel(Message, frozen=True):
+    """Ends a long request, which then changes nothing: an import or export sent over HTTP with `?request=` and an id of
+    the page's own. One that has ended is left as it is."""
+
+    request: CallId
+
+
 class Ping(Message, frozen=True):
     """Asks for a pong; `sent` is the client's own clock and comes back unchanged."""
 
@@ -311,6 +318,16 @@ class Notices(Message, frozen=True):
     notices: list[Notice]
 
 
+class Progress(Message, frozen=True):
+    """How far a long request (an import, an export) is: steps done of `total` (0: not known yet), and what is done now,
+    for people. To consoles and editors; any may be lost, and the request's own answer says that it has ended."""
+
+    request: str
+    done: int
+    total: int
+    what: str
+
+
 class StageReport(msgspec.Struct, frozen=True):
     """The last report of a stage: frames per second, and the level of quality."""
 
@@ -349,10 +366,13 @@ FromClient = (
     | SetLayout
     | RenameLayout
     | DropLayout
+    | Cancel
     | Ping
     | Drawing
 )
-FromServer = Welcome | CastChanged | State | Pong | Kept | KeepUndone | Refused | Notices | Layouts | Hands | Crew
+FromServer = (
+    Welcome | CastChanged | State | Pong | Kept | KeepUndone | Refused | Notices | Layouts | Hands | Progress | Crew
+)
 
 
 # --- documents over HTTP ----------------------------------------------------------------------------------------------

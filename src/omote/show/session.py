@@ -75,6 +75,7 @@ class ShowSession:
         self.commands = 0
         self.crew: dict[str, Member] = {}
         self.wishes: list[KeepRequest] = []
+        self.cancelled: list[str] = []
         self.notices: list[wire.Notice] = []
         self.layouts: list[str] = []
         self._lost_stages: list[float] = []  # when the links broke
@@ -146,6 +147,11 @@ class ShowSession:
         requests, self.wishes = self.wishes, []
         return requests
 
+    def take_cancelled(self) -> list[str]:
+        """Returns and clears the long requests that consoles end."""
+        requests, self.cancelled = self.cancelled, []
+        return requests
+
     def clock(self, now: float) -> float:
         """The show's clock at `now`, as in `State.time`: it runs on through a restart of the server."""
         return self._time if self._now is None else self._time + max(0.0, now - self._now)
@@ -172,7 +178,11 @@ class ShowSession:
 
     def layouts_now(self) -> list[Outgoing]:
         """The names of all layouts, for every console."""
-        return [Outgoing(who, wire.Layouts(list(self.layouts))) for who in self._consoles()]
+        return self.for_consoles(wire.Layouts(list(self.layouts)))
+
+    def for_consoles(self, message: wire.FromServer) -> list[Outgoing]:
+        """A message for every console."""
+        return [Outgoing(who, message) for who in self._consoles()]
 
     def hands_now(self, now: float) -> list[Outgoing]:
         """What consoles must be told of each other's hands."""
@@ -194,6 +204,9 @@ class ShowSession:
             case wire.Drawing():
                 report = wire.StageReport(validate_number(message.fps, validation.FPS), message.level)
                 self.crew[who] = Member(self._member(who).role, report, heard=now)
+            case wire.Cancel():
+                self._refuse_a_stage(who, message)
+                self.cancelled.append(message.request)
             case _ if getattr(message, "id", None) in self._calls:
                 pass  # a retry or a bouncing key: each call executes once
             case _ if isinstance(message, KeepMessage):

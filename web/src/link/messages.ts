@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 3;
+export const PROTOCOL_VERSION = 4;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
@@ -148,6 +148,15 @@ export interface DropLayout {
   name: string;
 }
 
+/**
+ * Ends a long request, which then changes nothing: an import or export sent over HTTP with `?request=` and an id of
+ * the page's own. One that has ended is left as it is.
+ */
+export interface Cancel {
+  type: "cancel";
+  request: string;
+}
+
 /** Asks for a pong; `sent` is the client's own clock and comes back unchanged. */
 export interface Ping {
   type: "ping";
@@ -288,6 +297,18 @@ export interface Notice {
 export interface Notices {
   type: "notices";
   notices: Notice[];
+}
+
+/**
+ * How far a long request (an import, an export) is: steps done of `total` (0: not known yet), and what is done now,
+ * for people. To consoles and editors; any may be lost, and the request's own answer says that it has ended.
+ */
+export interface Progress {
+  type: "progress";
+  request: string;
+  done: number;
+  total: number;
+  what: string;
 }
 
 /** The last report of a stage: frames per second, and the level of quality. */
@@ -541,6 +562,7 @@ export type FromClient =
   | SetLayout
   | RenameLayout
   | DropLayout
+  | Cancel
   | Ping
   | Drawing;
 
@@ -555,4 +577,5 @@ export type FromServer =
   | Notices
   | Layouts
   | Hands
+  | Progress
   | Crew;

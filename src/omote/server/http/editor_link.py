@@ -69,7 +69,7 @@ class EditorLinks:
 
     authored_work: None when nothing can be stored; reopen: reads it again from the file; on_air: what is seen now;
     tell: sends a message to one console, announce: to every page of the show; notices: what the crew must know;
-    post_layouts: tells all consoles the names of the layouts.
+    post_layouts: tells all consoles the names of the layouts; cancel: ends a long request.
     """
 
     def __init__(
@@ -85,12 +85,13 @@ class EditorLinks:
         report: Callable[[str], None],
         notices: Callable[[], list[wire.Notice]] = list,
         post_layouts: Callable[[list[str]], None] = lambda _: None,
+        cancel: Callable[[str], None] = lambda _: None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.authored_work, self.links = authored_work, Links()
         self._reopen, self._documents, self._cast_reload, self._on_air = reopen, documents, cast_reload, on_air
         self._tell, self._announce, self._report, self._clock = tell, announce, report, clock
-        self._notices, self._post_layouts = notices, post_layouts
+        self._notices, self._post_layouts, self._cancel = notices, post_layouts, cancel
         self._pages: dict[str, EditorPage] = {}
         self._consequences: asyncio.Queue[Consequence] = asyncio.Queue()
         self._tasks: set[asyncio.Task[None]] = set()
@@ -152,11 +153,11 @@ class EditorLinks:
         """The names under which pages have stored a layout."""
         return [] if self.authored_work is None else sorted(self.authored_work.layouts)
 
-    def send_notices(self, notices: list[wire.Notice]) -> None:
-        """Sends what the crew must know to every editor that reads."""
+    def send_news(self, news: wire.Notices | wire.Progress) -> None:
+        """Sends what is complete by itself to every editor that reads."""
         for who, page in self._pages.items():
             if page.unsent.empty():  # it comes again; more than one that waits helps nobody
-                self._send(who, wire.Notices(notices))
+                self._send(who, news)
 
     async def close(self) -> None:
         """Closes all links and stops; what was not acknowledged may be lost."""
@@ -182,6 +183,8 @@ class EditorLinks:
         except Exception:
             self._restart("an edit could not be understood, by a fault of Omote", traceback.format_exc())
             return
+        for request in outcome.cancelled:
+            self._cancel(request)
         for number, order in outcome.orders:
             self._begin(self._work(authored_work, number, order))
         if outcome.changes or outcome.replies or outcome.kept or outcome.cast:
