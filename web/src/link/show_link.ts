@@ -11,6 +11,7 @@ import type {
   Kept,
   Notice,
   Pong,
+  Progress,
   State,
   Welcome,
 } from "./messages";
@@ -54,6 +55,8 @@ export interface LinkHandlers {
   layouts?: (names: readonly string[]) => void;
   /** What hands at other consoles move, by control, and the names of those consoles. */
   hands?: (hands: Hands["hands"]) => void;
+  /** How far a long request (an import) of some page is. */
+  progress?: (progress: Progress) => void;
   /** Everything that the crew must know: all of it, each time. */
   notices?: (notices: readonly Notice[]) => void;
   /** A message of ours was not obeyed; the sentence is for the operator. */
@@ -153,6 +156,9 @@ export class ShowLink {
         break;
       case "hands":
         this.handlers.hands?.(message.hands);
+        break;
+      case "progress":
+        this.handlers.progress?.(message);
         break;
       case "notices":
         this.handlers.notices?.(message.notices);

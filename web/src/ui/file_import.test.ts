@@ -16,7 +16,8 @@ describe("a file", () => {
     });
     expect((await importFile(file("my grin.json"), "expression")).labels).toEqual(["Grin"]);
     await importFile(file("aunt.glb"), "face");
-    expect(asked).toEqual(["/imports/my%20grin.json?as=expression", "/imports/aunt.glb?as=face"]);
+    const addresses = asked.map((address) => address.replace(/&request=[\w-]+$/, ""));
+    expect(addresses).toEqual(["/imports/my%20grin.json?as=expression", "/imports/aunt.glb?as=face"]);
   });
 
   it("that the show cannot take in is told in its words, and the others come in", async () => {
@@ -28,6 +29,19 @@ describe("a file", () => {
     expect(await importFiles([file("notes.txt"), file("grin.json")], "expression")).toEqual({
       done: "Taken in, under Own: Grin, from grin.json.",
       failed: ["notes.txt was not taken in: it is no expression."],
+    });
+  });
+
+  it("that is cancelled is the last", async () => {
+    answering((address) =>
+      address.includes("grin")
+        ? Response.json({ labels: ["Grin"], said: ["Grin, from grin.json"] })
+        : new Response("", { status: 499 }),
+    );
+    const files = [file("grin.json"), file("head.glb"), file("a.json"), file("b.json")];
+    expect(await importFiles(files, "expression")).toEqual({
+      done: "Taken in, under Own: Grin, from grin.json.",
+      failed: ["Import of head.glb: cancelled; nothing has changed. 2 more files were not sent."],
     });
   });
 

@@ -1,5 +1,7 @@
 /** Files dropped on a page or chosen there, which the show takes in as expressions or faces. */
 
+import { CancelledError, LongRequests } from "./long_requests";
+
 export type ImportKind = "expression" | "face";
 
 /** What the show made of a file: the labels of the new items, and what it says of each. */
@@ -11,26 +13,36 @@ export interface Imported {
 /** What a page may be given of each kind, as a file dialog has it. */
 export const ACCEPTED: Readonly<Record<ImportKind, string>> = { expression: ".json,.glb,.obj", face: ".glb,.obj" };
 
-/** Sends one file; an Error with a sentence where the show cannot take it in. */
-export async function importFile(file: File, kind: ImportKind): Promise<Imported> {
+/** Sends one file; an Error with a sentence where the show cannot take it in, CancelledError where it was ended. */
+export async function importFile(file: File, kind: ImportKind, requests = new LongRequests()): Promise<Imported> {
   const address = `/imports/${encodeURIComponent(file.name)}?as=${kind}`;
-  const answer = await fetch(address, { method: "POST", body: file }).catch(() => null);
+  const answer = await requests.fetch(`Import of ${file.name}`, address, { method: "POST", body: file });
   if (answer === null) throw new Error(`${file.name} was not sent: the show's computer does not answer; try again.`);
   if (!answer.ok) throw new Error(`${file.name} was not taken in: ${await answer.text()}`);
   return (await answer.json()) as Imported;
 }
 
-/** Sends files one after the other; a sentence about all that came in, and one about each that did not. */
+/** Sends files one after the other; a sentence about all that came in, and one about each that did not. One that is
+ * cancelled is the last. */
 export async function importFiles(
   files: readonly File[],
   kind: ImportKind,
+  requests = new LongRequests(),
 ): Promise<{ done: string; failed: string[] }> {
   const [came, failed] = [[] as string[], [] as string[]];
-  for (const file of files)
-    await importFile(file, kind).then(
+  let ended = false;
+  for (const [place, file] of files.entries()) {
+    if (ended) break;
+    await importFile(file, kind, requests).then(
       ({ said }) => void came.push(...said),
-      (error: unknown) => void failed.push((error as Error).message),
+      (error: unknown) => {
+        ended = error instanceof CancelledError;
+        const more = files.length - place - 1;
+        const others = more > 0 ? ` ${more} more ${more === 1 ? "file was" : "files were"} not sent.` : "";
+        failed.push((error as Error).message + (ended ? others : ""));
+      },
     );
+  }
   return { done: came.length === 0 ? "" : `Taken in, under Own: ${came.join("; ")}.`, failed };
 }
 

@@ -107,7 +107,7 @@ export class Exchange extends EditorElement {
   async #download(one: Export): Promise<void> {
     this.busy = one.address;
     try {
-      await download(one);
+      await download(one, this.store.longRequests);
       this.store.say(`${one.file} is in your downloads.`, "done");
     } catch (error) {
       this.store.say((error as Error).message);

@@ -1,6 +1,7 @@
 /** What of an item can be downloaded, and the download itself. */
 
 import type { ItemDocument } from "../../link/editing_messages";
+import type { LongRequests } from "../../ui/long_requests";
 
 export interface Export {
   /** What the file is, for people. */
@@ -35,8 +36,8 @@ export function exportsOf({ kind, name }: Pick<ItemDocument, "kind" | "name">, w
 export const IMPORT_COMMAND = "omote file import SHOW.omote neutral.obj grin.obj frown.obj";
 
 /** Fetches an export and hands it to the browser as a download; an Error with a sentence where there is none. */
-export async function download({ address, file }: Export): Promise<void> {
-  const answer = await fetch(address, { cache: "no-store" }).catch(() => null);
+export async function download({ address, file }: Export, requests: LongRequests): Promise<void> {
+  const answer = await requests.fetch(`Export of ${file}`, address, { cache: "no-store" });
   if (answer === null) throw new Error("The show's computer does not answer; try again when it is back.");
   if (!answer.ok) throw new Error(sentence(await answer.text()));
   const url = URL.createObjectURL(await answer.blob());

@@ -3,6 +3,7 @@
 import type { Library } from "../../link/assets";
 import type { Greeted, ItemDocument } from "../../link/editing_messages";
 import type { Manifest } from "../../link/messages";
+import { LongRequests } from "../../ui/long_requests";
 import { type Followers, type HeadControls, type Muscle, readHeadControls } from "./control_net";
 import { type Notice, Notices } from "./notices";
 
@@ -51,6 +52,7 @@ export class EditorStore {
     muscles: false,
   };
   online = false;
+  readonly longRequests = new LongRequests();
   readonly #notices = new Notices();
   readonly #listeners = new Map<Topic, Set<() => void>>();
 

@@ -39,7 +39,7 @@ export function freeLabel(items: readonly ItemDocument[], stem: string): string 
 
 /** Takes files in, and says what came of each. */
 export async function takeIn(store: DraftStore, files: readonly File[], kind: Kind): Promise<void> {
-  const { done, failed } = await importFiles(files, kind);
+  const { done, failed } = await importFiles(files, kind, store.longRequests);
   if (done !== "") store.say(done, "done");
   for (const sentence of failed) store.say(sentence);
 }
