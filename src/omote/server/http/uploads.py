@@ -24,6 +24,12 @@ from omote.showfile.changes import BroughtItem, Kind
 
 SUFFIXES = (".json", ".glb", ".obj")
 KINDS = ("expression", "face")
+HINTS = {
+    ".omote": "a show file is opened with `omote show`; take single expressions out of it as documents (.json)",
+    **dict.fromkeys((".gltf", ".fbx", ".blend", ".dae", ".stl", ".ply", ".usdz"), "export it as glTF binary (.glb)"),
+    **dict.fromkeys((".png", ".jpg", ".jpeg", ".gif", ".webp"), "a picture has no shape that a face could have"),
+}
+"""What to do with files that people try."""
 CHUNK = 2**18
 CANCELLED = 499
 """The status of a request that its page ended."""
@@ -83,7 +89,10 @@ def plan_upload(file: str, kind: str) -> tuple[str, Kind]:
         expected = (
             "a head (.glb, .obj)" if kind == "face" else "an expression (.json), or a head with shapes (.glb, .obj)"
         )
-        raise ValueError(f"{file[:80]!r} is no {kind} that can be read; expected {expected}. Nothing has changed.")
+        hint = f": {HINTS[suffix]}" if suffix in HINTS else ""
+        raise ValueError(
+            f"{file[:80]!r} is no {kind} that can be read; expected {expected}{hint}. Nothing has changed."
+        )
     return name, "face" if kind == "face" else "expression"
 
 
