@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 
 import typer
 
-from omote.terminal import complete_name, escape_controls, exit_on_refusal, fail
+from omote.terminal import complete_name, escape_controls, exit_on_refusal, fail, say
 
 WIDEST = 4000
 """Characters of a line of a table at most."""
@@ -108,7 +108,7 @@ def take_in(
 ) -> None:
     """Takes expressions or faces made elsewhere into a show file that no show plays."""
     from omote.builtin import load_cast
-    from omote.edit.store.import_items import changes_to_import
+    from omote.edit.store.import_items import changes_to_import, distinguish
     from omote.server.persistence.offline_show import open_offline_show, wall_clock
     from omote.server.sandbox.import_files import expressions_from, faces_from
     from omote.showfile.recovery import name_show
@@ -125,7 +125,12 @@ def take_in(
             typer.echo(f"omote: {escape_controls(sentence)}", err=True)
             arrivals.append(arrival)
         with open_offline_show(file, new=True) as show:
-            show.apply(changes_to_import(cast, show.stored(), arrivals, wall=wall_clock()))
+            distinct = distinguish(load_cast(), show.stored(), arrivals)
+            changes = changes_to_import(cast, show.stored(), [each for each, _ in distinct], wall=wall_clock())
+            show.apply(changes)
+        for _, twin in distinct:
+            if twin:
+                say(twin)
     typer.echo(f"omote: {file} has {len(arrivals)} {kind}{'' if len(arrivals) == 1 else 's'} more.", err=True)
 
 

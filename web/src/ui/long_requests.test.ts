@@ -22,7 +22,7 @@ describe("a long request", () => {
     let told = 0;
     const deaf = requests.listen(() => (told += 1));
     const done = requests.fetch("Import of a.glb", "/imports/a.glb?as=face", {});
-    const [{ id }] = requests.all as [{ id: string }];
+    const id = requests.all[0]?.id ?? "";
     expect(asked).toEqual([`/imports/a.glb?as=face&request=${id}`]);
     requests.receive({ type: "progress", request: "another's", done: 1, total: 2, what: "cry" });
     requests.receive({ type: "progress", request: id, done: 1, total: 3, what: "smile" });
@@ -41,7 +41,10 @@ describe("a long request", () => {
     const [first, second] = [requests.fetch("A", "/a", {}), requests.fetch("B", "/b", {})];
     const [one, two] = requests.all.map(({ id }) => id) as [string, string];
     requests.cancel(one);
-    expect(requests.all.some(({ ending }) => ending), "the link is lost: it can be tried again").toBe(false);
+    expect(
+      requests.all.some(({ ending }) => ending),
+      "the link is lost: it can be tried again",
+    ).toBe(false);
     requests.send = (message) => sent.push(message) > 0;
     requests.cancel(one);
     requests.cancel(two);

@@ -48,6 +48,14 @@ def new_name(label: str, otherwise: str, taken: Iterable[str]) -> str:
     return next(name for name in candidates if name not in used)
 
 
+def free_label(label: str, taken: Iterable[str]) -> str:
+    """The label itself where no other is like it (case-insensitive), else with the lowest number from 2."""
+    used = {each.casefold() for each in taken}
+    stem = label[: LONGEST_LABEL - 5]
+    candidates = (label if number == 1 else f"{stem} {number}" for number in count(1))
+    return next(each for each in candidates if each.casefold() not in used)
+
+
 def new_label(stem: str, taken: Iterable[str]) -> str:
     """Appends to `stem` the lowest number from 1 that gives a label not taken."""
     used = {label.casefold() for label in taken}

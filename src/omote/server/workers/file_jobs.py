@@ -9,7 +9,7 @@ from pathlib import Path
 import msgspec
 
 from omote.builtin import load_cast, load_mask, load_meshes
-from omote.edit.store.import_items import ImportedItem, changes_to_import, export_document
+from omote.edit.store.import_items import changes_to_import, distinguish, export_document
 from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
 from omote.interchange.formats.expression_json import encode as encode_document
 from omote.interchange.formats.glb_writer import glb_bytes
@@ -78,10 +78,10 @@ def _import_file(wanted: ImportFile, follow: Follow) -> Imported:
     found, path = inspect_show(Path(wanted.show)), Path(wanted.path)
     cast = _full_cast(found)
     read = faces_from(cast, [path]) if wanted.kind == "face" else expressions_from(cast, [path], follow=follow)
-    arrivals, said = list[ImportedItem](), list[str]()
-    for arrival, sentence in read:
-        arrivals.append(arrival)
-        said.append(sentence)
+    brought = list(read)
+    distinct = distinguish(load_cast(), found.stored, [arrival for arrival, _ in brought])
+    arrivals = [arrival for arrival, _ in distinct]
+    said = [f"{told}; {twin}" if twin else told for (_, told), (_, twin) in zip(brought, distinct, strict=True)]
     return Imported(list(bring_items(changes_to_import(cast, found.stored, arrivals, wall=wanted.wall))), said)
 
 

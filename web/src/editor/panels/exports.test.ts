@@ -1,4 +1,5 @@
 import { afterEach, expect, it, vi } from "vitest";
+import { LongRequests } from "../../ui/long_requests";
 import { download, exportsOf } from "./exports";
 
 afterEach(() => vi.unstubAllGlobals());
@@ -21,10 +22,10 @@ const one = { what: "", address: "/exports/smirk.json", file: "smirk.json" };
 
 it("what the server refuses is its own sentence", async () => {
   vi.stubGlobal("fetch", () => Promise.resolve(new Response("there is no expression 'smirk'.", { status: 404 })));
-  await expect(download(one)).rejects.toThrow("There is no expression 'smirk'.");
+  await expect(download(one, new LongRequests())).rejects.toThrow("There is no expression 'smirk'.");
 });
 
 it("a server that is away is a sentence", async () => {
   vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
-  await expect(download(one)).rejects.toThrow("does not answer; try again");
+  await expect(download(one, new LongRequests())).rejects.toThrow("does not answer; try again");
 });
