@@ -57,6 +57,7 @@ function followCast(store: DraftStore): void {
 /** The address names the open item, so that a reload opens it again. */
 function followAddress(store: DraftStore): void {
   let asked = askedItem(location);
+  if (asked !== null) store.setOpening(asked.name); // until the show has told what there is
   const follow = (): void => {
     const { item } = store;
     if (item !== null) history.replaceState(null, "", editorAddress(item.kind, item.name));
@@ -70,7 +71,9 @@ function followAddress(store: DraftStore): void {
       ({ kind, name, deleted }) => name === wanted.name && kind === (wanted.kind ?? kind) && !deleted,
     );
     asked = null; // once, at the first greeting
-    if (item !== undefined && store.draft === null) void openItem(store, item.id);
+    store.setOpening("");
+    if (item === undefined) store.say(`There is no ${wanted.kind ?? "item"} "${wanted.name}" in this show any more.`);
+    else if (store.draft === null) void openItem(store, item.id);
   });
 }
 

@@ -52,6 +52,8 @@ export class EditorStore {
     muscles: false,
   };
   online = false;
+  /** What is being opened, as people call it; "": nothing. */
+  opening = "";
   readonly longRequests = new LongRequests();
   readonly #notices = new Notices();
   readonly #listeners = new Map<Topic, Set<() => void>>();
@@ -115,6 +117,11 @@ export class EditorStore {
   setOnline(online: boolean): void {
     this.online = online;
     this.tell("link");
+  }
+
+  setOpening(label: string): void {
+    this.opening = label;
+    this.tell("draft");
   }
 
   /** The source of a face by its name. */
