@@ -36,7 +36,7 @@ describe("a file", () => {
     answering((address) =>
       address.includes("grin")
         ? Response.json({ labels: ["Grin"], said: ["Grin, from grin.json"] })
-        : new Response("", { status: 499 }),
+        : new Response(null, { status: 204 }),
     );
     const files = [file("grin.json"), file("head.glb"), file("a.json"), file("b.json")];
     expect(await importFiles(files, "expression")).toEqual({

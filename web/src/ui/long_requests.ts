@@ -13,7 +13,7 @@ export interface LongRequest {
 }
 
 /** The status of an answer to a request that its page ended. */
-const CANCELLED = 499;
+const CANCELLED = 204;
 
 /** A request was ended by the page itself; nothing has changed. */
 export class CancelledError extends Error {}

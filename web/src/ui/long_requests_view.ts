@@ -20,7 +20,7 @@ export class LongRequestsView extends LitElement {
         transform: translateX(-50%);
         pointer-events: none;
       }
-      [role] {
+      [role="group"] {
         ${notice}
         grid-template-columns: minmax(0, 1fr) auto;
         align-items: center;
@@ -30,7 +30,7 @@ export class LongRequestsView extends LitElement {
         border: 1px solid var(--edge);
         pointer-events: auto;
       }
-      [role] + [role] {
+      [role="group"] + [role="group"] {
         margin-top: 6px;
       }
       span {

@@ -162,7 +162,7 @@ def decode(data: bytes, /) -> ExpressionFile:
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         foreign = "it is JSON of another program" if b'"omote"' not in data else None
         why = explain_syntax(data) or foreign or explain_error(error)
-        raise ValueError(f"this is no expression of Omote as docs/exchange.md has it ({why})") from error
+        raise ValueError(f"{why}; expected an expression of Omote as docs/exchange.md has it") from error
 
 
 def schema() -> bytes:

@@ -42,15 +42,15 @@ class Downloads:
         self._turn = asyncio.Lock()
 
     async def respond(self, request: web.Request, playing: PlayingCast) -> web.Response:
-        """Responds with the file; 404 or 503 with a sentence for the person who asked, 499 where the page ended it."""
+        """Responds with the file; 404 or 503 with a sentence for the person who asked, 204 where the page ended it."""
         try:
             wanted = plan_download(self._show(), request.match_info["file"], request.query, playing)
         except ValueError as error:
             raise web.HTTPNotFound(text=f"{error}.") from error
         try:
             data = await self._long_requests.run(request_id(request), partial(self._make, wanted))
-        except CancelledRequestError as error:
-            return web.Response(status=CANCELLED, text=str(error))
+        except CancelledRequestError:
+            return web.Response(status=CANCELLED)
         except (ValueError, JobError) as error:
             raise web.HTTPServiceUnavailable(text=str(error)) from error
         headers = {"Content-Disposition": f'attachment; filename="{wanted.file}"', "Cache-Control": "no-store"}

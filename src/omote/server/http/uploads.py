@@ -31,8 +31,8 @@ HINTS = {
 }
 """What to do with files that people try."""
 CHUNK = 2**18
-CANCELLED = 499
-"""The status of a request that its page ended."""
+CANCELLED = 204
+"""The status of a request that its page ended: there is nothing, and browsers log no error."""
 
 RunFileJob = Callable[[bytes, Follow], Awaitable[bytes]]
 TakeIn = Callable[[Sequence[BroughtItem]], Awaitable[str]]
@@ -47,16 +47,17 @@ class Uploads:
         self._turn = asyncio.Lock()
 
     async def respond(self, request: web.Request, take_in: TakeIn) -> web.Response:
-        """Responds with what was taken in and what is to be said of it (JSON); 400 or 503 with a sentence, 499 where
+        """Responds with what was taken in and what is to be said of it (JSON); 400 or 503 with a sentence, 204 where
         the page ended it."""
+        name = ""
         try:
             name, kind = plan_upload(request.match_info["file"], request.query.get("as", KINDS[0]))
             read = partial(self._read, request, name, kind)
             imported = await self._long_requests.run(request_id(request), read)
         except (ValueError, JobError) as error:
-            raise web.HTTPBadRequest(text=str(error)) from error
-        except CancelledRequestError as error:
-            return web.Response(status=CANCELLED, text=str(error))
+            raise web.HTTPBadRequest(text=str(error).removeprefix(f"{name}: ")) from error
+        except CancelledRequestError:
+            return web.Response(status=CANCELLED)
         except OSError as error:
             raise web.HTTPServiceUnavailable(text=f"nothing was taken in ({explain_error(error)}).") from error
         trouble = await take_in(imported.items)
