@@ -162,6 +162,21 @@ def test_jobs_end_with_the_server() -> None:
     ended(pids[0])
 
 
+def test_a_job_that_nobody_waits_for_ends_without_a_word(capsys: pytest.CaptureFixture[str]) -> None:
+    for told in (0, 1):  # progress and result, the result alone
+        come, go = os.pipe()
+        os.close(come)
+
+        def run(job: bytes, follow: Follow, told: int = told) -> bytes:
+            for done in range(told):
+                follow(done, told, "smile")
+            return job
+
+        module.do_job(b"smile", go, run)
+        os.close(go)
+    assert capsys.readouterr().err == ""
+
+
 def test_without_a_process_to_spare_there_is_no_job_server(monkeypatch: pytest.MonkeyPatch) -> None:
     def none_left(_: object) -> int:
         raise BlockingIOError("no process to spare")

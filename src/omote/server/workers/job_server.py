@@ -86,9 +86,9 @@ class JobServer:
                 "the process that did it ended without a word, perhaps for want of memory; try again."
             ) from None
         finally:
-            transport.close()
             with suppress(OSError):
                 self._line.sendall(frame(msgspec.msgpack.encode(_End(number))))
+            transport.close()
 
     def close(self) -> None:
         """Ends all jobs at once."""
@@ -150,7 +150,7 @@ def serve_jobs(line: socket.socket, run: RunJob) -> None:
 
 def do_job(job: bytes, pipe: int, run: RunJob) -> None:
     """Does a job in this process and writes its answers into a pipe."""
-    with os.fdopen(pipe, "wb", closefd=False) as stream:
+    with suppress(BrokenPipeError), os.fdopen(pipe, "wb", closefd=False) as stream:  # nobody may wait for it any more
 
         def write(answer: _Step | _Made | _Failed) -> None:
             stream.write(frame(msgspec.msgpack.encode(answer)))
@@ -161,12 +161,11 @@ def do_job(job: bytes, pipe: int, run: RunJob) -> None:
         except ValueError as error:
             answer = _Failed(str(error))
         except BrokenPipeError:
-            return  # nobody waits for it any more
+            return
         except Exception as error:
             traceback.print_exc()
             answer = _Failed(f"it failed by a fault of Omote ({type(error).__name__}: {error}).")
-        with suppress(BrokenPipeError):
-            write(answer)
+        write(answer)
 
 
 def _fork_job(job: bytes, pipe: int, run: RunJob) -> int:
