@@ -40,8 +40,8 @@ describe("a file", () => {
     );
     const files = [file("grin.json"), file("head.glb"), file("a.json"), file("b.json")];
     expect(await importFiles(files, "expression")).toEqual({
-      done: "Taken in, under Own: Grin, from grin.json.",
-      failed: ["Import of head.glb: cancelled; nothing has changed. 2 more files were not sent."],
+      done: "Taken in, under Own: Grin, from grin.json. Import of head.glb: cancelled; nothing has changed. 2 more files were not sent.",
+      failed: [],
     });
   });
 

@@ -30,21 +30,23 @@ export async function importFiles(
   requests = new LongRequests(),
 ): Promise<{ done: string; failed: string[] }> {
   const [came, failed] = [[] as string[], [] as string[]];
-  let ended = false;
+  let ended = "";
   for (const [place, file] of files.entries()) {
-    if (ended) break;
+    if (ended !== "") break;
     await importFile(file, kind, requests).then(
       ({ said }) => void came.push(...said),
-      (error: unknown) => {
-        ended = error instanceof CancelledError;
-        const more = files.length - place - 1;
-        const others = more > 0 ? ` ${more} more ${more === 1 ? "file was" : "files were"} not sent.` : "";
-        failed.push((error as Error).message + (ended ? others : ""));
+      (error: Error) => {
+        if (error instanceof CancelledError) ended = error.message + notSent(files.length - place - 1);
+        else failed.push(error.message);
       },
     );
   }
-  return { done: came.length === 0 ? "" : `Taken in, under Own: ${came.join("; ")}.`, failed };
+  const taken = came.length === 0 ? "" : `Taken in, under Own: ${came.join("; ")}.`;
+  return { done: [taken, ended].filter(Boolean).join(" "), failed };
 }
+
+const notSent = (files: number): string =>
+  files === 0 ? "" : ` ${files} more ${files === 1 ? "file was" : "files were"} not sent.`;
 
 /** Without this the browser would leave the page for a file. Calls `dropped` with files that are dropped anywhere on the page, until what it gives is called. */
 export function onFileDrop(dropped: (files: readonly File[], event: DragEvent) => void): () => void {
