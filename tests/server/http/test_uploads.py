@@ -1,6 +1,7 @@
 """Imports from pages: what a file brings is saved and plays, and one that brings nothing changes nothing."""
 
 import asyncio
+import json
 from pathlib import Path
 
 import aiohttp
@@ -32,10 +33,10 @@ async def import_false_file(job: bytes, follow: Follow) -> bytes:
     return data
 
 
-def letter(cast: Cast, stored: Stored) -> bytes:
-    """What is brought: an expression and a face."""
-    smile = ImportedItem("Smile", cast.expressions["smile"], ("mailed",))
-    broad = ImportedItem("Broad", (cast.faces["broad"], cast.looks["broad"]))
+def letter(cast: Cast, stored: Stored, expression: str = "smile", face: str = "broad") -> bytes:
+    """What is brought: an expression and a face, both under labels that are there."""
+    smile = ImportedItem("Smile", cast.expressions[expression], ("mailed",))
+    broad = ImportedItem("Broad", (cast.faces[face], cast.looks[face]))
     changes = changes_to_import(cast, stored, [smile, broad], wall=1.0)
     return msgspec.msgpack.encode(Imported(list(bring_items(changes)), ["Grin, from grin.json"]))
 
@@ -59,13 +60,17 @@ def use_false_job(harness: EditHarness) -> None:
 
 
 @pytest.mark.asyncio
-async def test_what_a_file_brings_is_in_the_file_and_plays_each_time_under_a_new_name(
+async def test_what_a_file_brings_is_in_the_file_and_plays_under_a_name_that_nothing_else_has(
     edit_harness: EditHarness, cast: Cast
 ) -> None:
     use_false_job(edit_harness)
-    for number in (1, 2):
-        status, text = await post(edit_harness, "grin.json", letter(cast, stored_in(edit_harness.path)))
-        assert (status, '"labels": ["Smile", "Broad"]' in text, "Grin, from grin.json" in text) == (200, True, True)
+    for number, (smile, broad) in enumerate([("smile", "broad"), ("jawOpen", "long")], start=1):
+        status, text = await post(edit_harness, "grin.json", letter(cast, stored_in(edit_harness.path), smile, broad))
+        assert (status, "Grin, from grin.json" in text) == (200, True)
+        assert [(each["label"], each["known"]) for each in json.loads(text)["items"]] == [
+            (f"Smile {1 + number}", False),
+            (f"Broad {1 + number}", False),
+        ]
         assert edit_harness.show.session.revision == 1 + number, "pages are told of another cast"
     names = {"smile_2", "smile_3", "broad_2", "broad_3"}
     assert {own.name for own in edit_harness.show.documents.playing.own} == names
@@ -75,6 +80,19 @@ async def test_what_a_file_brings_is_in_the_file_and_plays_each_time_under_a_new
     page = await edit_harness.editor()
     assert page.greeted is not None
     assert {item.name for item in page.greeted.items} == names
+
+
+@pytest.mark.asyncio
+async def test_what_is_there_already_is_told_and_not_taken_in_again(edit_harness: EditHarness, cast: Cast) -> None:
+    use_false_job(edit_harness)
+    for known in (False, True):
+        _, text = await post(edit_harness, "grin.json", letter(cast, stored_in(edit_harness.path)))
+        assert json.loads(text)["items"] == [
+            {"kind": "expression", "name": "smile_2", "label": "Smile 2", "known": known},
+            {"kind": "face", "name": "broad_2", "label": "Broad 2", "known": known},
+        ]
+        assert edit_harness.show.session.revision == 2, "nobody is told of a cast that is as it was"
+    assert len(stored_in(edit_harness.path).items) == 2
 
 
 @pytest.mark.asyncio

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable
-from itertools import count
+from itertools import chain, count
 
 from omote.show.validation import Refusal
 
@@ -49,11 +49,11 @@ def new_name(label: str, otherwise: str, taken: Iterable[str]) -> str:
 
 
 def free_label(label: str, taken: Iterable[str]) -> str:
-    """The label itself where no other is like it (case-insensitive), else with the lowest number from 2."""
+    """A label as it is, else with the lowest number from 2 that gives one not taken (case-insensitive)."""
     used = {each.casefold() for each in taken}
-    stem = label[: LONGEST_LABEL - 5]
-    candidates = (label if number == 1 else f"{stem} {number}" for number in count(1))
-    return next(each for each in candidates if each.casefold() not in used)
+    room = LONGEST_LABEL - len(f" {len(used) + 2}")
+    numbered = (f"{label[:room]} {number}" for number in count(2))
+    return next(each for each in chain((label,), numbered) if each.casefold() not in used)
 
 
 def new_label(stem: str, taken: Iterable[str]) -> str:

@@ -20,10 +20,10 @@ from aiohttp import WSMsgType, web
 from omote.edit.protocol.messages import EDITING_LIMIT, EditRefused, Greeted, ToEditor
 from omote.edit.protocol.orders import EditOrder
 from omote.edit.protocol.wire import encode
-from omote.edit.session.console_requests import answer_console
+from omote.edit.session.brought_items import TakenIn, take_in
+from omote.edit.session.console_requests import answer_console, reply_to_console
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.session.plan import KeepOutcome
-from omote.edit.session.saving import adopt
 from omote.edit.store.on_air_recipes import OnAir
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.cast_documents import CastDocuments
@@ -35,6 +35,7 @@ from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show import messages as wire
 from omote.show.rate_limit import TokenBucket
 from omote.show.session import KeepRequest
+from omote.show.validation import Refusal
 from omote.showfile.changes import BroughtItem, Change, DropLayout, PutLayout
 
 HEARD_RATE, HEARD_BURST = 60.0, 60.0
@@ -122,18 +123,23 @@ class EditorLinks:
     def request_keep(self, request: KeepRequest) -> None:
         """Carries out what a console asks of the show file."""
         if self.authored_work is None:
-            self._tell(request.who, wire.Refused(NO_FILE))
+            self._tell(request.who, wire.Refused(NO_FILE, request.message.id))
         else:
             self._take(
                 self.authored_work, partial(answer_console, request=request, on_air=self._on_air(), wall=_wall())
             )
 
-    async def take_in(self, brought: Sequence[BroughtItem]) -> str:
-        """Adds items of another show file; returns why not, "" once they are on the disk and play."""
+    async def take_in(self, brought: Sequence[BroughtItem]) -> list[TakenIn] | str:
+        """Adds items of another show file, but what is there already; returns what became of each, once they are on
+        the disk and play, or why not."""
         authored_work, done = self.authored_work, asyncio.get_running_loop().create_future()
         if authored_work is None:
             return NO_FILE
-        outcome = authored_work.session.carry_out(lambda: adopt(authored_work.session.authored, brought), "")
+        try:
+            result, taken = take_in(authored_work.session.authored, brought)
+        except Refusal as refusal:
+            return str(refusal)
+        outcome = authored_work.session.carry_out(lambda: result, "")
 
         async def carry_out() -> None:
             try:
@@ -143,7 +149,7 @@ class EditorLinks:
 
         self._follow(carry_out)
         await done
-        return "" if authored_work is self.authored_work else "it could not be kept in the show file; try again."
+        return taken if authored_work is self.authored_work else "it could not be kept in the show file; try again."
 
     def layout(self, name: str) -> bytes | None:
         """A page's stored layout (JSON), None where there is none."""
@@ -258,7 +264,7 @@ class EditorLinks:
 
     def _tell_kept(self, kept: KeepOutcome) -> None:
         who, _, call = kept.ticket.partition(" ")
-        self._tell(who, _answer_to_console(call, kept))
+        self._tell(who, reply_to_console(call, kept))
 
     def _send(self, who: str, message: ToEditor) -> None:
         page = self._pages.get(who)
@@ -286,12 +292,6 @@ class EditorLinks:
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
         return task
-
-
-def _answer_to_console(call: str, kept: KeepOutcome) -> wire.FromServer:
-    if kept.trouble:
-        return wire.Refused(kept.trouble)
-    return wire.KeepUndone(call, kept.label) if kept.undone else wire.Kept(call, kept.name, kept.label)
 
 
 def _wall() -> float:

@@ -15,6 +15,7 @@ from pathlib import Path
 import msgspec
 from aiohttp import web
 
+from omote.edit.session.brought_items import TakenIn
 from omote.interchange.formats.error_reasons import explain_error
 from omote.interchange.formats.glb_reader import LARGEST
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
@@ -35,8 +36,8 @@ CANCELLED = 204
 """The status of a request that its page ended: there is nothing, and browsers log no error."""
 
 RunFileJob = Callable[[bytes, Follow], Awaitable[bytes]]
-TakeIn = Callable[[Sequence[BroughtItem]], Awaitable[str]]
-"""Saves items in the show; returns why not, "" once they are stored and play."""
+TakeIn = Callable[[Sequence[BroughtItem]], Awaitable[list[TakenIn] | str]]
+"""Saves items in the show; returns what became of each, once they are stored and play, or why not."""
 
 
 class Uploads:
@@ -60,10 +61,10 @@ class Uploads:
             return web.Response(status=CANCELLED)
         except OSError as error:
             raise web.HTTPServiceUnavailable(text=f"nothing was taken in ({explain_error(error)}).") from error
-        trouble = await take_in(imported.items)
-        if trouble:
-            raise web.HTTPServiceUnavailable(text=trouble)
-        return web.json_response({"labels": [each.item.label for each in imported.items], "said": imported.said})
+        taken = await take_in(imported.items)
+        if isinstance(taken, str):
+            raise web.HTTPServiceUnavailable(text=taken)
+        return web.json_response(body=msgspec.json.encode({"items": taken, "said": imported.said}))
 
     async def _read(self, request: web.Request, name: str, kind: Kind, follow: Follow) -> Imported:
         with tempfile.TemporaryDirectory(prefix="omote-") as folder:
