@@ -4,9 +4,17 @@ import { CancelledError, LongRequests } from "./long_requests";
 
 export type ImportKind = "expression" | "face";
 
-/** What the show made of a file: the labels of the new items, and what it says of each. */
+/** An item that a file brought, as it is in the show; known: it was there already, so nothing new came. */
+export interface TakenIn {
+  readonly kind: ImportKind;
+  readonly name: string;
+  readonly label: string;
+  readonly known: boolean;
+}
+
+/** What the show made of a file: its items, and what it says of each. */
 export interface Imported {
-  readonly labels: readonly string[];
+  readonly items: readonly TakenIn[];
   readonly said: readonly string[];
 }
 
@@ -29,12 +37,16 @@ export async function importFiles(
   kind: ImportKind,
   requests = new LongRequests(),
 ): Promise<{ done: string; failed: string[] }> {
-  const [came, failed] = [[] as string[], [] as string[]];
+  const [came, same, failed] = [[] as string[], [] as string[], [] as string[]];
   let ended = "";
   for (const [place, file] of files.entries()) {
     if (ended !== "") break;
     await importFile(file, kind, requests).then(
-      ({ said }) => void came.push(...said),
+      (imported) => {
+        const nothingNew = imported.items.every(({ known }) => known);
+        if (nothingNew) same.push(`Nothing new in ${file.name}: ${sayTakenIn(imported)}.`);
+        else came.push(sayTakenIn(imported));
+      },
       (error: Error) => {
         if (error instanceof CancelledError) ended = error.message + notSent(files.length - place - 1);
         else failed.push(error.message);
@@ -42,7 +54,27 @@ export async function importFiles(
     );
   }
   const taken = came.length === 0 ? "" : `Taken in, under Own: ${came.join("; ")}.`;
-  return { done: [taken, ended].filter(Boolean).join(" "), failed };
+  return { done: [taken, ...same, ended].filter(Boolean).join(" "), failed };
+}
+
+/** Items of a file that are named each, where there are more the others are counted. */
+const MOST_NAMED = 4;
+
+/** What to say of the items that a file brought. */
+export function sayTakenIn({ items, said }: Imported): string {
+  const sentences = items.map((item, index) => sentenceOf(item, said[index] ?? item.label));
+  const known = items.filter((item) => item.known).length;
+  if (items.length <= MOST_NAMED) return sentences.join("; ");
+  if (known === items.length) return `all ${known} are there already, ${items[0]?.label} and others`;
+  const named = sentences.filter((_, index) => items[index]?.known === false).slice(0, MOST_NAMED - 1);
+  const more = items.length - known - named.length;
+  const parts = [...named, ...(more > 0 ? [`${more} more`] : []), ...(known > 0 ? [`${known} are there already`] : [])];
+  return parts.join("; ");
+}
+
+function sentenceOf({ label, known }: TakenIn, said: string): string {
+  if (known) return `${label} is there already`;
+  return said.includes(label) ? said : `${said}, named ${label}`;
 }
 
 const notSent = (files: number): string =>
