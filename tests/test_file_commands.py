@@ -168,7 +168,7 @@ def test_an_expression_goes_out_of_one_show_file_and_into_another(show: ShowFile
     assert come.exit_code == 0, come.output
     assert f"{other} has 1 expression more." in come.output.replace("\n", "")
     listed = json.loads(CliRunner().invoke(app, ["file", "list", str(other), "--json"]).stdout)
-    assert [(row["name"], row["label"], row["revision"]) for row in listed] == [("smile_2", "Smile", 1)]
+    assert [(row["name"], row["label"], row["revision"]) for row in listed] == [("smile_2", "Smile 2", 1)]
 
 
 def test_what_cannot_come_in_leaves_no_file(tmp_path: Path) -> None:

@@ -31,9 +31,13 @@ USED: dict[str, str] = {
     "face": "link face/pose face/quality face/anatomy face/gpu face/blend face/light face/skin face/head face/hair",
     "stage": "link face/pose face/quality face/light face",
     "console/store": "link ui",
-    "console/controls": "link ui console/store",
-    "console/panels": "link ui face/pose face/quality face console/store console/controls",
-    "console": "link ui face/pose face console/store console/controls console/panels",
+    "console/show_file": "link ui console/store",
+    "console/controls": "link ui console/store console/show_file",
+    "console/palette": "link ui console/store console/show_file console/controls",
+    "console/panels": "link ui face/pose face/quality face console/store console/show_file console/controls",
+    "console": (
+        "link ui face/pose face console/store console/show_file console/controls console/palette console/panels"
+    ),
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
     "editor/controls": "ui editor/session",

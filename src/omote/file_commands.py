@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from omote.terminal import complete_name, escape_controls, exit_on_refusal, fail
+from omote.terminal import complete_name, escape_controls, exit_on_refusal, fail, say
 
 if TYPE_CHECKING:
     from omote.showfile.changes import Stored
@@ -121,7 +121,7 @@ def take_in(
         own = read_own_work(file)
         require_imports(things)
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
-        from omote.edit.store.import_items import changes_to_import
+        from omote.edit.store.import_items import changes_to_import, distinguish
         from omote.server.sandbox.import_files import expressions_from, faces_from
         from omote.stage_data.full_cast import build_full_cast
 
@@ -131,7 +131,12 @@ def take_in(
             typer.echo(f"omote: {escape_controls(sentence)}", err=True)
             arrivals.append(arrival)
         with open_offline_show(file, new=True) as show:
-            show.apply(changes_to_import(cast, show.stored(), arrivals, wall=wall_clock()))
+            distinct = distinguish(load_cast(), show.stored(), arrivals)
+            changes = changes_to_import(cast, show.stored(), [each for each, _ in distinct], wall=wall_clock())
+            show.apply(changes)
+        for _, twin in distinct:
+            if twin:
+                say(twin)
     typer.echo(f"omote: {file} has {len(arrivals)} {kind}{'' if len(arrivals) == 1 else 's'} more.", err=True)
 
 

@@ -115,6 +115,9 @@ def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> N
     for key, kind, of in (("n", "face", "faces"), ("m", "expression", "expressions")):
         known = page.evaluate(f"{DESK}.{of}.map(({{ name }}) => name)")
         page.locator("body").press(key)
+        page.keyboard.type("qwert")  # meant for a name: plays nothing
+        page.keyboard.press("Escape")
+        assert (state(page)["expression_call"], state(page)["expressions"]) == (None, {"neutral": 1})
         wait_for(page, f"desk.{of}.length === {len(known) + 1}")
         (name,) = set(page.evaluate(f"{DESK}.{of}.map(({{ name }}) => name)")) - set(known)
         expect(page.locator(".notice a")).to_have_attribute("href", f"/editor?kind={kind}&name={name}")
@@ -126,32 +129,57 @@ def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> N
     expect(opened.value.locator("omote-notices")).to_contain_text("notes.txt was not taken in")
     page.bring_to_front()
     page.locator("body").press("Control+z")  # the last keep
-    expect(page.locator(".notice")).to_contain_text("is not kept any more")
+    expect(page.locator(".notice")).to_contain_text("Undone: keep")
     wait_for(page, f"!desk.expressions.some((one) => one.name === {name!r})")
+    page.locator("body").press("Control+y")
+    wait_for(page, f"desk.expressions.some((one) => one.name === {name!r})")
+    page.get_by_role("button", name="Undo", exact=True).first.click()
+    page.locator("body").press("Control+z")  # the one before
+    wait_for(page, "desk.history.next('undo') === null")
     drop_a_text(page)
     expect(page.locator(".notice")).to_contain_text("'notes.txt' is no expression that can be read")
 
 
-def test_the_pencil_of_an_own_thing_opens_it_and_calls_nothing(console: Console) -> None:
+def test_the_menu_of_an_own_tile_edits_renames_and_deletes_and_calls_nothing(console: Console) -> None:
     page = console()
     kept = keep(page, "face")
-    pencil = page.get_by_label(f"Edit {kept['label']}", exact=True)
-    box = pencil.bounding_box()
+    page.keyboard.type("Catdog")
+    page.keyboard.press("Enter")
+    own = tile(page, kept["name"])
+    expect(own.locator(".name")).to_have_text("Catdog")
+    more = page.get_by_label("Menu of Catdog", exact=True)
+    box = more.bounding_box()
     assert box is not None
     assert min(box["width"], box["height"]) >= 24  # WCAG 2.2, 2.5.8
-    before = len(page.context.pages)
+    more.focus()
+    more.press("Enter")
+    page.keyboard.press("2")  # the menu has the keys
     with page.context.expect_page() as opened:
-        pencil.focus()
-        pencil.press("Enter")
+        page.get_by_role("menuitem", name="Edit in the editor").click()
     wait_until(opened.value, f"document.querySelector('omote-editor')?.context?.store.item?.name === {kept['name']!r}")
-    pencil.click()  # in the same tab
-    assert len(page.context.pages) == before + 1
+    opened.value.close()
+    own.focus()
+    own.press("F2")
+    page.keyboard.type("Dogcat")
+    page.keyboard.press("Enter")
+    expect(own.locator(".name")).to_have_text("Dogcat")
+    own.click(button="right")
+    page.get_by_role("menuitem", name="Delete").click()
+    expect(page.locator(".notice")).to_contain_text("Deleted Dogcat")
+    expect(own).to_have_count(0)
+    page.locator("body").press("Control+z")
+    page.locator("body").press("Control+z")
+    expect(own.locator(".name")).to_have_text("Catdog")
     assert page.evaluate(f"{DESK}.state.face_call") is None
     assert page.evaluate(f"{DESK}.state.faces") == {"generic": 1}
+    page.get_by_role("button", name="Log").click()
+    expect(page.locator("omote-message-log")).to_contain_text("Deleted Dogcat")
+    page.locator("body").press("Control+z")  # not through a dialog
+    assert page.evaluate(f"{DESK}.history.next('undo').what") == f"rename {kept['label']}"
 
 
 @pytest.mark.parametrize("width", [390, 1024])
-def test_a_tap_on_an_own_tile_calls_wherever_it_falls_and_a_held_finger_brings_the_pencil(
+def test_a_tap_on_an_own_tile_calls_wherever_it_falls_and_a_held_finger_opens_its_menu(
     console: Console, width: int
 ) -> None:
     page = console(width=width, height=800, has_touch=True)
@@ -162,7 +190,7 @@ def test_a_tap_on_an_own_tile_calls_wherever_it_falls_and_a_held_finger_brings_t
     assert box is not None
     pages = len(page.context.pages)
     choose(page, "face", "hand")
-    page.touchscreen.tap(box["x"] + box["width"] - 12, box["y"] + 12)  # where the pencil would be
+    page.touchscreen.tap(box["x"] + box["width"] - 12, box["y"] + 12)  # where a mouse finds the menu
     wait_for(page, f"state.face_call?.target === {kept['name']!r}")
     tile(page, "dog").tap()
     wait_for(page, "state.face_call?.target === 'dog'")
@@ -172,11 +200,11 @@ def test_a_tap_on_an_own_tile_calls_wherever_it_falls_and_a_held_finger_brings_t
     session = page.context.new_cdp_session(page)
     points = [{"x": box["x"] + box["width"] / 2, "y": box["y"] + box["height"] / 2, "id": 0}]
     session.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": points})
-    expect(page.locator(".place.held .tile")).to_have_attribute("data-name", kept["name"])
+    expect(page.locator("omote-tile-menu b")).to_have_text(kept["label"])
     session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
     assert len(page.context.pages) == pages
     with page.context.expect_page() as opened:
-        page.get_by_label(f"Edit {kept['label']}", exact=True).tap()
+        page.get_by_role("menuitem", name="Edit in the editor").tap()
     wait_until(opened.value, f"document.querySelector('omote-editor')?.context?.store.item?.name === {kept['name']!r}")
     assert state(page)["face_call"]["target"] == "dog"
 

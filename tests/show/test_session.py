@@ -1,5 +1,6 @@
 """A whole show without a socket: messages and times in, messages and states out."""
 
+import itertools
 import math
 from dataclasses import replace
 
@@ -19,7 +20,6 @@ from omote.show.session import (
     LOST_SECONDS,
     REMEMBERED_CALLS,
     SILENCE,
-    KeepMessage,
     KeepRequest,
     Outgoing,
     SessionSnapshot,
@@ -392,9 +392,13 @@ def test_keep_requests_are_taken_once_and_only_of_consoles(cast: Cast) -> None:
     session = opened(cast, "a")
     session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
     assert "only a console plays" in reasons(session.receive("s", wire.KeepFace("k"), 0.0))[0]
-    keep, undo = wire.KeepFace("k"), wire.UndoKeep("u", "face", "on_air_1")
-    layouts: list[KeepMessage] = [wire.SetLayout("desk", "{}"), wire.RenameLayout("desk", "left"), wire.DropLayout("x")]
-    said: list[KeepMessage] = [keep, keep, wire.KeepExpression("l"), undo, *layouts, undo]
+    keep, undo = wire.KeepFace("k"), wire.DeleteItem("u", "face", "on_air_1", unedited=True)
+    layouts: list[wire.KeepMessage] = [
+        wire.SetLayout("desk", "{}"),
+        wire.RenameLayout("desk", "left"),
+        wire.DropLayout("x"),
+    ]
+    said: list[wire.KeepMessage] = [keep, keep, wire.KeepExpression("l"), undo, *layouts, undo]
     for message in said:
         assert session.receive("a", message, 0.0) == []
     assert session.take_keep_requests() == [KeepRequest("a", message) for message in said[1:-1]]
@@ -469,6 +473,36 @@ def test_every_console_has_a_name_of_its_own_and_may_change_it(cast: Cast) -> No
         names.append(welcome.message.name)
     assert names == ["Ana", "console 1", "ana 2", "console 2", "Ben", "Ana"]
     assert session.crew_now(0.0).consoles == 4
+
+
+def names_after(session: ShowSession, *hellos: tuple[str, str, str]) -> dict[str, str]:
+    """What consoles were last told that they are called, after hellos of (client, name, page)."""
+    told: dict[str, str] = {}
+    for who, name, page in hellos:
+        for each in session.receive(who, wire.Hello("console", wire.PROTOCOL_VERSION, name, page), 0.0):
+            if isinstance(each.message, wire.Welcome):
+                told[each.who] = each.message.name
+    return told
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations([0, 1, 2])))
+def test_names_stay_with_their_pages_in_whatever_order_these_come_back(cast: Cast, order: tuple[int, ...]) -> None:
+    first = names_after(opened(cast), ("a", "", "1"), ("b", "", "2"), ("c", "Ana", "3"))
+    assert first == {"a": "console 1", "b": "console 2", "c": "Ana"}
+    back = [(who, name, page) for (who, name), page in zip(first.items(), "123", strict=True)]
+    assert names_after(opened(cast), *(back[each] for each in order)) == first
+    late = names_after(opened(cast), ("new", "", "4"), *(back[each] for each in order))
+    assert late == {**first, "new": late["new"]}, "who claims a name gets it from one that was given it"
+    assert late["new"] not in first.values()
+
+
+def test_a_page_that_comes_back_before_its_old_link_is_known_to_be_lost_keeps_its_name(cast: Cast) -> None:
+    session = opened(cast)
+    told = names_after(session, ("old", "Ana", "1"), ("other", "", "2"), ("new", "Ana", "1"))
+    assert told == {"old": "Ana", "other": "console 1", "new": "Ana"}
+    assert session.crew_now(0.0).consoles == 2
+    session.leave("old", lost=0.0)
+    assert session.crew_now(0.0).consoles == 2
 
 
 def test_a_console_is_told_whose_hands_move_what(cast: Cast) -> None:

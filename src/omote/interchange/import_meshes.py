@@ -6,7 +6,7 @@ of blendshapes, thus becomes expressions that are retargeted to every face of th
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,6 +36,13 @@ WIDELY = 10.0
 """A head may be so many times larger or smaller than the generic one; beyond that its unit is not metres."""
 
 
+Follow = Callable[[int, int, str], None]
+
+
+def ignore_progress(done: int, total: int, what: str, /) -> None:
+    """Follows nothing."""
+
+
 @dataclass(frozen=True, eq=False)
 class ImportedExpression:
     """An imported expression; error: metres by which the face wearing it differs from the source shape; doubt: in
@@ -49,31 +56,47 @@ class ImportedExpression:
 
 
 def import_expressions(
-    cast: Cast, meshes: Sequence[BakedMesh], shapes: Mapping[str, Sequence[Piece]], /, *, face: str = ""
-) -> Iterator[ImportedExpression]:  # fmt: skip
+    cast: Cast,
+    meshes: Sequence[BakedMesh],
+    shapes: Mapping[str, Sequence[Piece]],
+    /,
+    *,
+    face: str = "",
+    follow: Follow = ignore_progress,
+) -> Iterator[ImportedExpression]:
     """Imports the expressions in shapes, by name: one per morph target; of a shape without any, the shape itself.
 
     A shape named as a shape at rest (RESTS), or that is a face of the cast, is what the others are measured from; face:
-    the face of the cast that they are measured from instead. ValueError where there is no expression.
+    the face of the cast that they are measured from instead; follow: told of shapes done, of all, and of the next one.
+    ValueError where there is no expression.
     """
     heads = {label: _match_named_head(cast, meshes, label, pieces) for label, pieces in shapes.items()}
     if face:
         face = find_name(face, cast.faces, "face")
-    found = 0
-    for head in heads.values():
-        for name, moves in head.moves.items():
-            found += 1
-            yield _import_expression(cast, build_face(cast, head, face), name, moves)
     single = {label: head for label, head in heads.items() if not head.moves}
     start = _base_face(cast, single, face)
-    for label, head in single.items():
-        if label.lower() in RESTS or (head.face and head.face == start.name):
-            continue
-        found += 1
-        before = _meshes(cast, start)
-        yield _import_expression(cast, start, label, {name: rest - before[name] for name, rest in head.rest.items()})
-    if not found:
+    own = [each for each, head in single.items() if head.face and head.face == start.name]
+    resting = {*own, *(each for each in single if each.lower() in RESTS)}
+    total = sum(len(head.moves) for head in heads.values()) + len(single) - len(resting)
+    if not total:
         raise ValueError("these files show a face at rest and no expression; add a shape for each expression")
+    moved = _moved_shapes(cast, heads, start, resting, face)
+    for done, (each, label, moves) in enumerate(moved):
+        follow(done, total, label)
+        yield _import_expression(cast, each, label, moves)
+
+
+def _moved_shapes(
+    cast: Cast, heads: Mapping[str, MatchedHead], start: Face, resting: Collection[str], face: str
+) -> Iterator[tuple[Face, str, Meshes]]:
+    """Each shape: the face that it moves, its name, and its displacements."""
+    for head in heads.values():
+        for name, moves in head.moves.items():
+            yield build_face(cast, head, face), name, moves
+    for label, head in heads.items():
+        if not head.moves and label not in resting:
+            before = _meshes(cast, start)
+            yield start, label, {name: rest - before[name] for name, rest in head.rest.items()}
 
 
 def _match_named_head(cast: Cast, meshes: Sequence[BakedMesh], label: str, pieces: Sequence[Piece]) -> MatchedHead:

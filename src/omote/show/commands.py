@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+import msgspec
+
 from omote.perform.performer import Performer
 from omote.show import messages as wire
 from omote.show.validation import Refusal
@@ -46,3 +48,10 @@ ACTIONS: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
     wire.SetHome: lambda performer, home: performer.set_home(home.face, seconds=home.seconds),
 }
 """The action of each command on the performer, which alone validates names and numbers (`perform/limits.py`)."""
+
+
+def reload_hint(message: wire.FromClient) -> str:
+    """What to do about a number that no hand can have set: the page that sent it has gone wrong."""
+    values = msgspec.structs.astuple(message)
+    wrong = any(isinstance(value, float) and not math.isfinite(value) for value in values)
+    return " Reload the page that sent it." if wrong else ""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from omote.show import messages as wire
@@ -10,6 +11,10 @@ MOVING = wire.FadeFace, wire.FadeExpression, wire.SetChannel, wire.SetHead, wire
 """What a hand sends on and on while it moves a control."""
 MOVING_SECONDS = 1.0
 """Seconds after its last message for which a hand counts as moving a control."""
+LONGEST_NAME = 24
+"""Characters of a console's name, as a hello may have it."""
+NAMELESS = "console 1"
+"""What a console is called that asks for nothing, with another number where that is taken."""
 AGAIN_SECONDS = 1.0
 """Seconds after which a console is told the same again: a message may be lost."""
 
@@ -73,9 +78,22 @@ class Hands:
         return found
 
 
+def name_apart(consoles: Mapping[str, tuple[str, bool]], who: str) -> dict[str, str]:
+    """The names of a console that comes, and of one that gives way to it; consoles: by client, what each is called or
+    wants to be, and whether it asked for that. A name that somebody asks for is taken from one that was given it."""
+    wanted, asks = consoles[who]
+    same = [other for other, (name, _) in consoles.items() if name.casefold() == wanted.casefold()]
+    yields = [other for other in same if other != who and asks and not consoles[other][1]]
+    names = {other: name for other, (name, _) in consoles.items() if other not in (who, *yields)}
+    for each in (who, *yields):
+        taken = {name.casefold() for name in names.values()}
+        names[each] = free_name(consoles[each][0] or NAMELESS, taken)
+    return {each: names[each] for each in (who, *yields)}
+
+
 def free_name(wanted: str, taken: set[str]) -> str:
-    """The name of a console: the one wanted, with the lowest number that makes it its own; none wanted: `console 1`."""
-    stem = wanted.strip()
-    plain = [stem] if stem else []
-    numbered = (f"{stem or 'console'} {number}" for number in range(2 if stem else 1, len(taken) + 3))
-    return next(name for name in (*plain, *numbered) if name.casefold() not in taken)
+    """The name of a console: the one wanted, else the lowest number beside its words that makes it its own."""
+    words = re.sub(r"(?<=\S) \d+$", "", wanted)
+    room = LONGEST_NAME - len(f" {len(taken) + 3}")
+    numbered = (f"{words[:room]} {number}" for number in range(2, len(taken) + 4))
+    return next(name for name in (wanted, *numbered) if name.casefold() not in taken)

@@ -11,7 +11,7 @@ from typing import Annotated, Literal, get_args
 
 import msgspec
 
-PROTOCOL_VERSION = 3
+PROTOCOL_VERSION = 4
 LINK_PATH = "/link"
 MESSAGE_LIMIT = 4096
 """Bytes; no message of a client is longer."""
@@ -20,12 +20,14 @@ STATE_RATE = 60.0
 
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 CallId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
+RequestId = Annotated[str, msgspec.Meta(max_length=64)]
 Role = Literal["stage", "console"]
 Level = Literal["lowest", "low", "medium", "high"]
 ConsoleName = Annotated[str, msgspec.Meta(max_length=24)]
 LayoutText = Annotated[str, msgspec.Meta(max_length=3600)]
 Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
 Kind = Literal["neutral", "performed", "arkit", "makehuman", "own"]
+ItemKind = Literal["face", "expression"]
 
 
 def snake_case(name: str) -> str:
@@ -41,12 +43,14 @@ class Message(msgspec.Struct, frozen=True, tag_field="type", tag=snake_case):
 
 
 class Hello(Message, frozen=True):
-    """Opens a link; other messages are rejected before it. `name`: what a console's operator calls it; a second hello
-    changes it."""
+    """Opens a link; other messages are rejected before it. `name`: what a console's operator calls it, or what it was
+    called the last time; a second hello changes it. `page`: the same for each link of one page, another for each page.
+    """
 
     role: Role
     version: int
     name: ConsoleName = ""
+    page: Annotated[str, msgspec.Meta(max_length=64)] = ""
 
 
 class CallFace(Message, frozen=True):
@@ -145,21 +149,50 @@ class KeepExpression(Message, frozen=True):
     id: CallId
 
 
-class UndoKeep(Message, frozen=True):
-    """Takes what a console kept out of the cast again; rejected while it is on air, and once it has been edited.
-    Answered with `keep_undone`."""
+class RenameItem(Message, frozen=True):
+    """Gives an own face or expression another label, which no other of its kind has. An `id` executes once; answered,
+    as the two below, with `item_changed`."""
 
     id: CallId
-    kind: Literal["face", "expression"]
+    kind: ItemKind
+    name: Name
+    label: Name
+
+
+class DeleteItem(Message, frozen=True):
+    """Takes an own face or expression out of the cast; rejected while it is on air or the home face. `unedited`:
+    rejected too once somebody has worked on what a console kept."""
+
+    id: CallId
+    kind: ItemKind
+    name: Name
+    unedited: bool = False
+
+
+class RestoreItem(Message, frozen=True):
+    """Puts a deleted face or expression back into the cast."""
+
+    id: CallId
+    kind: ItemKind
+    name: Name
+
+
+class CopyItem(Message, frozen=True):
+    """Copies an own face or expression to a new one under a label of its own. An `id` executes once; answered with
+    `kept`."""
+
+    id: CallId
+    kind: ItemKind
     name: Name
 
 
 class SetLayout(Message, frozen=True):
     """Stores a page's layout (JSON) in the show file under a name; `/layouts/NAME` returns it. Answered, as the two
-    below, with `layouts`."""
+    below, with `layouts`; `id`: named where it is rejected."""
 
     name: Name
     document: LayoutText
+    id: RequestId = ""
 
 
 class RenameLayout(Message, frozen=True):
@@ -167,12 +200,21 @@ class RenameLayout(Message, frozen=True):
 
     name: Name
     to: Name
+    id: RequestId = ""
 
 
 class DropLayout(Message, frozen=True):
     """Takes a layout out of the show file."""
 
     name: Name
+    id: RequestId = ""
+
+
+class Cancel(Message, frozen=True):
+    """Ends a long request, which then changes nothing: an import or export sent over HTTP with `?request=` and an id of
+    the page's own. One that has ended is left as it is."""
+
+    request: CallId
 
 
 class Ping(Message, frozen=True):
@@ -210,18 +252,19 @@ class CastChanged(Message, frozen=True, tag="cast"):
 
 
 class Kept(Message, frozen=True):
-    """Answers keep_face and keep_expression: the new name in the cast, and its label."""
+    """Answers keep_face, keep_expression and copy_item: the new name in the cast, and its label."""
 
     id: str
     name: str
     label: str
 
 
-class KeepUndone(Message, frozen=True):
-    """Answers undo_keep: what was kept under this label is not in the cast any more."""
+class ItemChanged(Message, frozen=True):
+    """Answers rename_item, delete_item and restore_item: the label of the item now, and before."""
 
     id: str
     label: str
+    before: str
 
 
 class Layouts(Message, frozen=True):
@@ -294,9 +337,11 @@ class Pong(Message, frozen=True):
 
 
 class Refused(Message, frozen=True):
-    """A message was rejected, and why, in one sentence for the operator."""
+    """A message was rejected, and why, in one sentence for the operator. `id`: of the message, where it had one and
+    was about the show file."""
 
     reason: str
+    id: str = ""
 
 
 class Notice(msgspec.Struct, frozen=True):
@@ -312,6 +357,16 @@ class Notices(Message, frozen=True):
     welcome, with each new one, and once a second while there are any."""
 
     notices: list[Notice]
+
+
+class Progress(Message, frozen=True):
+    """How far a long request (an import, an export) is: steps done of `total` (0: not known yet), and what is done now,
+    for people. To consoles and editors; any may be lost, and the request's own answer says that it has ended."""
+
+    request: str
+    done: int
+    total: int
+    what: str
 
 
 class StageReport(msgspec.Struct, frozen=True):
@@ -332,6 +387,10 @@ class Crew(Message, frozen=True):
     lost: int = 0
 
 
+KeepMessage = (
+    KeepFace | KeepExpression | RenameItem | DeleteItem | RestoreItem | CopyItem | SetLayout | RenameLayout | DropLayout
+)
+"""What a console asks of the show file."""
 FromClient = (
     Hello
     | CallFace
@@ -348,14 +407,20 @@ FromClient = (
     | SetHome
     | KeepFace
     | KeepExpression
-    | UndoKeep
+    | RenameItem
+    | DeleteItem
+    | RestoreItem
+    | CopyItem
     | SetLayout
     | RenameLayout
     | DropLayout
+    | Cancel
     | Ping
     | Drawing
 )
-FromServer = Welcome | CastChanged | State | Pong | Kept | KeepUndone | Refused | Notices | Layouts | Hands | Crew
+FromServer = (
+    Welcome | CastChanged | State | Pong | Kept | ItemChanged | Refused | Notices | Layouts | Hands | Progress | Crew
+)
 
 
 # --- documents over HTTP ----------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -13,8 +13,8 @@ from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, names_held
 from omote.show import messages as wire
 from omote.show import validation
-from omote.show.commands import ACTIONS
-from omote.show.contention import MOVING, Hands, free_name
+from omote.show.commands import ACTIONS, reload_hint
+from omote.show.contention import MOVING, Hands, name_apart
 from omote.show.state import EyeOffset, offset_between, state_of
 from omote.show.validation import Refusal, validate_number
 from omote.show.wire import decode
@@ -39,15 +39,17 @@ class Outgoing:
 
 @dataclass(frozen=True)
 class Member:
-    """A connected client: its role, its last report with the time of it, and the name of a console."""
+    """A connected client: its role, its last report with the time of it, and the name of a console.
+
+    claims: it asked for that name, else it was given one; page: the page that the link belongs to.
+    """
 
     role: wire.Role
     report: wire.StageReport | None = None
     heard: float = -math.inf
     name: str = ""
-
-
-KeepMessage = wire.KeepFace | wire.KeepExpression | wire.UndoKeep | wire.SetLayout | wire.RenameLayout | wire.DropLayout
+    claims: bool = False
+    page: str = ""
 
 
 @dataclass(frozen=True)
@@ -55,7 +57,7 @@ class KeepRequest:
     """A console's request to change the show file; the server carries it out."""
 
     who: str
-    message: KeepMessage
+    message: wire.KeepMessage
 
 
 class SessionSnapshot(msgspec.Struct, frozen=True):
@@ -75,6 +77,7 @@ class ShowSession:
         self.commands = 0
         self.crew: dict[str, Member] = {}
         self.wishes: list[KeepRequest] = []
+        self.cancelled: list[str] = []
         self.notices: list[wire.Notice] = []
         self.layouts: list[str] = []
         self._lost_stages: list[float] = []  # when the links broke
@@ -146,6 +149,11 @@ class ShowSession:
         requests, self.wishes = self.wishes, []
         return requests
 
+    def take_cancelled(self) -> list[str]:
+        """Returns and clears the long requests that consoles end."""
+        requests, self.cancelled = self.cancelled, []
+        return requests
+
     def clock(self, now: float) -> float:
         """The show's clock at `now`, as in `State.time`: it runs on through a restart of the server."""
         return self._time if self._now is None else self._time + max(0.0, now - self._now)
@@ -172,7 +180,11 @@ class ShowSession:
 
     def layouts_now(self) -> list[Outgoing]:
         """The names of all layouts, for every console."""
-        return [Outgoing(who, wire.Layouts(list(self.layouts))) for who in self._consoles()]
+        return self.for_consoles(wire.Layouts(list(self.layouts)))
+
+    def for_consoles(self, message: wire.FromServer) -> list[Outgoing]:
+        """A message for every console."""
+        return [Outgoing(who, message) for who in self._consoles()]
 
     def hands_now(self, now: float) -> list[Outgoing]:
         """What consoles must be told of each other's hands."""
@@ -184,19 +196,22 @@ class ShowSession:
     def _answer(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
         match message:
             case wire.Hello():
-                welcome = Outgoing(who, self._welcome(who, message))
+                welcomes = self._welcome(who, message)
                 layouts = [each for each in self.layouts_now() if each.who == who and self.layouts]
-                return [welcome, *self.notices_for(who), *layouts]
+                return [*welcomes, *self.notices_for(who), *layouts]
             case wire.Ping():
                 return [
                     Outgoing(who, wire.Pong(sent=validate_number(message.sent, validation.SENT), time=self.clock(now)))
                 ]
             case wire.Drawing():
                 report = wire.StageReport(validate_number(message.fps, validation.FPS), message.level)
-                self.crew[who] = Member(self._member(who).role, report, heard=now)
+                self.crew[who] = replace(self._member(who), report=report, heard=now)
+            case wire.Cancel():
+                self._refuse_a_stage(who, message)
+                self.cancelled.append(message.request)
             case _ if getattr(message, "id", None) in self._calls:
                 pass  # a retry or a bouncing key: each call executes once
-            case _ if isinstance(message, KeepMessage):
+            case _ if isinstance(message, wire.KeepMessage):
                 self._add_keep_request(KeepRequest(who, message))
             case _:
                 self._obey(who, message, now)
@@ -205,7 +220,7 @@ class ShowSession:
     def _add_keep_request(self, request: KeepRequest) -> None:
         self._refuse_a_stage(request.who, request.message)
         self.wishes.append(request)
-        if isinstance(request.message, wire.KeepFace | wire.KeepExpression | wire.UndoKeep):
+        if request.message.id:
             self._remember(request.message.id)
 
     def _refuse_a_stage(self, who: str, message: wire.FromClient) -> None:
@@ -233,7 +248,7 @@ class ShowSession:
         except Refusal:
             raise
         except (ValueError, TypeError) as error:
-            raise Refusal(f"{error}. Nothing has changed.{_reload_hint(message)}") from error
+            raise Refusal(f"{error}. Nothing has changed.{reload_hint(message)}") from error
         self.commands += 1
         self._hands.note(who, message, now)
         if isinstance(message, wire.Panic):
@@ -242,18 +257,29 @@ class ShowSession:
         if isinstance(message, wire.CallFace | wire.CallExpression | wire.CallLight):
             self._remember(message.id)
 
-    def _welcome(self, who: str, hello: wire.Hello) -> wire.Welcome:
+    def _welcome(self, who: str, hello: wire.Hello) -> list[Outgoing]:
+        """The welcome of a client; another's too, where that was given the name that a console claims."""
         if hello.version != wire.PROTOCOL_VERSION:
             versions = f"version {hello.version}, the server {wire.PROTOCOL_VERSION}"
             raise Refusal(f"the page speaks {versions}: reload the page.")
         if hello.role == "stage" and who not in self.crew:
             del self._lost_stages[:1]  # one of them is back, or another in its place
-        name = ""
-        if hello.role == "console":
-            taken = {each.casefold() for other, each in self._consoles().items() if other != who}
-            name = free_name(hello.name, taken)
-        self.crew[who] = Member(hello.role, name=name)
-        return wire.Welcome(wire.PROTOCOL_VERSION, self.epoch, self.revision, self.cast.digest, name)
+        if hello.role != "console":
+            self.crew[who] = Member(hello.role)
+            return [self._welcomed(who)]
+        for other in [other for other, each in self.crew.items() if hello.page and each.page == hello.page]:
+            self.leave(other)  # a link of this page that has broken, or its own hello under another name
+        self.crew[who] = Member("console", name=hello.name.strip(), claims=bool(hello.name.strip()), page=hello.page)
+        consoles = {each: (self.crew[each].name, self.crew[each].claims) for each in self._consoles()}
+        names = name_apart(consoles, who)
+        for each, name in names.items():
+            self.crew[each] = replace(self.crew[each], name=name)
+        return [self._welcomed(each) for each in names]
+
+    def _welcomed(self, who: str) -> Outgoing:
+        name = self.crew[who].name
+        message = wire.Welcome(wire.PROTOCOL_VERSION, self.epoch, self.revision, self.cast.digest, name)
+        return Outgoing(who, message)
 
     def _member(self, who: str) -> Member:
         if who not in self.crew:
@@ -263,10 +289,3 @@ class ShowSession:
     def _refuse(self, who: str, refusal: Refusal) -> list[Outgoing]:
         self.refused += 1
         return [Outgoing(who, wire.Refused(reason=str(refusal)))]
-
-
-def _reload_hint(message: wire.FromClient) -> str:
-    """What to do about a number that no hand can have set: the page that sent it has gone wrong."""
-    values = msgspec.structs.astuple(message)
-    wrong = any(isinstance(value, float) and not math.isfinite(value) for value in values)
-    return " Reload the page that sent it." if wrong else ""

@@ -196,8 +196,12 @@ def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, s
 
 
 def _built_in_face(cast: Cast, name: str, url: str) -> FaceDocument:
-    label = name.replace("_", " ").capitalize()
-    return face_document(cast, cast.faces[name], cast.looks[name], label=label, url=url, source=name)
+    return face_document(cast, cast.faces[name], cast.looks[name], label=face_label(name), url=url, source=name)
+
+
+def face_label(name: str) -> str:
+    """What people read of a built-in face."""
+    return name.replace("_", " ").capitalize()
 
 
 def outline(cast: Cast, face: Face, hair_style: str) -> Points:

@@ -9,6 +9,7 @@ from omote.edit.protocol.names import (
     clean_label,
     clean_tags,
     clean_text,
+    free_label,
     new_label,
     new_name,
     slug,
@@ -44,6 +45,17 @@ def test_names_are_new_whatever_letters_are_large(labels: list[str]) -> None:
 def test_own_labels_count_up_and_fill_gaps() -> None:
     assert new_label("On air", []) == "On air 1"
     assert new_label("On air", ["on air 1", "On air 3"]) == "On air 2"
+
+
+@given(st.lists(st.sampled_from(["Smile", "smile", "Smile 2", "x" * LONGEST_LABEL]), max_size=12))
+def test_free_labels_are_the_ones_wanted_as_long_as_nothing_has_them(wanted: list[str]) -> None:
+    taken: list[str] = []
+    for each in wanted:
+        label = free_label(each, taken)
+        assert label.casefold() not in {one.casefold() for one in taken}
+        assert (label == each) == (each.casefold() not in {one.casefold() for one in taken})
+        assert len(label) <= LONGEST_LABEL
+        taken.append(label)
 
 
 @pytest.mark.parametrize("label", ["", "   ", "a\nb", "x" * 81, "\x00", "\u202e"])

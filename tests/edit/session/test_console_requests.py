@@ -1,17 +1,18 @@
 """What consoles ask of the show file: kept and taken back, layouts saved, renamed and deleted."""
 
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 
 from omote.edit.protocol import messages as editing
-from omote.edit.session.console_requests import MOST_LAYOUTS, answer_console, change_layouts
+from omote.edit.session.console_requests import MOST_LAYOUTS, AskedOfItem, answer_console, change_layouts
 from omote.edit.session.plan import KeepOutcome
 from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import FaceRecipe
 from omote.show import messages as wire
-from omote.show.session import KeepMessage, KeepRequest
+from omote.show.session import KeepRequest
 from omote.show.validation import Refusal
 from omote.showfile.changes import DropLayout, PutLayout
 from tests.authoring import WALL, EditHarness
@@ -25,7 +26,7 @@ def harness(cast: Cast) -> EditHarness:
     return EditHarness(cast)
 
 
-def ask(harness: EditHarness, message: KeepMessage, on_air: OnAir | None = None) -> KeepOutcome | None:
+def ask(harness: EditHarness, message: wire.KeepMessage, on_air: OnAir | None = None) -> KeepOutcome | None:
     """What became of a console's request."""
     before = len(harness.outcomes)
     harness.carry_out(
@@ -46,28 +47,47 @@ def own(harness: EditHarness) -> list[str]:
     return [each.name for each in harness.session.own()]
 
 
-def test_what_was_kept_is_taken_back_and_an_editor_can_bring_it_again(harness: EditHarness) -> None:
+def change(harness: EditHarness, message: AskedOfItem, on_air: OnAir | None = None) -> KeepOutcome:
+    """What became of what a console asked of an item."""
+    outcome = ask(harness, message, on_air)
+    assert outcome is not None
+    return outcome
+
+
+def test_what_was_kept_is_taken_back_and_brought_again_as_often_as_one_likes(harness: EditHarness) -> None:
     kept = keep_face(harness)
-    assert own(harness) == [kept.name]
-    undone = ask(harness, wire.UndoKeep("u", "face", kept.name))
-    assert undone is not None
-    assert (undone.ticket, undone.label, undone.undone, undone.trouble) == ("a u", kept.label, True, "")
-    assert own(harness) == []
-    assert harness.tables.items[kept.item].deleted
+    for turn in range(3):
+        undone = change(harness, wire.DeleteItem(f"u{turn}", "face", kept.name, unedited=True))
+        assert (undone.ticket, undone.label, undone.trouble) == (f"a u{turn}", kept.label, "")
+        assert own(harness) == []
+        assert harness.tables.items[kept.item].deleted
+        again = change(harness, wire.RestoreItem(f"r{turn}", "face", kept.name))
+        assert (again.label, again.before) == (kept.label, kept.label)
+        assert own(harness) == [kept.name]
+    change(harness, wire.DeleteItem("d", "face", kept.name))
     harness.greet("page")
-    harness.ask("page", editing.Restore, kept.item)
+    harness.ask("page", editing.Restore, kept.item)  # so can an editor
     assert own(harness) == [kept.name]
 
 
-def test_what_is_on_air_or_coming_is_not_taken_back(harness: EditHarness) -> None:
+@pytest.mark.parametrize(
+    ("on_air", "why"),
+    [
+        (lambda name: OnAir({name: 0.1}), "on air or coming: call another first"),
+        (lambda name: OnAir(coming=frozenset({name})), "on air or coming: call another first"),
+        (lambda name: OnAir(coming=frozenset({name}), home=name), "is the home face, which panic brings"),
+    ],
+    ids=["on air", "coming", "home"],
+)
+def test_what_is_in_use_is_not_deleted(harness: EditHarness, on_air: Callable[[str], OnAir], why: str) -> None:
     kept = keep_face(harness)
-    refused = ask(harness, wire.UndoKeep("u", "face", kept.name), OnAir({kept.name: 1.0}, coming=frozenset()))
-    assert refused is not None
-    assert "on air or coming: call another first" in refused.trouble
+    for unedited in (False, True):
+        refused = change(harness, wire.DeleteItem(f"u{unedited}", "face", kept.name, unedited), on_air(kept.name))
+        assert why in refused.trouble
     assert own(harness) == [kept.name]
 
 
-def test_what_somebody_has_worked_on_is_not_taken_back(harness: EditHarness) -> None:
+def test_what_somebody_has_worked_on_is_not_taken_back_but_can_be_deleted(harness: EditHarness) -> None:
     kept = keep_face(harness)
     harness.greet("page")
     harness.ask("page", editing.OpenItem, kept.item)
@@ -76,18 +96,40 @@ def test_what_somebody_has_worked_on_is_not_taken_back(harness: EditHarness) -> 
     for save in (False, True):
         if save:
             harness.ask("page", editing.Save, kept.item, "")
-        refused = ask(harness, wire.UndoKeep(f"u{save}", "face", kept.name))
-        assert refused is not None
+        refused = change(harness, wire.DeleteItem(f"u{save}", "face", kept.name, unedited=True))
         assert "has been edited since" in refused.trouble
     assert own(harness) == [kept.name]
+    change(harness, wire.DeleteItem("d", "face", kept.name))
+    assert own(harness) == []
 
 
 @pytest.mark.parametrize(("kind", "name"), [("expression", None), ("face", "dog"), ("face", "nobody")])
-def test_only_what_was_kept_can_be_taken_back(harness: EditHarness, kind: Any, name: str | None) -> None:
+@pytest.mark.parametrize("asked", [wire.DeleteItem, wire.RestoreItem, wire.CopyItem])
+def test_only_own_items_can_be_changed(harness: EditHarness, asked: Any, kind: Any, name: str | None) -> None:
     kept = keep_face(harness)
-    refused = ask(harness, wire.UndoKeep("u", kind, name or kept.name))
-    assert refused is not None
-    assert "there is no own" in refused.trouble
+    refused = change(harness, asked("u", kind, name or kept.name))
+    assert "there is no" in refused.trouble
+
+
+def test_an_item_is_renamed_where_nothing_of_its_kind_is_called_so(harness: EditHarness) -> None:
+    kept, other = keep_face(harness), keep_face(harness)
+    renamed = change(harness, wire.RenameItem("r", "face", kept.name, " Catdog "))
+    assert (renamed.label, renamed.before, renamed.trouble) == ("Catdog", kept.label, "")
+    assert [each.label for each in harness.session.own()] == ["Catdog", other.label]
+    assert change(harness, wire.RenameItem("s", "face", kept.name, "CATDOG")).label == "CATDOG"
+    for taken in (other.label.upper(), "generic"):
+        refused = change(harness, wire.RenameItem(f"t{taken}", "face", kept.name, taken))
+        assert "already: give another name" in refused.trouble
+    assert "the name is" in change(harness, wire.RenameItem("u", "face", kept.name, " ")).trouble
+    change(harness, wire.DeleteItem("d", "face", other.name))
+    assert change(harness, wire.RenameItem("v", "face", kept.name, other.label)).trouble == ""
+
+
+def test_a_copy_has_a_label_of_its_own(harness: EditHarness) -> None:
+    kept = keep_face(harness)
+    copies = [change(harness, wire.CopyItem(f"c{turn}", "face", kept.name)) for turn in (1, 2)]
+    assert [each.label for each in copies] == [f"{kept.label} 2", f"{kept.label} 3"]
+    assert len({each.content for each in harness.session.own()}) == 1
 
 
 def test_layouts_are_stored_renamed_and_deleted(harness: EditHarness) -> None:

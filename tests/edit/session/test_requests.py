@@ -5,11 +5,12 @@ import pytest
 from omote.edit.protocol import messages as wire
 from omote.edit.session.requests import ANSWERS, OF_DRAFTS, queue_key
 from omote.model.cast import Cast
+from omote.show.messages import Cancel
 from tests.authoring import EditHarness
 
 
-def test_every_request_has_an_answer_but_greet() -> None:
-    assert ANSWERS.keys() == {*wire.EDITOR_MESSAGES} - {wire.Greet}
+def test_every_request_has_an_answer_but_greet_and_cancel() -> None:
+    assert ANSWERS.keys() == {*wire.EDITOR_MESSAGES} - {wire.Greet, Cancel}
 
 
 def test_what_changes_a_draft_waits_for_it_and_nothing_else_does() -> None:

@@ -107,7 +107,7 @@ def test_what_is_no_document_is_refused(name: str) -> None:
     data = encode(document())
     before, after = WRONG[name]
     assert before in data
-    with pytest.raises(ValueError, match=r"no expression of Omote as docs/exchange\.md has it"):
+    with pytest.raises(ValueError, match=r"expected an expression of Omote as docs/exchange\.md has it"):
         decode(data.replace(before, after, 1))
 
 

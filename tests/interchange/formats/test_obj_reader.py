@@ -26,8 +26,8 @@ def test_colours_behind_a_vertex_are_passed_over() -> None:
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
-        (b"", "has 0 vertices"),
-        (b"f 1 2 3", "has 0 vertices"),
+        (b"", "but an empty file; export"),
+        (b"f 1 2 3", "no OBJ with vertices, but text"),
         (b"v 1 2", "is no vertex; expected v x y z"),
         (b"v a b c", "is no vertex; expected v x y z"),
         (b"v 1 2 nan", "vertex 1 is"),

@@ -1,12 +1,14 @@
 """Own things come into the cast of a running show and go out of it; what is on air stays."""
 
 import asyncio
+import threading
 from collections.abc import Mapping
 
 import msgspec
 import pytest
 
 from omote.model.cast import Cast, Look
+from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.perform.performer import Performer
 from omote.server.http.cast_documents import CastDocuments
@@ -15,7 +17,8 @@ from omote.show import messages as wire
 from omote.show.messages import Manifest
 from omote.show.session import ShowSession
 from omote.showfile.changes import content_key
-from omote.showfile.contents import pack_expression, pack_face
+from omote.showfile.contents import pack_expression, pack_face, unpack_expression
+from omote.stage_data import playing_cast
 from omote.stage_data.playing_cast import Own, PlayingCast
 from tests.server.synthetic_server import MASK, meshes
 
@@ -133,3 +136,18 @@ def test_the_cast_of_a_start_reports_what_it_left_out(cast: Cast) -> None:
     taken = Own("expression", "smile", "My smile", (), 1.0, "0" * 24)
     assert gather_cast(cast, (taken,), {}, said.append).own == ()
     assert said[0].startswith("the own expression 'My smile' cannot play")
+
+
+def test_no_tick_waits_while_contents_are_unpacked(
+    show: Show, grin: Own, cast: Cast, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    unpacking: list[bool] = []
+    other = show.own(pack_expression(cast.expressions["jawOpen"]), "expression", "gape")
+
+    def unpack(data: bytes) -> Expression:
+        unpacking.append(threading.current_thread() is threading.main_thread())
+        return unpack_expression(data)
+
+    monkeypatch.setattr(playing_cast, "unpack_expression", unpack)
+    show.recast(grin, other)
+    assert unpacking == [False, False], "each once, beside the loop of the ticks"

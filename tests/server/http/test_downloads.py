@@ -1,25 +1,41 @@
-"""Exports as downloads: the plan of each, and the process that writes it."""
+"""Exports as downloads: the plan of each, and what is answered."""
 
-import sys
+import asyncio
 from collections.abc import Mapping
 from pathlib import Path
 from types import SimpleNamespace
 from typing import cast as typed
 
+import msgspec
 import pytest
 from aiohttp import web
 
 from omote.model.cast import Cast
-from omote.server.http.command_process import COMMAND
 from omote.server.http.downloads import Downloads, plan_download
 from omote.showfile.changes import content_key
+from omote.server.http.long_requests import LongRequests
+from omote.server.http.uploads import CANCELLED, RunFileJob
+from omote.server.workers.file_jobs import ExportExpression, ExportFace
+from omote.server.workers.job_server import Follow, JobError
 from omote.showfile.contents import pack_expression
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
 
 SHOW = Path("my.omote")
-# Stands for `omote`: writes its own words into the file that -o names.
-SCRIBBLE = "import sys; at = sys.argv.index('-o') + 1; open(sys.argv[at], 'w').write(' '.join(sys.argv[1:at - 1]))"
-FAILS = "import sys; sys.exit('omote: the cast is missing: run make bake')"
+
+
+async def write_job(job: bytes, _: Follow) -> bytes:
+    """Stands for `run_file_job` in its process: what it is asked for."""
+    return job
+
+
+async def fail_job(_: bytes, __: Follow) -> bytes:
+    """A job that cannot be done."""
+    raise JobError("the cast is missing: run make bake")
+
+
+def downloads(run: RunFileJob) -> Downloads:
+    """Downloads that are made so."""
+    return Downloads(lambda: SHOW, run, LongRequests(lambda _: None))
 
 
 @pytest.fixture
@@ -36,12 +52,12 @@ def asked(file: str, query: Mapping[str, str] | None = None) -> web.Request:
     return typed(web.Request, SimpleNamespace(match_info={"file": file}, query=query or {}))
 
 
-def test_each_export_is_a_command(playing: PlayingCast) -> None:
+def test_each_export_is_a_job(playing: PlayingCast) -> None:
     document = plan_download(SHOW, "crooked_smile.json", {}, playing)
-    assert [*document.options, *document.arguments] == ["file", "export", "my.omote", "crooked_smile"]
+    assert document.job == ExportExpression("my.omote", "crooked_smile")
     worn = plan_download(SHOW, "broad.glb", {"expressions": "crooked_smile,smile"}, playing)
-    assert worn.options == ["export", "--expressions", "crooked_smile,smile", "--show", "my.omote"]
-    assert (worn.arguments, worn.file) == (["broad"], "broad-crooked_smile-smile.glb")
+    assert worn.job == ExportFace("my.omote", "broad", "crooked_smile,smile")
+    assert worn.file == "broad-crooked_smile-smile.glb"
     assert plan_download(SHOW, "broad.glb", {}, playing).file == "broad.glb"
 
 
@@ -64,30 +80,41 @@ def test_what_does_not_play_is_refused(playing: PlayingCast, file: str, query: d
 
 @pytest.mark.parametrize("kind", ["arkit", "performed"])
 def test_a_kind_of_expressions_is_asked_for_by_its_name(playing: PlayingCast, kind: str) -> None:
-    assert plan_download(SHOW, "broad.glb", {"expressions": kind}, playing).options[2] == kind
+    assert plan_download(SHOW, "broad.glb", {"expressions": kind}, playing).job == ExportFace("my.omote", "broad", kind)
 
 
 @pytest.mark.asyncio
-async def test_a_download_is_what_the_command_writes(playing: PlayingCast) -> None:
-    answer = await Downloads(lambda: SHOW, (sys.executable, "-c", SCRIBBLE)).respond(
-        asked("crooked_smile.json"), playing
-    )
-    assert answer.body == b"file export"
+async def test_a_download_is_what_the_job_makes(playing: PlayingCast) -> None:
+    answer = await downloads(write_job).respond(asked("crooked_smile.json"), playing)
+    assert answer.body == msgspec.msgpack.encode(ExportExpression("my.omote", "crooked_smile"))
     assert answer.headers["Content-Disposition"] == 'attachment; filename="crooked_smile.json"'
     assert answer.content_type == "application/json"
 
 
 @pytest.mark.asyncio
-async def test_what_the_command_says_is_the_reason(playing: PlayingCast) -> None:
+async def test_what_the_job_says_is_the_reason(playing: PlayingCast) -> None:
     with pytest.raises(web.HTTPServiceUnavailable) as refused:
-        await Downloads(lambda: SHOW, (sys.executable, "-c", FAILS)).respond(asked("broad.glb"), playing)
+        await downloads(fail_job).respond(asked("broad.glb"), playing)
     assert refused.value.text == "the cast is missing: run make bake"
     with pytest.raises(web.HTTPNotFound):
-        await Downloads(lambda: SHOW).respond(asked("nobody.glb"), playing)
+        await downloads(write_job).respond(asked("nobody.glb"), playing)
 
 
 @pytest.mark.asyncio
-async def test_the_real_command_writes_a_document(tmp_path: Path, playing: PlayingCast) -> None:
-    with pytest.raises(web.HTTPServiceUnavailable) as refused:
-        await Downloads(lambda: tmp_path / "none.omote", COMMAND).respond(asked("smile.json"), playing)
-    assert "there is no show file" in (refused.value.text or "")
+async def test_a_page_ends_its_export_and_the_next_is_made(playing: PlayingCast) -> None:
+    begun = asyncio.Event()
+
+    async def run(job: bytes, _: Follow) -> bytes:
+        if begun.is_set():
+            return job
+        begun.set()
+        await asyncio.Event().wait()
+        return b""
+
+    requests = LongRequests(lambda _: None)
+    exports = Downloads(lambda: SHOW, run, requests)
+    ended = asyncio.create_task(exports.respond(asked("broad.glb", {"request": "mine"}), playing))
+    await begun.wait()
+    requests.cancel("mine")
+    assert (await ended).status == CANCELLED
+    assert (await exports.respond(asked("broad.glb"), playing)).status == 200

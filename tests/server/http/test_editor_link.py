@@ -154,12 +154,17 @@ async def test_a_console_keeps_what_is_on_air(edit_harness: EditHarness) -> None
     now = await manifest(edit_harness)
     assert [now.faces[-1].name, now.expressions[-1].name] == [each.name for each in kept]
     assert [now.faces[-1].label, now.expressions[-1].label] == [each.label for each in kept]
-    await console.send_bytes(encode(wire.UndoKeep("m", "face", kept[0].name)))
-    said = await answer(console)
-    while not isinstance(said, wire.KeepUndone):
+    for number, (asked, shown) in enumerate(((wire.DeleteItem, False), (wire.RestoreItem, True))):
+        await console.send_bytes(encode(asked(f"m{number}", "face", kept[0].name)))
         said = await answer(console)
-    assert said == wire.KeepUndone("m", kept[0].label)
-    assert kept[0].name not in [face.name for face in (await manifest(edit_harness)).faces]
+        while not isinstance(said, wire.ItemChanged):
+            said = await answer(console)
+        assert said == wire.ItemChanged(f"m{number}", kept[0].label, kept[0].label)
+        assert (kept[0].name in [face.name for face in (await manifest(edit_harness)).faces]) is shown
+    await console.send_bytes(encode(wire.DeleteItem("n", "face", "nobody")))
+    while not isinstance(said, wire.Refused):
+        said = await answer(console)
+    assert said.id == "n"
 
 
 async def test_two_editors_hear_of_each_other_and_the_second_is_told(edit_harness: EditHarness) -> None:

@@ -1,6 +1,7 @@
 """Imports from pages: what a file brings is saved and plays, and one that brings nothing changes nothing."""
 
-import sys
+import asyncio
+import json
 from pathlib import Path
 
 import aiohttp
@@ -10,33 +11,34 @@ import pytest
 from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.model.cast import Cast
 from omote.server.http import uploads
-from omote.server.http.uploads import Uploads, plan_upload
+from omote.server.http.uploads import CANCELLED, Uploads, plan_upload
+from omote.server.workers.file_jobs import Imported, ImportFile, bring_items
+from omote.server.workers.job_server import Follow, JobError
+from omote.show import messages as wire
+from omote.show.wire import encode
 from omote.showfile.changes import Stored
 from omote.showfile.show_file import open_show
-from tests.server.conftest import EditHarness, ShowHarness
-
-# Stands for `omote file import`: makes the changes that lie in the file.
-IMPORTS = """
-import sys
-from pathlib import Path
-import msgspec
-from omote.showfile.changes import Change
-from omote.showfile.show_file import open_show
-copy, path = map(Path, sys.argv[-2:])
-if path.read_bytes() == b"words":
-    sys.exit(f"omote: {path.name} is no expression.")
-show = open_show(copy)
-show.apply(msgspec.msgpack.decode(path.read_bytes(), type=list[Change]))
-show.close()
-sys.stderr.write("omote: Grin, from grin.json" + chr(10) + "omote: the show file has 2 more." + chr(10))
-"""
+from tests.server.conftest import EditHarness, ShowHarness, answer
 
 
-def letter(cast: Cast, stored: Stored) -> bytes:
-    """A file that brings an expression and a face, both under labels that are there."""
-    smile = ImportedItem("Smile", cast.expressions["smile"], ("mailed",))
-    broad = ImportedItem("Broad", (cast.faces["broad"], cast.looks["broad"]))
-    return msgspec.msgpack.encode(changes_to_import(cast, stored, [smile, broad], wall=1.0))
+async def import_false_file(job: bytes, follow: Follow) -> bytes:
+    """Stands for `run_file_job` in its process: brings what lies in the file."""
+    wanted = msgspec.msgpack.decode(job, type=ImportFile)
+    data = Path(wanted.path).read_bytes()
+    if data == b"words":
+        raise JobError(f"{Path(wanted.path).name} is no expression.")
+    follow(0, 2, "Smile")
+    if data == b"endless":
+        await asyncio.Event().wait()
+    return data
+
+
+def letter(cast: Cast, stored: Stored, expression: str = "smile", face: str = "broad") -> bytes:
+    """What is brought: an expression and a face, both under labels that are there."""
+    smile = ImportedItem("Smile", cast.expressions[expression], ("mailed",))
+    broad = ImportedItem("Broad", (cast.faces[face], cast.looks[face]))
+    changes = changes_to_import(cast, stored, [smile, broad], wall=1.0)
+    return msgspec.msgpack.encode(Imported(list(bring_items(changes)), ["Grin, from grin.json"]))
 
 
 def stored_in(path: Path) -> Stored:
@@ -53,18 +55,22 @@ async def post(harness: ShowHarness, file: str, data: bytes) -> tuple[int, str]:
         return response.status, await response.text()
 
 
-def use_fake_command(harness: EditHarness) -> None:
-    harness.show.uploads = Uploads(lambda: harness.path, (sys.executable, "-c", IMPORTS))
+def use_false_job(harness: EditHarness) -> None:
+    harness.show.uploads = Uploads(lambda: harness.path, import_false_file, harness.show.long_requests)
 
 
 @pytest.mark.asyncio
-async def test_what_a_file_brings_is_in_the_file_and_plays_each_time_under_a_new_name(
+async def test_what_a_file_brings_is_in_the_file_and_plays_under_a_name_that_nothing_else_has(
     edit_harness: EditHarness, cast: Cast
 ) -> None:
-    use_fake_command(edit_harness)
-    for number in (1, 2):
-        status, text = await post(edit_harness, "grin.json", letter(cast, stored_in(edit_harness.path)))
-        assert (status, '"labels": ["Smile", "Broad"]' in text, "Grin, from grin.json" in text) == (200, True, True)
+    use_false_job(edit_harness)
+    for number, (smile, broad) in enumerate([("smile", "broad"), ("jawOpen", "long")], start=1):
+        status, text = await post(edit_harness, "grin.json", letter(cast, stored_in(edit_harness.path), smile, broad))
+        assert (status, "Grin, from grin.json" in text) == (200, True)
+        assert [(each["label"], each["known"]) for each in json.loads(text)["items"]] == [
+            (f"Smile {1 + number}", False),
+            (f"Broad {1 + number}", False),
+        ]
         assert edit_harness.show.session.revision == 1 + number, "pages are told of another cast"
     names = {"smile_2", "smile_3", "broad_2", "broad_3"}
     assert {own.name for own in edit_harness.show.documents.playing.own} == names
@@ -77,19 +83,52 @@ async def test_what_a_file_brings_is_in_the_file_and_plays_each_time_under_a_new
 
 
 @pytest.mark.asyncio
+async def test_what_is_there_already_is_told_and_not_taken_in_again(edit_harness: EditHarness, cast: Cast) -> None:
+    use_false_job(edit_harness)
+    for known in (False, True):
+        _, text = await post(edit_harness, "grin.json", letter(cast, stored_in(edit_harness.path)))
+        assert json.loads(text)["items"] == [
+            {"kind": "expression", "name": "smile_2", "label": "Smile 2", "known": known},
+            {"kind": "face", "name": "broad_2", "label": "Broad 2", "known": known},
+        ]
+        assert edit_harness.show.session.revision == 2, "nobody is told of a cast that is as it was"
+    assert len(stored_in(edit_harness.path).items) == 2
+
+
+@pytest.mark.asyncio
 async def test_a_file_that_brings_nothing_is_told_and_changes_nothing(edit_harness: EditHarness) -> None:
-    use_fake_command(edit_harness)
+    use_false_job(edit_harness)
     assert await post(edit_harness, "notes.json", b"words") == (400, "notes.json is no expression.")
     status, text = await post(edit_harness, "notes.txt", b"words")
     assert (status, "is no expression that can be read" in text) == (400, True)
     assert edit_harness.show.session.revision == 1
 
 
+@pytest.mark.parametrize("page", ["console", "editor"])
+@pytest.mark.asyncio
+async def test_an_import_tells_its_progress_and_a_page_ends_it(edit_harness: EditHarness, page: str) -> None:
+    use_false_job(edit_harness)
+    console, editor = await edit_harness.link(), await edit_harness.editor()
+    sent = asyncio.create_task(post(edit_harness, "grin.json?request=mine", b"endless"))
+    smiling = wire.Progress("mine", 0, 2, "Smile")
+    while await editor.next(wire.Progress) != smiling:
+        pass
+    while await answer(console) != smiling:
+        pass
+    link = console if page == "console" else editor.socket
+    await link.send_bytes(encode(wire.Cancel("nobody's")))
+    await link.send_bytes(encode(wire.Cancel("mine")))
+    assert await sent == (CANCELLED, "")
+    assert not stored_in(edit_harness.path).items
+    status, _ = await post(edit_harness, "grin.json?request=mine", letter(edit_harness.show.documents.cast, Stored()))
+    assert status == 200, "and the next one is taken in"
+
+
 @pytest.mark.asyncio
 async def test_what_no_face_is_as_large_as_is_not_read(
     edit_harness: EditHarness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    use_fake_command(edit_harness)
+    use_false_job(edit_harness)
     monkeypatch.setattr(uploads, "LARGEST", 10)
     status, text = await post(edit_harness, "big.glb", b"x" * 11)
     assert (status, "more than 10 bytes" in text) == (400, True)
@@ -97,7 +136,7 @@ async def test_what_no_face_is_as_large_as_is_not_read(
 
 @pytest.mark.asyncio
 async def test_only_our_own_pages_may_send_files(edit_harness: EditHarness) -> None:
-    use_fake_command(edit_harness)
+    use_false_job(edit_harness)
     headers = {aiohttp.hdrs.ORIGIN: "http://elsewhere.example"}
     async with edit_harness.client.post("/imports/grin.json", data=b"words", headers=headers) as response:
         assert response.status == 403

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from omote.server.process.priority import LOWERED, RAISED, lower_priority, raise_priority
+from omote.server.process.priority import LOWERED, RAISED, lower_priority, raise_priority, waiting_seconds
 
 
 def test_a_process_goes_first_or_says_that_it_may_not() -> None:
@@ -30,3 +30,13 @@ def test_a_process_goes_behind_the_show() -> None:
         lower_priority()
         os._exit(0 if os.getpriority(os.PRIO_PROCESS, 0) == LOWERED else 1)
     assert os.waitpid(pid, 0) == (pid, 0)
+
+
+def test_waiting_for_a_processor_only_grows_and_what_is_not_there_waits_for_none() -> None:
+    first = waiting_seconds(os.getpid())
+    assert 0.0 <= first <= waiting_seconds(os.getpid())
+    pid = os.fork()
+    if pid == 0:
+        os._exit(0)
+    os.waitpid(pid, 0)
+    assert waiting_seconds(pid) == 0.0

@@ -58,5 +58,5 @@ def test_what_is_not_there_is_refused(built_in: Cast, tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match="there is no file"):
         list(expressions_from(built_in, [tmp_path / "a.json"]))
     (tmp_path / "a.json").write_bytes(b"{}")
-    with pytest.raises(ValueError, match=r"a\.json: this is no expression of Omote"):
+    with pytest.raises(ValueError, match=r"a\.json: it is JSON of another program; expected an expression of Omote"):
         list(expressions_from(built_in, [tmp_path / "a.json"]))

@@ -21,9 +21,10 @@ from omote.edit.protocol import messages as editing
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.server.persistence.lock import lock_show
 from omote.server.process.process_messages import REJECTED
+from omote.server.supervision import supervisor
 from omote.server.supervision.listening_socket import listen_on
 from omote.server.supervision.start_limit import FAILURES
-from omote.server.supervision.supervisor import Supervisor
+from omote.server.supervision.supervisor import Server, Supervisor
 from omote.show import messages as wire
 from omote.show.wire import decode_answer, encode
 from omote.showfile.show_file import JournalEntry, open_show
@@ -309,3 +310,15 @@ def test_a_standby_that_never_gets_ready_ends_the_show_after_the_start_limit(
     assert said == (
         [] if status == REJECTED else [f"the show could not be started in {tries} tries; what went wrong stands above."]
     )
+
+
+def test_a_server_that_other_programs_keep_from_the_processors_does_not_hang(monkeypatch: pytest.MonkeyPatch) -> None:
+    waited = 0.0
+    monkeypatch.setattr(supervisor, "waiting_seconds", lambda _: waited)
+    server = Server(control=-1, pulse=-1, pid=1, playing=True)
+    server.hear(100.0)
+    waited = 3.0
+    assert not server.hangs(103.9), "it has had .9 s of its own"
+    assert server.hangs(104.1)
+    server.hear(104.1)
+    assert server.hangs(105.2), "what it waited before it was heard counts no more"

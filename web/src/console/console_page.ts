@@ -3,8 +3,9 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Library } from "../link/assets";
-import { importFiles, onFileDrop } from "../ui/file_import";
+import { onFileDrop } from "../ui/file_import";
 import { listenToKeys } from "../ui/key_presses";
+import type { ShowNoticesView } from "../ui/show_notices_view";
 import { base, palette } from "../ui/theme";
 import { style } from "./console_page_style";
 import { ConsoleElement } from "./controls/console_element";
@@ -12,29 +13,36 @@ import type { LightRow } from "./controls/light_row";
 import type { Pad } from "./controls/pad";
 import { LOW, NARROW } from "./controls/screen_sizes";
 import type { TBar } from "./controls/t_bar";
+import type { Palette } from "./palette/palette";
 import type { Monitor } from "./panels/monitor";
-import type { Palette } from "./panels/palette";
 import { VIEWS, type View } from "./store/console_layout";
 import { type Command, commandOf, isPanic } from "./store/keys";
 import type { Topic } from "./store/page_store";
 import { neighbour } from "./store/timing";
 import "./panels/bank";
 import "./help";
+import "./message_log";
 import "./setup";
 import "./controls/light_row";
 import "./panels/on_air_mix";
 import "./panels/monitor";
 import "./controls/pad";
-import "./panels/palette";
+import "./palette/palette";
 import "./panels/status_bar";
+import type { MenuRequest } from "./palette/tile_menu";
+import "./palette/tile_menu";
 import "./controls/t_bar";
+
+type Dialog = "help" | "log" | "setup";
 
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")
 export class ConsolePage extends ConsoleElement {
   /** The notices of the show, which have their place in the bar. */
-  @property({ attribute: false }) notices: HTMLElement | null = null;
-  @state() private dialog: "help" | "setup" | null = null;
+  @property({ attribute: false }) notices!: ShowNoticesView;
+  @state() private dialog: Dialog | null = null;
+  /** The own tile whose menu is open. */
+  @state() private menu: MenuRequest | null = null;
   #deaf: () => void = () => undefined;
   #closed: () => void = () => undefined;
   @query("omote-monitor") private monitor!: Monitor;
@@ -48,7 +56,7 @@ export class ConsolePage extends ConsoleElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#deaf = listenToKeys({ everywhere: this.#panicKey, page: this.#key });
-    this.#closed = onFileDrop((files) => void this.#takeIn(files));
+    this.#closed = onFileDrop((files) => void this.context.imports.add(files, "expression"));
     IN_TURN.addEventListener("change", this.#resized);
   }
 
@@ -73,11 +81,13 @@ export class ConsolePage extends ConsoleElement {
     return html`
       <omote-status
         .context=${context}
-        @help=${() => this.#show("help")}
-        @setup=${() => this.#show("setup")}
+        .notices=${this.notices.notices}
+        @help=${() => this.show("help")}
+        @setup=${() => this.show("setup")}
+        @log=${() => this.show("log")}
         >${this.notices}</omote-status
       >
-      <omote-palette class="panel faces live" .context=${context} .axis=${"face"}></omote-palette>
+      <omote-palette class="panel faces live" .context=${context} .axis=${"face"} @menu=${this.#openMenu}></omote-palette>
       <omote-tbar class="panel facebar live" .context=${context} .axis=${"face"}></omote-tbar>
       <section class="panel air live" aria-label="On air and coming">
         <omote-monitor .context=${context}></omote-monitor>
@@ -88,7 +98,7 @@ export class ConsolePage extends ConsoleElement {
       </section>
       <omote-lights class="panel live" .context=${context}></omote-lights>
       <omote-tbar class="panel exprbar live" .context=${context} .axis=${"expression"}></omote-tbar>
-      <omote-palette class="panel expressions live" .context=${context} .axis=${"expression"}></omote-palette>
+      <omote-palette class="panel expressions live" .context=${context} .axis=${"expression"} @menu=${this.#openMenu}></omote-palette>
       <section class="hands live" aria-label="Head and gaze">
         <omote-pad class="panel" .context=${context} .what=${"head"}></omote-pad>
         <omote-pad class="panel" .context=${context} .what=${"gaze"}></omote-pad>
@@ -100,8 +110,17 @@ export class ConsolePage extends ConsoleElement {
             @click=${() => this.store.arrange({ view })}>${VIEW_LABELS[view][0]}<span>${VIEW_LABELS[view][1]}</span></button>`,
         )}
       </nav>
-      ${this.dialog === "help" ? html`<omote-help .context=${context} @close=${this.#close}></omote-help>` : nothing}
-      ${this.dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.#show("help")}></omote-setup>` : nothing}
+      ${this.#overlays()}
+    `;
+  }
+
+  #overlays() {
+    const { context, dialog, menu } = this;
+    return html`
+      ${menu === null ? nothing : html`<omote-tile-menu .items=${context.items} .asked=${menu} @close=${this.#closeMenu}></omote-tile-menu>`}
+      ${dialog === "help" ? html`<omote-help .context=${context} @close=${this.#close}></omote-help>` : nothing}
+      ${dialog === "log" ? html`<omote-message-log .context=${context} .notices=${this.notices.notices} @close=${this.#close}></omote-message-log>` : nothing}
+      ${dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.show("help")}></omote-setup>` : nothing}
     `;
   }
 
@@ -113,21 +132,22 @@ export class ConsolePage extends ConsoleElement {
 
   readonly #resized = (): void => this.requestUpdate();
 
-  #show(dialog: "help" | "setup"): void {
+  /** Opens a dialog. */
+  show(dialog: Dialog): void {
     this.dialog = dialog;
   }
+
+  readonly #openMenu = (event: CustomEvent<MenuRequest>): void => {
+    this.menu = event.detail;
+  };
+
+  readonly #closeMenu = (): void => {
+    this.menu = null;
+  };
 
   readonly #close = (): void => {
     this.dialog = null;
   };
-
-  /** Expressions that are dropped on the page come under Own. */
-  async #takeIn(files: readonly File[]): Promise<void> {
-    this.store.say(`Taking in ${files.map(({ name }) => name).join(", ")} ...`, "done");
-    const { done, failed } = await importFiles(files, "expression");
-    const sentences = [done, ...failed, failed.length > 0 ? "Faces come in by the editor (In & out)." : ""];
-    this.store.say(sentences.filter((one) => one !== "").join(" "), failed.length > 0 ? "attention" : "done");
-  }
 
   readonly #panicKey = (event: KeyboardEvent): boolean => {
     if (!isPanic(event)) return false;
@@ -143,10 +163,11 @@ export class ConsolePage extends ConsoleElement {
   };
 
   #obey(command: Command): void {
-    if (command.do === "help") this.#show("help");
+    if (command.do === "help") this.show("help");
     else if (command.do === "centre") this.store.centre();
     else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.state?.channels ?? {}));
     else if (command.do === "undo") this.store.undo();
+    else if (command.do === "redo") this.store.redo();
     else if (command.do === "focus") this.#at<LightRow | Palette | Pad | TBar>(PLACES[command.place])?.focus();
     else this.#obeyAxis(command);
   }
@@ -156,7 +177,7 @@ export class ConsolePage extends ConsoleElement {
     const timing = this.store.timing[axis];
     if (command.do === "call") this.#at<Palette>(axis === "face" ? ".faces" : ".expressions")?.callIndex(command.index);
     else if (command.do === "release") this.store.release(axis);
-    else if (command.do === "keep") this.store.keep(axis);
+    else if (command.do === "keep") this.context.items.keep(axis);
     else if (command.do === "hand") this.store.setTiming(axis, { byHand: !timing.byHand });
     else this.store.setTiming(axis, { seconds: neighbour(timing, command.direction) });
   }

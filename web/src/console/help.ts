@@ -59,7 +59,7 @@ export class Help extends ConsoleElement {
       <p>You look at the face: right on a pad is the character's left, so the face on screen turns towards your dot. R and L on faders and pads are the character's own sides.</p>
       <p>A T-bar takes a call over when its handle meets the call's value (pick-up). Drag with Shift for fine moves; twice on a control puts it to rest; the wheel steps.</p>
       <p>A name on a control is that of another console whose hand is on it, yellow where yours is too: who moved last has it. <i>Set-up</i> gives this console its name.</p>
-      <p>A face or an expression of your own opens in the editor by the pencil on its tile: point at it, or hold a finger on it.</p>
+      <p>A face or an expression of your own is edited, renamed and deleted by the menu of its tile: point at it and press ⋯, or hold a finger on it. <i>Log</i> shows what was said and what can be taken back.</p>
       <button @click=${this.#close}>Close</button>
     </section>`;
   }

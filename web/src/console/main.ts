@@ -7,19 +7,27 @@ import { restPose } from "../face/pose/pose";
 import { Library } from "../link/assets";
 import { ShowLink } from "../link/show_link";
 import { FramePainter } from "../ui/frame_painter";
+import { LongRequests } from "../ui/long_requests";
 import { ShowNoticesView } from "../ui/show_notices_view";
 import { type DrawThumbnail, THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
 import { ConsoleName } from "./console_name";
 import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
+import { FileImports } from "./show_file/file_imports";
+import { LayoutStorage, layoutName } from "./show_file/layout_storage";
+import { OwnItems } from "./show_file/own_items";
 import { ConsoleStore } from "./store/console_store";
-import { LayoutStorage, layoutName } from "./store/layout_storage";
 
 /** A name for this console, so that its calls have their own ids; `randomUUID` is not there on a LAN without https. */
-const consoleId = (): string =>
-  [...crypto.getRandomValues(new Uint32Array(2))].map((part) => part.toString(36)).join("");
+const PAGE = [...crypto.getRandomValues(new Uint32Array(2))].map((part) => part.toString(36)).join("");
 
-const ownName = new ConsoleName(() => localStorage);
+/** A screen's keyboard would cover what is played: it comes where somebody asks for it. */
+const FINGERS = matchMedia("(pointer: coarse)");
+
+const ownName = new ConsoleName(
+  () => localStorage,
+  () => sessionStorage,
+);
 /** What the page has fetched of the cast; none before the server has answered. */
 let library: Library | null = null;
 /** It may be another than was fetched: the server said so meanwhile. */
@@ -33,34 +41,32 @@ async function recast(store: ConsoleStore): Promise<void> {
   else if (library.manifest !== store.manifest) store.setManifest(library.manifest);
 }
 
-function connect(shown: ShowNoticesView): { store: ConsoleStore; link: ShowLink } {
-  const store: ConsoleStore = new ConsoleStore(
-    (message) => link.send(message),
-    () => performance.now(),
-    consoleId(),
-  );
-  const link = new ShowLink(
+function connect(context: () => ConsoleContext, shown: ShowNoticesView): ShowLink {
+  const store = (): ConsoleStore => context().store;
+  return new ShowLink(
     "console",
     {
       welcome: ({ digest, name }) => {
-        store.receiveName(name);
-        if (store.manifest !== null && store.manifest.digest !== digest) void recast(store);
+        ownName.receive(name);
+        store().receiveName(name);
+        if (store().manifest !== null && store().manifest?.digest !== digest) void recast(store());
       },
-      cast: () => void recast(store),
-      state: (state) => store.receiveState(state),
-      crew: (crew) => store.receiveCrew(crew),
-      kept: (kept) => store.receiveKept(kept),
-      keepUndone: (undone) => store.receiveUndone(undone),
-      layouts: (names) => store.receiveLayouts(names),
-      hands: (hands) => store.receiveHands(hands),
-      refused: (reason) => store.say(reason),
+      cast: () => void recast(store()),
+      state: (state) => store().receiveState(state),
+      crew: (crew) => store().receiveCrew(crew),
+      kept: (kept) => store().receiveKept(kept),
+      itemChanged: (changed) => store().receiveChanged(changed),
+      layouts: (names) => store().receiveLayouts(names),
+      hands: (hands) => store().receiveHands(hands),
+      progress: (progress) => context().imports.requests.receive(progress),
+      refused: (reason, id) => store().receiveRefused(reason, id),
       notices: (all) => shown.notices.receive(all),
-      connected: (up) => store.setOnline(up),
-      trip: (seconds) => store.receiveTrip(seconds * 1000),
+      connected: (up) => store().setOnline(up),
+      trip: (seconds) => store().receiveTrip(seconds * 1000),
     },
     ownName.read,
+    PAGE,
   );
-  return { store, link };
 }
 
 /** Thumbnails by one view on a canvas of its own: one graphics context for all of them. */
@@ -82,25 +88,34 @@ function stayAwake(): void {
   ask();
 }
 
-/** All that the page's elements play with. */
-function contextOf(store: ConsoleStore, link: ShowLink): ConsoleContext {
+/** All that the page's elements play with; `link` is there before any of it is used. */
+function contextOf(link: () => ShowLink): ConsoleContext {
+  const clock = (): number => performance.now();
+  const store = new ConsoleStore((message) => link().send(message), clock, PAGE);
   const rename = (name: string): void => {
     ownName.write(name);
-    link.introduce();
+    link().introduce();
   };
-  const layouts = new LayoutStorage(store, layoutName(location.search), (message) => link.send(message));
-  return { store, painter: new FramePainter(), thumbnails: new Thumbnails(), layouts, rename };
+  const layouts = new LayoutStorage(store, layoutName(location.search));
+  const items = new OwnItems(store, clock, () => !FINGERS.matches);
+  const requests = new LongRequests();
+  requests.send = (message) => link().send(message);
+  const imports = new FileImports(store, items, requests);
+  return { store, painter: new FramePainter(), thumbnails: new Thumbnails(), layouts, items, imports, rename };
 }
 
 async function start(): Promise<void> {
   const shown = new ShowNoticesView();
   shown.classList.add("in-bar");
-  const { store, link } = connect(shown);
-  const context = contextOf(store, link);
+  const context = contextOf(() => link);
+  const link: ShowLink = connect(() => context, shown);
+  const { store } = context;
+  shown.addEventListener("change", () => store.tell("crew"));
   context.painter.add({ paint: () => context.store.flush() }); // first in each frame, so that what was drawn is what was sent
   const page = new ConsolePage();
   page.context = context;
   page.notices = shown;
+  shown.openLog = () => page.show("log");
   document.body.append(page);
   context.painter.start();
   stayAwake();

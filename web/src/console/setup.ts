@@ -4,6 +4,7 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { EASING_NAMES } from "../link/constants";
 import { closeOutside, curtain } from "../ui/dialog_style";
+import { ACCEPTED, type ImportKind } from "../ui/file_import";
 import { layerWhileShown } from "../ui/key_presses";
 import { base, entry } from "../ui/theme";
 import { LONGEST_CONSOLE_NAME } from "./console_name";
@@ -56,6 +57,10 @@ export class Setup extends ConsoleElement {
         ${entry}
         min-height: 26px;
       }
+      .files {
+        flex: 1 1 140px;
+        display: grid;
+      }
       .said {
         padding: 6px 10px;
         border: 1px solid var(--line);
@@ -97,6 +102,9 @@ export class Setup extends ConsoleElement {
         <input aria-label="Name of this console" maxlength=${LONGEST_CONSOLE_NAME} .value=${this.store.name} @change=${this.#rename} />
       </div>
       <omote-layouts .context=${this.context}></omote-layouts>
+      <h2>Bring in files</h2>
+      <p>Expressions (.json, .glb, .obj) and heads of our topology (.glb, .obj) come under Own; the show goes on meanwhile.</p>
+      <div class="row">${(["expression", "face"] as const).map((kind) => this.#files(kind))}</div>
       <div class="row">
         <button class="close" @click=${() => this.#close()}>Close</button>
         <button @click=${() => this.dispatchEvent(new CustomEvent("help"))}>Keys and conventions</button>
@@ -132,6 +140,18 @@ export class Setup extends ConsoleElement {
     </select>`;
   }
 
+  #files(kind: ImportKind) {
+    const field = html`<input type="file" hidden multiple accept=${ACCEPTED[kind]} @change=${(event: Event) => this.#takeIn(event, kind)} />`;
+    return html`<label class="files">${field}<button @click=${chooseFiles}>${kind === "face" ? "Faces" : "Expressions"} ...</button></label>`;
+  }
+
+  #takeIn(event: Event, kind: ImportKind): void {
+    const field = event.target as HTMLInputElement;
+    void this.context.imports.add([...(field.files ?? [])], kind);
+    field.value = "";
+    this.#close(); // how far they are stands in the bar
+  }
+
   readonly #rename = (event: Event): void => {
     const field = event.target as HTMLInputElement;
     this.context.rename(field.value);
@@ -141,4 +161,9 @@ export class Setup extends ConsoleElement {
   #close(): void {
     this.dispatchEvent(new CustomEvent("close"));
   }
+}
+
+/** A button that opens the list of files of the field beside it. */
+function chooseFiles(event: Event): void {
+  (event.currentTarget as HTMLElement).parentElement?.querySelector("input")?.click();
 }

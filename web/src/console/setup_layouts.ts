@@ -4,12 +4,11 @@ import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { base, entry } from "../ui/theme";
 import { ConsoleElement } from "./controls/console_element";
+import { DEFAULT_LAYOUT } from "./show_file/layout_storage";
 import type { ConsoleLayout } from "./store/console_layout";
-import { DEFAULT_LAYOUT } from "./store/layout_storage";
 import type { Topic } from "./store/page_store";
 
 const LONGEST_NAME = 40;
-const LOST = "Nothing was done: the link to the show is lost.";
 
 @customElement("omote-layouts")
 export class SetupLayouts extends ConsoleElement {
@@ -138,8 +137,7 @@ export class SetupLayouts extends ConsoleElement {
     }
     const name = known ?? this.typed;
     this.replaces = null;
-    if (this.context.layouts.save(name)) this.store.say(`Saved as ${name}: every console can choose it.`, "done");
-    else this.store.say("Not saved: the link to the show is lost.");
+    void this.context.layouts.save(name);
   };
 
   #known(name: string): string | undefined {
@@ -150,13 +148,10 @@ export class SetupLayouts extends ConsoleElement {
     const { layouts } = this.context;
     const [to, known] = [this.typed, this.#known(this.typed)];
     if (known !== undefined && known !== name) this.store.say(`There is a layout ${known} already: type another name.`);
-    else if (!layouts.rename(name, to)) this.store.say(LOST);
-    else this.store.offerUndo(`${name} is called ${to} now.`, () => layouts.rename(to, name) || this.store.say(LOST));
+    else layouts.rename(name, to);
   }
 
   async #drop(name: string): Promise<void> {
-    const again = await this.context.layouts.drop(name);
-    if (again === null) this.store.say(LOST);
-    else this.store.offerUndo(`Deleted the layout ${name}; consoles that it was chosen on stay as they are.`, again);
+    if (!(await this.context.layouts.drop(name))) this.store.say("Not deleted: the show does not answer.");
   }
 }

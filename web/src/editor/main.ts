@@ -2,6 +2,7 @@
 
 import { Library } from "../link/assets";
 import { askedItem, editorAddress } from "../link/editor_address";
+import { LongRequestsView } from "../ui/long_requests_view";
 import { ShowNoticesView } from "../ui/show_notices_view";
 import { THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
 import type { EditorContext } from "./controls/editor_element";
@@ -56,6 +57,7 @@ function followCast(store: DraftStore): void {
 /** The address names the open item, so that a reload opens it again. */
 function followAddress(store: DraftStore): void {
   let asked = askedItem(location);
+  if (asked !== null) store.setOpening(asked.name); // until the show has told what there is
   const follow = (): void => {
     const { item } = store;
     if (item !== null) history.replaceState(null, "", editorAddress(item.kind, item.name));
@@ -69,7 +71,9 @@ function followAddress(store: DraftStore): void {
       ({ kind, name, deleted }) => name === wanted.name && kind === (wanted.kind ?? kind) && !deleted,
     );
     asked = null; // once, at the first greeting
-    if (item !== undefined && store.draft === null) void openItem(store, item.id);
+    store.setOpening("");
+    if (item === undefined) store.say(`There is no ${wanted.kind ?? "item"} "${wanted.name}" in this show any more.`);
+    else if (store.draft === null) void openItem(store, item.id);
   });
 }
 
@@ -81,10 +85,12 @@ function connect(shown: ShowNoticesView): { store: DraftStore; link: EditorLink;
     greeted: (greeted) => store.receive(greeted),
     message: (message) => {
       if (message.type === "notices") shown.notices.receive(message.notices);
+      else if (message.type === "progress") store.longRequests.receive(message);
       else store.receive(message);
     },
     connected: (up) => store.setOnline(up),
   });
+  store.longRequests.send = (message) => link.cancel(message);
   const rename = link.rename.bind(link);
   link.rename = (next: string) => {
     name = next;
@@ -112,7 +118,7 @@ async function start(): Promise<void> {
   const page = new EditorPage();
   page.context = context;
   document.getElementById("loading")?.remove();
-  document.body.append(page, shown);
+  document.body.append(page, shown, new LongRequestsView(store.longRequests));
   store.setCast(await Library.open());
   thumbnailRenderer = await ThumbnailRenderer.open(store.library as Library);
   thumbnails.open((sitting) => (thumbnailRenderer as ThumbnailRenderer).picture(sitting, SMALL.width, SMALL.height));

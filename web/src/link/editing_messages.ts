@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const EDITING_VERSION = 3;
+export const EDITING_VERSION = 4;
 export const EDITING_PATH = "/editing";
 /** Bytes; no message of an editor is longer. */
 export const EDITING_LIMIT = 65536;
@@ -69,6 +69,15 @@ export interface Recipe {
   pupil: number;
 }
 
+/**
+ * Ends a long request, which then changes nothing: an import or export sent over HTTP with `?request=` and an id of
+ * the page's own. One that has ended is left as it is.
+ */
+export interface Cancel {
+  type: "cancel";
+  request: string;
+}
+
 /** What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970. */
 export interface Notice {
   id: string;
@@ -83,6 +92,18 @@ export interface Notice {
 export interface Notices {
   type: "notices";
   notices: Notice[];
+}
+
+/**
+ * How far a long request (an import, an export) is: steps done of `total` (0: not known yet), and what is done now,
+ * for people. To consoles and editors; any may be lost, and the request's own answer says that it has ended.
+ */
+export interface Progress {
+  type: "progress";
+  request: string;
+  done: number;
+  total: number;
+  what: string;
 }
 
 /**
@@ -470,6 +491,17 @@ export type FromEditor =
   | Duplicate
   | Delete
   | Restore
-  | AskHistory;
+  | AskHistory
+  | Cancel;
 
-export type ToEditor = Greeted | Items | DraftState | Previewed | Saved | History | Done | EditRefused | Notices;
+export type ToEditor =
+  | Greeted
+  | Items
+  | DraftState
+  | Previewed
+  | Saved
+  | History
+  | Done
+  | EditRefused
+  | Notices
+  | Progress;

@@ -1,19 +1,20 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 3;
+export const PROTOCOL_VERSION = 4;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
 
 /**
- * Opens a link; other messages are rejected before it. `name`: what a console's operator calls it; a second hello
- * changes it.
+ * Opens a link; other messages are rejected before it. `name`: what a console's operator calls it, or what it was
+ * called the last time; a second hello changes it. `page`: the same for each link of one page, another for each page.
  */
 export interface Hello {
   type: "hello";
   role: "stage" | "console";
   version: number;
   name: string;
+  page: string;
 }
 
 /** Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once. */
@@ -118,11 +119,43 @@ export interface KeepExpression {
 }
 
 /**
- * Takes what a console kept out of the cast again; rejected while it is on air, and once it has been edited.
- * Answered with `keep_undone`.
+ * Gives an own face or expression another label, which no other of its kind has. An `id` executes once; answered,
+ * as the two below, with `item_changed`.
  */
-export interface UndoKeep {
-  type: "undo_keep";
+export interface RenameItem {
+  type: "rename_item";
+  id: string;
+  kind: "face" | "expression";
+  name: string;
+  label: string;
+}
+
+/**
+ * Takes an own face or expression out of the cast; rejected while it is on air or the home face. `unedited`:
+ * rejected too once somebody has worked on what a console kept.
+ */
+export interface DeleteItem {
+  type: "delete_item";
+  id: string;
+  kind: "face" | "expression";
+  name: string;
+  unedited: boolean;
+}
+
+/** Puts a deleted face or expression back into the cast. */
+export interface RestoreItem {
+  type: "restore_item";
+  id: string;
+  kind: "face" | "expression";
+  name: string;
+}
+
+/**
+ * Copies an own face or expression to a new one under a label of its own. An `id` executes once; answered with
+ * `kept`.
+ */
+export interface CopyItem {
+  type: "copy_item";
   id: string;
   kind: "face" | "expression";
   name: string;
@@ -130,12 +163,13 @@ export interface UndoKeep {
 
 /**
  * Stores a page's layout (JSON) in the show file under a name; `/layouts/NAME` returns it. Answered, as the two
- * below, with `layouts`.
+ * below, with `layouts`; `id`: named where it is rejected.
  */
 export interface SetLayout {
   type: "set_layout";
   name: string;
   document: string;
+  id: string;
 }
 
 /** Gives a layout of the show file another name, which none has yet. */
@@ -143,12 +177,23 @@ export interface RenameLayout {
   type: "rename_layout";
   name: string;
   to: string;
+  id: string;
 }
 
 /** Takes a layout out of the show file. */
 export interface DropLayout {
   type: "drop_layout";
   name: string;
+  id: string;
+}
+
+/**
+ * Ends a long request, which then changes nothing: an import or export sent over HTTP with `?request=` and an id of
+ * the page's own. One that has ended is left as it is.
+ */
+export interface Cancel {
+  type: "cancel";
+  request: string;
 }
 
 /** Asks for a pong; `sent` is the client's own clock and comes back unchanged. */
@@ -184,7 +229,7 @@ export interface CastChanged {
   digest: string;
 }
 
-/** Answers keep_face and keep_expression: the new name in the cast, and its label. */
+/** Answers keep_face, keep_expression and copy_item: the new name in the cast, and its label. */
 export interface Kept {
   type: "kept";
   id: string;
@@ -192,11 +237,12 @@ export interface Kept {
   label: string;
 }
 
-/** Answers undo_keep: what was kept under this label is not in the cast any more. */
-export interface KeepUndone {
-  type: "keep_undone";
+/** Answers rename_item, delete_item and restore_item: the label of the item now, and before. */
+export interface ItemChanged {
+  type: "item_changed";
   id: string;
   label: string;
+  before: string;
 }
 
 /**
@@ -271,10 +317,14 @@ export interface Pong {
   time: number;
 }
 
-/** A message was rejected, and why, in one sentence for the operator. */
+/**
+ * A message was rejected, and why, in one sentence for the operator. `id`: of the message, where it had one and
+ * was about the show file.
+ */
 export interface Refused {
   type: "refused";
   reason: string;
+  id: string;
 }
 
 /** What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970. */
@@ -291,6 +341,18 @@ export interface Notice {
 export interface Notices {
   type: "notices";
   notices: Notice[];
+}
+
+/**
+ * How far a long request (an import, an export) is: steps done of `total` (0: not known yet), and what is done now,
+ * for people. To consoles and editors; any may be lost, and the request's own answer says that it has ended.
+ */
+export interface Progress {
+  type: "progress";
+  request: string;
+  done: number;
+  total: number;
+  what: string;
 }
 
 /** The last report of a stage: frames per second, and the level of quality. */
@@ -540,10 +602,14 @@ export type FromClient =
   | SetHome
   | KeepFace
   | KeepExpression
-  | UndoKeep
+  | RenameItem
+  | DeleteItem
+  | RestoreItem
+  | CopyItem
   | SetLayout
   | RenameLayout
   | DropLayout
+  | Cancel
   | Ping
   | Drawing;
 
@@ -553,9 +619,10 @@ export type FromServer =
   | State
   | Pong
   | Kept
-  | KeepUndone
+  | ItemChanged
   | Refused
   | Notices
   | Layouts
   | Hands
+  | Progress
   | Crew;

@@ -7,10 +7,11 @@ import type {
   FromServer,
   Hands,
   Hello,
-  KeepUndone,
+  ItemChanged,
   Kept,
   Notice,
   Pong,
+  Progress,
   State,
   Welcome,
 } from "./messages";
@@ -48,16 +49,18 @@ export interface LinkHandlers {
   cast?: () => void;
   /** What was asked to be kept is in the cast. */
   kept?: (kept: Kept) => void;
-  /** What was kept is not in the cast any more. */
-  keepUndone?: (undone: KeepUndone) => void;
+  /** An own face or expression was renamed, deleted or restored. */
+  itemChanged?: (changed: ItemChanged) => void;
   /** The names of all layouts in the show file. */
   layouts?: (names: readonly string[]) => void;
   /** What hands at other consoles move, by control, and the names of those consoles. */
   hands?: (hands: Hands["hands"]) => void;
+  /** How far a long request (an import, an export) is; those of other pages too. */
+  progress?: (progress: Progress) => void;
   /** Everything that the crew must know: all of it, each time. */
   notices?: (notices: readonly Notice[]) => void;
-  /** A message of ours was not obeyed; the sentence is for the operator. */
-  refused?: (reason: string) => void;
+  /** A message of ours was not obeyed; the sentence is for the operator; `id`: which, where it had one. */
+  refused?: (reason: string, id: string) => void;
   /** A ping came back after so many seconds. */
   trip?: (seconds: number) => void;
   /** The link came up (true) or went down (false). */
@@ -80,6 +83,7 @@ export class ShowLink {
     private readonly role: Hello["role"],
     private readonly handlers: LinkHandlers = {},
     private readonly name: () => string = () => "",
+    private readonly page = "",
   ) {
     this.socket = new ReconnectingSocket(LINK_PATH, {
       silence: SILENCE,
@@ -104,7 +108,7 @@ export class ShowLink {
 
   /** Says who this is: when the link opens, and again under another name. */
   introduce(): void {
-    this.send({ type: "hello", role: this.role, version: PROTOCOL_VERSION, name: this.name() });
+    this.send({ type: "hello", role: this.role, version: PROTOCOL_VERSION, name: this.name(), page: this.page });
   }
 
   /** Ends the link for good. */
@@ -145,8 +149,8 @@ export class ShowLink {
       case "kept":
         this.handlers.kept?.(message);
         break;
-      case "keep_undone":
-        this.handlers.keepUndone?.(message);
+      case "item_changed":
+        this.handlers.itemChanged?.(message);
         break;
       case "layouts":
         this.handlers.layouts?.(message.names);
@@ -154,11 +158,14 @@ export class ShowLink {
       case "hands":
         this.handlers.hands?.(message.hands);
         break;
+      case "progress":
+        this.handlers.progress?.(message);
+        break;
       case "notices":
         this.handlers.notices?.(message.notices);
         break;
       case "refused":
-        this.handlers.refused?.(message.reason);
+        this.handlers.refused?.(message.reason, message.id);
         break;
     }
   }

@@ -1,38 +1,84 @@
 /** Files dropped on a page or chosen there, which the show takes in as expressions or faces. */
 
+import { CancelledError, LongRequests } from "./long_requests";
+
 export type ImportKind = "expression" | "face";
 
-/** What the show made of a file: the labels of the new items, and what it says of each. */
+/** An item that a file brought, as it is in the show; known: it was there already, so nothing new came. */
+export interface TakenIn {
+  readonly kind: ImportKind;
+  readonly name: string;
+  readonly label: string;
+  readonly known: boolean;
+}
+
+/** What the show made of a file: its items, and what it says of each. */
 export interface Imported {
-  readonly labels: readonly string[];
+  readonly items: readonly TakenIn[];
   readonly said: readonly string[];
 }
 
 /** What a page may be given of each kind, as a file dialog has it. */
 export const ACCEPTED: Readonly<Record<ImportKind, string>> = { expression: ".json,.glb,.obj", face: ".glb,.obj" };
 
-/** Sends one file; an Error with a sentence where the show cannot take it in. */
-export async function importFile(file: File, kind: ImportKind): Promise<Imported> {
+/** Sends one file; an Error with a sentence where the show cannot take it in, CancelledError where it was ended. */
+export async function importFile(file: File, kind: ImportKind, requests = new LongRequests()): Promise<Imported> {
   const address = `/imports/${encodeURIComponent(file.name)}?as=${kind}`;
-  const answer = await fetch(address, { method: "POST", body: file }).catch(() => null);
+  const answer = await requests.fetch(`Import of ${file.name}`, address, { method: "POST", body: file });
   if (answer === null) throw new Error(`${file.name} was not sent: the show's computer does not answer; try again.`);
   if (!answer.ok) throw new Error(`${file.name} was not taken in: ${await answer.text()}`);
   return (await answer.json()) as Imported;
 }
 
-/** Sends files one after the other; a sentence about all that came in, and one about each that did not. */
+/** Sends files one after the other; a sentence about all that came in, and one about each that did not. One that is
+ * cancelled is the last. */
 export async function importFiles(
   files: readonly File[],
   kind: ImportKind,
+  requests = new LongRequests(),
 ): Promise<{ done: string; failed: string[] }> {
-  const [came, failed] = [[] as string[], [] as string[]];
-  for (const file of files)
-    await importFile(file, kind).then(
-      ({ said }) => void came.push(...said),
-      (error: unknown) => void failed.push((error as Error).message),
+  const [came, same, failed] = [[] as string[], [] as string[], [] as string[]];
+  let ended = "";
+  for (const [place, file] of files.entries()) {
+    if (ended !== "") break;
+    await importFile(file, kind, requests).then(
+      (imported) => {
+        const nothingNew = imported.items.every(({ known }) => known);
+        if (nothingNew) same.push(`Nothing new in ${file.name}: ${sayTakenIn(imported)}.`);
+        else came.push(sayTakenIn(imported));
+      },
+      (error: Error) => {
+        if (error instanceof CancelledError) ended = error.message + notSent(files.length - place - 1);
+        else failed.push(error.message);
+      },
     );
-  return { done: came.length === 0 ? "" : `Taken in, under Own: ${came.join("; ")}.`, failed };
+  }
+  const taken = came.length === 0 ? "" : `Taken in, under Own: ${came.join("; ")}.`;
+  return { done: [taken, ...same, ended].filter(Boolean).join(" "), failed };
 }
+
+/** Items of a file that are named each, where there are more the others are counted. */
+const MOST_NAMED = 4;
+
+/** What to say of the items that a file brought. */
+export function sayTakenIn({ items, said }: Imported): string {
+  const sentences = items.map((item, index) => sentenceOf(item, said[index] ?? item.label));
+  const known = items.filter((item) => item.known).length;
+  if (items.length <= MOST_NAMED) return sentences.join("; ");
+  if (known === items.length) return `all ${known} are there already, ${items[0]?.label} and others`;
+  const named = sentences.filter((_, index) => items[index]?.known === false).slice(0, MOST_NAMED - 1);
+  const more = items.length - known - named.length;
+  const parts = [...named, ...(more > 0 ? [`${more} more`] : []), ...(known > 0 ? [`${known} are there already`] : [])];
+  return parts.join("; ");
+}
+
+function sentenceOf({ label, known }: TakenIn, said: string): string {
+  if (known) return `${label} is there already`;
+  return said.includes(label) ? said : `${said}, named ${label}`;
+}
+
+const notSent = (files: number): string =>
+  files === 0 ? "" : ` ${files} more ${files === 1 ? "file was" : "files were"} not sent.`;
 
 /** Without this the browser would leave the page for a file. Calls `dropped` with files that are dropped anywhere on the page, until what it gives is called. */
 export function onFileDrop(dropped: (files: readonly File[], event: DragEvent) => void): () => void {

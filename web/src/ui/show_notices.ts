@@ -12,7 +12,8 @@ export type NoticeStorage = Pick<Storage, "getItem" | "setItem">;
 /** The notices that nobody has dismissed in this browser; `changed` is called when there are others. */
 export class ShowNotices {
   open: readonly Notice[] = [];
-  #all: readonly Notice[] = [];
+  /** All of the show, read or not, oldest first. */
+  all: readonly Notice[] = [];
   #dismissed: readonly string[];
 
   constructor(
@@ -24,12 +25,21 @@ export class ShowNotices {
 
   /** All notices of the show, which come again and again. */
   receive(all: readonly Notice[]): void {
-    this.#all = all;
+    this.all = all;
     this.#show();
   }
 
   dismiss(id: string): void {
-    this.#dismissed = [...this.#dismissed, id].slice(-MOST);
+    this.#dismiss([id]);
+  }
+
+  /** All have been read. */
+  dismissAll(): void {
+    if (this.open.length > 0) this.#dismiss(this.open.map(({ id }) => id));
+  }
+
+  #dismiss(ids: readonly string[]): void {
+    this.#dismissed = [...this.#dismissed, ...ids].slice(-MOST);
     try {
       this.storage?.setItem(KEY, JSON.stringify(this.#dismissed));
     } catch {
@@ -39,7 +49,7 @@ export class ShowNotices {
   }
 
   #show(): void {
-    const open = this.#all.filter(({ id }) => !this.#dismissed.includes(id));
+    const open = this.all.filter(({ id }) => !this.#dismissed.includes(id));
     if (open.length === this.open.length && open.every(({ id }, index) => id === this.open[index]?.id)) return;
     this.open = open;
     this.changed();

@@ -19,7 +19,12 @@ function browserStorage(): Storage | null {
 export class ShowNoticesView extends LitElement {
   /** All of them are seen, not the newest alone. */
   @state() private all = false;
-  readonly notices = new ShowNotices(browserStorage(), () => this.requestUpdate());
+  /** Opens what holds all of them, on a page that has it: then this shows the newest alone, in so much room as it has. */
+  openLog: (() => void) | null = null;
+  readonly notices = new ShowNotices(browserStorage(), () => {
+    this.requestUpdate();
+    this.dispatchEvent(new CustomEvent("change"));
+  });
 
   static override styles = [
     palette,
@@ -49,6 +54,17 @@ export class ShowNoticesView extends LitElement {
         font-size: 12.5px;
         line-height: 1.35;
         pointer-events: auto;
+      }
+      :host(.in-bar) [role] {
+        padding: 0 0 0 10px;
+        box-shadow: none;
+      }
+      :host(.in-bar) span {
+        display: -webkit-box;
+        overflow: hidden;
+        -webkit-box-orient: vertical;
+        -webkit-line-clamp: 2;
+        cursor: pointer;
       }
       div div {
         display: grid;
@@ -94,14 +110,15 @@ export class ShowNoticesView extends LitElement {
       <small>${this.all ? "the newest" : `${more} more`}</small>
     </button>`;
     return html`<div>
-      <span>${notice.text}</span>
+      <span title=${notice.text} @click=${this.openLog}>${notice.text}</span>
       ${more > 0 ? others : html`<i></i>`}
       <button class="dismiss" title="I have read it" aria-label="Dismiss" @click=${() => this.#dismiss(notice.id)}>✕</button>
     </div>`;
   }
 
   readonly #toggle = (): void => {
-    this.all = !this.all;
+    if (this.openLog === null) this.all = !this.all;
+    else this.openLog();
   };
 
   #dismiss(id: string): void {

@@ -2,7 +2,8 @@
 
 One WebSocket at `/editing`, binary MessagePack maps with a `type` tag, as on the show's link (`show/messages.py`).
 Every request carries a number of the page's own; it is answered with the same number: `done`, `draft`, `saved` or
-`refused`.
+`refused`. Imports and exports go over HTTP with an id of
+the page's own; `cancel` names it.
 """
 
 from __future__ import annotations
@@ -12,10 +13,10 @@ from typing import Annotated, Literal, get_args
 import msgspec
 
 from omote.model.recipes.recipe import FaceRecipe, GainRow, Layer, Pull, Recipe, Vector  # noqa: F401  (the same)
-from omote.show.messages import Message, Name, Notice, Notices  # noqa: F401  (the mirror has every struct)
+from omote.show.messages import Cancel, Message, Name, Notice, Notices, Progress  # noqa: F401  (the mirror has all)
 from omote.showfile.changes import Kind
 
-EDITING_VERSION = 3
+EDITING_VERSION = 4
 EDITING_PATH = "/editing"
 EDITING_LIMIT = 65536
 """Bytes; no message of an editor is longer."""
@@ -389,8 +390,9 @@ FromEditor = (
     | Delete
     | Restore
     | AskHistory
+    | Cancel
 )
-ToEditor = Greeted | Items | DraftState | Previewed | Saved | History | Done | EditRefused | Notices
+ToEditor = Greeted | Items | DraftState | Previewed | Saved | History | Done | EditRefused | Notices | Progress
 
 EDITOR_MESSAGES: tuple[type[Message], ...] = get_args(FromEditor)
 ANSWERS: tuple[type[Message], ...] = get_args(ToEditor)

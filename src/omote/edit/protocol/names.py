@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable
-from itertools import count
+from itertools import chain, count
 
 from omote.show.validation import Refusal
 
@@ -46,6 +46,14 @@ def new_name(label: str, otherwise: str, taken: Iterable[str]) -> str:
     stem = slug(label, otherwise)
     candidates = (stem if number == 1 else f"{stem}_{number}" for number in count(1))
     return next(name for name in candidates if name not in used)
+
+
+def free_label(label: str, taken: Iterable[str]) -> str:
+    """A label as it is, else with the lowest number from 2 that gives one not taken (case-insensitive)."""
+    used = {each.casefold() for each in taken}
+    room = LONGEST_LABEL - len(f" {len(used) + 2}")
+    numbered = (f"{label[:room]} {number}" for number in count(2))
+    return next(each for each in chain((label,), numbered) if each.casefold() not in used)
 
 
 def new_label(stem: str, taken: Iterable[str]) -> str:

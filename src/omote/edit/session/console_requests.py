@@ -1,4 +1,4 @@
-"""What consoles ask of the show file: to keep what is on air, to take that back, and their layouts."""
+"""What consoles ask of the show file: to keep what is on air, to change own items, and their layouts."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from collections.abc import Mapping
 import msgspec
 from msgspec.structs import replace
 
-from omote.edit.protocol.names import clean_label
-from omote.edit.session import saving
+from omote.edit.protocol.names import clean_label, free_label
+from omote.edit.session import items, saving
 from omote.edit.session.drafts import is_dirty
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.session.plan import Authored, KeepOutcome, Result
@@ -20,6 +20,7 @@ from omote.show.session import KeepRequest
 from omote.show.validation import Refusal
 from omote.showfile.changes import Change, DropLayout, Item, Kind, PutItem, PutLayout
 
+AskedOfItem = wire.RenameItem | wire.DeleteItem | wire.RestoreItem | wire.CopyItem
 CONSOLE = "the console"
 """The name under which the history shows what was saved on air."""
 MOST_LAYOUTS = 64
@@ -29,12 +30,21 @@ def answer_console(session: EditSession, request: KeepRequest, on_air: OnAir, wa
     """Carries out a console's request; `Outcome.kept` reports what became of it, under `WHO ID`."""
     message, authored = request.message, session.authored
     ticket = f"{request.who} {getattr(message, 'id', '')}"
-    if isinstance(message, wire.UndoKeep):
-        return session.carry_out(lambda: _undo_keep(authored, message, on_air, ticket), ticket)
+    if isinstance(message, wire.RenameItem | wire.DeleteItem | wire.RestoreItem | wire.CopyItem):
+        return session.carry_out(
+            lambda: _change_item(authored, message, on_air, Author(CONSOLE, "", wall), ticket), ticket
+        )
     if isinstance(message, wire.SetLayout | wire.RenameLayout | wire.DropLayout):
         return session.carry_out(lambda: Result(change_layouts(authored.state.layouts, message)), ticket)
     kind: Kind = "face" if isinstance(message, wire.KeepFace) else "expression"
     return keep_on_air(session, kind, on_air, label=None, wall=wall, editor=CONSOLE, ticket=ticket)
+
+
+def reply_to_console(call: str, kept: KeepOutcome) -> wire.FromServer:
+    """The message that tells a console what became of its request `call`."""
+    if kept.trouble:
+        return wire.Refused(kept.trouble, call)
+    return wire.ItemChanged(call, kept.label, kept.before) if kept.before else wire.Kept(call, kept.name, kept.label)
 
 
 def keep_on_air(
@@ -69,17 +79,44 @@ def change_layouts(
     return DropLayout(asked.name), PutLayout(name, layouts[asked.name])
 
 
-def _undo_keep(authored: Authored, asked: wire.UndoKeep, on_air: OnAir, ticket: str) -> Result:
-    """Takes what a console kept out of the cast; its revision stays, and an editor can bring it back."""
+def _change_item(authored: Authored, asked: AskedOfItem, on_air: OnAir, author: Author, ticket: str) -> Result:
+    """Renames, deletes, restores or copies an item; Refusal where that cannot be done."""
     item = authored.state.find(asked.name)
-    if item is None or item.deleted or item.kind != asked.kind:
-        raise Refusal(f"there is no own {asked.kind} {asked.name!r} any more.")
-    if _is_edited(authored, item):
-        raise Refusal(f"{item.label!r} has been edited since it was kept: delete it in the editor.")
-    if item.name in on_air.names:
-        raise Refusal(f"{item.label!r} is on air or coming: call another first, then take it back.")
-    undone = KeepOutcome(ticket, item.id, item.name, item.label, item.kind, undone=True)
-    return Result((PutItem(replace(item, deleted=True)),), kept=undone)
+    if item is None or item.kind != asked.kind or item.deleted != isinstance(asked, wire.RestoreItem):
+        raise Refusal(f"there is no {_sort(asked)} {asked.kind} {asked.name!r} any more.")
+    if isinstance(asked, wire.CopyItem):
+        copied = saving.duplicate(authored, item, free_label(item.label, authored.labels(item.kind)), author, -1)
+        (copy,) = (change.item for change in copied.changes if isinstance(change, PutItem))
+        return Result(copied.changes, kept=KeepOutcome(ticket, copy.id, copy.name, copy.label, copy.kind))
+    match asked:
+        case wire.RenameItem():
+            changed = replace(item, label=_label_apart(authored, item, asked.label))
+        case wire.DeleteItem():
+            if asked.unedited and _is_edited(authored, item):
+                raise Refusal(f"{item.label!r} has been edited since it was kept: delete it by its own tile.")
+            changed = items.mark_deleted(item, on_air)
+        case wire.RestoreItem():
+            changed = replace(item, deleted=False)
+    return Result(
+        (PutItem(changed),), kept=KeepOutcome(ticket, item.id, item.name, changed.label, item.kind, before=item.label)
+    )
+
+
+def _sort(asked: AskedOfItem) -> str:
+    return "deleted" if isinstance(asked, wire.RestoreItem) else "own"
+
+
+def _label_apart(authored: Authored, item: Item, wanted: str) -> str:
+    """A new label of an item, cleaned; Refusal where another of its kind has it."""
+    label = clean_label(wanted, "the name")
+    twin = next((each for each in authored.labels(item.kind, but=item.id) if each.casefold() == label.casefold()), None)
+    if twin is not None:
+        raise Refusal(f"there is {_article(item.kind)} {twin!r} already: give another name.")
+    return label
+
+
+def _article(kind: Kind) -> str:
+    return "a face" if kind == "face" else "an expression"
 
 
 def _is_edited(authored: Authored, item: Item) -> bool:

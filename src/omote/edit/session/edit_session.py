@@ -28,7 +28,7 @@ from omote.edit.store.on_air_recipes import OnAir
 from omote.edit.store.sources import Sources
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY
-from omote.show.messages import Message
+from omote.show.messages import Cancel, Message
 from omote.show.validation import Refusal
 from omote.showfile.changes import Change, Stored
 from omote.stage_data.playing_cast import Own, digest_of
@@ -45,13 +45,14 @@ class Outgoing:
 @dataclass(frozen=True)
 class Outcome:
     """What the server must do now, in order: send the orders to the workshop, commit the changes (together), reload the
-    cast where `cast`, send the replies, and tell consoles what was kept."""
+    cast where `cast`, send the replies, tell consoles what was kept, and end the long requests that are cancelled."""
 
     orders: tuple[tuple[int, EditOrder], ...] = ()
     changes: tuple[Change, ...] = ()
     replies: tuple[Outgoing, ...] = ()
     cast: bool = False
     kept: tuple[KeepOutcome, ...] = ()
+    cancelled: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -71,6 +72,7 @@ class _Answer:
     changes: list[Change] = field(default_factory=list)
     replies: list[Outgoing] = field(default_factory=list)
     kept: list[KeepOutcome] = field(default_factory=list)
+    cancelled: list[str] = field(default_factory=list)
     greeted: str | None = None
     listed: bool = False
 
@@ -129,6 +131,8 @@ class EditSession:
             message = decode(data)
             if isinstance(message, wire.Greet):
                 self._greet(answer, who, message)
+            elif isinstance(message, Cancel):
+                answer.cancelled.append(message.request)
             else:
                 request = message.request
                 self._start(answer, self._task(who, message, wall, on_air))
@@ -291,4 +295,5 @@ class EditSession:
         replies = tuple(
             each for each in answer.replies if each.who in self.crew or isinstance(each.message, wire.EditRefused)
         )
-        return Outcome(tuple(answer.orders), tuple(answer.changes), replies, self._digest != before, tuple(answer.kept))
+        changes, cast = tuple(answer.changes), self._digest != before
+        return Outcome(tuple(answer.orders), changes, replies, cast, tuple(answer.kept), tuple(answer.cancelled))

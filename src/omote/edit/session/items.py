@@ -61,9 +61,18 @@ def describe(item: Item, wanted: wire.Describe) -> Result:
 
 def delete(item: Item, on_air: OnAir, request: int) -> Result:
     """Takes an item out of the cast; Refusal while it is on air or coming. What was made from it keeps its content."""
+    return _replace_item(item, mark_deleted(item, on_air), request)
+
+
+def mark_deleted(item: Item, on_air: OnAir) -> Item:
+    """An item as it is out of the cast; Refusal while it is on air, coming or the home face."""
+    if item.name == on_air.home:
+        raise Refusal(
+            f"{item.label!r} is the home face, which panic brings: choose another in a console's Set-up first."
+        )
     if item.name in on_air.names:
         raise Refusal(f"{item.label!r} is on air or coming: call another first, then delete it.")
-    return _replace_item(item, replace(item, deleted=True), request)
+    return replace(item, deleted=True)
 
 
 def restore(item: Item, request: int) -> Result:

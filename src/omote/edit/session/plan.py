@@ -16,6 +16,7 @@ from omote.edit.store.sources import Sources
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.showfile.changes import Change, Kind, PutItem
+from omote.stage_data.assets import face_label
 
 
 @dataclass(frozen=True)
@@ -47,16 +48,23 @@ class Authored:
         keys = sorted(source.removeprefix(KEY) for source in sources(recipe) if source.startswith(KEY))
         return tuple(change for key in keys for change in self.store.changes_to_keep(key))
 
+    def labels(self, kind: Kind, *, but: int = 0) -> list[str]:
+        """The labels of the faces or the expressions that can be called; but: an item that does not count."""
+        own = [each for each in self.state.items.values() if each.kind == kind and not each.deleted and each.id != but]
+        titles = [title.label for title in self.base.titles.values()]
+        built_in = [face_label(name) for name in self.base.faces] if kind == "face" else titles
+        return [*built_in, *(each.label for each in own)]
+
     def names(self) -> set[str]:
         """All names that are taken."""
         return {*self.base.faces, *self.base.expressions, *(item.name for item in self.state.items.values())}
 
 
 class KeepOutcome(msgspec.Struct, frozen=True):
-    """The result of what a console asked to keep: the new item, or the one that is not kept any more (undone), or the
-    trouble, in one sentence.
+    """The result of what a console asked of an item: the new item, or the one that was changed, or the trouble, in one
+    sentence.
 
-    ticket: the caller's identifier.
+    ticket: the caller's identifier; before: the label that a changed item had, "" for a new one.
     """
 
     ticket: str
@@ -65,7 +73,7 @@ class KeepOutcome(msgspec.Struct, frozen=True):
     label: str = ""
     kind: Kind = "expression"
     trouble: str = ""
-    undone: bool = False
+    before: str = ""
 
 
 @dataclass(frozen=True)

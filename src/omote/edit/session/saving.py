@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 from msgspec.structs import replace
@@ -16,7 +15,6 @@ from omote.edit.session.plan import Authored, KeepOutcome, Plan, Result
 from omote.edit.store.authored_state import DraftKey
 from omote.model.recipes.recipe import FaceRecipe, Recipe
 from omote.showfile.changes import (
-    BroughtItem,
     Change,
     Draft,
     Edit,
@@ -98,21 +96,6 @@ def duplicate(authored: Authored, item: Item, label: str, author: Author, reques
         request, copy.id, 1, 1, False, f"{label!r} is a copy of revision {head.number} of {item.label!r}."
     )
     return Result((PutItem(copy), PutRevision(revision)), reply)
-
-
-def adopt(authored: Authored, brought: Iterable[BroughtItem]) -> Result:
-    """Adds items of another show file as new items of this one, which play at once."""
-    state, store, taken = authored.state, authored.store, authored.names()
-    changes: list[Change] = []
-    for step, each in enumerate(brought):
-        name, key = new_name(each.item.label, each.item.kind, taken), each.revision.content
-        taken.add(name)
-        item = replace(each.item, id=state.new_item() + step, name=name, place=state.new_place() + step, head=1)
-        store.remember_contents({key: each.content})
-        store.remember_recipe(write_recipe(read_recipe(each.revision.recipe)), key)
-        revision = replace(each.revision, item=item.id, number=1, parent=0)
-        changes += [*store.changes_to_keep(key), PutItem(item), PutRevision(revision)]
-    return Result(tuple(changes))
 
 
 def _save_baked(

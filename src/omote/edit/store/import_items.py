@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from omote.edit.protocol.names import clean_label, clean_tags, new_name
+from omote.edit.protocol.names import clean_label, clean_tags, free_label, new_name
 from omote.edit.protocol.wire import read_recipe, write_recipe
 from omote.interchange.formats.expression_json import Control, ExpressionFile, from_dense, space_digest, to_dense
 from omote.model.cast import Cast, Look
@@ -52,6 +52,28 @@ def changes_to_import(cast: Cast, stored: Stored, arrivals: Iterable[ImportedIte
         item = Item(number + step, kind, name, label, clean_tags(arrival.tags), place + step, head=1)
         changes += _changes_to_save(cast.space, item, arrival, wall)
     return changes
+
+
+def distinguish(cast: Cast, stored: Stored, arrivals: Iterable[ImportedItem], /) -> list[tuple[ImportedItem, str]]:
+    """Gives arrivals labels that nothing else of their kind has; with each, why it has another one, or ""."""
+    last = {revision.item: revision.content for revision in stored.revisions}
+    items = [item for item in stored.items if not item.deleted]
+    labels: dict[Kind, list[str]] = {
+        "face": [*cast.faces],
+        "expression": [title.label for title in cast.titles.values()],
+    }
+    for item in items:
+        labels[item.kind].append(item.label)
+    found = []
+    for arrival in arrivals:
+        kind: Kind = "expression" if isinstance(arrival.made, Expression) else "face"
+        label = free_label(clean_label(arrival.label), labels[kind])
+        twins = {last.get(item.id) for item in items if item.label.casefold() == arrival.label.strip().casefold()}
+        same = ", exactly the same" if _content_of(arrival)[0] in twins else ""
+        why = f"there is a {arrival.label!r} already{same}, so this one is called {label!r}"
+        labels[kind].append(label)
+        found.append((replace(arrival, label=label), "" if label == arrival.label.strip() else why))
+    return found
 
 
 def import_document(space: ParameterSpace, document: ExpressionFile, /, *, note: str = "") -> ImportedItem:
@@ -115,14 +137,18 @@ def export_document(cast: Cast, stored: Stored, contents: Mapping[str, bytes], n
 
 
 def _changes_to_save(space: ParameterSpace, item: Item, arrival: ImportedItem, wall: float) -> list[Change]:
-    made = arrival.made
-    content = pack_expression(made) if isinstance(made, Expression) else pack_face(*made)
-    key = content_key(content)
+    key, content = _content_of(arrival)
     recipe = arrival.recipe or (
         _dense_recipe(space, key) if item.kind == "expression" else FaceRecipe({KEY + key: 1.0})
     )
     revision = Revision(item.id, 1, 0, write_recipe(recipe), key, wall, EDITOR, arrival.note)
     return [PutContent(key, content), PutItem(item), PutRevision(revision)]
+
+
+def _content_of(arrival: ImportedItem) -> tuple[str, bytes]:
+    made = arrival.made
+    content = pack_expression(made) if isinstance(made, Expression) else pack_face(*made)
+    return content_key(content), content
 
 
 def _dense_recipe(space: ParameterSpace, key: str) -> Recipe:

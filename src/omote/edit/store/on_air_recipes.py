@@ -15,12 +15,13 @@ from omote.showfile.changes import Kind
 
 @dataclass(frozen=True)
 class OnAir:
-    """Weights by name of what is on air, and the names of what is coming: called, or held by a T-bar."""
+    """Weights by name of what is on air, the names of what is coming (called, or held by a T-bar), the home face."""
 
     faces: Mapping[str, float] = field(default_factory=dict)
     expressions: Mapping[str, float] = field(default_factory=dict)
     channels: Mapping[str, float] = field(default_factory=dict)
     coming: frozenset[str] = frozenset()
+    home: str = ""
 
     @property
     def names(self) -> frozenset[str]:
@@ -34,7 +35,8 @@ def read_on_air(state: State) -> OnAir:
     calls = (call for call in (state.face_call, state.expression_call) if call is not None)
     names = (*state.channels, *(name for name in state.lids if name not in state.channels))
     channels = {name: state.channels.get(name, 0.0) + state.lids.get(name, 0.0) for name in names}
-    return OnAir(state.faces, state.expressions, channels, frozenset(call.target for call in calls))
+    coming = frozenset(call.target for call in calls)
+    return OnAir(state.faces, state.expressions, channels, coming, state.home_face)
 
 
 def neutral_recipe(net: tuple[int, ...]) -> Recipe:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.formats.error_reasons import explain_error
+from omote.interchange.formats.file_content import explain_syntax
 from omote.model.space.expression import Expression
 from omote.model.space.parameter_space import ParameterSpace
 
@@ -159,9 +160,9 @@ def decode(data: bytes, /) -> ExpressionFile:
     try:
         return msgspec.json.decode(data, type=ExpressionFile)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise ValueError(
-            f"this is no expression of Omote as docs/exchange.md has it ({explain_error(error)})"
-        ) from error
+        foreign = "it is JSON of another program" if b'"omote"' not in data else None
+        why = explain_syntax(data) or foreign or explain_error(error)
+        raise ValueError(f"{why}; expected an expression of Omote as docs/exchange.md has it") from error
 
 
 def schema() -> bytes:

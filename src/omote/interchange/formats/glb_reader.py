@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.geometry.mesh import FARTHEST, rows_out_of_reach
+from omote.interchange.formats.file_content import describe_content
 from omote.interchange.formats.glb_writer import BIN_CHUNK, JSON_CHUNK, MAGIC, ROWS, VERSION
 from omote.interchange.formats.gltf_document import Accessor, Document, Mesh, Node, Primitive, Sparse, parse_document
 
@@ -63,7 +64,8 @@ def _chunks(data: bytes) -> tuple[bytes, bytes]:
     if len(data) > LARGEST:
         raise ValueError(f"the file has {len(data)} bytes; expected {LARGEST} at most")
     if len(data) < 20 or struct.unpack_from("<I", data)[0] != MAGIC:
-        raise ValueError("the file is no GLB: it does not begin as one; export it as glTF binary (.glb)")
+        what = "its beginning alone" if data.startswith(MAGIC.to_bytes(4, "little")) else describe_content(data)
+        raise ValueError(f"the file is no GLB, but {what}; export the head as glTF binary (.glb)")
     _, version, length = struct.unpack_from("<III", data)
     if version != VERSION:
         raise ValueError(f"the file is glTF {version}; expected version {VERSION}: export it anew")

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.interchange.formats.file_content import describe_content
+
 LARGEST = 128 * 2**20
 """Bytes of a file at most."""
 MOST_VERTICES = 1_000_000
@@ -16,6 +18,8 @@ def read_obj(data: bytes, /) -> NDArray[np.float64]:
     if len(data) > LARGEST:
         raise ValueError(f"the file has {len(data)} bytes; expected {LARGEST} at most")
     lines = [line for line in data.splitlines() if line.lstrip()[:2] in (b"v ", b"v\t")]
+    if not lines:
+        raise ValueError(f"the file is no OBJ with vertices, but {describe_content(data)}; export the head as .obj")
     if not 1 <= len(lines) <= MOST_VERTICES:
         raise ValueError(f"the file has {len(lines)} vertices; expected an OBJ file of 1 to {MOST_VERTICES}")
     points = np.array([_point(line) for line in lines])

@@ -6,6 +6,7 @@ import asyncio
 import time
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import replace
+from pathlib import Path
 
 from aiohttp import WSCloseCode, WSMsgType, web
 
@@ -16,12 +17,13 @@ from omote.server.http.cast_reload import CastReload
 from omote.server.http.downloads import Downloads
 from omote.server.http.editor_link import NO_FILE, EditorLinks
 from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
+from omote.server.http.long_requests import LongRequests
 from omote.server.http.security import add_headers, guard, silence_bad_requests
 from omote.server.http.static_pages import PAGES, Page
-from omote.server.http.uploads import Uploads
+from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
-from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Notice, Refused, State
+from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Notice, Notices, Progress, Refused, State
 from omote.show.session import KeepRequest, Outgoing, ShowSession
 from omote.show.wire import encode
 
@@ -49,6 +51,7 @@ class ShowServer:
         self.editing: EditorLinks | None = None
         self.downloads: Downloads | None = None
         self.uploads: Uploads | None = None
+        self.long_requests = LongRequests(self._send_progress)
         self._pages = pages
         self._state: State | None = None
 
@@ -70,9 +73,15 @@ class ShowServer:
             report=report,
             notices=lambda: self.session.notices,
             post_layouts=self.post_layouts,
+            cancel=self.long_requests.cancel,
             clock=self.clock,
         )
         self.session.layouts = self.editing.layout_names()
+
+    def enable_files(self, show: Callable[[], Path], run_job: RunFileJob) -> None:
+        """Adds imports and exports; show: where the show file lies; run_job: does a `FileJob`."""
+        self.downloads = Downloads(show, run_job, self.long_requests)
+        self.uploads = Uploads(show, run_job, self.long_requests)
 
     def on_air(self) -> OnAir:
         """What is on air now; `coming` includes what was called since the last tick."""
@@ -123,7 +132,7 @@ class ShowServer:
         for who in self.session.crew:
             self._deliver(self.session.notices_for(who))
         if self.editing is not None and self.session.notices:
-            self.editing.send_notices(self.session.notices)
+            self.editing.send_news(Notices(self.session.notices))
 
     def post_layouts(self, names: list[str]) -> None:
         """Tells all consoles the names of the layouts; later ones get them with their welcome."""
@@ -242,6 +251,8 @@ class ShowServer:
             if message.type is WSMsgType.BINARY:
                 self._deliver(self.session.receive_bytes(link.who, message.data, self.clock()))
                 self._keep(self.session.take_keep_requests())
+                for each in self.session.take_cancelled():
+                    self.long_requests.cancel(each)
             elif message.type is WSMsgType.TEXT:
                 reason = "text came, but messages are binary MessagePack."
                 self._deliver([Outgoing(link.who, Refused(reason))])
@@ -252,6 +263,11 @@ class ShowServer:
                 self._deliver([Outgoing(request.who, Refused(NO_FILE))])
             else:
                 self.editing.request_keep(request)
+
+    def _send_progress(self, progress: Progress) -> None:
+        self._deliver(self.session.for_consoles(progress))
+        if self.editing is not None:
+            self.editing.send_news(progress)
 
     def _deliver(self, outgoing: list[Outgoing]) -> None:
         for each in outgoing:

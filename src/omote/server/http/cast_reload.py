@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable, Mapping
 
 from omote.interchange.formats.error_reasons import explain_error
@@ -29,7 +30,7 @@ class CastReload:
         documents, tried = self._documents, None
         while True:
             wanted = (*own, *self._still_on_air(own))
-            playing = gather_cast(documents.cast, wanted, contents, self._report, before=documents.playing)
+            playing = await self._gather(wanted, contents)
             await documents.prepare(playing)
             try:
                 changed = self._session.recast(playing)
@@ -40,6 +41,17 @@ class CastReload:
                 continue
             documents.play(playing)
             return changed
+
+    async def _gather(self, wanted: tuple[Own, ...], contents: Mapping[str, bytes]) -> PlayingCast:
+        """Gathers a cast in a thread: unpacking fifty new expressions would hold up the ticks."""
+        named = {each.content: contents[each.content] for each in wanted if each.content in contents}
+        before, sentences = self._documents.playing, list[str]()
+        playing = await asyncio.get_running_loop().run_in_executor(
+            None, lambda: gather_cast(self._documents.cast, wanted, named, sentences.append, before=before)
+        )
+        for sentence in sentences:
+            self._report(sentence)
+        return playing
 
     def _still_on_air(self, own: tuple[Own, ...]) -> list[Own]:
         faces, expressions = self._session.names_held()

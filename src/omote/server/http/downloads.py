@@ -1,20 +1,21 @@
-"""Exports that a page downloads: the commands `omote export` and `omote file export` in a process of their own.
-
-A process beside the show, one at a time and at a lower priority: no tick waits for it, and what it writes is what the
-commands write.
-"""
+"""Exports that a page downloads, made in a process beside the show (`workers.file_jobs`), one at a time: no tick waits
+for it, and what it makes is what `omote export` and `omote file export` write."""
 
 from __future__ import annotations
 
 import asyncio
-import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
+import msgspec
 from aiohttp import web
 
-from omote.server.http.command_process import COMMAND, CommandError, run_command
+from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
+from omote.server.http.uploads import CANCELLED, RunFileJob
+from omote.server.workers.file_jobs import ExportExpression, ExportFace
+from omote.server.workers.job_server import Follow, JobError
 from omote.stage_data.playing_cast import PlayingCast
 
 GLB, JSON = "model/gltf-binary", "application/json"
@@ -23,39 +24,43 @@ KINDS = ("arkit", "performed", "makehuman", "all")
 
 @dataclass(frozen=True)
 class Download:
-    """What is to be written: the options and the arguments of the command, and the name and type of the file."""
+    """What is to be made: the job, and the name and type of the file."""
 
-    options: Sequence[str]
-    arguments: Sequence[str]
+    job: ExportExpression | ExportFace
     file: str
     content_type: str
 
 
 class Downloads:
-    """Writes exports of a show file's own work and of the cast, and responds with them; show: where the file lies."""
+    """Makes exports of a show file's own work and of the cast, and responds with them.
 
-    def __init__(self, show: Callable[[], Path], command: Sequence[str] = COMMAND) -> None:
-        self._show, self._command, self._turn = show, tuple(command), asyncio.Lock()
+    show: where the file lies; run_job: does a `FileJob`.
+    """
+
+    def __init__(self, show: Callable[[], Path], run_job: RunFileJob, long_requests: LongRequests) -> None:
+        self._show, self._run_job, self._long_requests = show, run_job, long_requests
+        self._turn = asyncio.Lock()
 
     async def respond(self, request: web.Request, playing: PlayingCast) -> web.Response:
-        """Responds with the file; 404 or 503 with a sentence for the person who asked."""
+        """Responds with the file; 404 or 503 with a sentence for the person who asked, 204 where the page ended it."""
         try:
             wanted = plan_download(self._show(), request.match_info["file"], request.query, playing)
         except ValueError as error:
             raise web.HTTPNotFound(text=f"{error}.") from error
-        async with self._turn:
-            data = await self._write(wanted)
+        try:
+            data = await self._long_requests.run(request_id(request), partial(self._make, wanted))
+        except CancelledRequestError:
+            return web.Response(status=CANCELLED)
+        except (ValueError, JobError) as error:
+            raise web.HTTPServiceUnavailable(text=str(error)) from error
         headers = {"Content-Disposition": f'attachment; filename="{wanted.file}"', "Cache-Control": "no-store"}
         return web.Response(body=data, content_type=wanted.content_type, headers=headers)
 
-    async def _write(self, wanted: Download) -> bytes:
-        with tempfile.TemporaryDirectory(prefix="omote-") as folder:
-            path = Path(folder) / wanted.file
-            try:
-                await run_command([*wanted.options, "-o", str(path), "--", *wanted.arguments], self._command)
-            except CommandError as error:
-                raise web.HTTPServiceUnavailable(text=str(error)) from error
-            return await asyncio.get_running_loop().run_in_executor(None, path.read_bytes)
+    async def _make(self, wanted: Download, follow: Follow) -> bytes:
+        if self._turn.locked():
+            follow(0, 0, "it waits until another export is made")
+        async with self._turn:
+            return await self._run_job(msgspec.msgpack.encode(wanted.job), follow)
 
 
 def plan_download(show: Path, file: str, query: Mapping[str, str], playing: PlayingCast) -> Download:
@@ -66,17 +71,16 @@ def plan_download(show: Path, file: str, query: Mapping[str, str], playing: Play
     name, _, suffix = file.rpartition(".")
     if suffix == "json":
         _check(name, "expression", playing.expression_sources)
-        return Download(["file", "export"], [str(show), name], f"{name}.json", JSON)
+        return Download(ExportExpression(str(show), name), f"{name}.json", JSON)
     if suffix != "glb":
         raise ValueError(f"{file[:80]!r} is no export; there are .json for expressions and .glb for faces")
     _check(name, "face", playing.faces)
     expressions = query.get("expressions", "arkit")
-    options = ["export", "--expressions", expressions, "--show", str(show)]
     if expressions not in KINDS:
         for each in expressions.split(","):
             _check(each, "expression", playing.expression_sources)
     whole = name if expressions == "arkit" else f"{name}-{expressions[:60].replace(',', '-')}"
-    return Download(options, [name], f"{whole}.glb", GLB)
+    return Download(ExportFace(str(show), name, expressions), f"{whole}.glb", GLB)
 
 
 def _check(name: str, what: str, names: Mapping[str, str]) -> None:

@@ -20,10 +20,10 @@ from aiohttp import WSMsgType, web
 from omote.edit.protocol.messages import EDITING_LIMIT, EditRefused, Greeted, ToEditor
 from omote.edit.protocol.orders import EditOrder
 from omote.edit.protocol.wire import encode
-from omote.edit.session.console_requests import answer_console
+from omote.edit.session.brought_items import TakenIn, take_in
+from omote.edit.session.console_requests import answer_console, reply_to_console
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.session.plan import KeepOutcome
-from omote.edit.session.saving import adopt
 from omote.edit.store.on_air_recipes import OnAir
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.cast_documents import CastDocuments
@@ -35,6 +35,7 @@ from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show import messages as wire
 from omote.show.rate_limit import TokenBucket
 from omote.show.session import KeepRequest
+from omote.show.validation import Refusal
 from omote.showfile.changes import BroughtItem, Change, DropLayout, PutLayout
 
 HEARD_RATE, HEARD_BURST = 60.0, 60.0
@@ -69,7 +70,7 @@ class EditorLinks:
 
     authored_work: None when nothing can be stored; reopen: reads it again from the file; on_air: what is seen now;
     tell: sends a message to one console, announce: to every page of the show; notices: what the crew must know;
-    post_layouts: tells all consoles the names of the layouts.
+    post_layouts: tells all consoles the names of the layouts; cancel: ends a long request.
     """
 
     def __init__(
@@ -85,12 +86,13 @@ class EditorLinks:
         report: Callable[[str], None],
         notices: Callable[[], list[wire.Notice]] = list,
         post_layouts: Callable[[list[str]], None] = lambda _: None,
+        cancel: Callable[[str], None] = lambda _: None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.authored_work, self.links = authored_work, Links()
         self._reopen, self._documents, self._cast_reload, self._on_air = reopen, documents, cast_reload, on_air
         self._tell, self._announce, self._report, self._clock = tell, announce, report, clock
-        self._notices, self._post_layouts = notices, post_layouts
+        self._notices, self._post_layouts, self._cancel = notices, post_layouts, cancel
         self._pages: dict[str, EditorPage] = {}
         self._consequences: asyncio.Queue[Consequence] = asyncio.Queue()
         self._tasks: set[asyncio.Task[None]] = set()
@@ -121,18 +123,23 @@ class EditorLinks:
     def request_keep(self, request: KeepRequest) -> None:
         """Carries out what a console asks of the show file."""
         if self.authored_work is None:
-            self._tell(request.who, wire.Refused(NO_FILE))
+            self._tell(request.who, wire.Refused(NO_FILE, request.message.id))
         else:
             self._take(
                 self.authored_work, partial(answer_console, request=request, on_air=self._on_air(), wall=_wall())
             )
 
-    async def take_in(self, brought: Sequence[BroughtItem]) -> str:
-        """Adds items of another show file; returns why not, "" once they are on the disk and play."""
+    async def take_in(self, brought: Sequence[BroughtItem]) -> list[TakenIn] | str:
+        """Adds items of another show file, but what is there already; returns what became of each, once they are on
+        the disk and play, or why not."""
         authored_work, done = self.authored_work, asyncio.get_running_loop().create_future()
         if authored_work is None:
             return NO_FILE
-        outcome = authored_work.session.carry_out(lambda: adopt(authored_work.session.authored, brought), "")
+        try:
+            result, taken = take_in(authored_work.session.authored, brought)
+        except Refusal as refusal:
+            return str(refusal)
+        outcome = authored_work.session.carry_out(lambda: result, "")
 
         async def carry_out() -> None:
             try:
@@ -142,7 +149,7 @@ class EditorLinks:
 
         self._follow(carry_out)
         await done
-        return "" if authored_work is self.authored_work else "it could not be kept in the show file; try again."
+        return taken if authored_work is self.authored_work else "it could not be kept in the show file; try again."
 
     def layout(self, name: str) -> bytes | None:
         """A page's stored layout (JSON), None where there is none."""
@@ -152,11 +159,11 @@ class EditorLinks:
         """The names under which pages have stored a layout."""
         return [] if self.authored_work is None else sorted(self.authored_work.layouts)
 
-    def send_notices(self, notices: list[wire.Notice]) -> None:
-        """Sends what the crew must know to every editor that reads."""
+    def send_news(self, news: wire.Notices | wire.Progress) -> None:
+        """Sends what is complete by itself to every editor that reads."""
         for who, page in self._pages.items():
             if page.unsent.empty():  # it comes again; more than one that waits helps nobody
-                self._send(who, wire.Notices(notices))
+                self._send(who, news)
 
     async def close(self) -> None:
         """Closes all links and stops; what was not acknowledged may be lost."""
@@ -182,6 +189,8 @@ class EditorLinks:
         except Exception:
             self._restart("an edit could not be understood, by a fault of Omote", traceback.format_exc())
             return
+        for request in outcome.cancelled:
+            self._cancel(request)
         for number, order in outcome.orders:
             self._begin(self._work(authored_work, number, order))
         if outcome.changes or outcome.replies or outcome.kept or outcome.cast:
@@ -255,7 +264,7 @@ class EditorLinks:
 
     def _tell_kept(self, kept: KeepOutcome) -> None:
         who, _, call = kept.ticket.partition(" ")
-        self._tell(who, _answer_to_console(call, kept))
+        self._tell(who, reply_to_console(call, kept))
 
     def _send(self, who: str, message: ToEditor) -> None:
         page = self._pages.get(who)
@@ -283,12 +292,6 @@ class EditorLinks:
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
         return task
-
-
-def _answer_to_console(call: str, kept: KeepOutcome) -> wire.FromServer:
-    if kept.trouble:
-        return wire.Refused(kept.trouble)
-    return wire.KeepUndone(call, kept.label) if kept.undone else wire.Kept(call, kept.name, kept.label)
 
 
 def _wall() -> float:

@@ -1,67 +1,87 @@
-"""Imports that a page uploads: `omote file import` into a copy of the show file, in a process beside the show; what it
-brought into the copy is then saved in the show.
+"""Imports that pages upload: read in a process beside the show (`workers.file_jobs`), then saved in the show.
 
-So a file is read by the one command that reads files of strangers, in its sandbox, and the show loses nothing by one
-that is no face and no expression.
+A file is parsed in that process's sandbox, and the show loses nothing by one that is no face and no expression.
 """
 
 from __future__ import annotations
 
 import asyncio
-import contextlib
-import sqlite3
 import tempfile
+import time
 from collections.abc import Awaitable, Callable, Sequence
+from functools import partial
 from pathlib import Path
 
+import msgspec
 from aiohttp import web
 
+from omote.edit.session.brought_items import TakenIn
 from omote.interchange.formats.error_reasons import explain_error
 from omote.interchange.formats.glb_reader import LARGEST
-from omote.server.http.command_process import COMMAND, CommandError, run_command
-from omote.showfile.authored_rows import read_all, read_content
-from omote.showfile.changes import BroughtItem
-from omote.showfile.integrity import open_read_only
+from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
+from omote.server.workers.file_jobs import Imported, ImportFile
+from omote.server.workers.job_server import Follow, JobError
+from omote.showfile.changes import BroughtItem, Kind
 
 SUFFIXES = (".json", ".glb", ".obj")
 KINDS = ("expression", "face")
+HINTS = {
+    ".omote": "a show file is opened with `omote show`; take single expressions out of it as documents (.json)",
+    **dict.fromkeys((".gltf", ".fbx", ".blend", ".dae", ".stl", ".ply", ".usdz"), "export it as glTF binary (.glb)"),
+    **dict.fromkeys((".png", ".jpg", ".jpeg", ".gif", ".webp"), "a picture has no shape that a face could have"),
+}
+"""What to do with files that people try."""
 CHUNK = 2**18
+CANCELLED = 204
+"""The status of a request that its page ended: there is nothing, and browsers log no error."""
 
-TakeIn = Callable[[Sequence[BroughtItem]], Awaitable[str]]
-"""Saves items in the show; returns why not, "" once they are stored and play."""
+RunFileJob = Callable[[bytes, Follow], Awaitable[bytes]]
+TakeIn = Callable[[Sequence[BroughtItem]], Awaitable[list[TakenIn] | str]]
+"""Saves items in the show; returns what became of each, once they are stored and play, or why not."""
 
 
 class Uploads:
-    """Takes in the files that pages send, one at a time; show: where the show file lies."""
+    """Takes in the files that pages send, one at a time; show: where the show file lies; run_job: does a `FileJob`."""
 
-    def __init__(self, show: Callable[[], Path], command: Sequence[str] = COMMAND) -> None:
-        self._show, self._command, self._turn = show, tuple(command), asyncio.Lock()
+    def __init__(self, show: Callable[[], Path], run_job: RunFileJob, long_requests: LongRequests) -> None:
+        self._show, self._run_job, self._long_requests = show, run_job, long_requests
+        self._turn = asyncio.Lock()
 
     async def respond(self, request: web.Request, take_in: TakeIn) -> web.Response:
-        """Responds with what was taken in and what the command said of it (JSON); 400 or 503 with a sentence."""
+        """Responds with what was taken in and what is to be said of it (JSON); 400 or 503 with a sentence, 204 where
+        the page ended it."""
+        name = ""
         try:
             name, kind = plan_upload(request.match_info["file"], request.query.get("as", KINDS[0]))
-            async with self._turn:
-                with tempfile.TemporaryDirectory(prefix="omote-") as folder:
-                    await _receive(request, Path(folder) / name)
-                    brought, said = await self._import(Path(folder) / name, kind)
-        except (ValueError, CommandError) as error:
-            raise web.HTTPBadRequest(text=str(error)) from error
-        except (OSError, sqlite3.Error) as error:
+            read = partial(self._read, request, name, kind)
+            imported = await self._long_requests.run(request_id(request), read)
+        except (ValueError, JobError) as error:
+            raise web.HTTPBadRequest(text=str(error).removeprefix(f"{name}: ")) from error
+        except CancelledRequestError:
+            return web.Response(status=CANCELLED)
+        except OSError as error:
             raise web.HTTPServiceUnavailable(text=f"nothing was taken in ({explain_error(error)}).") from error
-        trouble = await take_in(brought)
-        if trouble:
-            raise web.HTTPServiceUnavailable(text=trouble)
-        return web.json_response({"labels": [each.item.label for each in brought], "said": said[: len(brought)]})
+        taken = await take_in(imported.items)
+        if isinstance(taken, str):
+            raise web.HTTPServiceUnavailable(text=taken)
+        return web.json_response(body=msgspec.json.encode({"items": taken, "said": imported.said}))
 
-    async def _import(self, path: Path, kind: str) -> tuple[list[BroughtItem], list[str]]:
-        copy, run = path.with_name("show.omote"), asyncio.get_running_loop().run_in_executor
-        before = await run(None, _copy, self._show(), copy)
-        said = await run_command(["file", "import", "--as", kind, "--", str(copy), str(path)], self._command)
-        return await run(None, _read_new, copy, before), said
+    async def _read(self, request: web.Request, name: str, kind: Kind, follow: Follow) -> Imported:
+        with tempfile.TemporaryDirectory(prefix="omote-") as folder:
+            path = Path(folder) / name
+            follow(0, 0, "the file is sent")
+            await _receive(request, path)
+            if self._turn.locked():
+                follow(0, 0, "it waits until another file is taken in")
+            async with self._turn:
+                job = ImportFile(str(self._show()), str(path), kind, time.time())  # noqa: TID251  (dates revisions)
+                made = await self._run_job(msgspec.msgpack.encode(job), follow)
+        return await asyncio.get_running_loop().run_in_executor(
+            None, partial(msgspec.msgpack.decode, made, type=Imported)
+        )
 
 
-def plan_upload(file: str, kind: str) -> tuple[str, str]:
+def plan_upload(file: str, kind: str) -> tuple[str, Kind]:
     """The name under which a file is read, and what it is; ValueError for what nothing can be made of."""
     name = "".join(each for each in Path(file).name if each.isprintable())[-80:].lstrip("-.")
     if kind not in KINDS:
@@ -71,8 +91,11 @@ def plan_upload(file: str, kind: str) -> tuple[str, str]:
         expected = (
             "a head (.glb, .obj)" if kind == "face" else "an expression (.json), or a head with shapes (.glb, .obj)"
         )
-        raise ValueError(f"{file[:80]!r} is no {kind} that can be read; expected {expected}. Nothing has changed.")
-    return name, kind
+        hint = f": {HINTS[suffix]}" if suffix in HINTS else ""
+        raise ValueError(
+            f"{file[:80]!r} is no {kind} that can be read; expected {expected}{hint}. Nothing has changed."
+        )
+    return name, "face" if kind == "face" else "expression"
 
 
 async def _receive(request: web.Request, path: Path) -> None:
@@ -84,22 +107,3 @@ async def _receive(request: web.Request, path: Path) -> None:
             if size > LARGEST:
                 raise ValueError(f"{path.name} has more than {LARGEST} bytes, which no face has; export a smaller one.")
             file.write(chunk)
-
-
-def _copy(show: Path, copy: Path) -> int:
-    """Copies a show file as it is now, others may write it meanwhile; returns the highest id of its items."""
-    with contextlib.closing(open_read_only(show)) as source, contextlib.closing(sqlite3.connect(copy)) as target:
-        source.backup(target)
-        return int(target.execute("SELECT coalesce(max(id), 0) FROM item").fetchone()[0])
-
-
-def _read_new(copy: Path, before: int) -> list[BroughtItem]:
-    """The items that are in a copy beyond those before."""
-    with contextlib.closing(open_read_only(copy)) as connection:
-        stored = read_all(connection)
-        items = {item.id: item for item in stored.items if item.id > before}
-        revisions = [revision for revision in stored.revisions if revision.item in items]
-        return [
-            BroughtItem(items[revision.item], revision, read_content(connection, revision.content))
-            for revision in sorted(revisions, key=lambda each: each.item)
-        ]

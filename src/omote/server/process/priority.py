@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
+from pathlib import Path
 
 RAISED = -10
 """Well before ordinary programs, well behind what the system itself needs."""
@@ -22,3 +24,11 @@ def raise_priority() -> bool:
 def lower_priority() -> None:
     """Lowers the priority of this process and its children."""
     os.setpriority(os.PRIO_PROCESS, 0, LOWERED)
+
+
+def waiting_seconds(pid: int) -> float:
+    """Seconds that the main thread of a process has been ready and waited for a processor; 0 where the system does not
+    tell (macOS), or there is no such process."""
+    with suppress(OSError, ValueError, IndexError):
+        return int(Path(f"/proc/{pid}/schedstat").read_text().split()[1]) / 1e9
+    return 0.0

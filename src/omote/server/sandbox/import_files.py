@@ -9,7 +9,7 @@ from omote.builtin import load_meshes
 from omote.edit.store.import_items import ImportedItem, import_document
 from omote.interchange.formats import expression_json
 from omote.interchange.formats.file_names import DOCUMENT, require_imports
-from omote.interchange.import_meshes import import_expressions, import_face
+from omote.interchange.import_meshes import Follow, ignore_progress, import_expressions, import_face
 from omote.model.cast import Cast
 from omote.perform.name_lookup import find_name
 from omote.server.sandbox.child_reader import read_in_sandbox
@@ -20,8 +20,11 @@ FAR = 5e-5
 Brought = tuple[ImportedItem, str]
 
 
-def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> Iterator[Brought]:
-    """Yields each expression in the files with a report about it; face: the face of the cast that shapes start from.
+def expressions_from(
+    cast: Cast, paths: Sequence[Path], *, face: str = "", follow: Follow = ignore_progress
+) -> Iterator[Brought]:
+    """Yields each expression in the files with a report about it; face: the face of the cast that shapes start from;
+    follow: told of shapes done, all shapes, and the one that is next.
 
     ValueError for files without expressions; OSError where one cannot be read.
     """
@@ -38,7 +41,7 @@ def expressions_from(cast: Cast, paths: Sequence[Path], *, face: str = "") -> It
     shapes = {path.stem: read_in_sandbox(path) for path in paths if path not in documents}
     if not shapes:
         return
-    for each in import_expressions(cast, load_meshes(), shapes, face=face):
+    for each in import_expressions(cast, load_meshes(), shapes, face=face, follow=follow):
         off = f"; it misses its shape by up to {1000 * each.error:.2f} mm" if each.error > FAR else ""
         note = f"from {', '.join(path.name for path in paths)}"[:200]
         doubt = f"; {each.doubt}" if each.doubt else ""

@@ -19,10 +19,8 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
-from omote.server.http.downloads import Downloads
 from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
-from omote.server.http.uploads import Uploads
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
 from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitThread
@@ -33,6 +31,8 @@ from omote.server.persistence.restore import journal_entry, open_journal, restor
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import Order, ShowMoved, write_notice
 from omote.server.supervision.tick_loop import ShowTick, run_ticks, send_pulse
+from omote.server.workers.file_jobs import run_file_job
+from omote.server.workers.job_server import JobServer, open_job_server
 from omote.server.workers.workshop import open_workshop
 from omote.showfile.show_file import ShowFile
 
@@ -68,8 +68,8 @@ def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> No
     """Plays the show to its end, on uvloop where it is available."""
     board = NoticeBoard(order.notices)
     tell = board.with_report(report)
-    start_workshop(material.documents, tell)  # while there is neither thread nor loop, which no copy may have
-    playing = play(material, order, show=show, pipes=pipes, board=board)
+    jobs = start_processes(material.documents, tell)  # while there is neither thread nor loop, which no copy may have
+    playing = play(material, order, show=show, pipes=pipes, board=board, jobs=jobs)
     try:
         import uvloop
     except ImportError:  # not made for this platform: the stock loop is slower and does the same
@@ -78,15 +78,23 @@ def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> No
         uvloop.run(playing)
 
 
-def start_workshop(documents: CastDocuments, tell: Callable[[str], None]) -> None:
-    """Starts the workshop process that computes orders; where that fails, a thread of the server computes them."""
+def start_processes(documents: CastDocuments, tell: Callable[[str], None]) -> JobServer | None:
+    """Starts the workshop, which computes orders (where that fails, a thread of the server does), and the process that
+    begins imports and exports (None where that fails)."""
     try:
         documents.use_workshop(open_workshop(documents.compute), tell)
     except OSError as error:
         tell(f"no process can be made that computes ({explain_error(error)}); the server computes by itself.")
+    try:
+        return open_job_server(run_file_job)
+    except OSError as error:
+        tell(f"no process can be made for imports and exports ({explain_error(error)}); there are none in this show.")
+        return None
 
 
-async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes, board: NoticeBoard) -> None:
+async def play(
+    material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes, board: NoticeBoard, jobs: JobServer | None = None
+) -> None:
     """Plays until the control pipe ends or SIGTERM comes; raises what a tick raises."""
     os.set_blocking(pipes.pulse, False)  # a supervisor that does not read holds up no tick
     tell = board.with_report(report)
@@ -96,8 +104,8 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
     server = ShowServer(restore(documents.playing, file, order, tell), documents, material.pages)
     server.post(board.notices)
     server.enable_editing(authored_work, reopen, tell)
-    if file:
-        server.downloads, server.uploads = Downloads(lambda: file.path), Uploads(lambda: file.path)
+    if file and jobs:
+        server.enable_files(lambda: file.path, jobs.run)
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
     runner = await start_serving(server, pipes.listen)
@@ -109,9 +117,9 @@ async def play(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes
         documents.close()
         if journal:
             journal.offer(journal_entry(server.session))
-        for thread in (watch, authored_work and authored_work.committer, journal, backup):
-            if thread:
-                thread.close()
+        for each in (jobs, watch, authored_work and authored_work.committer, journal, backup):
+            if each:
+                each.close()
 
 
 def tell_moved(pulse: int, path: Path) -> None:

@@ -21,7 +21,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from omote.server.process.notice_board import MOST_NOTICES
-from omote.server.process.priority import raise_priority
+from omote.server.process.priority import raise_priority, waiting_seconds
 from omote.server.process.process_messages import (
     Ended,
     Failover,
@@ -69,10 +69,20 @@ class Server:
     playing: bool = False
     rest: bytes = b""
     heard: float = field(default_factory=time.monotonic)
+    waited: float = 0.0
+
+    def hear(self, now: float) -> None:
+        """Notes a sign of life."""
+        self.heard, self.waited = now, self._waiting()
 
     def hangs(self, now: float) -> bool:
-        """Whether it has been silent for too long."""
-        return now - self.heard > (HANG_SECONDS if self.playing else START_SECONDS)
+        """Whether it has been silent for too long, without the time in which other programs had all processors: one
+        that takes over would get no more."""
+        silent, most = now - self.heard, HANG_SECONDS if self.playing else START_SECONDS
+        return silent > most and silent - (self._waiting() - self.waited) > most
+
+    def _waiting(self) -> float:
+        return 0.0 if self.pid is None else waiting_seconds(self.pid)
 
 
 class Supervisor:
@@ -135,7 +145,7 @@ class Supervisor:
 
     def _keep_playing(self, now: float) -> None:
         if self._server is not None and now - self._checked > HANG_SECONDS / 2:
-            self._server.heard = now  # we got no time ourselves, so its silence proves nothing
+            self._server.hear(now)  # we got no time ourselves, so its silence proves nothing
         self._checked = now
         if self._server is not None and self._server.hangs(now):
             self._report("the server hangs; another one takes over.")
@@ -219,7 +229,7 @@ class Supervisor:
             self._note_failover(server, time.monotonic(), hung=False)
             self._drop_server(server)
             return
-        server.heard = time.monotonic()
+        server.hear(time.monotonic())
         told, server.rest = read_pulse(server.rest + data)
         self._notices = [*self._notices, *(each for each in told if isinstance(each, Notice))][-MOST_NOTICES:]
         self._show = next((Path(each.show) for each in reversed(told) if isinstance(each, ShowMoved)), self._show)

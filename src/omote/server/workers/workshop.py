@@ -2,7 +2,7 @@
 
 The server forks it before it has a thread or an event loop. It consists of two processes: a supervisor that passes
 orders on, and a worker that computes them. A worker that dies or hangs is replaced and the order repeated; an order
-that kills every worker is answered with nothing. Both processes end with the server's socket. Orders and answers are
+that kills every worker is answered with that. Both processes end with the server's socket. Orders and answers are
 bytes (`order_worker`); a ValueError of the worker comes back to the server with its message.
 """
 
@@ -10,26 +10,31 @@ from __future__ import annotations
 
 import asyncio
 import os
+import select
 import signal
 import socket
 import struct
+import sys
+import time
 import traceback
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 
 from omote.server.process.fork import close_descriptors, fork_process
-from omote.server.process.priority import lower_priority
+from omote.server.process.priority import lower_priority, waiting_seconds
 
 TRIES = 2
 """Workers that one order may kill or hang."""
 HANG_SECONDS = 20.0
-"""Seconds after which a silent worker is replaced; a compound takes milliseconds."""
+"""Seconds after which a silent worker is replaced; a compound takes milliseconds. Time in which other programs had all
+processors does not count."""
 
 Make = Callable[[bytes], bytes]
 
-MADE, REFUSED = b"+", b"-"
-"""First byte of the answers; an empty answer: the order failed."""
+MADE, REFUSED, FAILED = b"+", b"-", b"!"
+"""First byte of the answers; what follows is the result, or why there is none."""
+ENDED = "the process that computes ended or was silent for too long, each time that it was asked"
 
 _length = struct.Struct("!I")
 
@@ -111,12 +116,20 @@ class WorkerProcess:
     line: socket.socket
 
     def ask(self, order: bytes) -> bytes | None:
-        """Sends an order and returns the answer, empty if it failed; None when the worker died or hangs."""
+        """Sends an order and returns the answer; None when the worker died or hangs."""
         try:
             self.line.sendall(frame(order))
+            self._wait()
             return receive(self.line)
         except OSError:
             return None
+
+    def _wait(self) -> None:
+        """Waits for the beginning of an answer; TimeoutError where the worker had its time and was silent."""
+        began, waited = time.monotonic(), waiting_seconds(self.pid)
+        while not select.select([self.line], [], [], HANG_SECONDS / 4)[0]:
+            if time.monotonic() - began - (waiting_seconds(self.pid) - waited) > HANG_SECONDS:
+                raise TimeoutError
 
     def kill(self) -> None:
         """Kills the worker."""
@@ -149,7 +162,10 @@ def supervise_worker(line: socket.socket, make: Make) -> None:
             while tries < TRIES and (made := worker.ask(order)) is None:
                 worker.kill()
                 worker, tries = spawn_worker(make), tries + 1
-            line.sendall(frame(made or b""))
+            if made is None:
+                sys.stderr.write(f"omote: something cannot be computed: {ENDED}.\n")
+                made = FAILED + ENDED.encode()
+            line.sendall(frame(made))
     except ConnectionError:
         pass  # the server went without waiting for its order
     finally:
@@ -157,15 +173,15 @@ def supervise_worker(line: socket.socket, make: Make) -> None:
 
 
 def serve_orders(line: socket.socket, make: Make) -> None:
-    """Computes orders until the line ends; failures are answered with nothing, rejections with their message."""
+    """Computes orders until the line ends; failures are answered with the error, rejections with their message."""
     while (order := receive(line)) is not None:
         try:
             made = MADE + make(order)
         except ValueError as error:
             made = REFUSED + str(error).encode()
-        except Exception:
+        except Exception as error:
             traceback.print_exc()
-            made = b""
+            made = FAILED + f"a fault of Omote, {type(error).__name__}: {error}".encode()
         with suppress(ConnectionError):  # the supervisor ended without waiting for it
             line.sendall(frame(made))
 
@@ -174,8 +190,8 @@ def read_answer(data: bytes) -> bytes:
     """Decodes an answer; raises FailedOrderError for a failed order and RefusedOrderError for a rejected one."""
     if data.startswith(REFUSED):
         raise RefusedOrderError(data[len(REFUSED) :].decode())
-    if not data:
-        raise FailedOrderError("this cannot be computed; the terminal of the show says why")
+    if not data.startswith(MADE):
+        raise FailedOrderError(f"this cannot be computed ({data[len(FAILED) :].decode(errors='replace')[:300]})")
     return data[len(MADE) :]
 
 

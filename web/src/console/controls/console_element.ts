@@ -4,8 +4,10 @@ import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
 import type { FramePainter, Paintable } from "../../ui/frame_painter";
 import type { Thumbnails } from "../../ui/thumbnails";
+import type { FileImports } from "../show_file/file_imports";
+import type { LayoutStorage } from "../show_file/layout_storage";
+import type { OwnItems } from "../show_file/own_items";
 import type { ConsoleStore } from "../store/console_store";
-import type { LayoutStorage } from "../store/layout_storage";
 import type { Topic } from "../store/page_store";
 
 export interface ConsoleContext {
@@ -13,6 +15,8 @@ export interface ConsoleContext {
   readonly painter: FramePainter;
   readonly thumbnails: Thumbnails;
   readonly layouts: LayoutStorage;
+  readonly items: OwnItems;
+  readonly imports: FileImports;
   /** Gives this console another name, which the others read. */
   readonly rename: (name: string) => void;
 }

@@ -164,7 +164,7 @@ export class Mix extends AnimatedElement {
           data-keep=${this.axis}
           aria-label="Keep ${this.axis}"
           title="Keep what is on air as a new ${this.axis} (${this.axis === "face" ? "N" : "M"})"
-          @click=${() => this.store.keep(this.axis)}
+          @click=${() => this.context.items.keep(this.axis)}
         >
           Keep<span> ${this.axis === "face" ? "face" : "expr."}</span>
         </button>

@@ -1,13 +1,16 @@
 /** The status bar: stages, link, notices and panic. */
 
 import { html, nothing } from "lit";
-import { customElement, state } from "lit/decorators.js";
+import { customElement, property, state } from "lit/decorators.js";
 import { levelsOf } from "../../face/quality/quality_levels";
+import type { ShowNotices } from "../../ui/show_notices";
 import { base } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
 import { secondsLabel } from "../store/timing";
 import { offersOf, offersStyle } from "./offers";
+import "./import_progress";
+import "./name_field";
 import { style } from "./status_bar_style";
 
 /** Stages that draw fewer frames a second than this are worth a look. */
@@ -17,12 +20,13 @@ const NOTICE = 6000;
 /** Milliseconds for which what was done can be taken back by a button; a key does so later too. */
 const OFFER = 15_000;
 
-/** Where messages hang over what is played, as the style has it. */
-const OVER_CONTROLS = matchMedia("(max-width: 699px)");
+/** Where what must be read of the show has its place beside what this console says, as the style has it. */
+const ROOMY = matchMedia("(min-width: 1101px)");
 
 /** The head of the page: the link, the crew, what must be read, the help and panic. */
 @customElement("omote-status")
 export class StatusBar extends ConsoleElement {
+  @property({ attribute: false }) notices!: ShowNotices;
   @state() private panicked = false;
   #timers: { notice?: ReturnType<typeof setTimeout>; panic?: ReturnType<typeof setTimeout> } = {};
   #leave: (() => void)[] = [];
@@ -40,7 +44,7 @@ export class StatusBar extends ConsoleElement {
       this.store.listen("notice", () => {
         clearTimeout(this.#timers.notice);
         const { notice, offers } = this.store;
-        const stays = !OVER_CONTROLS.matches && offers.some((one) => "address" in one);
+        const stays = ROOMY.matches && offers.some((one) => "address" in one);
         if (notice === null || stays) return; // what leads on waits to be followed
         this.#timers.notice = setTimeout(() => this.store.say(null), offers.length > 0 ? OFFER : NOTICE);
       }),
@@ -65,20 +69,36 @@ export class StatusBar extends ConsoleElement {
   }
 
   override render() {
+    const unread = this.notices.open.length;
     return html`
       <div class="mark">OMOTE</div>
       ${this.store.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
       <div class="messages">
+        <omote-import-progress .context=${this.context}></omote-import-progress>
         <div class="notice ${this.store.tone} ${this.store.notice === null ? "none" : ""}" role="status">
-          ${this.store.notice ?? ""}
-          ${offersOf(this.store)}
+          <span title=${this.store.notice ?? ""}>${this.store.notice ?? ""}</span>
+          <omote-name-field .context=${this.context}></omote-name-field>
+          <span class="offers">${offersOf(this.store)}</span>
         </div>
         <slot></slot>
       </div>
+      ${this.#steps()}
+      <button class="log ${unread > 0 ? "unread" : ""}" title="What was said, and what can be taken back"
+        @click=${() => this.dispatchEvent(new CustomEvent("log"))}>Log${unread > 0 ? html` <b>${unread}</b>` : nothing}</button>
       <button class="setup" title="Home face and layouts" @click=${() => this.dispatchEvent(new CustomEvent("setup"))}>Set-up</button>
       <button class="help" title="Keys" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
       ${this.#panic()}
     `;
+  }
+
+  /** What the keys of every program do, for a hand without a keyboard. */
+  #steps() {
+    const { history } = this.store;
+    const [undo, redo] = [history.next("undo"), history.next("redo")];
+    return html`<button class="step" aria-label="Undo" title="Undo${undo === null ? "" : `: ${undo.what}`} (Ctrl Z)"
+        ?disabled=${undo === null} @click=${() => this.store.undo()}>↶</button>
+      <button class="step" aria-label="Redo" title="Redo${redo === null ? "" : `: ${redo.what}`} (Ctrl Y)"
+        ?disabled=${redo === null} @click=${() => this.store.redo()}>↷</button>`;
   }
 
   /** Says what it does now: the first press holds the face, the second brings the home face. */

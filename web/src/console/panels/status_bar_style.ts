@@ -46,30 +46,59 @@ export const style = css`
     border-radius: 4px;
     padding: 6px 12px;
   }
+  /* in the bar, never below it: nothing that is played on is covered */
   .messages {
     flex: 1;
     min-width: 0;
-    align-self: flex-start;
-    display: grid;
-    gap: 2px;
-    padding-top: 2px;
+    display: flex;
+    align-items: center;
+    gap: 8px;
+    max-height: 100%;
   }
   .notice {
+    display: flex;
+    align-items: center;
+    gap: 6px;
     min-width: 0;
-    max-width: 100%;
-    justify-self: start;
-    padding: 3px 8px;
-    border-radius: 4px;
-    background: var(--ground);
     color: var(--attention);
     font-size: 12.5px;
+    line-height: 1.3;
     overflow-wrap: anywhere;
+  }
+  .notice > span:first-child {
+    display: -webkit-box;
+    overflow: hidden;
+    -webkit-box-orient: vertical;
+    -webkit-line-clamp: 3;
+  }
+  .offers {
+    flex: none;
+    white-space: nowrap;
+  }
+  omote-import-progress {
+    flex: 0 1 auto;
+  }
+  slot {
+    display: block;
+    flex: 1 1 180px;
+    min-width: 0;
+    max-width: 640px;
   }
   .notice.none {
     display: none;
   }
   .notice.done {
     color: var(--text);
+  }
+  .log.unread {
+    color: #000;
+    background: var(--attention);
+    border-color: var(--attention);
+  }
+  .step {
+    padding: 0;
+    width: 30px;
+    font-size: 17px;
   }
   .panic {
     width: 230px;
@@ -125,6 +154,15 @@ export const style = css`
     .item.consoles {
       display: none; /* there are messages to read */
     }
+    :host {
+      gap: 8px;
+    }
+    omote-name-field[open] ~ .offers {
+      display: none; /* the keys for it are there */
+    }
+    .notice:not(.none) ~ slot {
+      display: none; /* it is in the log too, whose button is yellow */
+    }
   }
   @media (max-width: 899px) {
     :host {
@@ -136,8 +174,9 @@ export const style = css`
     .item .level {
       display: none;
     }
-    .setup {
-      margin-left: auto; /* panic stands in the corner, where a hand finds it */
+    .step,
+    a.offer {
+      display: none; /* they stand in the log too, and in the menu of the tile */
     }
     .panic {
       width: 190px;
@@ -147,17 +186,28 @@ export const style = css`
   @media (max-width: 699px) {
     .messages {
       position: fixed;
-      inset: 56px 8px auto;
-      max-width: 440px;
-      margin: 0 auto;
-      padding: 0;
+      inset: 62px 88px auto; /* over the picture, between the T-bars */
+      display: grid;
+      gap: 4px;
+      max-height: none;
       pointer-events: none;
     }
     .notice {
-      justify-self: stretch;
+      flex-wrap: wrap;
       padding: 6px 10px;
+      border-radius: 4px;
       background: #1d1a10;
       pointer-events: auto;
+    }
+    .notice.done {
+      background: var(--raised);
+    }
+    omote-import-progress,
+    slot {
+      pointer-events: auto;
+    }
+    .log {
+      margin-left: auto; /* panic stands in the corner, where a hand finds it */
     }
   }
   @media (max-width: 599px) {

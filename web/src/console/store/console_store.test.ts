@@ -69,16 +69,6 @@ describe("calls", () => {
   });
 });
 
-it("keeps once where Keep is pressed twice, each axis by itself", () => {
-  store.keep("face");
-  now += 200;
-  store.keep("face");
-  store.keep("expression");
-  now += 5000;
-  store.keep("face");
-  expect(sent.map(({ type }) => type)).toEqual(["keep_face", "keep_expression", "keep_face"]);
-});
-
 describe("a T-bar that was left in the middle", () => {
   const call = {
     target: "old",
@@ -176,55 +166,6 @@ describe("calls by hand", () => {
   });
 });
 
-describe("keeping what is on air", () => {
-  it("asks for a face or an expression, each time under an id of its own", () => {
-    store.keep("face");
-    now += 5000;
-    store.keep("expression");
-    now += 5000;
-    store.keep("expression");
-    expect(sent).toMatchObject([{ type: "keep_face" }, { type: "keep_expression" }, { type: "keep_expression" }]);
-    expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(3);
-  });
-
-  it("says under which name it was kept, and where to edit it; the next notice has no such offer", () => {
-    store.keep("face");
-    store.keep("expression");
-    store.flush();
-    const [face, other] = sent.map((message) => ("id" in message ? message.id : ""));
-    store.receiveKept({ type: "kept", id: other as string, name: "on_air_3", label: "On air 3" });
-    expect(store.notice).toBe("Kept as On air 3 under Own.");
-    expect(store.offers[1]).toEqual({ label: "Edit it", address: "/editor?kind=expression&name=on_air_3" });
-    store.receiveKept({ type: "kept", id: face as string, name: "on_air_4", label: "On air 4" });
-    expect(store.offers[1]).toHaveProperty("address", "/editor?kind=face&name=on_air_4");
-    store.say("No.");
-    expect(store.offers).toEqual([]);
-  });
-
-  it("is taken back once, by what the notice offers or by the key", () => {
-    for (const take of [() => act("Undo"), () => store.undo()]) {
-      store.receiveKept({ type: "kept", id: "me-1-face", name: "on_air_3", label: "On air 3" });
-      take();
-      store.undo();
-    }
-    expect(sent).toMatchObject([
-      { type: "undo_keep", kind: "face", name: "on_air_3" },
-      { type: "undo_keep", kind: "face", name: "on_air_3" },
-    ]);
-    expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(2);
-    expect(store.notice).toMatch(/Nothing to undo/);
-    store.receiveUndone({ type: "keep_undone", id: "u", label: "On air 3" });
-    expect(store.notice).toMatch(/On air 3 is not kept any more/);
-  });
-
-  it("asks nothing while the link is lost", () => {
-    store.setOnline(false);
-    store.keep("face");
-    expect(sent).toEqual([]);
-    expect(store.notice).toMatch(/Not sent/);
-  });
-});
-
 describe("lights", () => {
   it("come in the time of a face, and never by hand", () => {
     store.setTiming("face", { seconds: 4, easing: "late" });
@@ -268,7 +209,14 @@ describe("clearing", () => {
       ["mouthSmileLeft", 0.4],
       ["mouthSmileRight", 0.7],
     ]);
-    expect(store.notice).toBeNull();
+    expect(store.notice).toBe("Undone: clear 2 faders.");
+    sent.length = 0;
+    act("Redo");
+    store.flush();
+    expect(values()).toEqual([
+      ["mouthSmileLeft", 0],
+      ["mouthSmileRight", 0],
+    ]);
   });
 
   it("says nothing where nothing is played", () => {

@@ -3,20 +3,18 @@
  * messages of the next frame. Nothing here touches the page or a clock.
  */
 
-import { editorAddress } from "../../link/editor_address";
-import type { CallState, Crew, FromClient, Hands, KeepUndone, Kept, State } from "../../link/messages";
+import type { CallState, Crew, FromClient, Hands, ItemChanged, Kept, State } from "../../link/messages";
 import { type Axis, callOf, endFrom, followTimed } from "./axis";
 import { type ConsoleLayout, FIRST } from "./console_layout";
+import { type Answers, type Asked, FileRequests } from "./file_requests";
 import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./knob";
 import { Outbox } from "./outbox";
 import { PageStore } from "./page_store";
 import type { Seconds, Timing } from "./timing";
+import type { Step } from "./undo_history";
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
 const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to run on in.";
-/** Milliseconds within which a second press of *Keep* is the same. */
-const TWICE = 800;
-
 export class ConsoleStore extends PageStore {
   state: State | null = null;
   crew: Crew | null = null;
@@ -35,7 +33,7 @@ export class ConsoleStore extends PageStore {
   #calls = 0;
   /** A panic of this console, which puts the bars to their rest, has not been heard yet. */
   #panicking = false;
-  readonly #kept: Record<Axis, number> = { face: Number.NEGATIVE_INFINITY, expression: Number.NEGATIVE_INFINITY };
+  readonly #requests = new FileRequests();
   readonly #timed: Record<Axis, boolean | null> = { face: null, expression: null };
   readonly #knobs: Knobs;
   readonly #outbox: Outbox;
@@ -91,6 +89,7 @@ export class ConsoleStore extends PageStore {
     if (online === this.online) return;
     this.online = online;
     this.hands = {};
+    this.#requests.clear();
     this.#knobs.clear();
     this.#outbox.clear();
     if (!online) this.latency = null;
@@ -98,15 +97,32 @@ export class ConsoleStore extends PageStore {
     this.tell("link");
   }
 
-  /** What was on air is in the cast. */
-  receiveKept({ id, name, label }: Kept): void {
-    const kind = id.endsWith("-face") ? "face" : "expression";
-    const undo = (): void => this.#push({ type: "undo_keep", id: this.#nextId(), kind, name });
-    this.offerUndo(`Kept as ${label} under Own.`, undo, [{ label: "Edit it", address: editorAddress(kind, name) }]);
+  /** Asks for a change of the show file; whether it was sent. */
+  ask(asked: Asked, answers: Answers = {}): boolean {
+    if (!this.#mayAct()) return false;
+    const id = this.#nextId();
+    this.#requests.add(id, answers);
+    return this.#push({ ...asked, id } as FromClient);
   }
 
-  receiveUndone({ label }: KeepUndone): void {
-    this.say(`${label} is not kept any more; the editor can bring it back.`, "done");
+  /** What was on air, or copied, is in the cast. */
+  receiveKept({ id, name, label }: Kept): void {
+    this.#requests.take(id)?.kept?.(name, label);
+  }
+
+  receiveChanged({ id, label, before }: ItemChanged): void {
+    this.#requests.take(id)?.changed?.(label, before);
+  }
+
+  /** A message was rejected; `id`: which, where it was about the show file. */
+  receiveRefused(reason: string, id = ""): void {
+    const told = this.told;
+    this.#requests.take(id)?.refused?.(reason);
+    if (this.told === told) this.say(reason);
+  }
+
+  override get busy(): string | null {
+    return this.#requests.busy;
   }
 
   receiveLayouts(names: readonly string[]): void {
@@ -191,31 +207,14 @@ export class ConsoleStore extends PageStore {
     this.#outbox.push({ type: "call_light", id: this.#nextId(), name, seconds, easing });
   }
 
-  /** Keeps what is on air on an axis as a new face or expression of the cast. */
-  keep(axis: Axis): void {
-    if (this.now() - this.#kept[axis] < TWICE) return;
-    this.#kept[axis] = this.now();
-    const id = `${this.#nextId()}-${axis}`; // the answer names nothing else of what was asked
-    this.say(`Keeping the ${axis} on air ...`, "done"); // what is computed first may take seconds
-    this.#push({ type: axis === "face" ? "keep_face" : "keep_expression", id });
-  }
-
   /** Whether the call is timed and a T-bar has it, so that it runs on once the hand is off. */
   releasable(axis: Axis): boolean {
     return this.callOf(axis)?.by_hand === true && this.#timed[axis] !== false;
   }
 
-  #push(message: FromClient): void {
-    if (this.#mayAct()) this.#outbox.push(message);
-  }
-
   release(axis: Axis): void {
-    if (!this.#mayAct()) return;
-    if (this.#timed[axis] === false) {
-      this.say(NOTHING_TO_RELEASE);
-      return;
-    }
-    this.#outbox.push({ type: axis === "face" ? "release_face" : "release_expression" });
+    if (this.#timed[axis] === false && this.online) this.say(NOTHING_TO_RELEASE);
+    else this.#push({ type: axis === "face" ? "release_face" : "release_expression" });
   }
 
   panic(): void {
@@ -227,23 +226,44 @@ export class ConsoleStore extends PageStore {
 
   /** Chooses the face that a second panic brings, and the seconds that it takes. */
   setHome(face: string, seconds: number): void {
-    this.#push({ type: "set_home", face, seconds });
+    const before = this.state;
+    const put = (name: string, time: number) => (): boolean =>
+      this.#push({ type: "set_home", face: name, seconds: time });
+    const redo = put(face, seconds);
+    if (!redo() || before === null) return;
+    const [label, undo] = [this.label("face", face), put(before.home_face, before.home_seconds)];
+    this.offerUndo(`The home face is ${label}.`, { what: `home face ${label}`, undo, redo });
+  }
+
+  #push(message: FromClient): boolean {
+    if (!this.#mayAct()) return false;
+    this.#outbox.push(message);
+    return true;
   }
 
   clearChannels(names: Iterable<string>): void {
     if (!this.#mayAct()) return;
     const read = (name: string): number => this.channel(name, false).value(this.now());
     const before = [...names].map((name) => [name, read(name)] as const).filter(([, weight]) => weight !== 0);
-    const put = (at: (weight: number) => number): void => {
+    const put = (at: (weight: number) => number): boolean => {
       for (const [name, weight] of before) this.channel(name, false).nudge(at(weight));
+      return true;
     };
     if (before.length === 0) return;
+    const [what, era] = [`${before.length} ${before.length === 1 ? "fader" : "faders"}`, this.era];
+    const step: Step = {
+      what: `clear ${what}`,
+      undo: () => this.#mayAct() && (this.era === era ? put((weight) => weight) : this.#tooLate(step)),
+      redo: () => this.#mayAct() && put(() => 0),
+    };
     put(() => 0);
-    const era = this.era;
-    this.offerUndo(`Cleared ${before.length} ${before.length === 1 ? "fader" : "faders"}.`, () => {
-      if (this.era === era) put((weight) => weight);
-      else this.say("Not brought back: panic was pressed meanwhile.");
-    });
+    this.offerUndo(`Cleared ${what}.`, step);
+  }
+
+  #tooLate(step: Step): false {
+    this.history.skip(step);
+    this.say("Not brought back: panic was pressed meanwhile.");
+    return false;
   }
 
   centre(): void {

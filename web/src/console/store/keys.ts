@@ -15,7 +15,8 @@ export type Command =
   | { do: "focus"; place: Place }
   | { do: "centre" }
   | { do: "clear" }
-  | { do: "undo" };
+  | { do: "undo" }
+  | { do: "redo" };
 
 /** Physical keys, so that they lie in two rows on every layout. */
 export const FACE_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9"].map((digit) => `Digit${digit}`);
@@ -57,7 +58,12 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["L", "To the lights; then Tab and Enter"],
   ["C", "Head and gaze to the centre"],
   ["X", "All channels to zero"],
-  ["Ctrl Z", "Take back the last Keep, Clear or change of the layouts"],
+  [
+    "Ctrl Z",
+    "Take back the last change made here: keep, name, delete, clear, layouts, home face; again: the one before",
+  ],
+  ["Ctrl Y", "Do it again; Ctrl Shift Z too"],
+  ["F2, Del", "Name, delete the own picture in focus"],
   ["/", "Search expressions"],
   ["Tab", "Next control"],
   [
@@ -74,7 +80,7 @@ export const isPanic = ({ code, shiftKey }: KeyPress): boolean => shiftKey && co
 /** What a key press means, or null. `typing`: the focus is in a field, whose keys are its own. */
 export function commandOf(press: KeyPress, typing: boolean): Command | null {
   if (typing || press.repeat || press.altKey) return null;
-  if (press.ctrlKey || press.metaKey) return press.key.toLowerCase() === "z" && !press.shiftKey ? { do: "undo" } : null;
+  if (press.ctrlKey || press.metaKey) return chordOf(press);
   if (press.key === "?") return { do: "help" };
   if (press.key === "/") return { do: "focus", place: "search" };
   const face = FACE_KEYS.indexOf(press.code);
@@ -82,6 +88,13 @@ export function commandOf(press: KeyPress, typing: boolean): Command | null {
   const expression = EXPRESSION_KEYS.indexOf(press.code);
   if (expression >= 0) return { do: "call", axis: "expression", index: expression };
   return COMMANDS[press.code] ?? null;
+}
+
+/** What Ctrl, or Command on a Mac, does with a key. */
+function chordOf({ key, shiftKey }: KeyPress): Command | null {
+  const letter = key.toLowerCase();
+  if (letter === "z") return { do: shiftKey ? "redo" : "undo" };
+  return letter === "y" ? { do: "redo" } : null;
 }
 
 /** The label of the hot key at an index of a palette, or null beyond the ninth. */

@@ -3,25 +3,53 @@
 import type { ExpressionDocument, FaceDocument, LightDocument, Manifest } from "../../link/messages";
 import type { Axis } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
+import { type Step, UndoHistory, type Way } from "./undo_history";
 
 /** What has changed, for elements that render (rarely); what moves is read every frame instead. */
-export type Topic = "cast" | "crew" | "link" | "timing" | "layout" | "layouts" | "call" | "notice" | "panic";
+export type Topic =
+  | "cast"
+  | "crew"
+  | "link"
+  | "timing"
+  | "layout"
+  | "layouts"
+  | "call"
+  | "notice"
+  | "panic"
+  | "naming"
+  | "import";
 
 /** Where to go on from a notice, or what to do about it. */
 export type Offer =
   | { readonly label: string; readonly address: string }
   | { readonly label: string; readonly act: () => void };
 
+/** Something that the operator was told, and when: milliseconds since 1970. */
+export interface Told {
+  readonly time: number;
+  readonly text: string;
+  readonly tone: "attention" | "done";
+}
+
+/** What was told and is remembered. */
+const MOST_TOLD = 200;
+const DONE: Readonly<Record<Way, string>> = { undo: "Undone", redo: "Done again" };
+
 export class PageStore {
+  /** All that was told, the newest last. */
+  told: readonly Told[] = [];
+  readonly history = new UndoHistory((step, way, reason) => this.#offerToSkip(step, way, reason));
   manifest: Manifest | null = null;
   /** The last thing the operator must read, how it is meant, and what can be done about it. */
   notice: string | null = null;
   tone: "attention" | "done" = "attention";
   offers: readonly Offer[] = [];
-  #undo: (() => void) | null = null;
   #strips: Strip[] = [];
   #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
   readonly #listeners = new Map<Topic, Set<() => void>>();
+
+  /** `wall`: milliseconds since 1970, for people to read. */
+  constructor(private readonly wall: () => number = Date.now) {}
 
   /** Calls `heard` with each change, until what it gives is called. */
   listen(topic: Topic, heard: () => void): () => void {
@@ -30,7 +58,7 @@ export class PageStore {
     return () => listeners.delete(heard);
   }
 
-  protected tell(topic: Topic): void {
+  tell(topic: Topic): void {
     for (const heard of this.#listeners.get(topic) ?? []) heard();
   }
 
@@ -67,23 +95,58 @@ export class PageStore {
 
   say(notice: string | null, tone: PageStore["tone"] = "attention", offers: readonly Offer[] = []): void {
     [this.notice, this.tone, this.offers] = [notice, tone, offers];
+    if (notice !== null) this.told = [...this.told, { time: this.wall(), text: notice, tone }].slice(-MOST_TOLD);
     this.tell("notice");
   }
 
-  /** Says what was done, and takes it back on request, until something else can be taken back. */
-  offerUndo(done: string, undo: () => void, others: readonly Offer[] = []): void {
-    this.#undo = undo;
+  /** Says what was done, and offers to take it back. */
+  offerUndo(done: string, step: Step, others: readonly Offer[] = []): void {
+    this.history.add(step);
     this.say(done, "done", [{ label: "Undo", act: () => this.undo() }, ...others]);
   }
 
-  /** Takes the last Keep, Clear or change of the layouts back. */
+  /** What the show still works at, so that nothing can be taken back yet; null for nothing. */
+  get busy(): string | null {
+    return null;
+  }
+
+  /** Takes the last change of the show back that was made here: an own item, a layout, the home face, cleared faders. */
   undo(): void {
-    const undo = this.#undo;
-    this.#undo = null;
-    if (undo === null) this.say("Nothing to undo: Keep, Clear and changes of layouts can be taken back.");
+    this.#take("undo");
+  }
+
+  /** Does again what was taken back last. */
+  redo(): void {
+    this.#take("redo");
+  }
+
+  #take(way: Way): void {
+    if (this.busy !== null) this.say(`Not yet: ${this.busy}.`);
+    else if (this.history.next(way) === null) this.say(NOTHING[way]);
     else {
-      this.say(null);
-      undo();
+      const step = this.history.take(way);
+      if (step !== null) this.say(`${DONE[way]}: ${step.what}.`, "done", this.#ways());
     }
   }
+
+  #ways(): Offer[] {
+    const [undo, redo] = [this.history.next("undo"), this.history.next("redo")];
+    const more: Offer[] = undo === null ? [] : [{ label: "Undo more", act: () => this.undo() }];
+    return redo === null ? more : [{ label: "Redo", act: () => this.redo() }, ...more];
+  }
+
+  /** A step that the show rejects must not bar the way to those before it. */
+  #offerToSkip(step: Step, way: Way, reason: string): void {
+    const skip = (): void => {
+      this.history.skip(step);
+      this.say(`Left as it is: ${step.what}.`, "done", this.#ways());
+    };
+    const says = `Not ${way === "undo" ? "undone" : "done again"} (${step.what}): ${reason}`;
+    this.say(says, "attention", [{ label: "Leave it", act: skip }]);
+  }
 }
+
+const NOTHING: Readonly<Record<Way, string>> = {
+  undo: "Nothing to undo: what you keep, name, delete, clear or save here can be taken back.",
+  redo: "Nothing to do again.",
+};

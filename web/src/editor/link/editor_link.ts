@@ -2,6 +2,7 @@
 
 import { encode } from "@msgpack/msgpack";
 import {
+  type Cancel,
   EDITING_LIMIT,
   EDITING_PATH,
   EDITING_VERSION,
@@ -54,6 +55,11 @@ export class EditorLink {
       throw new Error(`This edit is ${size} bytes, expected at most ${EDITING_LIMIT}: use fewer points or layers.`);
     if (this.#pending.size === 0) this.#socket.awaitMessage();
     return this.#pending.ask(request);
+  }
+
+  /** Ends a long request; false while the link is lost. */
+  cancel(message: Cancel): boolean {
+    return this.#socket.send(message);
   }
 
   /** Greets anew under another name. */

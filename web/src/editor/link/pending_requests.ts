@@ -88,7 +88,7 @@ export class PendingRequests {
   /** Takes a message of the server; true where it answered a request of ours. */
   answer(message: ToEditor): boolean {
     if (message.type === "draft") this.#open = message.item;
-    if (!("request" in message)) return false;
+    if (!("request" in message) || message.type === "progress") return false;
     const asked = this.#waiting.get(message.request);
     if (asked === undefined) return false;
     this.#waiting.delete(message.request);

@@ -3,6 +3,7 @@
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { ACCEPTED, type ImportKind } from "../../ui/file_import";
+import { CancelledError } from "../../ui/long_requests";
 import { base } from "../../ui/theme";
 import { controls, panel } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
@@ -107,10 +108,10 @@ export class Exchange extends EditorElement {
   async #download(one: Export): Promise<void> {
     this.busy = one.address;
     try {
-      await download(one);
+      await download(one, this.store.longRequests);
       this.store.say(`${one.file} is in your downloads.`, "done");
     } catch (error) {
-      this.store.say((error as Error).message);
+      this.store.say((error as Error).message, error instanceof CancelledError ? "done" : "refusal");
     } finally {
       this.busy = "";
     }

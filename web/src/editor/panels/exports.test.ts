@@ -1,16 +1,25 @@
 import { afterEach, expect, it, vi } from "vitest";
+import { LongRequests } from "../../ui/long_requests";
 import { download, exportsOf } from "./exports";
 
 afterEach(() => vi.unstubAllGlobals());
 
 it("an expression goes out as a document and on the face under work", () => {
-  const found = exportsOf({ kind: "expression", name: "crooked_smile" }, "dog");
+  const found = exportsOf({ kind: "expression", name: "crooked_smile", label: "Crooked smile" }, "dog");
   expect(found.map(({ file }) => file)).toEqual(["crooked_smile.json", "dog-crooked_smile.glb"]);
   expect(found[1]?.address).toBe("/exports/dog.glb?expressions=crooked_smile");
 });
 
+it("a file is called as the item is called now, also after it was renamed", () => {
+  const files = (label: string) =>
+    exportsOf({ kind: "expression", name: "grin", label }, "dog").map(({ file }) => file);
+  expect(files("Wide smirk!")).toEqual(["wide_smirk.json", "dog-wide_smirk.glb"]);
+  expect(files("\u6d99 \u00dc")).toEqual(["\u6d99_\u00fc.json", "dog-\u6d99_\u00fc.glb"]);
+  expect(files("?!")[0]).toBe("grin.json");
+});
+
 it("a face goes out by its own name", () => {
-  const found = exportsOf({ kind: "face", name: "my_aunt" }, "dog");
+  const found = exportsOf({ kind: "face", name: "my_aunt", label: "My aunt" }, "dog");
   expect(found.map(({ address }) => address)).toEqual([
     "/exports/my_aunt.glb?expressions=arkit",
     "/exports/my_aunt.glb?expressions=performed",
@@ -21,10 +30,10 @@ const one = { what: "", address: "/exports/smirk.json", file: "smirk.json" };
 
 it("what the server refuses is its own sentence", async () => {
   vi.stubGlobal("fetch", () => Promise.resolve(new Response("there is no expression 'smirk'.", { status: 404 })));
-  await expect(download(one)).rejects.toThrow("There is no expression 'smirk'.");
+  await expect(download(one, new LongRequests())).rejects.toThrow("There is no expression 'smirk'.");
 });
 
 it("a server that is away is a sentence", async () => {
   vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
-  await expect(download(one)).rejects.toThrow("does not answer; try again");
+  await expect(download(one, new LongRequests())).rejects.toThrow("does not answer; try again");
 });

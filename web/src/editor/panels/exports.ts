@@ -1,6 +1,7 @@
 /** What of an item can be downloaded, and the download itself. */
 
 import type { ItemDocument } from "../../link/editing_messages";
+import type { LongRequests } from "../../ui/long_requests";
 
 export interface Export {
   /** What the file is, for people. */
@@ -10,7 +11,11 @@ export interface Export {
 }
 
 /** The files that an item goes out as; `work`: the name of the face under work, which wears an expression. */
-export function exportsOf({ kind, name }: Pick<ItemDocument, "kind" | "name">, work: string): Export[] {
+export function exportsOf(
+  { kind, name, label }: Pick<ItemDocument, "kind" | "name" | "label">,
+  work: string,
+): Export[] {
+  const called = fileName(label) || name;
   const glb = (face: string, expressions: string, file: string, what: string): Export => ({
     what,
     address: `/exports/${encodeURIComponent(face)}.glb?expressions=${encodeURIComponent(expressions)}`,
@@ -18,25 +23,32 @@ export function exportsOf({ kind, name }: Pick<ItemDocument, "kind" | "name">, w
   });
   if (kind === "face")
     return [
-      glb(name, "arkit", name, "This face with the ARKit shapes, for Blender, three.js or a game engine (GLB)"),
-      glb(name, "performed", `${name}-performed`, "This face with the performed expressions (GLB)"),
+      glb(name, "arkit", called, "This face with the ARKit shapes, for Blender, three.js or a game engine (GLB)"),
+      glb(name, "performed", `${called}-performed`, "This face with the performed expressions (GLB)"),
     ];
   return [
     {
       what: "A document that any crew can take in and play on its own faces (JSON)",
       address: `/exports/${encodeURIComponent(name)}.json`,
-      file: `${name}.json`,
+      file: `${called}.json`,
     },
-    glb(work, name, `${work}-${name}`, "The face under work with this expression as a morph target (GLB)"),
+    glb(work, name, `${work}-${called}`, "The face under work with this expression as a morph target (GLB)"),
   ];
 }
+
+/** A file is called as people call the item now; its name in the show is the first that it had. */
+const fileName = (label: string): string =>
+  label
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}]+/gu, "_")
+    .replace(/^_+|_+$/g, "");
 
 /** The command that takes in several shapes of one head, which belong together. */
 export const IMPORT_COMMAND = "omote file import SHOW.omote neutral.obj grin.obj frown.obj";
 
 /** Fetches an export and hands it to the browser as a download; an Error with a sentence where there is none. */
-export async function download({ address, file }: Export): Promise<void> {
-  const answer = await fetch(address, { cache: "no-store" }).catch(() => null);
+export async function download({ address, file }: Export, requests: LongRequests): Promise<void> {
+  const answer = await requests.fetch(`Export of ${file}`, address, { cache: "no-store" });
   if (answer === null) throw new Error("The show's computer does not answer; try again when it is back.");
   if (!answer.ok) throw new Error(sentence(await answer.text()));
   const url = URL.createObjectURL(await answer.blob());

@@ -105,6 +105,8 @@ export class Panels extends EditorElement {
 
   override render() {
     const { store, context } = this;
+    if (store.draft === null && store.opening !== "")
+      return html`<section class="welcome" role="status"><h2>"${store.opening}" is being opened ...</h2></section>`;
     if (store.draft === null) return this.#welcome();
     const tabs = store.face === null ? FOR_EXPRESSIONS : FOR_FACES;
     const tab = tabs.some(([one]) => one === this.tab) ? this.tab : (tabs[0] as (typeof tabs)[0])[0];

@@ -3,6 +3,7 @@
 import type { Library } from "../../link/assets";
 import type { Greeted, ItemDocument } from "../../link/editing_messages";
 import type { Manifest } from "../../link/messages";
+import { LongRequests } from "../../ui/long_requests";
 import { type Followers, type HeadControls, type Muscle, readHeadControls } from "./control_net";
 import { type Notice, Notices } from "./notices";
 
@@ -51,6 +52,9 @@ export class EditorStore {
     muscles: false,
   };
   online = false;
+  /** What is being opened, as people call it; "": nothing. */
+  opening = "";
+  readonly longRequests = new LongRequests();
   readonly #notices = new Notices();
   readonly #listeners = new Map<Topic, Set<() => void>>();
 
@@ -113,6 +117,11 @@ export class EditorStore {
   setOnline(online: boolean): void {
     this.online = online;
     this.tell("link");
+  }
+
+  setOpening(label: string): void {
+    this.opening = label;
+    this.tell("draft");
   }
 
   /** The source of a face by its name. */

@@ -26,7 +26,17 @@ export function create(store: DraftStore, kind: Kind, label: string, { mix, onAi
   return store.ask(request);
 }
 
-export const openItem = (store: DraftStore, item: number): Promise<unknown> => store.ask({ type: "open_item", item });
+/** Opens an item, which may take long on a busy machine: until it is there the page says what it opens. */
+export async function openItem(store: DraftStore, item: number): Promise<void> {
+  const label = store.items.find(({ id }) => id === item)?.label ?? "";
+  store.setOpening(label);
+  const answer = await store.ask({ type: "open_item", item });
+  if (store.opening === label) store.setOpening("");
+  if (answer === null)
+    store.say(`"${label}" was not opened.`, "refusal", [
+      { label: "Open it again", act: () => void openItem(store, item) },
+    ]);
+}
 
 /** A name for something new that no item has yet: `stem`, else with the first number that is free. */
 export function freeLabel(items: readonly ItemDocument[], stem: string): string {
@@ -39,7 +49,7 @@ export function freeLabel(items: readonly ItemDocument[], stem: string): string 
 
 /** Takes files in, and says what came of each. */
 export async function takeIn(store: DraftStore, files: readonly File[], kind: Kind): Promise<void> {
-  const { done, failed } = await importFiles(files, kind);
+  const { done, failed } = await importFiles(files, kind, store.longRequests);
   if (done !== "") store.say(done, "done");
   for (const sentence of failed) store.say(sentence);
 }

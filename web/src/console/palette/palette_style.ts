@@ -130,7 +130,7 @@ export const style = css`
   .tile .name {
     ${caption}
   }
-  .edit {
+  .menu {
     position: absolute;
     right: 0;
     top: 0;
@@ -138,48 +138,35 @@ export const style = css`
     place-content: center;
     width: 28px;
     height: 28px;
-    font-size: 12px;
+    min-width: 0;
+    min-height: 0;
+    padding: 0;
+    border: 0;
+    background: none;
     color: var(--text);
-    text-decoration: none;
-    touch-action: manipulation;
   }
-  .edit span {
+  .menu span {
     width: 20px;
     line-height: 20px;
     text-align: center;
     border-radius: 50%;
     background: #000a;
   }
-  .edit:not(:focus-visible) {
+  .menu:not(:focus-visible) {
     opacity: 0;
   }
-  .held .edit {
-    opacity: 1;
-  }
   @media (hover: hover) {
-    .place:hover .edit {
+    .place:hover .menu {
       opacity: 1;
     }
-    .edit:hover span {
+    .menu:hover span {
       color: #000;
       background: var(--hand);
     }
   }
   @media (pointer: coarse) {
-    .edit {
-      width: 40px;
-      height: 40px;
-      pointer-events: none;
-    }
-    .held .edit {
-      pointer-events: auto;
-    }
-    .held .edit span {
-      width: 32px;
-      line-height: 32px;
-      font-size: 16px;
-      color: #000;
-      background: var(--hand);
+    .menu {
+      pointer-events: none; /* a finger holds the tile */
     }
   }
   .tile .key {

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { FromClient } from "../../link/messages";
-import { type ConsoleLayout, FIRST, parsed, written } from "./console_layout";
-import { ConsoleStore } from "./console_store";
+import { type ConsoleLayout, FIRST, parsed, written } from "../store/console_layout";
+import { ConsoleStore } from "../store/console_store";
 import { DEFAULT_LAYOUT, LayoutStorage, layoutName } from "./layout_storage";
 
 const LEFT: ConsoleLayout = { ...FIRST, kind: "arkit", tab: "mouth", linked: false };
@@ -17,22 +17,21 @@ beforeEach(() => {
 /** A console in a browser that keeps `own`, on a show whose layouts are `saved`. */
 function consoleOf(own: Map<string, string>, name = DEFAULT_LAYOUT) {
   const store = new ConsoleStore(
-    () => undefined,
+    (message) => {
+      sent.push(message);
+      change(message);
+      store.receiveLayouts([...saved.keys()]);
+    },
     () => 0,
     "me",
   );
   const layouts = new LayoutStorage(
     store,
     name,
-    (message) => {
-      sent.push(message);
-      change(message);
-      store.receiveLayouts([...saved.keys()]);
-      return true;
-    },
     async (one) => saved.get(one) ?? null,
     () => ({ getItem: (key) => own.get(key) ?? null, setItem: (key, value) => void own.set(key, value) }),
   );
+  store.setOnline(true);
   store.receiveLayouts([...saved.keys()]);
   return { store, layouts };
 }
@@ -89,13 +88,7 @@ describe("a browser", () => {
     const forbid = (): never => {
       throw new Error("forbidden");
     };
-    const layouts = new LayoutStorage(
-      store,
-      DEFAULT_LAYOUT,
-      () => true,
-      async () => null,
-      forbid,
-    );
+    const layouts = new LayoutStorage(store, DEFAULT_LAYOUT, async () => null, forbid);
     await layouts.open();
     store.arrange({ linked: false });
     expect(store.layout.linked).toBe(false);
@@ -108,7 +101,7 @@ describe("a layout", () => {
     await first.layouts.open();
     await second.layouts.open();
     first.store.arrange(LEFT);
-    expect(first.layouts.save("left hand")).toBe(true);
+    expect(await first.layouts.save("left hand")).toBe(true);
     expect(parsed(saved.get("left hand") ?? "")).toEqual(LEFT);
     second.store.receiveLayouts([...saved.keys()]);
     expect(second.layouts.names).toEqual([DEFAULT_LAYOUT, "left hand"]);
@@ -125,15 +118,14 @@ describe("a layout", () => {
     expect(store.notice).toMatch(/another version/);
     expect(store.layout).toEqual(FIRST);
     const away = () => Promise.reject(new Error("away"));
-    const other = new LayoutStorage(
-      store,
-      DEFAULT_LAYOUT,
-      () => false,
-      away,
-      () => ({ getItem: () => null, setItem: () => undefined }),
-    );
+    const other = new LayoutStorage(store, DEFAULT_LAYOUT, away, () => ({
+      getItem: () => null,
+      setItem: () => undefined,
+    }));
     await other.open();
-    expect([other.save("nowhere"), other.rename("a", "b"), await other.drop("a")]).toEqual([false, false, null]);
+    store.setOnline(false);
+    expect([await other.save("nowhere"), other.rename("a", "b"), await other.drop("a")]).toEqual([false, false, false]);
+    expect(store.history.next("undo")).toBeNull();
   });
 
   it("is renamed, deleted and brought back as it was", async () => {
@@ -142,11 +134,35 @@ describe("a layout", () => {
     await layouts.choose("left");
     expect(layouts.rename("left", "right")).toBe(true);
     expect([layouts.chosen, layouts.names, layouts.has("left")]).toEqual(["right", [DEFAULT_LAYOUT, "right"], false]);
-    const again = await layouts.drop("right");
+    expect(await layouts.drop("right")).toBe(true);
     expect([layouts.names, store.layout]).toEqual([[DEFAULT_LAYOUT], LEFT]);
-    again?.();
-    expect(saved).toEqual(new Map([["right", written(LEFT)]]));
-    expect(await layouts.drop("nobody")).toBeNull();
+    store.arrange({ linked: true });
+    expect(await layouts.save("Left")).toBe(true);
+    const end = new Map(saved);
+    for (let turn = 0; turn < 2; turn++) {
+      store.undo();
+      expect(saved).toEqual(new Map());
+      store.undo();
+      expect(saved).toEqual(new Map([["right", written(LEFT)]]));
+      store.undo();
+      expect(saved).toEqual(new Map([["left", written(LEFT)]]));
+      for (let step = 0; step < 3; step++) store.redo();
+      expect(saved).toEqual(end);
+    }
+    expect(await layouts.drop("nobody")).toBe(false);
+  });
+
+  it("that is replaced is brought back as it was, and what the show rejects cannot be taken back", async () => {
+    saved.set("left", written(LEFT));
+    const { store, layouts } = consoleOf(new Map());
+    await layouts.save("left");
+    expect(saved.get("left")).toBe(written(FIRST));
+    store.undo();
+    expect(saved.get("left")).toBe(written(LEFT));
+    layouts.rename("left", "right");
+    const asked = sent.at(-1) as Extract<FromClient, { id: string }>;
+    store.receiveRefused("there is no layout 'left' any more.", asked.id);
+    expect([store.history.next("undo"), store.notice]).toEqual([null, "there is no layout 'left' any more."]);
   });
 
   it("that another console deleted meanwhile changes nothing", async () => {

@@ -3,17 +3,19 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, queryAll, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
-import { EDITOR, EDITOR_TAB, editorAddress } from "../../link/editor_address";
+import { EDITOR, EDITOR_TAB } from "../../link/editor_address";
 import { onHold, onRoam } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
 import { AnimatedElement, chosenIn, StyleWriter } from "../controls/console_element";
+import type { OwnItem } from "../show_file/own_items";
 import type { Axis } from "../store/axis";
 import { KINDS, type PaletteKind } from "../store/console_layout";
 import { keyLabel } from "../store/keys";
 import type { Topic } from "../store/page_store";
-import { expressionGroups, faceGroups, foundIn, isOwn, type Tile, type TileGroup } from "../store/tile_groups";
 import { style } from "./palette_style";
+import { expressionGroups, faceGroups, foundIn, isOwn, type Tile, type TileGroup } from "./tile_groups";
+import type { MenuRequest } from "./tile_menu";
 import "../controls/timing_row";
 
 const LABELS: Readonly<Record<PaletteKind, string>> = {
@@ -35,8 +37,6 @@ export class Palette extends AnimatedElement {
   @state() private search = "";
   /** The face that the expressions are shown on. */
   @state() private model = "generic";
-  /** The own tile that a finger held: its pencil is there until the next touch. */
-  @state() private held: string | null = null;
   @query(".tiles") private list!: HTMLElement;
   @query("input") private input!: HTMLInputElement | null;
   @queryAll(".tile") private tiles!: NodeListOf<HTMLElement>;
@@ -84,7 +84,7 @@ export class Palette extends AnimatedElement {
   override render() {
     return html`
       <header>${this.axis === "face" ? this.#ownSwitch() : this.#tabs()} ${this.#searchField()}</header>
-      <div class="tiles" @scroll=${this.#hint} @pointerdown=${this.#letGo}>${this.#tiles()}</div>
+      <div class="tiles" @scroll=${this.#hint} @contextmenu=${this.#menuAt} @keydown=${this.#tileKey}>${this.#tiles()}</div>
       <omote-timing .context=${this.context} .axis=${this.axis}></omote-timing>
     `;
   }
@@ -161,33 +161,54 @@ export class Palette extends AnimatedElement {
     );
   }
 
-  /** A tile, and over a corner of an own one the way to the editor, which never calls: for a mouse on it, for the
-   * keyboard, and for a finger once it has held the tile; a tap calls, wherever it falls. */
+  /** A tile, and over a corner of an own one what opens its menu, which never calls: for a mouse on it and for the
+   * keyboard; a finger holds the tile, and its tap calls, wherever it falls. */
   #place(one: Tile, index: number) {
-    const edit = isOwn(one)
-      ? html`<a
-          class="edit"
-          href=${editorAddress(this.axis, one.name)}
-          target=${EDITOR_TAB}
-          aria-label="Edit ${one.label}"
-          title="Edit ${one.label} in the editor"
-          @click=${(event: MouseEvent) => this.#edit(event, one)}
-          ><span aria-hidden="true">✎</span></a
+    const more = isOwn(one)
+      ? html`<button
+          class="menu"
+          aria-label="Menu of ${one.label}"
+          aria-haspopup="menu"
+          title="Edit, rename or delete ${one.label}"
+          @click=${(event: MouseEvent) => this.#more(event, one)}
+          ><span aria-hidden="true">⋯</span></button
         >`
       : nothing;
-    return html`<div class="place ${one.name === this.held ? "held" : ""}">${this.#tile(one, index)}${edit}</div>`;
+    return html`<div class="place">${this.#tile(one, index)}${more}</div>`;
   }
 
-  #edit(event: MouseEvent, one: Tile): void {
-    const tapped = event instanceof PointerEvent && event.pointerType === "touch" && this.held !== one.name;
-    this.held = null;
-    if (!tapped) return;
+  #more(event: MouseEvent, one: Tile): void {
+    if (event instanceof PointerEvent && event.pointerType === "touch") this.store.call(this.axis, one.name);
+    else this.#askMenu(one.name);
+  }
+
+  /** The own item of a tile by its name; null for a built-in one. */
+  #itemOf(name: string | undefined): OwnItem | null {
+    const found = this.shown.find((one) => one.name === name);
+    return found === undefined || !isOwn(found) ? null : { kind: this.axis, name: found.name, label: found.label };
+  }
+
+  #askMenu(name: string | undefined): void {
+    const item = this.#itemOf(name);
+    const tile = [...this.tiles].find((one) => one.dataset.name === name)?.getBoundingClientRect();
+    if (item === null || tile === undefined) return;
+    this.dispatchEvent(new CustomEvent<MenuRequest>("menu", { detail: { item, tile } }));
+  }
+
+  readonly #menuAt = (event: MouseEvent): void => {
+    const name = (event.target as Element).closest(".place")?.querySelector<HTMLElement>(".tile")?.dataset.name;
+    if (this.#itemOf(name) === null) return;
     event.preventDefault();
-    this.store.call(this.axis, one.name);
-  }
+    this.#askMenu(name);
+  };
 
-  readonly #letGo = (event: Event): void => {
-    if (!event.composedPath().some((one) => one instanceof Element && one.matches(".held .edit"))) this.held = null;
+  /** Names or deletes the own tile in focus, as file managers do. */
+  readonly #tileKey = (event: KeyboardEvent): void => {
+    const item = this.#itemOf((event.target as HTMLElement).dataset.name);
+    if (item === null || (event.key !== "F2" && event.key !== "Delete")) return;
+    event.preventDefault();
+    if (event.key === "F2") this.context.items.beginNaming(item);
+    else this.context.items.delete(item);
   };
 
   #tile(one: Tile, index: number) {
@@ -226,7 +247,7 @@ export class Palette extends AnimatedElement {
   override firstUpdated(): void {
     onRoam(this.list, ".tile");
     onHold(this.list, ".tile.own", (tile) => {
-      this.held = tile.dataset.name ?? null;
+      this.#askMenu(tile.dataset.name);
     });
     new ResizeObserver(this.#hint).observe(this.list);
   }

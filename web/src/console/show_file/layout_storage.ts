@@ -1,8 +1,8 @@
 /** Where layouts are: this browser keeps how its operator has arranged the console; the show file keeps those saved by name. */
 
-import type { FromClient } from "../../link/messages";
-import { FIRST, parsed, written } from "./console_layout";
-import type { ConsoleStore } from "./console_store";
+import { FIRST, parsed, written } from "../store/console_layout";
+import type { ConsoleStore } from "../store/console_store";
+import type { Step, TakeStep } from "../store/undo_history";
 
 /** The layout that a console opens with where nobody has arranged it; the crew may save its own under this name. */
 export const DEFAULT_LAYOUT = "Default";
@@ -30,7 +30,6 @@ export class LayoutStorage {
   constructor(
     private readonly store: ConsoleStore,
     name: string,
-    private readonly send: (message: FromClient) => boolean,
     private readonly read: ReadLayout = readLayout,
     private readonly own: () => OwnStore = () => localStorage,
   ) {
@@ -66,24 +65,54 @@ export class LayoutStorage {
   }
 
   /** Saves the console as it is under a name, for every console of the show; whether it could be sent. */
-  save(name: string): boolean {
-    const sent = this.send({ type: "set_layout", name, document: written(this.store.layout) });
+  async save(name: string): Promise<boolean> {
+    const [before, document] = [await this.#document(name), written(this.store.layout)];
+    const undo = before === null ? this.#remove(name) : this.#put(name, before);
+    const step = { what: `save the layout ${name}`, undo, redo: this.#put(name, document) };
+    const sent = this.#begin(step, `Saved as ${name}: every console can choose it.`);
     if (sent) this.chosen = name;
     return sent;
   }
 
   /** Gives a saved layout another name; whether it could be sent. */
   rename(name: string, to: string): boolean {
-    const sent = this.send({ type: "rename_layout", name, to });
-    if (sent && this.chosen === name) this.chosen = to;
-    return sent;
+    const step = { what: `rename the layout ${name}`, undo: this.#call(to, name), redo: this.#call(name, to) };
+    return this.#begin(step, `${name} is called ${to} now.`);
   }
 
-  /** Takes a saved layout out of the show file; gives what puts it there again, null where nothing was sent. */
-  async drop(name: string): Promise<(() => void) | null> {
+  /** Takes a saved layout out of the show file; whether it could be sent. */
+  async drop(name: string): Promise<boolean> {
     const document = await this.#document(name);
-    if (document === null || !this.send({ type: "drop_layout", name })) return null;
-    return () => this.send({ type: "set_layout", name, document });
+    if (document === null) return false;
+    const step = { what: `delete the layout ${name}`, undo: this.#put(name, document), redo: this.#remove(name) };
+    return this.#begin(step, `Deleted the layout ${name}; consoles that it was chosen on stay as they are.`);
+  }
+
+  /** Takes a step for the first time; what the show rejects cannot be taken back. */
+  #begin(step: Step, done: string): boolean {
+    const refused = (reason: string): void => {
+      this.store.history.skip(step);
+      this.store.say(reason);
+    };
+    if (!step.redo(refused)) return false;
+    this.store.offerUndo(done, step);
+    return true;
+  }
+
+  #put(name: string, document: string): TakeStep {
+    return (refused) => this.store.ask({ type: "set_layout", name, document }, { refused });
+  }
+
+  #remove(name: string): TakeStep {
+    return (refused) => this.store.ask({ type: "drop_layout", name }, { refused });
+  }
+
+  #call(name: string, to: string): TakeStep {
+    return (refused) => {
+      const sent = this.store.ask({ type: "rename_layout", name, to }, { refused });
+      if (sent && this.chosen === name) this.chosen = to;
+      return sent;
+    };
   }
 
   #document(name: string): Promise<string | null> {

@@ -1,8 +1,8 @@
 /** The tiles of a palette under their headings, and those that a search finds. */
 
 import type { ExpressionDocument, FaceDocument } from "../../link/messages";
-import { REGIONS, regionOf } from "./channels";
-import type { PaletteKind } from "./console_layout";
+import { REGIONS, regionOf } from "../store/channels";
+import type { PaletteKind } from "../store/console_layout";
 
 export type Tile = FaceDocument | ExpressionDocument;
 /** A heading, empty where there is none, and what stands under it. */

@@ -1,0 +1,115 @@
+"""The jobs that pages ask of files: an import (a file of a stranger as items), an export (an expression, a face)."""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import msgspec
+
+from omote.builtin import load_cast, load_mask, load_meshes
+from omote.edit.store.import_items import changes_to_import, distinguish, export_document
+from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
+from omote.interchange.formats.expression_json import encode as encode_document
+from omote.interchange.formats.glb_writer import glb_bytes
+from omote.model.cast import Cast
+from omote.server.sandbox.import_files import expressions_from, faces_from
+from omote.server.workers.job_server import Follow
+from omote.showfile.changes import BroughtItem, Change, Item, Kind, PutContent, PutItem, PutRevision
+from omote.showfile.database_errors import describe_error
+from omote.showfile.inspection import Inspection, inspect_show
+from omote.showfile.schema import ShowFileError
+from omote.stage_data.full_cast import build_full_cast
+
+
+class ImportFile(msgspec.Struct, frozen=True, tag=True):
+    """A file as items beside those of a show file; wall: seconds since 1970. Made: `Imported`, encoded."""
+
+    show: str
+    path: str
+    kind: Kind
+    wall: float
+
+
+class ExportExpression(msgspec.Struct, frozen=True, tag=True):
+    """An expression of a show file, or of the cast, as a document (JSON)."""
+
+    show: str
+    name: str
+
+
+class ExportFace(msgspec.Struct, frozen=True, tag=True):
+    """A face with expressions (`arkit`, names by commas) as morph targets (GLB)."""
+
+    show: str
+    face: str
+    expressions: str
+
+
+FileJob = ImportFile | ExportExpression | ExportFace
+
+
+class Imported(msgspec.Struct, frozen=True):
+    """What a file brought, and a sentence about each item."""
+
+    items: list[BroughtItem]
+    said: list[str]
+
+
+_job: msgspec.msgpack.Decoder[FileJob] = msgspec.msgpack.Decoder(FileJob)
+
+
+def run_file_job(job: bytes, follow: Follow, /) -> bytes:
+    """Does an encoded job and returns what it makes; ValueError with a sentence for what cannot be done."""
+    wanted = _job.decode(job)
+    try:
+        if isinstance(wanted, ImportFile):
+            return msgspec.msgpack.encode(_import_file(wanted, follow))
+        found = inspect_show(Path(wanted.show))
+        if isinstance(wanted, ExportExpression):
+            return encode_document(export_document(load_cast(), found.stored, found.contents, wanted.name))
+        return _export_face(_full_cast(found), wanted, follow)
+    except (ShowFileError, OSError, OverflowError, sqlite3.Error) as error:
+        raise ValueError(describe_error(error)) from error
+
+
+def _import_file(wanted: ImportFile, follow: Follow) -> Imported:
+    found, path = inspect_show(Path(wanted.show)), Path(wanted.path)
+    cast = _full_cast(found)
+    read = faces_from(cast, [path]) if wanted.kind == "face" else expressions_from(cast, [path], follow=follow)
+    brought = list(read)
+    distinct = distinguish(load_cast(), found.stored, [arrival for arrival, _ in brought])
+    arrivals = [arrival for arrival, _ in distinct]
+    said = [f"{told}; {twin}" if twin else told for (_, told), (_, twin) in zip(brought, distinct, strict=True)]
+    return Imported(list(bring_items(changes_to_import(cast, found.stored, arrivals, wall=wanted.wall))), said)
+
+
+def _export_face(cast: Cast, wanted: ExportFace, follow: Follow) -> bytes:
+    names = choose_expressions(cast, wanted.expressions)
+    poses = ((name, named_compound_meshes(cast, wanted.face, name)) for name in _followed(names, follow))
+    return glb_bytes(build_scene(ExportContext(cast, load_meshes(), load_mask()), wanted.face, poses))
+
+
+def _followed(names: list[str], follow: Follow) -> Iterator[str]:
+    for done, name in enumerate(names):
+        follow(done, len(names), name)
+        yield name
+    follow(len(names), len(names), "the file is written")
+
+
+def _full_cast(found: Inspection) -> Cast:
+    return build_full_cast(load_cast(), found.stored, found.contents)
+
+
+def bring_items(changes: Iterable[Change]) -> Iterator[BroughtItem]:
+    """The items that changes add, each with its revision and the bytes of its content."""
+    contents, items = dict[str, bytes](), dict[int, Item]()
+    for change in changes:
+        match change:
+            case PutContent(key, data):
+                contents[key] = data
+            case PutItem(item):
+                items[item.id] = item
+            case PutRevision(revision):
+                yield BroughtItem(items[revision.item], revision, contents[revision.content])

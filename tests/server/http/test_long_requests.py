@@ -1,0 +1,54 @@
+"""Long requests tell their progress, at most ten times a second, and end when their page says so."""
+
+import asyncio
+
+import pytest
+
+from omote.server.http.long_requests import CancelledRequestError, LongRequests
+from omote.server.workers.job_server import Follow
+from omote.show.messages import Progress
+
+pytestmark = pytest.mark.asyncio
+
+
+async def test_progress_goes_to_the_pages_under_the_id_of_the_request_and_the_newest_always_comes() -> None:
+    told, last = list[Progress](), asyncio.Event()
+
+    def tell(progress: Progress) -> None:
+        told.append(progress)
+        if progress.done == 99:
+            last.set()
+
+    async def work(follow: Follow) -> str:
+        for done in range(100):
+            follow(done, 100, "smile")
+        await last.wait()
+        return "done"
+
+    requests = LongRequests(tell)
+    assert await requests.run("a", work) == "done"
+    assert told == [Progress("a", 0, 100, "smile"), Progress("a", 99, 100, "smile")]
+    assert await requests.run("", work) == "done"
+    assert len(told) == 2, "nobody follows a request without an id"
+
+
+async def test_a_cancelled_request_ends_and_others_go_on() -> None:
+    requests, begun, end = LongRequests(lambda _: None), asyncio.Event(), asyncio.Event()
+
+    async def work(_: Follow) -> str:
+        begun.set()
+        await end.wait()
+        return "done"
+
+    cancelled, other = (asyncio.create_task(requests.run(each, work)) for each in ("a", "b"))
+    await begun.wait()
+    with pytest.raises(ValueError, match="under way already"):
+        await requests.run("a", work)
+    requests.cancel("a")
+    requests.cancel("nobody's")
+    with pytest.raises(CancelledRequestError, match="nothing has changed"):
+        await cancelled
+    end.set()
+    assert await other == "done"
+    requests.cancel("b")  # it has ended
+    assert await requests.run("a", work) == "done", "the id is free again"
