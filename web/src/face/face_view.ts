@@ -5,7 +5,7 @@ import type { Library } from "../link/assets";
 import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
 import { AssetResidency, namesOf } from "./blend/asset_residency";
 import { Blender, type Eyeballs } from "./blend/blender";
-import { following, frame, PORTRAIT, portraitCamera, type Shot, type Tile, tileView, turnedAbout } from "./framing";
+import { frameHead, PORTRAIT, portraitCamera, type Shot, type Tile, tileView } from "./framing";
 import { EdgeSmoothing } from "./gpu/edge_smoothing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
 import { createRenderer, NO_WEBGL2 } from "./gpu/renderer";
@@ -262,14 +262,14 @@ export class FaceView {
     const { x: width, y: height } = this.size;
     const { tile } = this.options;
     this.turnHead();
-    const [shot, straight] = [this.options.shot ?? PORTRAIT, this.looks.extremes(this.pose)];
-    const turned = turnedAbout(straight, this.shared.pivot.value, this.shared.headTurn.value);
-    frame(this.camera, this.centred ? following(shot, straight, turned) : shot, turned, width, height, tile);
+    const head = { ...this.shared, straight: this.looks.extremes(this.pose), centred: this.centred };
+    const columns = frameHead(this.camera, this.options.shot ?? PORTRAIT, head, [width, height], tile);
     this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
     this.looks.dress(this.pose, this.shared, this.eyeUniforms);
     writeEyeTraits(eyeTraitsOf(this.pose, this.library), this.shared);
     this.lightUp();
-    this.smoothing.render(this.scene, this.camera, FEATURES[this.level].multisample);
+    this.backdrop.first = FEATURES[this.level].multisample;
+    this.smoothing.render(this.scene, this.camera, this.backdrop.first, columns);
   }
 
   /** The light on air, or that of this stage alone. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { cameraPosition, following, type Point, portraitCamera, type Shot } from "./framing";
+import { cameraPosition, following, frame, headColumns, type Point, portraitCamera, type Shot } from "./framing";
 
 const shot: Shot = { centre: [0, -0.01, 0.05], height: 0.3, width: 0.23 };
 const half = Math.tan((portraitCamera().fov * Math.PI) / 360);
@@ -72,5 +72,37 @@ describe("a shot that follows a head", () => {
       const across = turned.map(([x]) => x - following(shot, head(0.13, 0), turned).centre[0]);
       expect(Math.min(...across) + Math.max(...across)).toBeCloseTo(0);
     }
+  });
+});
+
+describe("the columns of a picture that a head lies in", () => {
+  it("hold every point of it, and fewer columns of a wider picture", () => {
+    const camera = portraitCamera();
+    const widths = [450, 800, 1600].map((width) => {
+      const points = head(0.13, 0.5);
+      frame(camera, shot, points, width, 450);
+      const [left, right] = headColumns(camera, points);
+      for (const point of points) {
+        const at = (1 + seen(point, camera.position.toArray(), camera.aspect)[0]) / 2;
+        expect(at).toBeGreaterThan(left);
+        expect(at).toBeLessThan(right);
+      }
+      return right - left;
+    });
+    expect(widths[0]).toBeLessThanOrEqual(1);
+    expect(widths[1]).toBeLessThan(widths[0] as number);
+    expect(widths[2]).toBeCloseTo((widths[1] as number) / 2);
+  });
+
+  it("stay inside the picture where the head does not", () => {
+    const camera = portraitCamera();
+    frame(camera, shot, [], 100, 450);
+    const [left, right] = headColumns(camera, [
+      [-3, 0, 0],
+      [0.01, 0, 0],
+    ]);
+    expect(left).toBe(0);
+    expect(right).toBeLessThanOrEqual(1);
+    expect(headColumns(camera, [[9, 0, 0]])).toEqual([1, 1]);
   });
 });

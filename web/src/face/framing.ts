@@ -97,5 +97,38 @@ export function frame(
   camera.updateMatrixWorld();
 }
 
+/** How far hair and collar may stand out from the farthest points of a head at its sides, metres. */
+const HAIR = 0.015;
+
+/** The part of a picture's columns that a head with these farthest points lies in, hair and all: shares of its width. */
+export function headColumns(camera: PerspectiveCamera, points: readonly Point[]): [number, number] {
+  const at = points.flatMap(([x, y, z]) =>
+    [-HAIR, HAIR].map((aside) => (1 + new Vector3(x + aside, y, z).project(camera).x) / 2),
+  );
+  return [Math.max(0, Math.min(1, ...at)), Math.min(1, Math.max(0, ...at))];
+}
+
+/** A head to be framed: its farthest points while it is straight, and how it is turned about a pivot. */
+export interface FramedHead {
+  straight: readonly Point[];
+  pivot: { readonly value: Vector3 };
+  headTurn: { readonly value: Matrix3 };
+  /** Whether it stays in the middle of the picture when it turns. */
+  centred: boolean;
+}
+
+/** Points the camera at a head, as `frame` does; returns the part of the picture's columns that the head lies in. */
+export function frameHead(
+  camera: PerspectiveCamera,
+  shot: Shot,
+  { straight, pivot, headTurn, centred }: FramedHead,
+  [width, height]: readonly [number, number],
+  tile?: Tile,
+): [number, number] {
+  const turned = turnedAbout(straight, pivot.value, headTurn.value);
+  frame(camera, centred ? following(shot, straight, turned) : shot, turned, width, height, tile);
+  return headColumns(camera, turned);
+}
+
 /** A camera with the long lens of a portrait. */
 export const portraitCamera = (): PerspectiveCamera => new PerspectiveCamera(18, 1, 0.1, 10);

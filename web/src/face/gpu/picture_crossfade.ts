@@ -1,7 +1,7 @@
 /** Crossfades from the last picture of one level of quality to the next. */
 
 import * as THREE from "three";
-import { FULLSCREEN_VERTEX, fullscreenTriangle } from "./renderer";
+import { FULLSCREEN_VERTEX, framebufferTexture, fullscreenTriangle } from "./renderer";
 
 const FRAGMENT = `
 precision mediump float;
@@ -40,8 +40,7 @@ export class PictureCrossfade {
   begin(): void {
     const { x, y } = this.renderer.getDrawingBufferSize(new THREE.Vector2());
     this.before?.dispose();
-    this.before = new THREE.FramebufferTexture(x, y);
-    this.before.minFilter = this.before.magFilter = THREE.LinearFilter; // the successor may have another size
+    this.before = framebufferTexture(x, y); // the successor may have another size
     this.renderer.copyFramebufferToTexture(this.before);
     (this.look.uniforms.before as THREE.IUniform).value = this.before;
     this.left = LENGTH;

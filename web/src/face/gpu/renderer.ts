@@ -10,8 +10,7 @@ export const NO_WEBGL2 =
 export function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas): THREE.WebGLRenderer {
   const context = canvas.getContext("webgl2", {
     alpha: true,
-    antialias: false, // `EdgeSmoothing` does it, at every level in its way, and has the depth
-    depth: false,
+    antialias: false, // `EdgeSmoothing` does it, at every level in its way
     premultipliedAlpha: true,
     powerPreference: "high-performance",
   }) as WebGL2RenderingContext | null;
@@ -61,4 +60,12 @@ export function fullscreenTriangle(look?: THREE.Material): THREE.Mesh {
   const triangle = new THREE.Mesh(new THREE.BufferGeometry().setIndex([0, 1, 2]), look);
   triangle.frustumCulled = false;
   return triangle;
+}
+
+/** A texture for a copy of a part of the canvas, between whose pixels is interpolated. */
+export function framebufferTexture(width: number, height: number): THREE.FramebufferTexture {
+  const texture = new THREE.FramebufferTexture(width, height);
+  texture.minFilter = texture.magFilter = THREE.LinearFilter;
+  texture.flipY = false; // or three leaves the context flipping what others upload, which 3D textures refuse
+  return texture;
 }

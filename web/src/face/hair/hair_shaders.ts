@@ -127,12 +127,13 @@ void main() {
   float apart = KIN_APART * smoothstep(0.0, 0.15, place.y) * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
   spot += apart * width * ((chanceOf(4u) - 0.5) * aside + 0.4 * chanceOf(5u) * away);
 #endif
-  thin *= 1.0 - 0.45 * place.y * place.y;
-#ifdef DETAIL
   float end = place.y * place.y;
+  thin *= 1.0 - 0.45 * end;
+#ifdef DETAIL
   thin *= (1.0 - 0.8 * end * end) * mix(0.45, 1.0, smoothstep(0.0, 0.2, place.y)); // to a point: noise leaves dust
 #else
   thin *= mix(0.6, 1.0, smoothstep(0.0, 0.25, place.y)); // out of the skin finely
+  thin *= 1.0 - 0.85 * end * smoothstep(1.0, 0.6, grown); // hair that comes or goes ends in points: cut across it is slats
 #endif
   vec3 point = fetchRow(positions) + spot + aside * (place.x * width * thin);
   vec3 normal = normalize(away + 0.55 * place.x * aside);
@@ -193,8 +194,9 @@ void main() {
 #else
   float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
 #endif
-  float cover = fibre.r - bare - 0.12; // fibres end one after the other, at the edges and at the tip
+  float cover = fibre.r - bare; // fibres end one after the other, at the edges and at the tip
 #ifdef SOFT
+  cover -= 0.12; // and leave gaps; with one sample a pixel those are dots of skin
   cover = clamp(cover / max(fwidth(cover), 0.1) + 0.5, 0.0, 1.0);
 #endif
   if (cover <= 0.0) discard;

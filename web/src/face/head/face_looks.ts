@@ -83,7 +83,7 @@ export class FaceLooks {
 
 /** The scalp under hair that comes or goes, in the colour of those who wear it. */
 function dressScalp(shares: readonly (readonly [FaceLook, number])[], { scalp, hair }: HeadUniforms): void {
-  scalp.value = mixScalp(shares.map(([{ haired, traits }, weight]) => ({ haired, weight, scalp: traits.scalp })));
+  scalp.value = mixScalp(shares.map(([{ traits }, weight]) => ({ weight, scalp: traits.scalp })));
   const wearers = shares.filter(([{ haired }, weight]) => haired && weight > 0);
   const total = wearers.reduce((sum, [, weight]) => sum + weight, 0);
   if (total === 0) return;

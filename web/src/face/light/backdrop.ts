@@ -13,7 +13,7 @@ out vec2 vPlace;
 void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
   vPlace = window.xy + corner * window.zw;
-  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+  gl_Position = vec4(corner * 2.0 - 1.0, 1.0, 1.0); // behind all
 }
 `;
 
@@ -44,10 +44,20 @@ export class Backdrop {
 
   constructor() {
     const look = material(BACKDROP_VERTEX, BACKDROP_FRAGMENT, this.uniforms);
-    look.depthTest = false;
     look.depthWrite = false;
     this.mesh = fullscreenTriangle(look);
-    this.mesh.renderOrder = -1;
+  }
+
+  /**
+   * Draws it first, or where no head is, before the lashes: cheaper, but samples of a pixel that are covered by alpha need
+   * it under them.
+   */
+  get first(): boolean {
+    return this.mesh.renderOrder < 0;
+  }
+
+  set first(first: boolean) {
+    this.mesh.renderOrder = first ? -1 : 0.5;
   }
 
   /** Where this picture lies in its wall's: the view of `tileView`, pixels. */

@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
 import { mixScalp, stubbleAt } from "./scalp";
 
-const kaori = { haired: true, scalp: 1 };
-const old = { haired: true, scalp: 0.4 };
-const baby = { haired: false, scalp: 0.35 };
-const dog = { haired: false, scalp: 0 };
+const kaori = { scalp: 1 };
+const old = { scalp: 0.4 };
+const baby = { scalp: 0.35 };
+const dog = { scalp: 0 };
 
 describe("the scalp", () => {
   it("is each face's own", () => {
@@ -12,17 +12,27 @@ describe("the scalp", () => {
     expect(mixScalp([])).toBe(0);
   });
 
-  it("is the mean of those who wear hair, and of those who do not", () => {
-    for (const [one, two] of [
-      [kaori, old],
-      [baby, dog],
-    ] as const) {
-      const mixed = mixScalp([
-        { ...one, weight: 0.25 },
-        { ...two, weight: 0.75 },
-      ]);
-      expect(mixed).toBeCloseTo(0.25 * one.scalp + 0.75 * two.scalp);
+  it("lies between its faces and is never lighter for more of the darker one", () => {
+    const painted = Array.from({ length: 51 }, (_, step) =>
+      mixScalp([
+        { ...kaori, weight: step / 100 },
+        { ...baby, weight: 0.5 },
+        { ...dog, weight: 0.5 - step / 100 },
+      ]),
+    );
+    for (const [step, value] of painted.entries()) {
+      expect(value).toBeGreaterThanOrEqual(painted[step - 1] ?? 0);
+      expect(value).toBeLessThanOrEqual(1);
     }
+  });
+
+  it("is as dark half way to a balding head as under the full head of hair", () => {
+    const halves = [
+      { ...kaori, weight: 0.5 },
+      { ...old, weight: 0.5 },
+    ];
+    expect(mixScalp(halves)).toBeCloseTo(1);
+    expect(mixScalp(halves.reverse())).toBeCloseTo(1);
   });
 
   it("is covered with stubble before half of a face has hair, without a jump", () => {

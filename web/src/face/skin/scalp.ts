@@ -2,25 +2,27 @@
 
 import { MathUtils } from "three";
 
-/** What a face on air does to the scalp: its weight, whether it wears hair, and how dark its own scalp is painted, 0..1. */
+/** What a face on air does to the scalp: its weight, and how dark its own scalp is painted, 0..1. */
 export interface ScalpShare {
   readonly weight: number;
-  readonly haired: boolean;
   readonly scalp: number;
 }
 
-/** How much of the scalp is stubble, 0..1, under the weight of the faces with hair: all, before hair is long enough to cover it. */
+/** How much of the scalp is stubble, 0..1, under the weight of the faces that have it: all, before hair is long enough to cover it. */
 export const stubbleAt = (weight: number): number => MathUtils.smoothstep(weight, 0, 0.3);
 
-/** How dark the scalp is painted, 0..1: as those who wear hair have it where there is stubble, else as the bald have it. */
+/**
+ * How dark the scalp is painted, 0..1. What one face has painted and another has not is stubble: it comes before the hair,
+ * also where a full head of hair grows on a balding one. So each shade is as dark as the weight of all with it says.
+ */
 export function mixScalp(faces: readonly ScalpShare[]): number {
-  const haired = faces.filter(({ haired, weight }) => haired && weight > 0);
-  const bald = faces.filter(({ haired, weight }) => !haired && weight > 0);
-  const stubble = bald.length > 0 ? stubbleAt(total(haired)) : 1;
-  return stubble * mean(haired) + (1 - stubble) * mean(bald);
+  const shares = faces.filter(({ weight }) => weight > 0).sort((a, b) => a.scalp - b.scalp);
+  let [dark, above, painted] = [0, shares.reduce((sum, { weight }) => sum + weight, 0), 0];
+  const whole = above || 1;
+  for (const { weight, scalp } of shares) {
+    dark += (scalp - painted) * stubbleAt(above / whole);
+    painted = scalp;
+    above -= weight;
+  }
+  return dark;
 }
-
-const total = (faces: readonly ScalpShare[]): number => faces.reduce((sum, { weight }) => sum + weight, 0);
-
-const mean = (faces: readonly ScalpShare[]): number =>
-  faces.reduce((sum, { weight, scalp }) => sum + weight * scalp, 0) / (total(faces) || 1);
