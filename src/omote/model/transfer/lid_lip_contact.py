@@ -6,6 +6,7 @@ squares of minimum norm, whose responses are solved once per face: M^-1 C' (C M^
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,13 +14,14 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from omote.model.space.lid_lip_lines import RUNGS, Line
+from omote.model.space.lid_lip_lines import RUNGS, Kind, Line
 from omote.model.transfer.fold_repair import SheetGeometry
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-BINS = 3
+# How many hat functions there are along a line: a muzzle's lips cross between three of them; more on lids fold large eyes.
+BINS: Mapping[Kind, int] = {"lids": 3, "lips": 7}
 # A correction dies out over this share of the line's width, and is nothing beyond REACH widths.
 LENGTH, REACH = 0.2, 1.5
 # Of the source's relative opening: what lids may differ without being corrected, nothing at contact.
@@ -66,7 +68,7 @@ def build_contact(line: Line, generic: Values, positions: Values, sheet: SheetGe
     widths = [float(np.ptp(points[line.loop, 0])) for points in (generic, positions)]
     near, response = _solve_responses(line, target, positions, sheet, widths[1])
     return Contact(
-        line, hat_functions(), source, target, long_here / long_there, (source * there).sum(axis=1),
+        line, hat_functions(BINS[line.kind]), source, target, long_here / long_there, (source * there).sum(axis=1),
         (target * here).sum(axis=1), _lip_gain(widths[1] / widths[0]), long_here, near, response,
     )  # fmt: skip
 
@@ -77,10 +79,10 @@ def _lip_gain(ratio: float) -> float:
     return float(np.exp(np.sign(far) * max(abs(far) - ALIKE, 0.0)))
 
 
-def hat_functions() -> Values:
-    """Hat functions over the rungs that sum to one: (BINS, RUNGS)."""
-    shares = (np.arange(RUNGS) + 0.5) / RUNGS * BINS - 0.5
-    result: Values = np.maximum(0.0, 1.0 - np.abs(shares - np.arange(BINS)[:, None]))
+def hat_functions(count: int, /) -> Values:
+    """So many hat functions over the rungs that sum to one: (count, RUNGS)."""
+    shares = (np.arange(RUNGS) + 0.5) / RUNGS * count - 0.5
+    result: Values = np.maximum(0.0, 1.0 - np.abs(shares - np.arange(count)[:, None]))
     result /= result.sum(axis=0)
     return result
 
@@ -99,8 +101,8 @@ def _solve_responses(
     near = used[distance < REACH * width].astype(np.int32)
     place = np.full(len(positions), -1)
     place[near] = np.arange(len(near))
-    openings = np.zeros((BINS, len(near), 3))
-    weighted = np.einsum("br,rk,rc->brkc", hat_functions(), line.weights, target)
+    openings = np.zeros((BINS[line.kind], len(near), 3))
+    weighted = np.einsum("br,rk,rc->brkc", hat_functions(BINS[line.kind]), line.weights, target)
     for column in range(4):
         for rung in range(RUNGS):
             openings[:, place[line.vertices[rung, column]]] += weighted[:, rung, column]
