@@ -14,21 +14,18 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from omote.model.space.lid_lip_lines import RUNGS, Kind, Line
+from omote.model.space.lid_lip_lines import RUNGS, Kind, Line, lip_amplitude
 from omote.model.transfer.fold_repair import SheetGeometry
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-# How many hat functions there are along a line: a muzzle's lips cross between three of them; more on lids fold large eyes.
+# How many hat functions there are along a line: a muzzle's lips cross between three of them; lids fold with more.
 BINS: Mapping[Kind, int] = {"lids": 3, "lips": 7}
 # A correction dies out over this share of the line's width, and is nothing beyond REACH widths.
 LENGTH, REACH = 0.2, 1.5
 # Of the source's relative opening: what lids may differ without being corrected, nothing at contact.
 TOLERANCE = 0.026
-# Lips open as the mouth is wide; widths that differ by less than this share change nothing: people's amplitudes do not
-# grow with their heads.
-ALIKE = 0.09
 # Where the jaw goes with the lips in full: (distance to the lids - to the lips) / their sum.
 JAW = 0.4
 _UP = np.array([0.0, 1.0, 0.0])
@@ -65,18 +62,11 @@ def build_contact(line: Line, generic: Values, positions: Values, sheet: SheetGe
     lips = line.kind == "lips"
     source = np.tile(_UP, (RUNGS, 1)) if lips else there / long_there[:, None]
     target = np.tile(_UP, (RUNGS, 1)) if lips else here / long_here[:, None]
-    widths = [float(np.ptp(points[line.loop, 0])) for points in (generic, positions)]
-    near, response = _solve_responses(line, target, positions, sheet, widths[1])
+    near, response = _solve_responses(line, target, positions, sheet, float(np.ptp(positions[line.loop, 0])))
     return Contact(
         line, hat_functions(BINS[line.kind]), source, target, long_here / long_there, (source * there).sum(axis=1),
-        (target * here).sum(axis=1), _lip_gain(widths[1] / widths[0]), long_here, near, response,
+        (target * here).sum(axis=1), lip_amplitude(line, generic, positions), long_here, near, response,
     )  # fmt: skip
-
-
-def _lip_gain(ratio: float) -> float:
-    """How much larger lips open where the mouth is `ratio` times as wide."""
-    far = np.log(ratio)
-    return float(np.exp(np.sign(far) * max(abs(far) - ALIKE, 0.0)))
 
 
 def hat_functions(count: int, /) -> Values:

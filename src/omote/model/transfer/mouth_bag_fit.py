@@ -26,7 +26,7 @@ _limits: WeakKeyDictionary[Face, tuple[ParameterSpace, Values]] = WeakKeyDiction
 
 # How far behind the skin the bag stays, where it is as far behind it on the generic face at rest, metres; less toward
 # the lips, nothing at them and in full beyond FREE along the mesh.
-MARGIN, FREE = 0.0015, 0.014
+MARGIN, FREE = 0.0025, 0.006
 # A push spreads over so many rings, from one to the next this share of it; then what is still outside by more than
 # EXACT metres is pushed again.
 RINGS, SHARE, ROUNDS, EXACT = 4, 0.75, 12, 1e-6
