@@ -30,7 +30,7 @@ _limits: WeakKeyDictionary[Face, tuple[ParameterSpace, Values]] = WeakKeyDiction
 MARGIN, FREE = 0.0015, 0.014
 # Beside the corners of the mouth, up to the first of CORNER metres from them and less up to the second, the same more
 # strictly: the skin is bent most there, and straight edges between vertices that are behind it would come out of it.
-CORNER, CORNER_MARGIN, CORNER_FREE = (0.012, 0.024), 0.0025, 0.006
+CORNER, CORNER_MARGIN, CORNER_FREE = (0.008, 0.016), 0.0025, 0.006
 # A push spreads over so many rings, from one to the next this share of it; then what is still outside by more than
 # EXACT metres is pushed again.
 RINGS, SHARE, ROUNDS, EXACT = 4, 0.75, 12, 1e-6
