@@ -5,8 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from omote.builtin import load_cast
 from omote.model.space.face import Face
-from omote.model.space.face_fit import fit
+from omote.model.space.face_fit import fit, generic_face
+from omote.model.transfer.compound import apply_expression, predict_part
+from omote.model.transfer.paper_map import compile_expression
 from tests.synthetic import space
 
 
@@ -19,9 +22,27 @@ def test_parts_go_where_a_similarity_of_the_face_carries_them() -> None:
     fitted = fit(space(), Face("large", space().points * 1.5))
     for name, part in space().parts.items():
         assert np.allclose(fitted.parts[name], part.points * 1.5, atol=1e-6)
-        assert np.isclose(fitted.sizes[name], 1.5, atol=1e-5)
+        assert np.isclose(fitted.sizes[name], 1.0 if part.follows_jaw and space().lines else 1.5, atol=1e-5)
         assert np.allclose(fitted.centres[name], part.points.mean(axis=0) * 1.5, atol=1e-6)
     assert np.allclose(fitted.scale, 1.5, atol=1e-5)
+
+
+def test_what_follows_the_jaw_turns_as_far_as_the_chin_moves_whatever_its_size() -> None:
+    """Teeth that turned in their own size went through the lips of heads with large teeth."""
+    cast = load_cast()
+    source = fit(cast.space, generic_face(cast.space)).positions
+    compiled = compile_expression(cast.space, cast.expressions["jawOpen"])
+    teeth = cast.space.parts["teeth_lower"]
+    for face in (cast.faces["auntie"], cast.faces["child"], cast.faces["doll"]):
+        fitted = fit(cast.space, face)
+        here, there = (
+            predict_part(cast.space, teeth.name, after.astype(np.float64) - before)[0]
+            for after, before in (
+                (apply_expression(cast.space, face, compiled), fitted.positions),
+                (apply_expression(cast.space, generic_face(cast.space), compiled), source),
+            )
+        )
+        assert fitted.sizes[teeth.name] == pytest.approx(here @ there / (there @ there), abs=0.03)
 
 
 def test_a_face_that_knows_its_parts_keeps_them() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.space.lid_lip_lines import RUNGS, Line, find_line
+from omote.model.space.lid_lip_lines import ALIKE, RUNGS, Line, find_line, jaw_amplitude
 from omote.model.space.parameter_space import ParameterSpace
 
 
@@ -49,6 +49,16 @@ def test_left_and_right_lids_mirror_each_other(space: ParameterSpace) -> None:
     left, right = line(space, "lid_left"), line(space, "lid_right")
     mirrored = np.sort(space.points[right.loop] * [-1, 1, 1], axis=0)
     assert np.allclose(np.sort(space.points[left.loop], axis=0), mirrored, atol=2e-4)
+
+
+def test_the_jaw_goes_as_far_as_the_mouth_is_wide_and_no_farther_than_on_the_generic_face(
+    space: ParameterSpace,
+) -> None:
+    wide = [
+        jaw_amplitude(space.lines, space.points, scale * space.points) for scale in (0.5, 0.7, 0.95, 1.0, 1.05, 2.0)
+    ]
+    assert wide == pytest.approx([0.5 * np.exp(ALIKE), 0.7 * np.exp(ALIKE), 1.0, 1.0, 1.0, 1.0])
+    assert jaw_amplitude((line(space, "lid_left"),), space.points, space.points) is None
 
 
 def test_a_sheet_without_an_opening_is_refused() -> None:

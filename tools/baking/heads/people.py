@@ -101,6 +101,7 @@ PEOPLE: Mapping[str, Person] = {
             "cheek/*-cheek-volume-incr": 0.4,
             "eyebrows/eyebrows-trans-up": 0.2,
         },
+        teeth=0.88,
         size=1.12,
         look={
             "skin": "#f0c3a3",
@@ -202,6 +203,7 @@ PEOPLE: Mapping[str, Person] = {
             "nose/nose-scale-depth-incr": 0.4,
             "chin/chin-height-incr": 0.5,
         },
+        teeth=0.92,
         look={
             "skin": "#cfae98",
             "lip": "#96625a",

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.space.face import Face
+from omote.model.space.lid_lip_lines import jaw_amplitude
 from omote.model.space.parameter_space import ParameterSpace, smoothed_scale
 from omote.model.space.parts import place, size_ratio
 from omote.model.space.skin_sheet import refuse_axis_outside, refuse_degenerate
@@ -22,8 +23,8 @@ Floats = NDArray[np.float32]
 class FittedFace:
     """A face checked against a space, with what every compound on it needs.
 
-    positions (V, 3), radii (V,) to the axis, scale (inner,) of the residuals; parts (n, 3) placed, their size ratios
-    and centres.
+    positions (V, 3), radii (V,) to the axis, scale (inner,) of the residuals; parts (n, 3) placed, their centres, and
+    sizes, the scale of their residuals.
     """
 
     positions: Floats
@@ -72,7 +73,7 @@ def _fit(space: ParameterSpace, face: Face) -> FittedFace:
         name: np.asarray(face.parts.get(name, place(part, space.points, points)), np.float32)
         for name, part in space.parts.items()
     }
-    sizes = {name: size_ratio(part, parts[name].astype(np.float64)) for name, part in space.parts.items()}
+    sizes = _scale_parts(space, points, parts)
     _, _, radii = space.cylinder.unroll(points)
     return FittedFace(
         positions=np.asarray(face.positions, np.float32),
@@ -84,10 +85,25 @@ def _fit(space: ParameterSpace, face: Face) -> FittedFace:
     )
 
 
+def _scale_parts(
+    space: ParameterSpace, points: NDArray[np.float64], parts: Mapping[str, Floats]
+) -> dict[str, float]:  # fmt: skip
+    """The scale of each part's residual: its size; of what follows the jaw, the jaw's amplitude under the smooth map.
+
+    The residual of teeth and tongue is the jaw's turn beyond the chin's mean: scaled otherwise than the chin, teeth go
+    through lips of heads whose teeth are large.
+    """
+    sizes = {name: size_ratio(part, parts[name].astype(np.float64)) for name, part in space.parts.items()}
+    amplitude = jaw_amplitude(space.lines, space.points, points) if space.transfer == "smooth" else None
+    if amplitude is not None:
+        sizes |= {name: amplitude for name, part in space.parts.items() if part.follows_jaw}
+    return sizes
+
+
 def _scale_residuals(
     space: ParameterSpace, points: NDArray[np.float64], sizes: Mapping[str, float]
 ) -> NDArray[np.float64]:  # fmt: skip
-    """The local size of the face at each vertex of the inner skin, (inner,); where it goes with the jaw, the size of
+    """The local size of the face at each vertex of the inner skin, (inner,); where it goes with the jaw, the scale of
     what else does: they move together."""
     inner = space.inner
     scale = smoothed_scale(space, points)[inner.vertices]

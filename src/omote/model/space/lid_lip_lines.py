@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -19,6 +20,9 @@ Indices = NDArray[np.int32]
 Values = NDArray[np.float64]
 
 RUNGS = 32
+# Lips open as the mouth is wide; widths that differ by less than this share change nothing: people's amplitudes do not
+# grow with their heads.
+ALIKE = 0.09
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +43,22 @@ class Line:
         """Upper minus lower point of each rung, (RUNGS, 3) metres, for positions (V, 3)."""
         result: Values = np.einsum("rk,rkc->rc", self.weights, positions[self.vertices])
         return result
+
+
+def lip_amplitude(line: Line, generic: NDArray[np.floating], positions: NDArray[np.floating], /) -> float:
+    """How much larger lips with this line open on a face with positions (V, 3) than on the generic face (V, 3)."""
+    far = np.log(np.ptp(positions[line.loop, 0]) / np.ptp(generic[line.loop, 0]))
+    return float(np.exp(np.sign(far) * max(abs(far) - ALIKE, 0.0)))
+
+
+def jaw_amplitude(
+    lines: Sequence[Line], generic: NDArray[np.floating], positions: NDArray[np.floating], /
+) -> float | None:  # fmt: skip
+    """How much larger the jaw's motion is on a face with positions (V, 3) than on the generic face (V, 3): it goes with
+    lips that open less, and no farther than there; None where no lips are named."""
+    return min(
+        (min(lip_amplitude(line, generic, positions), 1.0) for line in lines if line.kind == "lips"), default=None
+    )
 
 
 def find_line(

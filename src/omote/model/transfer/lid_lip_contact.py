@@ -6,6 +6,7 @@ squares of minimum norm, whose responses are solved once per face: M^-1 C' (C M^
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,20 +14,18 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from omote.model.space.lid_lip_lines import RUNGS, Line
+from omote.model.space.lid_lip_lines import RUNGS, Kind, Line, lip_amplitude
 from omote.model.transfer.fold_repair import SheetGeometry
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-BINS = 3
+# How many hat functions there are along a line: a muzzle's lips cross between three of them; lids fold with more.
+BINS: Mapping[Kind, int] = {"lids": 3, "lips": 7}
 # A correction dies out over this share of the line's width, and is nothing beyond REACH widths.
 LENGTH, REACH = 0.2, 1.5
 # Of the source's relative opening: what lids may differ without being corrected, nothing at contact.
 TOLERANCE = 0.026
-# Lips open as the mouth is wide; widths that differ by less than this share change nothing: people's amplitudes do not
-# grow with their heads.
-ALIKE = 0.09
 # Where the jaw goes with the lips in full: (distance to the lids - to the lips) / their sum.
 JAW = 0.4
 _UP = np.array([0.0, 1.0, 0.0])
@@ -63,24 +62,17 @@ def build_contact(line: Line, generic: Values, positions: Values, sheet: SheetGe
     lips = line.kind == "lips"
     source = np.tile(_UP, (RUNGS, 1)) if lips else there / long_there[:, None]
     target = np.tile(_UP, (RUNGS, 1)) if lips else here / long_here[:, None]
-    widths = [float(np.ptp(points[line.loop, 0])) for points in (generic, positions)]
-    near, response = _solve_responses(line, target, positions, sheet, widths[1])
+    near, response = _solve_responses(line, target, positions, sheet, float(np.ptp(positions[line.loop, 0])))
     return Contact(
-        line, hat_functions(), source, target, long_here / long_there, (source * there).sum(axis=1),
-        (target * here).sum(axis=1), _lip_gain(widths[1] / widths[0]), long_here, near, response,
+        line, hat_functions(BINS[line.kind]), source, target, long_here / long_there, (source * there).sum(axis=1),
+        (target * here).sum(axis=1), lip_amplitude(line, generic, positions), long_here, near, response,
     )  # fmt: skip
 
 
-def _lip_gain(ratio: float) -> float:
-    """How much larger lips open where the mouth is `ratio` times as wide."""
-    far = np.log(ratio)
-    return float(np.exp(np.sign(far) * max(abs(far) - ALIKE, 0.0)))
-
-
-def hat_functions() -> Values:
-    """Hat functions over the rungs that sum to one: (BINS, RUNGS)."""
-    shares = (np.arange(RUNGS) + 0.5) / RUNGS * BINS - 0.5
-    result: Values = np.maximum(0.0, 1.0 - np.abs(shares - np.arange(BINS)[:, None]))
+def hat_functions(count: int, /) -> Values:
+    """So many hat functions over the rungs that sum to one: (count, RUNGS)."""
+    shares = (np.arange(RUNGS) + 0.5) / RUNGS * count - 0.5
+    result: Values = np.maximum(0.0, 1.0 - np.abs(shares - np.arange(count)[:, None]))
     result /= result.sum(axis=0)
     return result
 
@@ -99,8 +91,8 @@ def _solve_responses(
     near = used[distance < REACH * width].astype(np.int32)
     place = np.full(len(positions), -1)
     place[near] = np.arange(len(near))
-    openings = np.zeros((BINS, len(near), 3))
-    weighted = np.einsum("br,rk,rc->brkc", hat_functions(), line.weights, target)
+    openings = np.zeros((BINS[line.kind], len(near), 3))
+    weighted = np.einsum("br,rk,rc->brkc", hat_functions(BINS[line.kind]), line.weights, target)
     for column in range(4):
         for rung in range(RUNGS):
             openings[:, place[line.vertices[rung, column]]] += weighted[:, rung, column]

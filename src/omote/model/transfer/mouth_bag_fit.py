@@ -13,6 +13,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.geometry.ramp import smooth_ramp
 from omote.model.space.eye_socket import fall_off
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
@@ -27,6 +28,9 @@ _limits: WeakKeyDictionary[Face, tuple[ParameterSpace, Values]] = WeakKeyDiction
 # How far behind the skin the bag stays, where it is as far behind it on the generic face at rest, metres; less toward
 # the lips, nothing at them and in full beyond FREE along the mesh.
 MARGIN, FREE = 0.0015, 0.014
+# Beside the corners of the mouth, up to the first of CORNER metres from them and less up to the second, the same more
+# strictly: the skin is bent most there, and straight edges between vertices that are behind it would come out of it.
+CORNER, CORNER_MARGIN, CORNER_FREE = (0.008, 0.016), 0.0025, 0.006
 # A push spreads over so many rings, from one to the next this share of it; then what is still outside by more than
 # EXACT metres is pushed again.
 RINGS, SHARE, ROUNDS, EXACT = 4, 0.75, 12, 1e-6
@@ -64,9 +68,20 @@ def measure_depths(space: ParameterSpace, bag: MouthBag, positions: Values, /) -
 
 def require_depths(space: ParameterSpace, bag: MouthBag, /) -> Values:
     """How far behind the skin of any face the bag has to lie, (m,) metres."""
-    ramp = 1.0 - fall_off(bag.distance / FREE)
-    result: Values = ramp * np.clip(measure_depths(space, bag, space.points).depth, 0.0, MARGIN)
+    depth = np.maximum(measure_depths(space, bag, space.points).depth, 0.0)
+    everywhere = (1.0 - fall_off(bag.distance / FREE)) * np.minimum(depth, MARGIN)
+    beside = (1.0 - fall_off(bag.distance / CORNER_FREE)) * np.minimum(depth, CORNER_MARGIN)
+    share = 1.0 - smooth_ramp(*CORNER, _measure_to_corners(space, bag))
+    result: Values = np.maximum(everywhere, share * beside)
     return result
+
+
+def _measure_to_corners(space: ParameterSpace, bag: MouthBag) -> Values:
+    """How far the bag's vertices are from the nearer corner of the mouth on the generic face, (m,) metres."""
+    lips = next(space.points[line.loop] for line in space.lines if line.kind == "lips")
+    corners = lips[[lips[:, 0].argmin(), lips[:, 0].argmax()]]
+    away: Values = np.linalg.norm(space.points[bag.vertices, None] - corners, axis=2).min(axis=1)
+    return away
 
 
 def missing_depths(wanted: Values, here: Depths, /) -> Values:

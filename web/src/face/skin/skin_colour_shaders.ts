@@ -64,7 +64,7 @@ vec3 furred(Layers at) {
 Ground ground(Layers at, float hairline) {
   Ground found;
   found.hair = smoothstep(0.15, 0.9, hairline + (at.marks.a - 0.5) * 2.8 * hairline * (1.0 - hairline)) * scalp;
-  float narrow = 0.3 * age;
+  float narrow = 0.12 * age;
   float human = smoothstep(0.06 + narrow, 0.5 + narrow, at.mask.r);
   found.lips = mix(human, smoothstep(0.86, 0.97, at.mask.r), fur);
   // The mouth's lining: painted like lips, in little light; wet flesh on every face, under fur too.
@@ -82,7 +82,7 @@ Ground ground(Layers at, float hairline) {
   seen = mix(seen, hair * (0.7 + 0.6 * at.marks.a), found.hair);
   found.hair = max(found.hair, hairs * 0.85);
   seen = mix(seen, vec3(0.62, 0.16, 0.14), lining);
-  float left = mix(at.mask.a, 0.75, lining); // light comes into the mouth through teeth and lips
+  float left = mix(at.mask.a, 0.75, max(lining, 0.6 * human * smoothstep(0.5, 0.8, at.mask.r))); // light comes in between lips, and through them
   found.albedo = seen * left * mix(1.0, left, 0.3); // what cavities and the lash line leave of the light
   return found;
 }

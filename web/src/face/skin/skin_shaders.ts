@@ -30,8 +30,8 @@ vec3 deepened(vec3 albedo, float flesh) {
 }
 `;
 
-/** How much light is left in the mouth's lining at least: what comes through lips and cheeks. */
-const GLOW = "0.34";
+/** How much light is left on lips and in the mouth's lining at least: lips that part let it in, and flesh lets it through. */
+const GLOW = "0.42";
 
 /** What falls on the skin at one vertex, before its colour: for slow machines. */
 const VERTEX_LIGHT = `
@@ -212,7 +212,7 @@ void main() {
   seen += KEY_LIGHT * oil * (vGloss.x + (1.2 + 3.0 * at.lips) * vGloss.y);
   seen += RIM_LIGHT * vGloss.z * mix(0.02 + 0.85 * at.albedo, vec3(0.06), at.hair);
 #else
-  vec3 seen = lit(layers, at, max(vTraits.x, ${GLOW} * at.lining));
+  vec3 seen = lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips)));
 #endif
   colour = premultiplied(seen * vTraits.z, 1.0);
 }
