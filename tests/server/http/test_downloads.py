@@ -12,11 +12,11 @@ from aiohttp import web
 
 from omote.model.cast import Cast
 from omote.server.http.downloads import Downloads, plan_download
-from omote.showfile.changes import content_key
 from omote.server.http.long_requests import LongRequests
 from omote.server.http.uploads import CANCELLED, RunFileJob
 from omote.server.workers.file_jobs import ExportExpression, ExportFace
 from omote.server.workers.job_server import Follow, JobError
+from omote.showfile.changes import content_key
 from omote.showfile.contents import pack_expression
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
 
