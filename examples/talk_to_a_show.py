@@ -24,7 +24,7 @@ async def play(address: str) -> list[dict[str, object]]:
     """What a console hears from hello until its call has arrived."""
     heard = []
     async with aiohttp.ClientSession() as session, session.ws_connect(f"{address}/link") as link:
-        await link.send_bytes(pack({"type": "hello", "role": "console", "version": 3}))
+        await link.send_bytes(pack({"type": "hello", "role": "console", "version": 4}))
         call = {"type": "call_face", "id": "first", "name": "dog", "seconds": 0.5, "easing": "smooth"}
         await link.send_bytes(pack(call))
         await link.send_bytes(pack({**call, "id": "second", "name": "nobody"}))  # is answered with the reason

@@ -4,7 +4,7 @@ also while a show plays it."""
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -13,6 +13,8 @@ import typer
 from omote.terminal import complete_name, escape_controls, exit_on_refusal, fail, say
 
 if TYPE_CHECKING:
+    from omote.edit.store.import_items import ImportedItem
+    from omote.model.cast import Cast
     from omote.showfile.changes import Stored
 
 WIDEST = 4000
@@ -115,21 +117,16 @@ def take_in(
     from omote.server.persistence.offline_show import open_offline_show, wall_clock
     from omote.showfile.recovery import name_show
 
-    arrivals = []
     with exit_on_refusal():
         file = name_show(file)
         own = read_own_work(file)
         require_imports(things)
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
         from omote.edit.store.import_items import changes_to_import, distinguish
-        from omote.server.sandbox.import_files import expressions_from, faces_from
         from omote.stage_data.full_cast import build_full_cast
 
         cast = load_cast() if own is None else build_full_cast(load_cast(), *own)
-        found = faces_from(cast, things, look=face) if kind == "face" else expressions_from(cast, things, face=face)
-        for arrival, sentence in found:
-            typer.echo(f"omote: {escape_controls(sentence)}", err=True)
-            arrivals.append(arrival)
+        arrivals = read_arrivals(cast, things, face, kind)
         with open_offline_show(file, new=True) as show:
             distinct = distinguish(load_cast(), show.stored(), arrivals)
             changes = changes_to_import(cast, show.stored(), [each for each, _ in distinct], wall=wall_clock())
@@ -138,6 +135,20 @@ def take_in(
             if twin:
                 say(twin)
     typer.echo(f"omote: {file} has {len(arrivals)} {kind}{'' if len(arrivals) == 1 else 's'} more.", err=True)
+
+
+def read_arrivals(
+    cast: Cast, things: Sequence[Path], face: str, kind: Literal["expression", "face"]
+) -> list[ImportedItem]:
+    """What files bring; each is told as soon as it is read."""
+    from omote.server.sandbox.import_files import expressions_from, faces_from
+
+    arrivals = []
+    found = faces_from(cast, things, look=face) if kind == "face" else expressions_from(cast, things, face=face)
+    for arrival, sentence in found:
+        typer.echo(f"omote: {escape_controls(sentence)}", err=True)
+        arrivals.append(arrival)
+    return arrivals
 
 
 def read_own_work(file: Path) -> tuple[Stored, Mapping[str, bytes]] | None:

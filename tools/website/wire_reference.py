@@ -37,10 +37,8 @@ def wire_page() -> str:
     parts = [HEAD]
     parts += _group("Show: client to server", show.CLIENT_MESSAGES)
     parts += _group("Show: server to client", show.SERVER_MESSAGES)
-    parts += _group("Editor: client to server", editing.EDITOR_MESSAGES)
-    shared = [struct for struct in editing.ANSWERS if struct in show.SERVER_MESSAGES]
-    parts += _group("Editor: server to client", [struct for struct in editing.ANSWERS if struct not in shared])
-    parts += [f"Of the show's too: {', '.join(f'`{struct.__struct_config__.tag}`' for struct in shared)}.\n"]
+    parts += _shared("Editor: client to server", editing.EDITOR_MESSAGES, show.CLIENT_MESSAGES)
+    parts += _shared("Editor: server to client", editing.ANSWERS, show.SERVER_MESSAGES)
     parts += _group("Documents over HTTP", show.DOCUMENTS)
     told = {*show.CLIENT_MESSAGES, *show.SERVER_MESSAGES, *editing.EDITOR_MESSAGES, *editing.ANSWERS, *show.DOCUMENTS}
     parts += _group("Inside messages and documents", _inner(told))
@@ -49,6 +47,15 @@ def wire_page() -> str:
 
 def _group(title: str, structs: typing.Iterable[Struct]) -> list[str]:
     return [f"## {title}\n", *(section(struct) for struct in structs)]
+
+
+def _shared(title: str, structs: typing.Iterable[Struct], told: typing.Collection[Struct]) -> list[str]:
+    """A group of the second link; what the first has too is named only."""
+    own, both = list[Struct](), list[Struct]()
+    for struct in structs:
+        (both if struct in told else own).append(struct)
+    named = ", ".join(f"`{struct.__struct_config__.tag}`" for struct in both)
+    return [*_group(title, own), f"Of the show's too: {named}.\n"]
 
 
 def section(struct: Struct) -> str:

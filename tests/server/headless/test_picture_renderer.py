@@ -62,11 +62,11 @@ async def test_a_picture_page_returns_what_the_page_draws(tmp_path: Path) -> Non
 async def test_a_page_that_does_not_open_says_why(tmp_path: Path) -> None:
     refusing = ANSWERS.replace(
         '{"result": {"value": True}}',
-        '{"result": {}, "exceptionDetails": {"exception": {"value": "background=red is no colour."}}}',
+        '{"result": {}, "exceptionDetails": {"exception": {"value": "light=moon is no light."}}}',
     )
     async with open_chromium(false_browser(tmp_path, refusing)) as tools:
-        with pytest.raises(BrowserError, match=r"^background=red is no colour\.$"):
-            await open_picture_page(tools, "http://127.0.0.1:1", Setting(background="red"))
+        with pytest.raises(BrowserError, match=r"^light=moon is no light\.$"):
+            await open_picture_page(tools, "http://127.0.0.1:1", Setting())
 
 
 @pytest.mark.asyncio

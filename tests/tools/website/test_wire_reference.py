@@ -27,9 +27,12 @@ def test_every_message_has_its_section_once() -> None:
 
 
 def test_a_message_of_both_links_has_one_section_and_is_named_at_the_other() -> None:
-    before, after = wire_page().split("## Editor: server to client")
-    assert "### `notices`\n" in before
-    assert "Of the show's too: `notices`." in after
+    show, sent = wire_page().split("## Editor: client to server")
+    sent, answered = sent.split("## Editor: server to client")
+    for tag, there in (("cancel", sent), ("notices", answered), ("progress", answered)):
+        assert f"### `{tag}`\n" in show
+        assert f"### `{tag}`\n" not in there
+        assert f"`{tag}`" in there.split("Of the show's too: ")[1].split(".")[0]
 
 
 def test_links_between_types_lead_to_sections_of_the_page() -> None:
