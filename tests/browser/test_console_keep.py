@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 from playwright.sync_api import Page, expect
 
+import omote
 from tests.browser.pictures import picture
 from tests.browser.test_console import DESK, choose, console, region, state, tile, wait_for
 from tests.browser.waiting import draw_on_demand, floats, wait_until
@@ -106,7 +107,10 @@ def test_an_expression_kept_from_a_mix_and_channels_is_worn_by_the_dog(console: 
     tile(page, kept["name"]).click()
     wait_for(page, f"state.expressions[{kept['name']!r}] === 1")
     worn, shown = held(stage, faces={"dog": 1.0}, expressions={kept["name"]: 1.0})
-    assert np.abs(worn - mixed).max() < 0.05 * np.abs(mixed - rest).max()
+    off = np.abs(worn - mixed).max(axis=1) / np.abs(mixed - rest).max()
+    inside = omote.load_cast().space.inner.vertices  # of the mouth: kept behind the skin in each compound for itself
+    assert np.delete(off, inside).max() < 0.05
+    assert off.max() < 0.1
     assert np.abs(shown - calm).max() > 40
 
 

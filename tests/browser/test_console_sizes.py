@@ -42,11 +42,11 @@ CONTROLS = """() => {
             const box = one.getBoundingClientRect();
             const active = one.matches("button, select, input, a[href], [role=slider]");
             if (!active || box.width === 0 || box.height === 0 || clipped(one, box)) continue;
+            if (getComputedStyle(one).pointerEvents === "none") continue; // for a mouse and the keyboard alone
             const text = one.matches("button") && one.scrollWidth > one.clientWidth + 1;
             found.push({
                 name: one.getAttribute("aria-label") || one.textContent.trim().replace(/\\s+/g, " ") || one.className,
                 left: box.left, top: box.top, right: box.right, bottom: box.bottom, cut: text,
-                pencil: one.matches(".edit"),
             });
         }
     };
@@ -70,7 +70,6 @@ def overlap(one: dict[str, Any], other: dict[str, Any]) -> bool:
 def faults(page: Page) -> list[tuple[str, ...]]:
     """What a finger cannot hit, what is cut off, and what lies under something else."""
     seen = controls(page)
-    apart = [one for one in seen if not one["pencil"]]
     return [
         *(("cut", one["name"]) for one in seen if one["cut"]),
         *(
@@ -80,8 +79,8 @@ def faults(page: Page) -> list[tuple[str, ...]]:
         ),
         *(
             ("over", one["name"], other["name"])
-            for at, one in enumerate(apart)
-            for other in apart[at + 1 :]
+            for at, one in enumerate(seen)
+            for other in seen[at + 1 :]
             if overlap(one, other)
         ),
     ]

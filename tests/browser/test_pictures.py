@@ -128,10 +128,10 @@ def test_a_picture_from_its_sidecar_and_from_two_browsers_is_the_same(open_page:
     assert any(np.array_equal(sheet[at : at + 120, -321:-161], one) for at in range(sheet.shape[0] - 119))
 
 
-def test_what_the_stage_refuses_is_one_sentence_and_no_file(tmp_path: Path) -> None:
+def test_what_is_refused_is_one_sentence_and_no_file(tmp_path: Path) -> None:
     done = omote("render", "--background", "red", "-o", str(tmp_path / "a.png"))
     assert (done.returncode, done.stderr.count("\n")) == (1, 1)
-    assert "background=red" in done.stderr
+    assert "the background 'red' is no colour" in done.stderr
     assert list(tmp_path.iterdir()) == []
 
 
