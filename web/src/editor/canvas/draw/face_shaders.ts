@@ -61,7 +61,7 @@ vec3 inMouth(vec3 colour, vec3 here) {
   float high = max(upper.y - lower.y, 0.0);
   float deep = max(0.5 * (upper.z + lower.z) - here.z, 0.0);
   float area = 0.06 * high; // metres times metres: mouths are some 5 cm wide
-  float sky = area / (area + 2.5 * deep * deep + 1e-5); // lamps shine straight in too
+  float sky = area / (area + deep * deep + 1e-5); // lamps shine straight in too
   return mix(SEAM, colour * sky, smoothstep(0.0, 0.004, high));
 }
 out vec2 vUv;
