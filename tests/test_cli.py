@@ -382,6 +382,14 @@ def test_a_face_is_written_with_its_expressions_as_targets(tmp_path: Path) -> No
     done = runner.invoke(app, ["export", "dog", "-o", str(tmp_path / "dog"), "--expressions", "smile,jawOpen"])
     assert done.exit_code == 0, done.output
     assert {tuple(piece.moves) for piece in read_glb(path.read_bytes())} == {("smile", "jawOpen")}
+    before = path.read_bytes()  # shaped in another program, it may have the same name
+    again = ["export", "dog", "-o", str(path), "--expressions", "smile"]
+    assert "dog.glb is there already and stays as it is; give another name, or --force" in (
+        runner.invoke(app, again).stderr
+    )
+    assert path.read_bytes() == before
+    assert runner.invoke(app, [*again, "--force"]).exit_code == 0
+    assert {tuple(piece.moves) for piece in read_glb(path.read_bytes())} == {("smile",)}
 
 
 def test_an_ending_that_is_left_out_is_the_files_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -409,7 +417,7 @@ def test_a_face_is_written_as_numbers(tmp_path: Path, ending: str) -> None:
     assert f"omote: {path}: dog, expressions: 1, " in done.stderr
     assert b"jawOpen,26,skin" in path.read_bytes() or ending == ".npz"
     path.write_bytes(b"somebody else's")
-    assert "it stays as it is" in runner.invoke(app, ["export", "dog", "-o", str(path)]).stderr
+    assert "it stays as it is" in runner.invoke(app, ["export", "dog", "-o", str(path), "--force"]).stderr
     assert path.read_bytes() == b"somebody else's"
 
 
@@ -419,6 +427,7 @@ def test_a_face_is_written_as_numbers(tmp_path: Path, ending: str) -> None:
         (["nobody", "-o", "a.glb"], "there is no face 'nobody'"),
         (["dog", "-o", "a.gltf"], "is no name of a GLB file; end it with .glb, or with .npz or .csv for numbers"),
         (["dog", "-o", "a.glb", "--expressions", "grin"], "there is no expression 'grin'"),
+        (["dog", "-o", "a.npz", "--expressions", ","], "',' names no expression; give names or a kind"),
         (["dog", "-o", "a.glb", "--show", "none.omote"], "there is no show file"),
     ],
 )

@@ -128,13 +128,16 @@ app.command()(redraw)
 def export(
     face: Annotated[str, typer.Argument(help="A face of the cast: kaori, dog.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: face.glb, face.npz, face.csv.")],
-    expressions: Annotated[str, typer.Option(help="arkit, performed, makehuman, all, or names, by commas.")] = "arkit",
+    expressions: Annotated[
+        str, typer.Option(help="arkit, performed, makehuman, own, all, neutral (the face alone), or names, by commas.")
+    ] = "arkit",
     hair: Annotated[bool, typer.Option("--hair/--no-hair", help="The face's hair, as ribbons.")] = True,
     show: Annotated[Path | None, typer.Option(help="A show file (.omote) whose own work can be named too.")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replaces a file that is there.")] = False,
 ) -> None:
     """Writes a face with expressions: as morph targets (GLB), or as what each moves in numbers (NPZ, CSV)."""
     output = complete_name(output, ".glb")
-    found = check_export(output, show)
+    found = check_export(output, show, force=force)
     from rich.console import Console  # what is heavy comes after what can be refused without it
     from rich.progress import track
 
@@ -154,15 +157,16 @@ def export(
     say(f"{output}: {face}, {what}: {len(names)}, {output.stat().st_size / 1e6:.1f} MB")
 
 
-def check_export(output: Path, show: Path | None) -> Inspection | None:
+def check_export(output: Path, show: Path | None, *, force: bool) -> Inspection | None:
     """What the show file holds, if one is named; ends the command where the export could not be written."""
-    from omote.interchange.formats.atomic_file import check_writable
+    from omote.interchange.formats.atomic_file import check_writable, require_free
     from omote.interchange.formats.file_names import check_export_name
     from omote.showfile.inspection import inspect_show
 
     with exit_on_refusal():
         check_export_name(output)
         check_writable(output)
+        require_free(output, force=force)
         return None if show is None else inspect_show(show)
 
 

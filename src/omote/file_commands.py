@@ -168,15 +168,17 @@ def give_out(
     file: ShowFileArgument,
     name: Annotated[str, typer.Argument(help="The name of an own expression (omote file list), or one of the cast.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="The document to write: smile.json.")],
+    force: Annotated[bool, typer.Option("--force", help="Replaces a document that is there.")] = False,
 ) -> None:
     """Writes an expression as a document that any crew can take in."""
-    from omote.interchange.formats.atomic_file import check_writable, write_whole
+    from omote.interchange.formats.atomic_file import check_writable, require_free, write_whole
     from omote.interchange.formats.file_names import check_document_name
     from omote.showfile.inspection import inspect_show
 
     output = complete_name(output, ".json")
     with exit_on_refusal():
         check_writable(output)
+        require_free(output, force=force)
         check_document_name(output)
         found = inspect_show(file)
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it

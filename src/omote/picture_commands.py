@@ -20,7 +20,9 @@ if TYPE_CHECKING:
     from omote.stage_data.picture_sidecar import Sidecar
 
 Output = Annotated[Path, typer.Option("--output", "-o", help="The picture to write: .png, .jpg.")]
-FacesOption = Annotated[list[str] | None, typer.Option("--face", help="A face; several mix: kaori=0.5, dog=0.5.")]
+FacesOption = Annotated[
+    list[str] | None, typer.Option("--face", help="A face, or a mix: kaori=0.5+dog=0.5; may be given again.")
+]
 ExpressionsOption = Annotated[list[str] | None, typer.Option("--expression", help="An expression: smile, smile=0.7.")]
 ChannelsOption = Annotated[list[str] | None, typer.Option("--channel", help="A channel over it: jawOpen=0.5.")]
 LightOption = Annotated[str, typer.Option(help="theatre, portrait, flat or a mix: theatre=0.5+flat.")]

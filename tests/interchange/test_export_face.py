@@ -34,7 +34,9 @@ def test_expressions_are_named_by_kind_or_by_name() -> None:
     assert choose_expressions(cast, "smile, arkit,smile") == ["smile", *others]
     assert sorted(choose_expressions(cast, "all")) == sorted(set(synthetic.EXPRESSIONS) - {"neutral"})
     assert choose_expressions(cast, "jaw open, SMILE") == ["jawOpen", "smile"]
-    assert choose_expressions(cast, "") == []
+    assert choose_expressions(cast, "neutral") == []
+    with pytest.raises(ValueError, match="' , ' names no expression; give names or a kind"):
+        choose_expressions(cast, " , ")
     with pytest.raises(
         ValueError, match=r"no expression 'grin' in this cast; near are .*; or name a kind: neutral, arkit"
     ):

@@ -12,7 +12,8 @@ from omote.cli import app
 HEAD = """# Commands
 
 Written from `omote --help` by `tools/website/command_reference.py`. Every command says the same in a terminal:
-`omote COMMAND --help`. A command that cannot do what it is told ends with one sentence and exit status 1.
+`omote COMMAND --help`. A command that cannot do what it is told ends with one sentence and exit status 1,
+one that is not understood with 2, Ctrl-C with 130.
 """
 
 

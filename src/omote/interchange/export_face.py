@@ -57,12 +57,14 @@ class ExportContext:
 def choose_expressions(cast: Cast, text: str, /) -> list[str]:
     """Parses a list of expressions: kinds (`arkit`, `performed`), `all`, or names, by commas; without neutral.
 
-    ValueError for a name that is neither.
+    ValueError for a name that is neither, and where nothing is named.
     """
     found: dict[str, None] = {}
     for word in filter(None, (word.strip() for word in text.split(","))):
         kind = [name for name, title in cast.titles.items() if title.kind == word or word == ALL]
         found |= dict.fromkeys(kind or [_named_expression(cast, word)])
+    if not found:
+        raise ValueError(f"{text!r} names no expression; give names or a kind by commas: smile,joy or arkit or neutral")
     return [name for name in found if name != NEUTRAL]
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from omote.interchange.formats.atomic_file import check_writable, write_whole
+from omote.interchange.formats.atomic_file import check_writable, require_free, write_whole
 
 PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -82,6 +82,15 @@ def test_what_begins_as_the_new_content_is_of_its_kind(tmp_path: Path) -> None:
     for number in range(2):
         write_whole(tmp_path / "figure.json", b'{"picture": "a.png", "number": %d}' % number)
     assert b'"number": 1' in (tmp_path / "figure.json").read_bytes()
+
+
+def test_only_who_says_so_replaces_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "smirk.json"
+    require_free(path, force=False)
+    path.write_bytes(b"{}")
+    require_free(path, force=True)
+    with pytest.raises(FileExistsError, match=r"smirk.json is there already .* or --force to replace it"):
+        require_free(path, force=False)
 
 
 def test_a_device_is_not_replaced(tmp_path: Path) -> None:

@@ -38,6 +38,14 @@ def check_writable(path: Path, begin: bytes = b"") -> None:
         raise PermissionError(f"nothing can be written into {folder}; choose another folder")
 
 
+def require_free(path: Path, *, force: bool) -> None:
+    """Raises FileExistsError with a message where a file is at this path that nobody said may be replaced."""
+    if path.is_file() and not force:
+        raise FileExistsError(
+            f"{path} is there already and stays as it is; give another name, or --force to replace it"
+        )
+
+
 def write_whole(path: Path, data: bytes) -> None:
     """Writes a file atomically (temporary file, then rename): readers see the old file or the whole new one.
 
