@@ -2,7 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { closeOutside, curtain } from "../ui/dialog_style";
+import { closeOutside, curtainBelowBar } from "../ui/dialog_style";
 import { layerWhileShown } from "../ui/key_presses";
 import type { ShowNotices } from "../ui/show_notices";
 import { base } from "../ui/theme";
@@ -16,12 +16,8 @@ export class MessageLog extends ConsoleElement {
 
   static override styles = [
     base,
-    curtain,
+    curtainBelowBar,
     css`
-      :host {
-        inset: 62px 0 0; /* panic stays in sight */
-        background: #0006; /* and what is on air */
-      }
       section {
         display: grid;
         grid-template-rows: auto auto minmax(0, 1fr) auto;

@@ -3,7 +3,7 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { EASING_NAMES } from "../link/constants";
-import { closeOutside, curtain } from "../ui/dialog_style";
+import { closeOutside, curtainBelowBar } from "../ui/dialog_style";
 import { ACCEPTED, type ImportKind } from "../ui/file_import";
 import { layerWhileShown } from "../ui/key_presses";
 import { base, entry } from "../ui/theme";
@@ -22,12 +22,8 @@ const AXES: readonly Axis[] = ["face", "expression"];
 export class Setup extends ConsoleElement {
   static override styles = [
     base,
-    curtain,
+    curtainBelowBar,
     css`
-      :host {
-        inset: 62px 0 0; /* panic stays in sight */
-        background: #0006; /* and what is on air */
-      }
       section {
         width: min(460px, 100%);
         max-height: 100%;

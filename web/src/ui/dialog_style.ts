@@ -13,6 +13,15 @@ export const curtain = css`
   }
 `;
 
+/** A curtain over all but the bar above, and thin, for a console: panic stays in sight, and what is on air. */
+export const curtainBelowBar = css`
+  ${curtain}
+  :host {
+    inset: 62px 0 0;
+    background: #0006;
+  }
+`;
+
 /** Closes a dialog where the curtain beside it is pressed. */
 export function closeOutside(host: HTMLElement, close: () => void): void {
   host.addEventListener("click", (event) => {
