@@ -29,8 +29,10 @@ TO_REST = f"""() => {{
         desk.setTiming(axis, {{ seconds: 0 }});
     }}
     desk.flush();
+    const before = desk.state.panics;
     desk.panic();
     desk.call("face", "generic");
+    return before;
 }}"""
 
 TWO_FRAMES = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
@@ -45,8 +47,8 @@ def console(open_page: OpenPage) -> Console:
         page = open_page("/console", pictures=pictures, **options)
         wait_for(page, "desk.online && state !== null && desk.faces.length > 0")
         if not opened:
-            page.evaluate(TO_REST)
-            wait_for(page, AT_REST)
+            before = page.evaluate(TO_REST)
+            wait_for(page, f"{AT_REST} && state.panics > {before}")  # a panic that comes later lets go of what is held
         opened.append(page)
         return page
 
