@@ -169,6 +169,13 @@ def test_an_expression_goes_out_of_one_show_file_and_into_another(show: ShowFile
     assert f"{other} has 1 expression more." in come.output.replace("\n", "")
     listed = json.loads(CliRunner().invoke(app, ["file", "list", str(other), "--json"]).stdout)
     assert [(row["name"], row["label"], row["revision"]) for row in listed] == [("smile_2", "Smile 2", 1)]
+    again = said("import", other, letter, letter)
+    assert again.count("'Smile' is there already, exactly the same, as smile_2 ('Smile 2')") == 2
+    assert f"{other} has nothing more." in again
+    both = said("import", other, letter, "--keep-both")
+    assert "there is a 'Smile' already, so this one is called 'Smile 3'" in both
+    names = [row["name"] for row in json.loads(said("list", other, "--json"))]
+    assert names == ["smile_2", "smile_3"]
 
 
 def test_what_cannot_come_in_leaves_no_file(tmp_path: Path) -> None:
@@ -200,9 +207,10 @@ def test_a_path_that_no_disk_takes_is_refused(command: tuple[str, ...], tmp_path
     assert "too long" in said(command[0], tmp_path / ("x" * 300), *command[1:], status=1)
 
 
-def test_a_file_whose_numbers_are_used_up_takes_nothing_more_and_says_so(show: ShowFile, tmp_path: Path) -> None:
-    show.apply([PutItem(item(2**63 - 1, name="last"))])
-    show.close()
+def test_a_file_whose_numbers_are_used_up_takes_nothing_more_and_says_so(tmp_path: Path) -> None:
+    other = open_show(tmp_path / "b.omote")
+    other.apply([PutItem(item(2**63 - 1, name="last"))])
+    other.close()
     cast = load_cast()
     (tmp_path / "mail.json").write_bytes(encode(make_document(cast.space, "Wry", (), cast.expressions["smile"])))
-    assert "too large" in said("import", show.path, tmp_path / "mail.json", status=1)
+    assert "too large" in said("import", other.path, tmp_path / "mail.json", status=1)

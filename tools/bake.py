@@ -23,7 +23,7 @@ from tools.baking.assemble import (
     openness_arrays,
     space_of,
 )
-from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
+from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED
 from tools.baking.hair.strands import hair_arrays
 from tools.baking.hair.styles import GROOMS
 from tools.baking.heads.basemesh import BaseMesh, Floats, read_base_mesh
@@ -41,7 +41,7 @@ ROOT = Path(__file__).resolve().parent.parent
 CACHE = ROOT / "build" / "cast"
 TARGET = ROOT / "src" / "omote" / "builtin"
 FACES = len(PEOPLE) + len(sculpt_paths())
-STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OWN) + len(GROOMS) + 4
+STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OMOTE) + len(GROOMS) + 4
 
 
 def bake(package: Package, step: Step) -> dict[str, bytes]:

@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omote.file_commands import file_app
-from omote.picture_commands import grid, redraw, render
-from omote.terminal import complete_name, exit_on_refusal, fail, fail_with, say
+from omote.picture_commands import ShowOption, grid, redraw, render
+from omote.terminal import complete_name, complete_show, exit_on_refusal, fail, fail_with, say
 
 if TYPE_CHECKING:
     from omote.interchange.export_face import Meshes
@@ -69,7 +69,9 @@ def read_port(text: str | int) -> int:
 
 @app.command()
 def show(
-    file: Annotated[Path | None, typer.Argument(help="The show file (.omote); made when there is none.")] = None,
+    file: Annotated[
+        Path | None, typer.Argument(callback=complete_show, help="The show file (.omote); made when there is none.")
+    ] = None,
     host: Annotated[str, typer.Option(help="The address to listen on; 0.0.0.0 for the whole network.")] = "127.0.0.1",
     port: Annotated[
         int, typer.Option(parser=read_port, metavar="PORT", help="The port to listen on; 0 for any.")
@@ -84,12 +86,11 @@ def show(
     from omote.server.supervision.preparation import prepare_show
     from omote.server.supervision.supervisor import Supervisor
     from omote.showfile.identification import locate_show
-    from omote.showfile.recovery import name_show
     from omote.showfile.schema import ShowFileError
 
     board = NoticeBoard()
     try:
-        path = locate_show(default_show() if file is None else name_show(file))
+        path = locate_show(default_show() if file is None else file)
         lock, listening = prepare_show(path, host, port, tell=say, report=board.with_report(say))
     except (OSError, ShowFileError, ShowLockedError) as error:
         fail_with(error)
@@ -129,10 +130,13 @@ def export(
     face: Annotated[str, typer.Argument(help="A face of the cast: kaori, dog.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: face.glb, face.npz, face.csv.")],
     expressions: Annotated[
-        str, typer.Option(help="arkit, performed, makehuman, own, all, neutral (the face alone), or names, by commas.")
+        str,
+        typer.Option(
+            help="arkit, performed, makehuman, omote, own, all, neutral (the face alone), or names, by commas."
+        ),
     ] = "arkit",
     hair: Annotated[bool, typer.Option("--hair/--no-hair", help="The face's hair, as ribbons.")] = True,
-    show: Annotated[Path | None, typer.Option(help="A show file (.omote) whose own work can be named too.")] = None,
+    show: ShowOption = None,
     force: Annotated[bool, typer.Option("--force", help="Replaces a file that is there.")] = False,
 ) -> None:
     """Writes a face with expressions: as morph targets (GLB), or as what each moves in numbers (NPZ, CSV)."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from omote.terminal import complete_name, escape_controls, exit_on_refusal, fail, say
+from omote.terminal import complete_name, complete_show, escape_controls, exit_on_refusal, fail, say
 
 if TYPE_CHECKING:
     from omote.edit.store.import_items import ImportedItem
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 WIDEST = 4000
 """Characters of a line of a table at most."""
-ShowFileArgument = Annotated[Path, typer.Argument(help="The show file (.omote).")]
+ShowFileArgument = Annotated[Path, typer.Argument(callback=complete_show, help="The show file (.omote).")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print it for programs.")]
 
 file_app = typer.Typer(help="Looks into show files.", no_args_is_help=True)
@@ -111,14 +111,16 @@ def take_in(
     kind: Annotated[
         Literal["expression", "face"], typer.Option("--as", help="What the files are: expressions, or faces at rest.")
     ] = "expression",
+    keep_both: Annotated[
+        bool, typer.Option("--keep-both", help="Adds a copy of what is there already, exactly the same.")
+    ] = False,
 ) -> None:
-    """Takes expressions or faces made elsewhere into a show file that no show plays."""
+    """Takes expressions or faces made elsewhere into a show file that no show plays; what is there already is not
+    added again."""
     from omote.interchange.formats.file_names import require_imports
     from omote.server.persistence.offline_show import open_offline_show, wall_clock
-    from omote.showfile.recovery import name_show
 
     with exit_on_refusal():
-        file = name_show(file)
         own = read_own_work(file)
         require_imports(things)
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
@@ -128,13 +130,29 @@ def take_in(
         cast = load_cast() if own is None else build_full_cast(load_cast(), *own)
         arrivals = read_arrivals(cast, things, face, kind)
         with open_offline_show(file, new=True) as show:
-            distinct = distinguish(load_cast(), show.stored(), arrivals)
-            changes = changes_to_import(cast, show.stored(), [each for each, _ in distinct], wall=wall_clock())
-            show.apply(changes)
+            stored = show.stored()
+            new = arrivals if keep_both else drop_known(stored, arrivals)
+            distinct = distinguish(load_cast(), stored, new)
+            show.apply(changes_to_import(cast, stored, [each for each, _ in distinct], wall=wall_clock()))
         for _, twin in distinct:
             if twin:
                 say(twin)
-    typer.echo(f"omote: {file} has {len(arrivals)} {kind}{'' if len(arrivals) == 1 else 's'} more.", err=True)
+    say(f"{file} has {f'{len(new)} {kind}' if new else 'nothing'}{'s' if len(new) > 1 else ''} more.")
+
+
+def drop_known(stored: Stored, arrivals: Sequence[ImportedItem]) -> list[ImportedItem]:
+    """The arrivals that are new; of each other one it is said what it is already."""
+    from omote.edit.store.import_items import find_known
+
+    known = find_known(stored, arrivals)
+    for arrival, item in zip(arrivals, known, strict=True):
+        if item is not None:
+            where = f"as {item.name} ({item.label!r})" if item.name else "among what these files bring"
+            say(
+                f"{arrival.label!r} is there already, exactly the same, {where}: it is not added again; --keep-both "
+                "adds a copy."
+            )
+    return [arrival for arrival, item in zip(arrivals, known, strict=True) if item is None]
 
 
 def read_arrivals(

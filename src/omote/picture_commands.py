@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.terminal import INTERRUPTED, complete_name, exit_on_refusal, fail, read_count, say
+from omote.terminal import INTERRUPTED, complete_name, complete_show, exit_on_refusal, fail, read_count, say
 
 if TYPE_CHECKING:
     from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress
@@ -29,7 +29,9 @@ LightOption = Annotated[str, typer.Option(help="theatre, portrait, flat or a mix
 BackgroundOption = Annotated[str | None, typer.Option(help="Behind the head: green, grey, or #rrggbb.")]
 TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
 QualityOption = Annotated[str, typer.Option(help="lowest, low, medium or high.")]
-ShowOption = Annotated[Path | None, typer.Option(help="A show file (.omote) whose own work can be named too.")]
+ShowOption = Annotated[
+    Path | None, typer.Option(callback=complete_show, help="A show file (.omote) whose own work can be named too.")
+]
 JobsOption = Annotated[
     int, typer.Option("--jobs", "-j", parser=read_count, metavar="COUNT", help="Browsers that draw at once.")
 ]
@@ -98,7 +100,9 @@ def redraw(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="The picture to write; else the one beside it is proved.")
     ] = None,
-    show: Annotated[Path | None, typer.Option(help="Where the show file lies now, if not where it was.")] = None,
+    show: Annotated[
+        Path | None, typer.Option(callback=complete_show, help="Where the show file lies now, if not where it was.")
+    ] = None,
     jobs: JobsOption = 1,
     force: Annotated[bool, typer.Option("--force", help="Replace the picture beside it, whatever comes out.")] = False,
 ) -> None:

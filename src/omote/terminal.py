@@ -35,6 +35,16 @@ def complete_name(path: Path, ending: str) -> Path:
     return path if path.suffix or path.exists() else path.with_name(path.name + ending)
 
 
+def complete_show(path: Path | None) -> Path | None:
+    """The path of a show file to be read or written, with `.omote` where a person left it out; None for none."""
+    if path is None:
+        return None
+    from omote.showfile.recovery import name_show
+
+    with exit_on_refusal():
+        return name_show(path)
+
+
 @contextlib.contextmanager
 def exit_on_refusal() -> Iterator[None]:
     """Turns errors of files and browsers into an error message and exit status 1, and Ctrl-C into a word and 130."""

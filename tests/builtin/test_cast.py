@@ -14,7 +14,7 @@ from omote.model.space.face import Face
 from omote.model.space.skin_sheet import refuse_axis_outside
 from omote.model.transfer.compound import compound_parts
 from tests.pictures import read_png
-from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED, PUPILS, ear_turns, head_turn
+from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED, PUPILS, ear_turns, head_turn
 
 CAST = omote.load_cast()
 GENERIC = CAST.faces["generic"]
@@ -69,10 +69,10 @@ def test_all_units_are_there_by_their_exact_names() -> None:
     for name in CAST.expressions:
         kinds.setdefault(CAST.titles[name].kind, []).append(name)
     expected = {"neutral": ["neutral"], "performed": [*PERFORMED], "arkit": [*ARKIT], "makehuman": [*MAKEHUMAN]}
-    expected["own"] = [*OWN]
+    expected["omote"] = [*OMOTE]
     assert kinds == expected
     assert {kind: len(names) for kind, names in kinds.items()} == {
-        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "own": 6,
+        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "omote": 6,
     }  # fmt: skip
     assert {
         "smile",
@@ -99,12 +99,12 @@ def test_every_expression_but_neutral_moves_something() -> None:
         still = (
             moved_skin(name).max() < 1e-5 and still_parts(name) == {*PARTS} and not CAST.expressions[name].eyes.any()
         )
-        assert still == (name == "neutral" or name in OWN), name
+        assert still == (name == "neutral" or name in OMOTE), name
 
 
 def test_pupils_move_by_what_the_table_says() -> None:
     for name, expression in CAST.expressions.items():
-        assert expression.pupil == pytest.approx({**PUPILS, **OWN}.get(name, 0.0)), name
+        assert expression.pupil == pytest.approx({**PUPILS, **OMOTE}.get(name, 0.0)), name
 
 
 def test_ears_and_heads_turn_by_what_the_tables_say_and_no_persons_do() -> None:

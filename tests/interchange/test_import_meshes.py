@@ -73,6 +73,21 @@ def test_shapes_start_from_the_one_at_rest() -> None:
     assert [(each.label, each.face) for each in known] == [("a", "broad")]
 
 
+def test_a_wrong_face_is_recognised() -> None:
+    wrong = {"Grin": shape("long", "smile")}
+    with pytest.raises(ValueError, match=r"'Grin' starts from 'long' and not from 'broad': 95 % .* say --face long"):
+        list(import_expressions(CAST, meshes(), wrong, face="broad"))
+    with pytest.raises(ValueError, match=r"'head' starts from 'long' and not from 'broad'"):
+        list(import_expressions(CAST, meshes(), {"head": exported_pieces("long", ["smile"])}, face="broad"))
+    with pytest.raises(ValueError, match=r"'Grin' starts from 'long' and .* give it alone, with --face long"):
+        list(import_expressions(CAST, meshes(), {**wrong, "rest": shape("broad", "neutral")}))
+    moved = [Piece("skin", rest_of(CAST, "long")["skin"] + [0.0, 0.002, 0.0])]
+    with pytest.raises(ValueError, match=r"'Up' does not start from 'long': .* 2\.0 mm .* a shape named 'neutral'"):
+        list(import_expressions(CAST, meshes(), {"Up": moved}, face="long"))
+    (up,) = import_expressions(CAST, meshes(), {"Up": moved, "neutral": shape("long", "neutral")})
+    assert up.label == "Up"
+
+
 def test_what_cannot_be_an_expression_is_refused() -> None:
     with pytest.raises(ValueError, match=r"nothing says from which face 'Grin' starts; add a shape named 'neutral'"):
         list(import_expressions(CAST, meshes(), {"Grin": shape("long", "smile")}))

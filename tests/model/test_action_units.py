@@ -3,7 +3,16 @@
 import pytest
 
 from omote.builtin import load_cast
-from omote.model.action_units import ACTION_UNITS, ARKIT, MAKEHUMAN, action_units
+from omote.model.action_units import (
+    ACTION_UNITS,
+    ARKIT,
+    MAKEHUMAN,
+    ActionUnit,
+    action_units,
+    explain_action_unit,
+    find_units,
+    read_action_unit,
+)
 
 WITHOUT = {"mouthLeft", "mouthRight", "mouthShrugUpper", "nose-depression"}
 """Units of the cast that FACS has no unit for."""
@@ -49,3 +58,44 @@ def test_left_and_right_are_one_unit_on_two_sides() -> None:
 )
 def test_some_by_the_book(name: str, codes: tuple[str, ...]) -> None:
     assert action_units(name) == codes
+
+
+@pytest.mark.parametrize("number", ACTION_UNITS)
+def test_a_unit_is_read_however_it_is_written(number: int) -> None:
+    name = ACTION_UNITS[number]
+    for typed in (f"AU{number}", f"au {number}", f"AU-{number}", f"Au_{number}", name, name.upper()):
+        assert read_action_unit(typed) == ActionUnit(number)
+    for typed in (f"AU{number}L", f"L{number}", f"au {number} l", f"{name} left", f"left {name}"):
+        assert read_action_unit(typed) == ActionUnit(number, "L")
+
+
+@pytest.mark.parametrize("typed", ["", "12", "au", "smile", "L12R", "AU1234", "aunt 12", "jawOpen", "lip corner"])
+def test_what_is_no_unit_is_none(typed: str) -> None:
+    assert read_action_unit(typed) is None
+    assert find_units(typed, load_cast().titles) == ()
+    assert explain_action_unit(typed, load_cast().titles) == ""
+
+
+def test_every_unit_finds_channels_that_are_coded_so_and_move_all_of_it() -> None:
+    channels = load_cast().titles
+    for number in ACTION_UNITS:
+        codes = [action_units(name) for name in find_units(f"AU{number}", channels)]
+        letters = {code[0].strip(f"{number}") for code in codes}
+        assert all(number_of(code[0]) == number for code in codes)
+        assert all(len(code) == 1 for code in codes)
+        assert letters in ({""}, {"L", "R"}, {"T", "B"}) or number == 30, number
+        for name in find_units(f"AU{number}L", channels):
+            assert action_units(name) in ((f"L{number}",), (f"{number}L",))
+
+
+def test_where_no_one_channel_is_a_unit_it_is_said_what_to_do() -> None:
+    channels = load_cast().titles
+    assert find_units("AU12", channels) == ("mouth-corner-puller",)
+    assert find_units("R12", channels) == ("mouthSmileRight",)
+    assert find_units("blink", channels) == ("eyeBlinkLeft", "eyeBlinkRight")
+    assert explain_action_unit("blink", channels) == "AU45 is eyeBlinkLeft and eyeBlinkRight together"
+    assert find_units("AU30", channels) == ()
+    assert explain_action_unit("AU30", channels) == "AU30 is jawLeft or jawRight"
+    assert explain_action_unit("AU 23", channels).startswith("no channel is AU23; there are AU1, AU2, AU4, ")
+    assert explain_action_unit("AU51", channels) == "AU51 is a turn of the head (turn)"
+    assert explain_action_unit("AU12", ["joy"]) == "no channel is AU12"

@@ -2,7 +2,7 @@
 
 import pytest
 
-from omote.perform.name_lookup import find_name, fold, nearest
+from omote.perform.name_lookup import find_name, find_names, fold, nearest
 
 NAMES = ["crooked_smile", "smile", "jawOpen", "mouth-open", "mouth-parling", "Büste"]
 LABELS = {"mouth-parling": "Lips parted", "smile": "Smile", "jawOpen": "Jaw open"}
@@ -51,3 +51,17 @@ def test_nothing_is_nobody(typed: str) -> None:
 
 def test_folding_twice_is_folding_once() -> None:
     assert fold(fold("Ärger-Lächeln 2")) == fold("Ärger-Lächeln 2") == "argerlacheln2"
+
+
+def test_action_units_find_what_has_no_such_name() -> None:
+    names = ["AU12", "eyeBlinkLeft", "eyeBlinkRight", "jawOpen"]
+    assert find_name("AU 26", names, "expression") == find_name("jaw drop", names, "channel") == "jawOpen"
+    assert find_name("au12", names, "expression") == "AU12", "an own name wins"
+    assert find_name("AU45R", names, "expression") == "eyeBlinkRight"
+    assert find_names("AU45", names, "channel") == ("eyeBlinkLeft", "eyeBlinkRight")
+    with pytest.raises(ValueError, match=r"AU45 is eyeBlinkLeft and eyeBlinkRight together; write one of them, or"):
+        find_name("AU45", names, "expression")
+    with pytest.raises(ValueError, match=r"there is no expression 'AU4' in this cast; no channel is AU4; there"):
+        find_name("AU4", names, "expression")
+    with pytest.raises(ValueError, match=r"there is no face 'AU26' in this cast; near are"):
+        find_name("AU26", names, "face")

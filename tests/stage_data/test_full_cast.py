@@ -44,7 +44,7 @@ def test_a_show_file_is_read_from_python(tmp_path: Path, monkeypatch: pytest.Mon
         arrivals = [ImportedItem("Grin", base.expressions["smile"])]
         show.apply(changes_to_import(base, Stored(), arrivals, wall=0.0))
     before = path.read_bytes()
-    for named in (path, str(path)):
+    for named in (path, str(path), path.with_suffix("")):
         np.testing.assert_array_equal(read_show(named).expressions["grin"].dh, base.expressions["smile"].dh)
     assert path.read_bytes() == before
     assert [each.name for each in tmp_path.iterdir()] == [path.name], "nothing is left beside it"
@@ -64,8 +64,21 @@ def test_what_is_no_show_or_of_another_head_is_refused(tmp_path: Path, monkeypat
     monkeypatch.setattr("omote.stage_data.full_cast.load_cast", lambda: small)
     with closing(open_show(tmp_path / "a.omote")) as show:
         show.apply(changes_to_import(small, Stored(), [ImportedItem("Grin", short)], wall=0.0))
-    with pytest.raises(ShowFileError, match=r"holds what cannot be played on the built-in head: the expression has"):
+    with pytest.raises(ShowFileError, match=r"the own expression grin cannot be played on the built-in head: .* has"):
         read_show(tmp_path / "a.omote")
+
+
+def test_a_face_of_another_head_is_refused_by_its_name() -> None:
+    small = synthetic.cast()
+    cut = Face("cut", small.faces["long"].positions[1:])
+    changes = changes_to_import(small, Stored(), [ImportedItem("Cut", (cut, Look()))], wall=0.0)
+    stored = Stored(
+        tuple(change.item for change in changes if isinstance(change, PutItem)),
+        tuple(change.revision for change in changes if isinstance(change, PutRevision)),
+    )
+    contents = {change.key: change.data for change in changes if isinstance(change, PutContent)}
+    with pytest.raises(ShowFileError, match=r"the own face cut cannot be played on the built-in head: .*delete it"):
+        build_full_cast(small, stored, contents)
 
 
 def test_what_is_deleted_or_never_saved_does_not_play() -> None:

@@ -22,7 +22,7 @@ from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.mouth.gum_binding import carry_bag
 from omote.model.transfer.mouth.lip_closure import close_behind_lips
 from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
-from tools.baking.expressions import ARKIT, OWN, PERFORMED, PUPILS, ear_turns, head_turn, region
+from tools.baking.expressions import ARKIT, OMOTE, PERFORMED, PUPILS, ear_turns, head_turn, region
 from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head, Piece
 from tools.baking.heads.moves import Move
@@ -139,7 +139,7 @@ def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move
         taken = extract(space, generic, skin, parts=move.parts)
         expressions.append(replace(taken, pupil=PUPILS.get(name, 0.0), ears=ear_turns(name), head=head_turn(name)))
         step(name)
-    for name, pupil in OWN.items():
+    for name, pupil in OMOTE.items():
         expressions.append(replace(_at_rest(space), pupil=pupil, ears=ear_turns(name), head=head_turn(name)))
         step(name)
     return _stack(expressions, space)
@@ -174,7 +174,7 @@ def about(moves: Mapping[str, Move], sculpts: Sequence[Sculpt]) -> Arrays:
     faces |= {sculpt.name: asdict(sculpt.look) for sculpt in sculpts}
     rows = [{"name": NEUTRAL, "label": label(NEUTRAL), "kind": "neutral", "region": "whole"}]
     rows += [
-        {"name": name, "label": label(name), "kind": _kind(name), "region": region(name)} for name in (*moves, *OWN)
+        {"name": name, "label": label(name), "kind": _kind(name), "region": region(name)} for name in (*moves, *OMOTE)
     ]
     gains = {sculpt.name: [asdict(gain) for gain in sculpt.gains] for sculpt in sculpts if sculpt.gains}
     text = json.dumps({"faces": faces, "gains": gains, "expressions": rows}, indent=1)
@@ -182,6 +182,6 @@ def about(moves: Mapping[str, Move], sculpts: Sequence[Sculpt]) -> Arrays:
 
 
 def _kind(name: str) -> str:
-    if name in PERFORMED or name in OWN:
-        return "performed" if name in PERFORMED else "own"
+    if name in PERFORMED or name in OMOTE:
+        return "performed" if name in PERFORMED else "omote"
     return "arkit" if name in ARKIT else "makehuman"

@@ -109,7 +109,7 @@ PUPILS: Mapping[str, float] = {
 }  # fmt: skip
 
 # They move the pupils, or ears (of a face that answers with its ears), and nothing else; by what they do to the pupils.
-OWN: Mapping[str, float] = {
+OMOTE: Mapping[str, float] = {
     "pupils-wide": 1.0, "pupils-narrow": -1.0, "ears-up": 0.0, "ears-down": 0.0, "ears-back": 0.0, "ears-out": 0.0,
 }  # fmt: skip
 

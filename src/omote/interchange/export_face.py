@@ -16,7 +16,7 @@ from omote.interchange.formats.glb_writer import Material, Scene, Shape, Target
 from omote.interchange.formats.png import Picture, png_bytes, read_png
 from omote.interchange.hair_mesh import hair_shape
 from omote.interchange.skin_texture import Canvas, build_canvas, decode_srgb, paint_skin
-from omote.model.cast import Cast, Look
+from omote.model.cast import Cast, Look, Title
 from omote.model.known_names import NEUTRAL
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -24,7 +24,7 @@ from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import apply_expression, compile_answer, move_parts, turn_eyes
 from omote.perform.limits import check_known
-from omote.perform.name_lookup import find_name
+from omote.perform.name_lookup import find_names
 
 Points = NDArray[np.float64]
 Meshes = dict[str, Points]
@@ -55,23 +55,25 @@ class ExportContext:
 
 
 def choose_expressions(cast: Cast, text: str, /) -> list[str]:
-    """Parses a list of expressions: kinds (`arkit`, `performed`), `all`, or names, by commas; without neutral.
+    """Parses a list of expressions: kinds (`arkit`, `performed`, `own`), `all`, or names, by commas; without neutral.
 
     ValueError for a name that is neither, and where nothing is named.
     """
     found: dict[str, None] = {}
     for word in filter(None, (word.strip() for word in text.split(","))):
-        kind = [name for name, title in cast.titles.items() if title.kind == word or word == ALL]
-        found |= dict.fromkeys(kind or [_named_expression(cast, word)])
+        kind = [name for name, title in cast.titles.items() if word.lower() in (title.kind, ALL)]
+        found |= dict.fromkeys(kind or _named_expressions(cast, word))
     if not found:
         raise ValueError(f"{text!r} names no expression; give names or a kind by commas: smile,joy or arkit or neutral")
     return [name for name in found if name != NEUTRAL]
 
 
-def _named_expression(cast: Cast, word: str) -> str:
+def _named_expressions(cast: Cast, word: str) -> Sequence[str]:
     labels = {name: title.label for name, title in cast.titles.items()}
+    if word.lower() == Title.kind:
+        raise ValueError("there are no own expressions here; name a show file that holds some, as in --show my.omote")
     try:
-        return find_name(word, cast.expressions, "expression", labels)
+        return find_names(word, cast.expressions, "expression", labels)
     except ValueError as error:
         kinds = dict.fromkeys(title.kind for title in cast.titles.values())
         raise ValueError(f"{error}; or name a kind: {', '.join(kinds)}, {ALL}") from None

@@ -16,6 +16,7 @@ from omote.builtin import BakedMesh
 from omote.interchange.export_face import compound_meshes
 from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.mesh_correspondence import SKIN, MatchedHead, Meshes, build_face, match_head, rest_of
+from omote.interchange.starting_face import check_start
 from omote.model.cast import Cast, Look
 from omote.model.extraction.extract import extract
 from omote.model.extraction.extracted_expression import describe_uncertainty
@@ -68,7 +69,7 @@ def import_expressions(
 
     A shape named as a shape at rest (RESTS), or that is a face of the cast, is what the others are measured from; face:
     the face of the cast that they are measured from instead; follow: told of shapes done, of all, and of the next one.
-    ValueError where there is no expression.
+    ValueError where there is no expression, and where a shape starts from another face.
     """
     heads = {label: _match_named_head(cast, meshes, label, pieces) for label, pieces in shapes.items()}
     if face:
@@ -90,11 +91,15 @@ def _moved_shapes(
     cast: Cast, heads: Mapping[str, MatchedHead], start: Face, resting: Collection[str], face: str
 ) -> Iterator[tuple[Face, str, Meshes]]:
     """Each shape: the face that it moves, its name, and its displacements."""
-    for head in heads.values():
+    for label, head in heads.items():
+        if head.moves and face:
+            check_start(cast, label, head.rest[SKIN], start, named=True)
         for name, moves in head.moves.items():
             yield build_face(cast, head, face), name, moves
+    rests = any(each.lower() in RESTS for each in resting)
     for label, head in heads.items():
         if not head.moves and label not in resting:
+            check_start(cast, label, head.rest[SKIN], start, named=bool(face), own_rest=rests and not face)
             before = _meshes(cast, start)
             yield start, label, {name: rest - before[name] for name, rest in head.rest.items()}
 

@@ -1,13 +1,15 @@
 """Which action units of FACS a channel is nearest to (Ekman, Friesen and Hager, Facial Action Coding System, 2002).
 
-The one source of the table in docs/reference/action-units.md and .csv, of `omote cast --json` and of exported tables.
+The one source of the tables in docs/reference/action-units.md and .csv, of `omote cast --json` and of exported tables.
 The units of the cast are named movements, not scores of a coder: what is here is the nearest unit by what moves.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
+from typing import NamedTuple
 
 ACTION_UNITS: Mapping[int, str] = MappingProxyType(
     {
@@ -47,6 +49,81 @@ MAKEHUMAN: Mapping[str, tuple[int, ...]] = MappingProxyType(
 )  # fmt: skip
 """Of MakeHuman's units, without `left` and `right`."""
 UPPER, LOWER = ("mouthRollUpper",), ("mouthRollLower",)
+HEAD_TURNS = range(51, 57)
+"""Units that the head does: turns to both sides, up, down, and tilts."""
+SIDES = ("LR", "TB")
+"""Letters of halves of the face that make a whole unit together."""
+_CODE = re.compile(r"(au)?([lrtb]?)(\d{1,2})([lrtb]?)")
+_NUMBERS = {re.sub(r"[^a-z]", "", name.lower()): number for number, name in ACTION_UNITS.items()}
+
+
+class ActionUnit(NamedTuple):
+    """A unit of FACS, by its number, and the letter of the half of the face that moves, or of the direction, or ""."""
+
+    number: int
+    side: str = ""
+
+    def __str__(self) -> str:
+        return f"AU{self.number}{self.side}"
+
+
+def read_action_unit(typed: str, /) -> ActionUnit | None:
+    """Reads a unit as people write it: `AU12`, `au 12`, `AU12L`, `L12`, `Lip corner puller`, the name with left or
+    right; None for anything else."""
+    text = re.sub(r"[^a-z0-9]", "", typed.lower())
+    if code := _CODE.fullmatch(text):
+        prefix, before, digits, after = code.groups()
+        if (prefix or before or after) and not (before and after):
+            return ActionUnit(int(digits), (before + after).upper())
+    if text in _NUMBERS:
+        return ActionUnit(_NUMBERS[text])
+    for word in ("left", "right"):
+        for name in (text.removesuffix(word), text.removeprefix(word)):
+            if name in _NUMBERS:
+                return ActionUnit(_NUMBERS[name], word[0].upper())
+    return None
+
+
+def find_units(typed: str, channels: Iterable[str], /) -> tuple[str, ...]:
+    """Which of the channels are the action unit that was typed: the one that moves the whole face, else its halves.
+
+    ARKit's before MakeHuman's. Empty for what is no unit, has no channel, or is of opposite directions (AU30).
+    """
+    unit = read_action_unit(typed)
+    if unit is None:
+        return ()
+    coded: dict[str, str] = {}
+    for channel in sorted(channels, key=lambda name: "-" in name):  # as MakeHuman's names have it
+        codes = action_units(channel)
+        if len(codes) == 1:
+            coded.setdefault(codes[0], channel)
+    number, side = unit
+    whole = coded.get(f"{side}{number}") or coded.get(f"{number}{side}")
+    if whole or side:
+        return (whole,) if whole else ()
+    pairs = ([coded[code] for letter in letters if (code := f"{letter}{number}") in coded] for letters in SIDES)
+    return tuple(next((pair for pair in pairs if pair), ()))
+
+
+def explain_action_unit(typed: str, channels: Iterable[str], /) -> str:
+    """A clause that says what an action unit is here, for whoever typed one where no single name is found; "" for what
+    is none."""
+    unit = read_action_unit(typed)
+    if unit is None:
+        return ""
+    choices = list(channels)
+    if found := find_units(typed, choices):
+        return f"{unit} is {' and '.join(found)}{' together' if len(found) > 1 else ''}"
+    if unit.number in HEAD_TURNS:
+        return f"{unit} is a turn of the head (turn)"
+    if either := [units for side in "LR" for units in find_units(f"{unit}{side}", choices)]:
+        return f"{unit} is {' or '.join(either)}"
+    there = ", ".join(f"AU{number}" for number in ACTION_UNITS if _is_there(number, choices))
+    return f"no channel is {unit}{f'; there are {there}' if there else ''}"
+
+
+def _is_there(number: int, channels: Iterable[str]) -> bool:
+    return any(number in _numbers_of(channel)[0] for channel in channels)
 
 
 def action_units(channel: str, /) -> tuple[str, ...]:

@@ -89,7 +89,7 @@ def _validate_trait(name: str, value: object) -> float:
 
 @dataclass(frozen=True)
 class Title:
-    """How an expression is presented: label, kind ("neutral", "performed", "arkit", "makehuman", "own") and
+    """How an expression is presented: label, kind ("neutral", "performed", "arkit", "makehuman", "omote", "own") and
     region."""
 
     label: str

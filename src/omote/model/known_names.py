@@ -6,8 +6,12 @@ import difflib
 from collections.abc import Iterable, Mapping
 from typing import NoReturn, TypeVar
 
+from omote.model.action_units import explain_action_unit
+
 GENERIC, NEUTRAL = "generic", "neutral"
 """The face and the expression that every cast has."""
+UNIT_NOUNS = ("expression", "channel")
+"""What may be named by an action unit of FACS too."""
 Value = TypeVar("Value")
 
 
@@ -32,6 +36,8 @@ class KnownNames(dict[str, Value]):
 def explain_unknown(name: object, names: Iterable[str], what: str) -> str:
     """A clause that says that a name is not one of `names`, and which of them are near."""
     choices = list(names)
+    if what in UNIT_NOUNS and (told := explain_action_unit(str(name)[:80], choices)):
+        return f"there is no {what} {str(name)[:80]!r} in this cast; {told}"
     near = difflib.get_close_matches(str(name)[:80], choices, n=3, cutoff=0.4) or sorted(choices)[:3]
     there = f"near are {', '.join(near)}" if near else "there are none"
     return f"there is no {what} {str(name)[:80]!r} in this cast; {there}"

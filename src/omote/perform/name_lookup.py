@@ -1,4 +1,4 @@
-"""Finds the name that a person means: in any case, with spaces, hyphens or underscores, or by its label."""
+"""Finds the name that a person means: in any case, with spaces, hyphens or underscores, by its label, or by FACS."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ import difflib
 import unicodedata
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
+
+from omote.model.action_units import explain_action_unit, find_units
+from omote.model.known_names import UNIT_NOUNS
 
 NO_LABELS: Mapping[str, str] = MappingProxyType({})
 
@@ -16,21 +19,36 @@ def find_name(
     """Returns the one of `names` that a person means: `Crooked Smile`, `crooked-smile` and `crooked_smile` are one.
 
     names: those there are; labels: what people read, by name; what, where: "face", " in this cast", for messages. A
-    name exactly as it is written wins, then names, then labels. ValueError with the nearest names where none is meant,
-    and with all that are where several could be.
+    name exactly as it is written wins, then names, then labels, then action units of FACS (of expressions and channels:
+    `AU12`). ValueError with the nearest names where none is meant, and with all that are where several could be.
     """
     choices = list(names)
+    found = find_names(typed, choices, what, labels, where=where)
+    if len(found) > 1:
+        told = explain_action_unit(typed, choices)
+        raise ValueError(f"{told}; write one of them, or both as channels ({'+'.join(found)})")
+    return found[0]
+
+
+def find_names(
+    typed: str, names: Iterable[str], what: str, labels: Mapping[str, str] = NO_LABELS, *, where: str = " in this cast"
+) -> tuple[str, ...]:
+    """Returns the one of `names` that a person means, as `find_name`, or both halves of an action unit that no single
+    one does: `AU45` is eyeBlinkLeft and eyeBlinkRight. ValueError as `find_name`."""
+    choices = list(names)
     if typed in choices:
-        return typed
+        return (typed,)
     meant = fold(typed)
     found = [name for name in choices if meant and fold(name) == meant]
     found = found or [name for name in choices if meant and fold(labels.get(name, "")) == meant]
-    if len(found) == 1:
-        return found[0]
-    if found:
+    if len(found) > 1:
         raise ValueError(f"the {what} {typed[:80]!r} could be {' or '.join(found)}; write one of these names")
+    units = find_units(typed, choices) if what in UNIT_NOUNS else ()
+    if found or units:
+        return (found[0],) if found else units
+    told = explain_action_unit(typed, choices) if what in UNIT_NOUNS else ""
     near = nearest(typed, choices, labels) or sorted(choices)[:3]
-    there = f"near are {', '.join(near)}" if near else "there are none"
+    there = told or (f"near are {', '.join(near)}" if near else "there are none")
     raise ValueError(f"there is no {what} {typed[:80]!r}{where}; {there}")
 
 

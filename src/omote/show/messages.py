@@ -26,7 +26,7 @@ Level = Literal["lowest", "low", "medium", "high"]
 ConsoleName = Annotated[str, msgspec.Meta(max_length=24)]
 LayoutText = Annotated[str, msgspec.Meta(max_length=3600)]
 Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
-Kind = Literal["neutral", "performed", "arkit", "makehuman", "own"]
+Kind = Literal["neutral", "performed", "arkit", "makehuman", "omote", "own"]
 ItemKind = Literal["face", "expression"]
 
 

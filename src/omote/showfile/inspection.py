@@ -19,7 +19,7 @@ from omote.showfile.database_errors import technical_texts
 from omote.showfile.identification import identify, locate_show
 from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.recovery import explain_missing, is_lost
-from omote.showfile.schema import SCHEMA_VERSION, ShowFileError
+from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError
 
 AUTHORED_SINCE = 2
 """The first schema with authored work."""
@@ -37,6 +37,13 @@ class Inspection:
 
 def inspect_show(path: Path, /) -> Inspection:
     """All of a show file; ShowFileError with an error message where there is none, or it is damaged."""
+    try:
+        return _read_whole(path)
+    except CorruptShowFileError as error:
+        raise CorruptShowFileError(f"{error} {what_opens(path)}") from error
+
+
+def _read_whole(path: Path) -> Inspection:
     path = locate_show(path) if path.is_symlink() else path
     version = verify_integrity(path)
     if version == 0:
@@ -88,7 +95,7 @@ def what_opens(path: Path, /) -> str:
 def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
     """Yields the result of each integrity check with a message; the first failure may be the last."""
     try:
-        found = inspect_show(path)
+        found = _read_whole(path)
     except ShowFileError as error:
         yield False, str(error)
         for text in technical_texts(error):

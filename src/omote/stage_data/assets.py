@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
+from omote.model.action_units import ACTION_UNITS, action_units, read_action_unit
 from omote.model.cast import Cast, Look, Title
 from omote.model.hair import LINKS, HairStyle, place_strands
 from omote.model.recipes.recipe import KEY
@@ -230,8 +231,15 @@ def expression_document(name: str, expression: Expression, title: Title, source:
         eyes=(eyes[0], eyes[1], eyes[2], eyes[3]),
         pupil=expression.pupil,
         source=source,
+        tags=unit_tags(name),
         head=_vector(expression.head),
     )
+
+
+def unit_tags(name: str) -> list[str]:
+    """The action units of FACS that a channel is nearest to, by number and by name, so that palettes find it so."""
+    units = [read_action_unit(f"AU{code}") for code in action_units(name)]
+    return [word for unit in units if unit for word in (str(unit), ACTION_UNITS[unit.number])]
 
 
 def _vector(point: NDArray[np.floating] | None) -> Vector:

@@ -9,9 +9,11 @@ from pathlib import Path
 from omote.builtin import load_cast
 from omote.model.cast import Cast, Title
 from omote.model.known_names import NEUTRAL
+from omote.model.space.face_fit import fit
 from omote.showfile.changes import Item, Stored
 from omote.showfile.contents import unpack_expression, unpack_face
 from omote.showfile.inspection import inspect_show
+from omote.showfile.recovery import name_show
 from omote.showfile.schema import ShowFileError
 from omote.stage_data.playing_cast import Own, check_fit
 
@@ -22,7 +24,7 @@ def read_show(path: str | Path) -> Cast:
     Parameters
     ----------
     path : str or Path
-        A show file, `my.omote`, also one that a show plays at this moment.
+        A show file, `my.omote`, also one that a show plays at this moment; an ending that is left out is added.
 
     Returns
     -------
@@ -47,25 +49,28 @@ def read_show(path: str | Path) -> Cast:
     """
     if not isinstance(path, str | Path):
         raise TypeError(f"a show file is named by its path, not by {path!r}; write 'my.omote'")
-    found, base = inspect_show(Path(path)), load_cast()
-    try:
-        cast = build_full_cast(base, found.stored, found.contents)
-        for expression in cast.expressions.values():
-            check_fit(cast.expressions[NEUTRAL], expression)
-    except ValueError as error:
-        raise ShowFileError(f"{path} holds what cannot be played on the built-in head: {error}.") from error
-    return cast
+    found = inspect_show(name_show(Path(path)))
+    return build_full_cast(load_cast(), found.stored, found.contents)
 
 
 def build_full_cast(base: Cast, stored: Stored, contents: Mapping[str, bytes], /) -> Cast:
-    """Adds every item that plays to the base, by name; KeyError where a content is missing."""
+    """Adds every item that plays to the base, by name; ShowFileError where one does not fit the base's head, KeyError
+    where a content is missing."""
     faces, looks, expressions, titles = dict(base.faces), dict(base.looks), dict(base.expressions), dict(base.titles)
     for item, content in playing_items(stored):
-        data = contents[content]
-        if item.kind == "face":
-            faces[item.name], looks[item.name] = unpack_face(data, item.name)
-        else:
-            expressions[item.name], titles[item.name] = unpack_expression(data), Title(item.label)
+        try:
+            if item.kind == "face":
+                faces[item.name], looks[item.name] = unpack_face(contents[content], item.name)
+                fit(base.space, faces[item.name])
+            else:
+                expression = unpack_expression(contents[content])
+                expressions[item.name] = check_fit(base.expressions[NEUTRAL], expression)
+                titles[item.name] = Title(item.label)
+        except ValueError as error:
+            raise ShowFileError(
+                f"the own {item.kind} {item.name} cannot be played on the built-in head: {error}. Use the Omote that "
+                "it was made with, or delete it from the show on a console."
+            ) from error
     return replace(base, faces=faces, looks=looks, expressions=expressions, titles=titles)
 
 

@@ -10,7 +10,7 @@ from omote.perform.frame import Gaze, Head
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, check_within
 from omote.perform.mix import HIGHEST, LOWEST
-from omote.perform.name_lookup import NO_LABELS, find_name
+from omote.perform.name_lookup import NO_LABELS, find_name, find_names
 
 EVEN = 1e-6
 """Tolerance of a mix's sum of one: people type three digits."""
@@ -116,11 +116,14 @@ def merge_names(
 ) -> dict[str, float]:
     """The weights by the names that are meant; ValueError for an unknown one, and for one that comes twice."""
     found = dict[str, float]()
+    place = " in this cast" if names is not LIGHTS else ""
     for typed, weight in weights:
-        name = find_name(typed, names, what, labels, where=" in this cast" if names is not LIGHTS else "")
-        if name in found:
-            raise ValueError(f"the {what} {name!r} comes twice; give it one weight")
-        found[name] = weight
+        # Halves of a unit may be played together; in a mix they would share its weight.
+        each = find_names(typed, names, what, labels, where=place) if what == "channel" else ()
+        for name in each or (find_name(typed, names, what, labels, where=place),):
+            if name in found:
+                raise ValueError(f"the {what} {name!r} comes twice; give it one weight")
+            found[name] = weight
     return found
 
 

@@ -9,6 +9,7 @@ from omote.edit.store.import_items import (
     ImportedItem,
     changes_to_import,
     export_document,
+    find_known,
     import_document,
     make_document,
 )
@@ -91,6 +92,21 @@ def test_names_are_new_and_revisions_can_be_made_again(cast: Cast) -> None:
             sources = {KEY + key: unpack_expression(data) for key, data in contents.items()}
             assert same(compose_expression(SPACE, recipe, sources), smile)
             assert change.revision.written == 5.0
+
+
+def test_what_plays_already_is_known_by_its_content(cast: Cast) -> None:
+    smile, jaw = (ImportedItem(name, cast.expressions[name]) for name in ("smile", "jawOpen"))
+    changes = changes_to_import(cast, Stored(), [smile], wall=0.0)
+    (item,) = (change.item for change in changes if isinstance(change, PutItem))
+    revisions = tuple(change.revision for change in changes if isinstance(change, PutRevision))
+    stored = Stored(items=(item,), revisions=revisions)
+    first, new, again = find_known(stored, [ImportedItem("another name", cast.expressions["smile"]), jaw, jaw])
+    assert (first, new) == (item, None)
+    assert again is not None
+    assert again.label == "jawOpen"
+    deleted = Stored(items=(replace(item, deleted=True),), revisions=revisions)
+    edited = Stored(items=(replace(item, head=2),), revisions=revisions)
+    assert find_known(deleted, [smile]) == find_known(edited, [smile]) == [None]
 
 
 def test_what_is_kept_can_be_mailed(cast: Cast) -> None:

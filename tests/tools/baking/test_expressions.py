@@ -8,7 +8,7 @@ from tools.baking.expressions import (
     EARS,
     HEADS,
     MAKEHUMAN,
-    OWN,
+    OMOTE,
     PERFORMED,
     PUPILS,
     ear_turns,
@@ -19,18 +19,18 @@ from tools.baking.expressions import (
 
 
 def test_no_name_stands_twice() -> None:
-    names = [*ARKIT, *MAKEHUMAN, *PERFORMED, *OWN]
+    names = [*ARKIT, *MAKEHUMAN, *PERFORMED, *OMOTE]
     assert len(set(names)) == len(names) == 52 + 34 + 20 + 6
 
 
 def test_fear_and_surprise_widen_the_pupils_anger_and_disgust_narrow_them() -> None:
     assert PUPILS.keys() <= PERFORMED.keys()
     assert min(PUPILS["fear"], PUPILS["surprise"]) > 0.0 > max(PUPILS["angry"], PUPILS["disgust"])
-    assert all(-1.0 <= pupil <= 1.0 for pupil in (*PUPILS.values(), *OWN.values()))
+    assert all(-1.0 <= pupil <= 1.0 for pupil in (*PUPILS.values(), *OMOTE.values()))
 
 
 def test_ears_and_heads_turn_by_degrees_that_ears_and_heads_can() -> None:
-    assert EARS.keys() <= {*ARKIT, *PERFORMED, *OWN}
+    assert EARS.keys() <= {*ARKIT, *PERFORMED, *OMOTE}
     assert HEADS.keys() <= PERFORMED.keys()
     assert max(abs(angle) for turn in (*EARS.values(), *HEADS.values()) for angle in turn) <= 40.0
     assert np.allclose(ear_turns("fear"), np.radians([EARS["fear"]] * 2))

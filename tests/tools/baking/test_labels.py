@@ -3,10 +3,10 @@
 import pytest
 
 from omote.perform.name_lookup import fold
-from tools.baking.expressions import ARKIT, MAKEHUMAN, OWN, PERFORMED
+from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED
 from tools.baking.labels import LABELS, label
 
-NAMES = ["neutral", *PERFORMED, *ARKIT, *MAKEHUMAN, *OWN]
+NAMES = ["neutral", *PERFORMED, *ARKIT, *MAKEHUMAN, *OMOTE]
 FOREIGN = ("parling", "protusion", "extern", "platysma", "eversion", "dilatation", "later", "retraction", "shrug")
 
 
@@ -28,7 +28,7 @@ def test_labels_are_words(name: str, words: str) -> None:
 def test_every_unit_has_a_label_of_its_own() -> None:
     folded = [fold(label(name)) for name in NAMES]
     assert len(set(folded)) == len(NAMES)
-    units = {*ARKIT, *MAKEHUMAN, *OWN}
+    units = {*ARKIT, *MAKEHUMAN, *OMOTE}
     assert all(label(name) != name[0].upper() + name[1:] for name in units)
 
 

@@ -456,7 +456,7 @@ export interface FaceDocument {
 export interface ExpressionDocument {
   name: string;
   label: string;
-  kind: "neutral" | "performed" | "arkit" | "makehuman" | "own";
+  kind: "neutral" | "performed" | "arkit" | "makehuman" | "omote" | "own";
   region: string;
   eyes: [number, number, number, number];
   pupil: number;

@@ -45,13 +45,26 @@ def changes_to_import(cast: Cast, stored: Stored, arrivals: Iterable[ImportedIte
     place = max((item.place for item in stored.items), default=0.0)
     changes: list[Change] = []
     for step, arrival in enumerate(arrivals, start=1):
-        kind: Kind = "expression" if isinstance(arrival.made, Expression) else "face"
+        kind = _kind_of(arrival)
         label = clean_label(arrival.label)
         name = new_name(label, kind, taken)
         taken.add(name)
         item = Item(number + step, kind, name, label, clean_tags(arrival.tags), place + step, head=1)
         changes += _changes_to_save(cast.space, item, arrival, wall)
     return changes
+
+
+def find_known(stored: Stored, arrivals: Iterable[ImportedItem], /) -> list[Item | None]:
+    """For each arrival the item of its kind that plays exactly its content, or an earlier arrival of it would; None
+    where it is new."""
+    heads = {(revision.item, revision.number): revision.content for revision in stored.revisions}
+    known = {(item.kind, heads.get((item.id, item.head), "")): item for item in stored.items if not item.deleted}
+    found = []
+    for arrival in arrivals:
+        kind, content = _kind_of(arrival), _content_of(arrival)[0]
+        found.append(known.get((kind, content)))
+        known.setdefault((kind, content), Item(0, kind, "", arrival.label))
+    return found
 
 
 def distinguish(cast: Cast, stored: Stored, arrivals: Iterable[ImportedItem], /) -> list[tuple[ImportedItem, str]]:
@@ -66,7 +79,7 @@ def distinguish(cast: Cast, stored: Stored, arrivals: Iterable[ImportedItem], /)
         labels[item.kind].append(item.label)
     found = []
     for arrival in arrivals:
-        kind: Kind = "expression" if isinstance(arrival.made, Expression) else "face"
+        kind = _kind_of(arrival)
         label = free_label(clean_label(arrival.label), labels[kind])
         twins = {last.get(item.id) for item in items if item.label.casefold() == arrival.label.strip().casefold()}
         same = ", exactly the same" if _content_of(arrival)[0] in twins else ""
@@ -143,6 +156,10 @@ def _changes_to_save(space: ParameterSpace, item: Item, arrival: ImportedItem, w
     )
     revision = Revision(item.id, 1, 0, write_recipe(recipe), key, wall, EDITOR, arrival.note)
     return [PutContent(key, content), PutItem(item), PutRevision(revision)]
+
+
+def _kind_of(arrival: ImportedItem) -> Kind:
+    return "expression" if isinstance(arrival.made, Expression) else "face"
 
 
 def _content_of(arrival: ImportedItem) -> tuple[str, bytes]:

@@ -10,6 +10,7 @@ const FACES = [face("late", "#2", 2), face("cat"), face("early", "#1", 1), face(
 const EXPRESSIONS = [
   unit("neutral", "neutral", ""),
   unit("smile", "performed", "mouth"),
+  unit("ears-up", "omote", "ears"),
   unit("mine", "own", "", "#3"),
   unit("jawOpen", "arkit", "jaw"),
   unit("browInnerUp", "arkit", "brows"),
@@ -31,7 +32,7 @@ it("puts units under their regions, and nothing in two kinds", () => {
     ["jaw", ["jawOpen"]],
   ]);
   expect(named(expressionGroups(EXPRESSIONS, "performed"))).toEqual([
-    ["", ["neutral", "smile"]],
+    ["", ["neutral", "smile", "ears-up"]],
     ["Own", ["mine"]],
   ]);
   expect(named(expressionGroups(EXPRESSIONS, "own"))).toEqual([["", ["mine"]]]);

@@ -35,7 +35,7 @@ export function expressionGroups(expressions: readonly ExpressionDocument[], kin
 const isBuiltIn = (one: Tile): boolean => !isOwn(one);
 
 const isIn = (one: ExpressionDocument, kind: PaletteKind): boolean =>
-  one.kind === kind || (kind === "performed" && (one.kind === "neutral" || one.kind === "own"));
+  one.kind === kind || (kind === "performed" && (one.kind === "neutral" || one.kind === "omote"));
 
 const ownOf = (all: readonly Tile[]): Tile[] => all.filter(isOwn).sort((a, b) => a.place - b.place);
 

@@ -17,6 +17,7 @@ const KINDS: Readonly<Record<ExpressionDocument["kind"], string>> = {
   performed: "performed",
   arkit: "ARKit",
   makehuman: "MakeHuman",
+  omote: "Omote",
   own: "own",
 };
 

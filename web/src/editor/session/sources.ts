@@ -14,6 +14,7 @@ const GROUPS: Readonly<Record<string, string>> = {
   performed: "Performed",
   arkit: "ARKit",
   makehuman: "MakeHuman",
+  omote: "Omote",
 };
 
 export function sourcesOf(store: DraftStore, kind: Kind): Source[] {
