@@ -11,11 +11,12 @@ import pytest
 from omote.model.cast import Cast
 from omote.perform.axis import Axis, Call
 from omote.perform.easing import Glide
-from omote.perform.frame import Home
+from omote.perform.frame import Gaze, Home
 from omote.perform.lights import FIRST_LIGHT
+from omote.perform.limits import GAZE_LIMITS
 from omote.perform.panic import Settling
 from omote.perform.performer import Performer
-from omote.perform.snapshot import Snapshot, check_snapshot
+from omote.perform.snapshot import Snapshot, check_snapshot, limit_gaze
 
 
 def running(cast: Cast) -> Snapshot:
@@ -100,3 +101,19 @@ def test_calls_are_values(cast: Cast) -> None:
     call = running(cast).face.call
     assert isinstance(call, Call)
     assert hash(call.way) == hash(replace(call).way)
+
+
+@pytest.mark.parametrize("saved", [None, [], {}, {"gaze": 3}, {"gaze": {"yaw": "far", "pitch": math.nan}}])
+def test_what_is_no_gaze_is_left_to_be_rejected(saved: Any) -> None:
+    before = repr(saved)
+    assert not limit_gaze(saved)
+    assert repr(saved) == before
+
+
+@pytest.mark.parametrize(("yaw", "pitch"), [(0.1, -0.2), (1.5, 0.0), (-0.1, -1.5), (9.0, 9.0)])
+def test_a_gaze_beyond_its_range_is_brought_to_its_end(yaw: float, pitch: float) -> None:
+    gaze = {"yaw": yaw, "pitch": pitch}
+    assert limit_gaze({"gaze": gaze}) == (abs(yaw) > GAZE_LIMITS["yaw"] or abs(pitch) > GAZE_LIMITS["pitch"])
+    assert Gaze(**gaze) == Gaze(
+        *(max(-limit, min(limit, angle)) for angle, limit in zip((yaw, pitch), GAZE_LIMITS.values(), strict=True))
+    )

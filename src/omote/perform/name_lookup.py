@@ -22,19 +22,20 @@ def find_name(
     name exactly as it is written wins, then names, then labels, then action units of FACS (of expressions and channels:
     `AU12`). ValueError with the nearest names where none is meant, and with all that are where several could be.
     """
-    choices = list(names)
-    found = find_names(typed, choices, what, labels, where=where)
-    if len(found) > 1:
-        told = explain_action_unit(typed, choices)
-        raise ValueError(f"{told}; write one of them, or both as channels ({'+'.join(found)})")
-    return found[0]
+    return find_names(typed, names, what, labels, where=where, halves=False)[0]
 
 
 def find_names(
-    typed: str, names: Iterable[str], what: str, labels: Mapping[str, str] = NO_LABELS, *, where: str = " in this cast"
+    typed: str,
+    names: Iterable[str],
+    what: str,
+    labels: Mapping[str, str] = NO_LABELS,
+    *,
+    where: str = " in this cast",
+    halves: bool = True,
 ) -> tuple[str, ...]:
-    """Returns the one of `names` that a person means, as `find_name`, or both halves of an action unit that no single
-    one does: `AU45` is eyeBlinkLeft and eyeBlinkRight. ValueError as `find_name`."""
+    """Returns the one of `names` that a person means, as `find_name`; halves: also both halves of an action unit that
+    no single one is, `AU45` is eyeBlinkLeft and eyeBlinkRight, else ValueError."""
     choices = list(names)
     if typed in choices:
         return (typed,)
@@ -43,10 +44,12 @@ def find_names(
     found = found or [name for name in choices if meant and fold(labels.get(name, "")) == meant]
     if len(found) > 1:
         raise ValueError(f"the {what} {typed[:80]!r} could be {' or '.join(found)}; write one of these names")
-    units = find_units(typed, choices) if what in UNIT_NOUNS else ()
-    if found or units:
-        return (found[0],) if found else units
+    units = found or (find_units(typed, choices) if what in UNIT_NOUNS else ())
+    if len(units) == 1 or (units and halves):
+        return tuple(units)
     told = explain_action_unit(typed, choices) if what in UNIT_NOUNS else ""
+    if units:
+        raise ValueError(f"{told}; write one of them, or both as channels ({'+'.join(units)})")
     near = nearest(typed, choices, labels) or sorted(choices)[:3]
     there = told or (f"near are {', '.join(near)}" if near else "there are none")
     raise ValueError(f"there is no {what} {typed[:80]!r}{where}; {there}")

@@ -13,7 +13,7 @@ from omote.perform.channels import with_channel
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
 from omote.perform.frame import Gaze, Head, Home
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
-from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, check_known, check_within
+from omote.perform.limits import FOREVER, GAZE_LIMITS, LONGEST_CALL, SHORTEST_CALL, check_known, check_within
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.panic import PANIC_SECONDS, SAME_PRESS, Settling
 
@@ -94,6 +94,23 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     if snapshot.panicked is not None:
         check_within(snapshot.panicked, 0.0, snapshot.time, "the time of the last panic (seconds)")
     return snapshot
+
+
+def limit_gaze(saved: object) -> bool:
+    """Brings the gaze of a snapshot's plain values into its range, which older ones do not know; whether it was beyond.
+
+    Everything else is left as it is, for `check_snapshot` and the types to reject.
+    """
+    gaze = saved.get("gaze") if isinstance(saved, dict) else None
+    if not isinstance(gaze, dict):
+        return False
+    beyond = [name for name, limit in GAZE_LIMITS.items() if _is_beyond(gaze.get(name), limit)]
+    gaze.update({name: math.copysign(GAZE_LIMITS[name], gaze[name]) for name in beyond})
+    return bool(beyond)
+
+
+def _is_beyond(angle: object, limit: float) -> bool:
+    return isinstance(angle, float) and math.isfinite(angle) and abs(angle) > limit
 
 
 def names_held(snapshot: Snapshot) -> tuple[frozenset[str], frozenset[str]]:

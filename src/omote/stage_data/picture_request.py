@@ -45,9 +45,9 @@ class RenderRequest(Look, frozen=True, kw_only=True, tag_field="command", tag="r
     @property
     def words(self) -> PoseWords:
         """The pose; ValueError for what is not understood or out of range."""
-        words = {"turn": self.turn, "gaze": self.gaze, "light": self.light}
-        mixes = {"face": self.face, "expression": self.expression, "channels": self.channel}
-        return read_pose(**words, **{name: "+".join(parts) for name, parts in mixes.items()})
+        face, expression, channels = ("+".join(parts) for parts in (self.face, self.expression, self.channel))
+        angles = {"turn": self.turn, "gaze": self.gaze}
+        return read_pose(face=face, expression=expression, channels=channels, light=self.light, **angles)
 
 
 class GridRequest(Look, frozen=True, kw_only=True, tag_field="command", tag="grid"):

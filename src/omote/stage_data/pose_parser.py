@@ -71,8 +71,8 @@ def parse_pose(
     docs/conventions.md for weights and angles.
     """
     refuse_no_cast(cast)
-    words = {"face": face, "expression": expression, "channels": channels}
-    return find_pose(cast, read_pose(**words, turn=turn, gaze=gaze, light=light))
+    words = {"face": face, "expression": expression, "channels": channels, "turn": turn, "gaze": gaze}
+    return find_pose(cast, read_pose(**words, light=light))
 
 
 def find_pose(cast: Cast | PlayingCast, words: PoseWords) -> Frame:

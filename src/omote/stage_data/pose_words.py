@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from omote.perform.frame import Gaze, Head
-from omote.perform.lights import FIRST_LIGHT, LIGHTS
+from omote.perform.lights import LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, check_within
 from omote.perform.mix import HIGHEST, LOWEST
-from omote.perform.name_lookup import NO_LABELS, find_name, find_names
+from omote.perform.name_lookup import NO_LABELS, find_names
 
 EVEN = 1e-6
 """Tolerance of a mix's sum of one: people type three digits."""
@@ -36,14 +36,8 @@ class PoseWords:
 
 
 def read_pose(
-    *,
-    face: str = "generic",
-    expression: str = "neutral",
-    channels: str = "",
-    turn: str = "",
-    gaze: str = "",
-    light: str = FIRST_LIGHT,
-) -> PoseWords:
+    *, face: str, expression: str, channels: str, turn: str, gaze: str, light: str
+) -> PoseWords:  # fmt: skip
     """Reads the words of a pose; ValueError for what is not understood or out of range, TypeError for what is no
     text."""
     texts = {"face": face, "expression": expression, "channels": channels, "turn": turn, "gaze": gaze, "light": light}
@@ -97,11 +91,21 @@ def read_weights(text: str, what: str, limits: tuple[float, float]) -> list[tupl
     read = list[tuple[str, float | None]]()
     for part in filter(None, (part.strip() for part in text.split("+"))):
         name, given, weight = part.partition("=")
+        if "," in weight:
+            raise ValueError(explain_comma(part, what))
         if not name.strip():
             raise ValueError(f"in {text!r} {part!r} is a weight of no {what}; write a name before it, as in name=0.5")
         number = check_within(read_number(weight, part), *limits, f"the weight in {part!r}") if given else None
         read.append((name.strip(), number))
     return read
+
+
+def explain_comma(part: str, what: str) -> str:
+    """What to write for a part of a mix whose weight has a comma: of a decimal number, or between two names."""
+    pieces = [piece.strip() for piece in part.split(",")]
+    if all(piece.isdecimal() for piece in pieces[1:]):
+        return f"in {part!r} the weight has a comma; write it with a point, {'.'.join(pieces)}"
+    return f"mixes of {what}s are written with +, not with commas; write {'+'.join(pieces)} for {part!r}"
 
 
 def share_rest(read: list[tuple[str, float | None]]) -> Weights:
@@ -118,9 +122,11 @@ def merge_names(
     found = dict[str, float]()
     place = " in this cast" if names is not LIGHTS else ""
     for typed, weight in weights:
-        # Halves of a unit may be played together; in a mix they would share its weight.
-        each = find_names(typed, names, what, labels, where=place) if what == "channel" else ()
-        for name in each or (find_name(typed, names, what, labels, where=place),):
+        try:  # both halves of an action unit may be channels; in a mix they would share its weight
+            meant = find_names(typed, names, what, labels, where=place, halves=what == "channel")
+        except ValueError as error:
+            raise ValueError(f"{error}; mixes are written with +, as in a+b" if "," in typed else str(error)) from None
+        for name in meant:
             if name in found:
                 raise ValueError(f"the {what} {name!r} comes twice; give it one weight")
             found[name] = weight

@@ -14,6 +14,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.perform.frame import Gaze
+from omote.perform.limits import GAZE_LIMITS
 from omote.perform.performer import Performer
 from omote.server.persistence.restore import journal_entry, next_epoch, open_journal, open_newest, ordinal, restore
 from omote.server.process.process_messages import Failover, Order
@@ -107,6 +109,19 @@ def test_a_face_that_is_gone_from_the_cast_does_not_stop_the_show(tmp_path: Path
     show.write_journal(JournalEntry(1, 0.0, data))
     assert restore(cast, show, ORDER, report).tick(0.0).faces == {"generic": 1.0}
     assert "'cause'" in report.said[0]
+    show.close()
+
+
+def test_a_gaze_of_before_its_range_opens_and_is_told(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = kept(tmp_path / "a.omote", cast)
+    saved = msgspec.msgpack.decode(show.journal().snapshot or b"")
+    saved["performer"]["gaze"] = {"yaw": -1.2, "pitch": 0.1}
+    show.write_journal(JournalEntry(5, 0.0, msgspec.msgpack.encode(saved)))
+    session = restore(cast, show, ORDER, report)
+    assert session.tick(0.0).channels == {"jawOpen": 0.5}
+    assert session.performer.snapshot().gaze == Gaze(-GAZE_LIMITS["yaw"], 0.1)
+    assert report.said == ["the gaze was farther than eyes turn: it is brought to 40 degrees sideways, 30 up or down."]
+    assert aside(tmp_path / "a.omote") == []
     show.close()
 
 

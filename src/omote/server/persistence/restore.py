@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sqlite3
 import time
 from collections.abc import Callable
@@ -10,8 +11,9 @@ from pathlib import Path
 import msgspec
 
 from omote.interchange.formats.error_reasons import explain_error
+from omote.perform.limits import GAZE_LIMITS
 from omote.perform.performer import Performer
-from omote.perform.snapshot import Playable
+from omote.perform.snapshot import Playable, limit_gaze
 from omote.server.process.process_messages import Failover, Order
 from omote.show.session import SessionSnapshot, ShowSession
 from omote.showfile.backup import backup_paths
@@ -167,10 +169,15 @@ def _try_restore(cast: Playable, entry: JournalEntry, epoch: int, report: Report
     if entry.snapshot is None:
         return None
     try:
-        snapshot = msgspec.msgpack.decode(entry.snapshot, type=SessionSnapshot)
-        return ShowSession.restored(cast, snapshot, epoch=epoch)
+        saved = msgspec.msgpack.decode(entry.snapshot)
+        limited = limit_gaze(saved.get("performer")) if isinstance(saved, dict) else False
+        session = ShowSession.restored(cast, msgspec.convert(saved, SessionSnapshot), epoch=epoch)
     except (ValueError, TypeError, RecursionError) as error:
         report(
             f"the last state cannot be played ({explain_error(error)}); it is kept aside and the show starts neutral."
         )
         return None
+    if limited:
+        reach = "{:.0f} degrees sideways, {:.0f} up or down".format(*map(math.degrees, GAZE_LIMITS.values()))
+        report(f"the gaze was farther than eyes turn: it is brought to {reach}.")
+    return session
