@@ -402,7 +402,9 @@ def test_an_ending_that_is_left_out_is_the_files_own(tmp_path: Path, monkeypatch
     assert "is told by its name; end that with .json, .glb, .obj" in (
         runner.invoke(app, ["file", "import", "a.omote", "head"]).stderr
     )
-    assert "did you mean a.omote?" in runner.invoke(app, ["file", "list", "a"]).stderr
+    for command in ("list", "check"):
+        assert "a.omote" in runner.invoke(app, ["file", command, "a"]).stdout
+    assert "there is no show file b.omote" in runner.invoke(app, ["file", "list", "b"]).stderr
     assert "is no name of a document; end it with .json" in (
         runner.invoke(app, ["file", "export", "a.omote", "smile", "-o", "smile.xml"]).stderr
     )

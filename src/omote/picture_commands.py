@@ -72,7 +72,7 @@ def grid(
     output: Output,
     faces: Annotated[str, typer.Option(help="The rows: faces, or mixes (kaori=0.5+dog=0.5), by commas.")] = "",
     morph: Annotated[str, typer.Option(help="The columns instead: steps from face to face, kaori:old:11.")] = "",
-    expressions: Annotated[str, typer.Option(help="Expressions, or mixes of them, by commas.")] = "neutral",
+    expressions: Annotated[str, typer.Option(help="Expressions, mixes, or kinds (performed), by commas.")] = "neutral",
     turns: Annotated[str, typer.Option(help="Each expression at these yaws, degrees, by commas.")] = "0",
     labels: Annotated[bool, typer.Option("--labels/--no-labels", help="Write the names beside the pictures.")] = True,
     size: Annotated[str, typer.Option(help="Width x height of one picture, pixels.")] = "240x270",

@@ -35,6 +35,9 @@ def test_expressions_are_named_by_kind_or_by_name() -> None:
     assert sorted(choose_expressions(cast, "all")) == sorted(set(synthetic.EXPRESSIONS) - {"neutral"})
     assert choose_expressions(cast, "jaw open, SMILE") == ["jawOpen", "smile"]
     assert choose_expressions(cast, "neutral") == []
+    assert choose_expressions(cast, "Performed,AU26") == ["smile", "jawOpen"]
+    with pytest.raises(ValueError, match=r"there are no own expressions here; name a show file"):
+        choose_expressions(cast, "own")
     with pytest.raises(ValueError, match="' , ' names no expression; give names or a kind"):
         choose_expressions(cast, " , ")
     with pytest.raises(

@@ -29,3 +29,10 @@ def test_a_cast_is_asked_by_names(cast: Cast) -> None:
             mapping["nobody"]
     with pytest.raises(KeyError, match="there is no expression 'smil' in this cast; near are smile"):
         cast.expressions["smil"]
+
+
+def test_an_action_unit_is_told_which_expression_it_is(cast: Cast) -> None:
+    with pytest.raises(KeyError, match="there is no expression 'AU26' in this cast; AU26 is jawOpen"):
+        cast.expressions["AU26"]
+    with pytest.raises(KeyError, match="there is no face 'AU26' in this cast; near are "):
+        cast.faces["AU26"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from omote.builtin import load_cast
-from omote.model.action_units import ACTION_UNITS, action_units
+from omote.model.action_units import ACTION_UNITS, action_units, explain_action_unit, find_units
 from omote.model.cast import Cast
 
 HEAD = """# Action units
@@ -18,6 +18,9 @@ character's left and right, `T` and `B` the upper and the lower lip; `1+2` is bo
 for it. `eyeLookInLeft` turns the left eye towards the nose, which is to the right. Weights are no intensities A to E:
 a weight of 1 is the unit as it was sculpted.
 
+Wherever the name of an expression or a channel is typed, its unit finds it: `--channel AU12=0.5`, `--channel "lip corner
+puller"`, `AU12L` or `L12` for the left half, `--expressions AU26`; a console finds it by *Search*.
+
 Of the head, in degrees of `--turn` or radians of `Performer.set_head`: yaw + is AU 51 (left), yaw - AU 52, pitch + AU
 53 (up), pitch - AU 54, roll + AU 55 (tilt left), roll - AU 56. Of the gaze (`--gaze`, `Performer.set_gaze`): yaw + is
 AU 61, yaw - AU 62, pitch + AU 63, pitch - AU 64.
@@ -28,7 +31,7 @@ KINDS = {"arkit": "ARKit's shapes", "makehuman": "MakeHuman's units"}
 def action_unit_page() -> str:
     """The page: a table of each kind of unit."""
     cast = load_cast()
-    return "\n".join([HEAD, *(_table(cast, kind) for kind in KINDS)])
+    return "\n".join([HEAD, _units(cast), *(_table(cast, kind) for kind in KINDS)])
 
 
 def action_unit_table() -> str:
@@ -44,6 +47,15 @@ def action_unit_table() -> str:
 def names_of(channel: str) -> str:
     """The names of a channel's action units."""
     return ", ".join(ACTION_UNITS[int(code.strip("LRTB"))] for code in action_units(channel))
+
+
+def _units(cast: Cast) -> str:
+    """What each unit finds where it is typed."""
+    rows = []
+    for number, name in ACTION_UNITS.items():
+        found = ", ".join(f"`{each}`" for each in find_units(f"AU{number}", cast.titles))
+        rows.append(f"| AU{number} | {name} | {found or explain_action_unit(f'AU{number}', cast.titles)} |")
+    return "\n".join(["## What a unit finds\n", "| unit | its name | channels |", "|---|---|---|", *rows, ""])
 
 
 def _table(cast: Cast, kind: str) -> str:

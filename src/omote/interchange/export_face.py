@@ -16,7 +16,7 @@ from omote.interchange.formats.glb_writer import Material, Scene, Shape, Target
 from omote.interchange.formats.png import Picture, png_bytes, read_png
 from omote.interchange.hair_mesh import hair_shape
 from omote.interchange.skin_texture import Canvas, build_canvas, decode_srgb, paint_skin
-from omote.model.cast import Cast, Look, Title
+from omote.model.cast import Cast, Look
 from omote.model.known_names import NEUTRAL
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -24,13 +24,12 @@ from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import apply_expression, compile_answer, move_parts, turn_eyes
 from omote.perform.limits import check_known
-from omote.perform.name_lookup import find_names
+from omote.perform.name_lookup import ALL, find_kind, find_names
 
 Points = NDArray[np.float64]
 Meshes = dict[str, Points]
 
 SKIN, LASHES, TONGUE = "skin", "lashes", "tongue"
-ALL = "all"
 REST, STRAIGHT = 5e-7, 1e-4
 """A target leaves out vertices that move less (metres) and whose normal changes less."""
 NOTICE = (
@@ -61,8 +60,8 @@ def choose_expressions(cast: Cast, text: str, /) -> list[str]:
     """
     found: dict[str, None] = {}
     for word in filter(None, (word.strip() for word in text.split(","))):
-        kind = [name for name, title in cast.titles.items() if word.lower() in (title.kind, ALL)]
-        found |= dict.fromkeys(kind or _named_expressions(cast, word))
+        kinds = {name: title.kind for name, title in cast.titles.items()}
+        found |= dict.fromkeys(find_kind(word, kinds) or _named_expressions(cast, word))
     if not found:
         raise ValueError(f"{text!r} names no expression; give names or a kind by commas: smile,joy or arkit or neutral")
     return [name for name in found if name != NEUTRAL]
@@ -70,8 +69,6 @@ def choose_expressions(cast: Cast, text: str, /) -> list[str]:
 
 def _named_expressions(cast: Cast, word: str) -> Sequence[str]:
     labels = {name: title.label for name, title in cast.titles.items()}
-    if word.lower() == Title.kind:
-        raise ValueError("there are no own expressions here; name a show file that holds some, as in --show my.omote")
     try:
         return find_names(word, cast.expressions, "expression", labels)
     except ValueError as error:

@@ -8,8 +8,10 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from omote.model.action_units import explain_action_unit, find_units
-from omote.model.known_names import UNIT_NOUNS
+from omote.model.known_names import NEUTRAL, UNIT_NOUNS
 
+ALL, OWN = "all", "own"
+"""Instead of a kind: every expression but neutral. The kind of those of a show file."""
 NO_LABELS: Mapping[str, str] = MappingProxyType({})
 
 
@@ -53,6 +55,18 @@ def find_names(
     near = nearest(typed, choices, labels) or sorted(choices)[:3]
     there = told or (f"near are {', '.join(near)}" if near else "there are none")
     raise ValueError(f"there is no {what} {typed[:80]!r}{where}; {there}")
+
+
+def find_kind(word: str, kinds: Mapping[str, str]) -> list[str]:
+    """The expressions of a kind (`arkit`, `own`), or all of them but neutral (`all`); none where a word is no kind.
+
+    kinds: of every expression, by name. ValueError where there are no own ones.
+    """
+    wanted = word.strip().lower()
+    found = [name for name, kind in kinds.items() if wanted == kind or (wanted == ALL and name != NEUTRAL)]
+    if wanted == OWN and not found:
+        raise ValueError("there are no own expressions here; name a show file that holds some: --show my.omote")
+    return found
 
 
 def fold(text: str) -> str:

@@ -6,14 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+import msgspec
+
 from omote.interchange.formats.file_names import Kind
+from omote.perform.name_lookup import find_kind
 from omote.stage_data.picture_request import RenderRequest, Request, plan_cells
-from omote.stage_data.picture_setting import Setting, refuse_count
+from omote.stage_data.picture_setting import Setting, refuse_count, split_list
+from omote.stage_data.playing_cast import PlayingCast, kinds_of
 from omote.stage_data.pose_parser import Pose, find_pose, pose_of
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
-    from omote.stage_data.playing_cast import PlayingCast
 
 
 @dataclass(frozen=True)
@@ -43,6 +46,18 @@ class PictureGrid:
     def on_paper(self, setting: Setting, kind: Kind) -> PictureGrid:
         """Sets the background of a grid for a file of this kind; ValueError as `Setting.paper`."""
         return replace(self, paper=setting.paper(kind), kind=kind)
+
+
+def spell_out(request: Request, cast: PlayingCast) -> Request:
+    """The request with every kind among a table's expressions (`performed`, `own`) replaced by its expressions.
+
+    ValueError where there are no own ones, or too many in all.
+    """
+    if isinstance(request, RenderRequest):
+        return request
+    kinds = kinds_of(cast)
+    spelled = [name for word in split_list(request.expressions) for name in find_kind(word, kinds) or [word]]
+    return msgspec.structs.replace(request, expressions=",".join(spelled))
 
 
 def lay_out(request: Request, cast: Cast | PlayingCast) -> PictureGrid:

@@ -15,12 +15,11 @@ from omote.model.cast import Cast, Title
 from omote.model.known_names import NEUTRAL
 from omote.model.recipes.recipe import KEY
 from omote.model.space.expression import Expression
+from omote.perform.name_lookup import OWN
 from omote.show.messages import ExpressionDocument, FaceDocument, Manifest
 from omote.showfile.changes import Kind
 from omote.showfile.contents import unpack_expression
 from omote.stage_data.assets import expression_document
-
-OWN = "own"
 
 
 class Own(msgspec.Struct, frozen=True):
@@ -149,6 +148,12 @@ def labels_of(cast: Cast | PlayingCast) -> dict[Kind, dict[str, str]]:
     for each in own:
         labels[each.kind][each.name] = each.label
     return labels
+
+
+def kinds_of(cast: PlayingCast) -> dict[str, str]:
+    """The kind of every expression, by name."""
+    built_in = {name: title.kind for name, title in cast.base.titles.items()}
+    return built_in | {each.name: OWN for each in cast.own if each.kind == "expression"}
 
 
 def manifest_of(playing: PlayingCast, built_in: Manifest, faces: Mapping[str, FaceDocument]) -> Manifest:

@@ -16,3 +16,6 @@ def test_page_and_data_say_the_same_of_every_unit() -> None:
         assert line["facs"] == "+".join(action_units(line["channel"]))
         row = f"| `{line['channel']}` | {line['label']} | {line['facs'] or '-'} | {line['names']} |"
         assert page.count(row) == 1
+    assert "| AU12 | Lip corner puller | `mouth-corner-puller` |" in page
+    assert "| AU45 | Blink | `eyeBlinkLeft`, `eyeBlinkRight` |" in page
+    assert "| AU30 | Jaw sideways | AU30 is jawLeft or jawRight |" in page

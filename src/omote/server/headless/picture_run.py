@@ -21,7 +21,7 @@ from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.static_pages import Page, read_pages
 from omote.showfile.inspection import Inspection
 from omote.stage_data.full_cast import own_items
-from omote.stage_data.picture_grid import PictureGrid, lay_out
+from omote.stage_data.picture_grid import PictureGrid, lay_out, spell_out
 from omote.stage_data.picture_request import GridRequest, RenderRequest, Request, plan_cells
 from omote.stage_data.picture_setting import Setting
 from omote.stage_data.picture_sidecar import (
@@ -119,7 +119,7 @@ class PictureStudio:
 
     def plan(self, request: Request, path: Path, *, fresh: bool = False) -> PictureRun:
         """Everything that a request wants drawn; ValueError where that cannot be, before anything is drawn."""
-        kind, setting = picture_kind(path), request.setting
+        request, kind, setting = spell_out(request, self.cast), picture_kind(path), request.setting
         sheet = lay_out(request, self.cast).on_paper(setting, kind)
         whole = self._file(request, path, sheet, setting)
         if isinstance(request, RenderRequest):
