@@ -99,9 +99,9 @@ def test_check_says_what_is_good_and_what_is_not(show: ShowFile) -> None:
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        (("list", "none.omote"), "there is no show file none.omote; omote show makes one"),
+        (("list", "none.omote"), "there is no show file none.omote; omote show none.omote makes one"),
         (("history", "none.omote", "smirk"), "there is no show file none.omote"),
-        (("check", "none.omote"), "there is no show file none.omote; omote show makes one"),
+        (("check", "none.omote"), "there is no show file none.omote; omote show none.omote makes one"),
     ],
 )
 def test_a_file_that_is_not_there_is_one_sentence(arguments: tuple[str, ...], sentence: str) -> None:
@@ -170,7 +170,7 @@ def test_an_expression_goes_out_of_one_show_file_and_into_another(show: ShowFile
     listed = json.loads(CliRunner().invoke(app, ["file", "list", str(other), "--json"]).stdout)
     assert [(row["name"], row["label"], row["revision"]) for row in listed] == [("smile_2", "Smile 2", 1)]
     again = said("import", other, letter, letter)
-    assert again.count("'Smile' is there already, exactly the same, as smile_2 ('Smile 2')") == 2
+    assert again.count("'Smile' is there already, exactly the same, as smile_2 (Smile 2)") == 2
     assert f"{other} has nothing more." in again
     both = said("import", other, letter, "--keep-both")
     assert "there is a 'Smile' already, so this one is called 'Smile 3'" in both

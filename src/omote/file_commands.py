@@ -107,7 +107,7 @@ def take_in(
     things: Annotated[
         list[Path], typer.Argument(help="Expressions (.json), heads with morph targets (.glb), shapes (.obj).")
     ],
-    face: Annotated[str, typer.Option(help="The face of the cast that the shapes start from.")] = "",
+    face: Annotated[str, typer.Option(help="The face of the cast that shapes start from; else it is seen.")] = "",
     kind: Annotated[
         Literal["expression", "face"], typer.Option("--as", help="What the files are: expressions, or faces at rest.")
     ] = "expression",
@@ -147,7 +147,7 @@ def drop_known(stored: Stored, arrivals: Sequence[ImportedItem]) -> list[Importe
     known = find_known(stored, arrivals)
     for arrival, item in zip(arrivals, known, strict=True):
         if item is not None:
-            where = f"as {item.name} ({item.label!r})" if item.name else "among what these files bring"
+            where = f"as {item.name} ({item.label})" if item.name else "among what these files bring"
             say(
                 f"{arrival.label!r} is there already, exactly the same, {where}: it is not added again; --keep-both "
                 "adds a copy."

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from omote.builtin import load_cast
-from omote.interchange.starting_face import check_start
+from omote.interchange.starting_face import check_start, find_start
 from omote.model.transfer.compound import compound
 
 CAST = load_cast()
@@ -19,6 +19,7 @@ def test_a_shape_starts_from_its_own_face_and_from_no_other(name: str) -> None:
     for expression in (EXPRESSIONS[at * len(EXPRESSIONS) // len(FACES)], STRONGEST[at % len(STRONGEST)]):
         skin = compound(CAST.space, face, CAST.expressions[expression])
         check_start(CAST, expression, skin, face, named=True)
+        assert find_start(CAST, skin) == name
         for other in CAST.faces.values():
             if other is not face:
                 with pytest.raises(ValueError, match=f"starts from {name!r} and not from {other.name!r}"):
@@ -33,6 +34,7 @@ def test_what_moves_a_whole_head_is_never_another_face(seed: int) -> None:
     moved = np.sin(CAST.space.points @ waves + phases) @ random.normal(scale=random.uniform(0.0005, 0.01), size=(6, 3))
     skin = face.positions + moved
     check_start(CAST, "wave", skin, face, named=False, own_rest=True)
+    assert find_start(CAST, skin) == ""
     with pytest.raises(ValueError, match=f"'wave' does not start from {face.name!r}: .* a shape named 'neutral'"):
         check_start(CAST, "wave", skin, face, named=True)
 

@@ -16,7 +16,7 @@ from omote.builtin import BakedMesh
 from omote.interchange.export_face import compound_meshes
 from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.mesh_correspondence import SKIN, MatchedHead, Meshes, build_face, match_head, rest_of
-from omote.interchange.starting_face import check_start
+from omote.interchange.starting_face import check_start, find_start
 from omote.model.cast import Cast, Look
 from omote.model.extraction.extract import extract
 from omote.model.extraction.extracted_expression import describe_uncertainty
@@ -68,7 +68,8 @@ def import_expressions(
     """Imports the expressions in shapes, by name: one per morph target; of a shape without any, the shape itself.
 
     A shape named as a shape at rest (RESTS), or that is a face of the cast, is what the others are measured from; face:
-    the face of the cast that they are measured from instead; follow: told of shapes done, of all, and of the next one.
+    the face of the cast that they are measured from instead; without either, the face of the cast that a shape shows to
+    start from; follow: told of shapes done, of all, and of the next one.
     ValueError where there is no expression, and where a shape starts from another face.
     """
     heads = {label: _match_named_head(cast, meshes, label, pieces) for label, pieces in shapes.items()}
@@ -128,6 +129,9 @@ def _base_face(cast: Cast, heads: Mapping[str, MatchedHead], face: str) -> Face:
     for head in heads.values():
         if head.face:
             return cast.faces[head.face]
+    for head in heads.values():
+        if found := find_start(cast, head.rest[SKIN]):
+            return cast.faces[found]
     raise ValueError(
         f"nothing says from which face {next(iter(heads))!r} starts; add a shape named {NEUTRAL!r}, or name a face of "
         "the cast with --face"

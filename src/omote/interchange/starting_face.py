@@ -1,4 +1,4 @@
-"""Checks that a shape starts from the face that it is measured from: a wrong one would move every vertex.
+"""Finds the face that a shape starts from, or checks the one that is named: a wrong one would move every vertex.
 
 An expression leaves a part of the head still, a face is another everywhere. Of 1,921 compounds (17 faces, 113
 expressions) a twentieth of the skin moves less than a micrometre; between two faces of the cast it is .14 mm and more.
@@ -13,7 +13,7 @@ from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL
 from omote.model.space.face import Face
 
-Points = NDArray[np.float64]
+Points = NDArray[np.floating]
 
 STILL, QUIET = 0.05, 0.25
 """Shares of the skin that are compared: what every expression leaves still, and what most of them hardly move."""
@@ -23,6 +23,12 @@ NEARER, QUIETER = 4.0, 2.0
 """How many times nearer, in these two shares, another face is that a shape starts from."""
 ELSEWHERE = 5e-4
 """Metres; a shape whose still share is farther away starts from no face of the cast."""
+
+
+def find_start(cast: Cast, skin: Points, /) -> str:
+    """The face of the cast that a shape's skin (V, 3) starts from, "" for none."""
+    nearest = min(cast.faces, key=lambda name: _distances(skin, cast.faces[name]))
+    return nearest if _distances(skin, cast.faces[nearest])[0] <= ROUNDED else ""
 
 
 def check_start(cast: Cast, label: str, skin: Points, start: Face, /, *, named: bool, own_rest: bool = False) -> None:
@@ -38,7 +44,7 @@ def check_start(cast: Cast, label: str, skin: Points, start: Face, /, *, named: 
     nearest = min(others, key=lambda name: others[name], default="")
     far = f"95 % of its skin lies more than {1000 * still:.1f} mm from {start.name!r} at rest"
     if nearest and others[nearest][0] * NEARER < still and others[nearest][1] * QUIETER < quiet:
-        mend = f"say --face {nearest}" if named else f"give it alone, with --face {nearest}"
+        mend = f"say --face {nearest}" if named else "take it in alone, or with its own head at rest"
         raise ValueError(f"{label!r} starts from {nearest!r} and not from {start.name!r}: {far}; {mend}")
     if still > ELSEWHERE and not own_rest:
         raise ValueError(

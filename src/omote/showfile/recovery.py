@@ -53,7 +53,8 @@ def explain_missing(path: Path, /) -> str:
         begins = f"; omote show {path} begins one in it" if path.suffix.lower() == SUFFIX else ""
         return f"{path} is an empty file: there is no show in it{begins}."
     near = path.with_name(path.name + SUFFIX)
-    return f"there is no show file {path}; {f'did you mean {near}?' if near.is_file() else 'omote show makes one.'}"
+    hint = f"did you mean {near}?" if near.is_file() else f"omote show {path} makes one."
+    return f"there is no show file {path}; {hint}"
 
 
 def reject_unproven(path: Path, /) -> None:

@@ -13,6 +13,12 @@ GLB, DOCUMENT = ".glb", ".json"
 NUMBERS = (".npz", ".csv")
 """What an export writes besides GLB."""
 IMPORTS = (DOCUMENT, GLB, ".obj")
+HINTS = {
+    ".omote": "a show file is opened with `omote show`; take single expressions out of it as documents (.json)",
+    **dict.fromkeys((".gltf", ".fbx", ".blend", ".dae", ".stl", ".ply", ".usdz"), "export it as glTF binary (.glb)"),
+    **dict.fromkeys((".png", ".jpg", ".jpeg", ".gif", ".webp"), "a picture has no shape that a face could have"),
+}
+"""What to do with files that people try to import, by their suffix."""
 
 
 def picture_kind(path: Path) -> Kind:
@@ -55,5 +61,7 @@ def require_imports(paths: Iterable[Path]) -> None:
             near = [each for ending in IMPORTS if (each := path.with_name(path.name + ending)).is_file()]
             what = f"did you mean {near[0]}?" if near else "name one that is there"
             raise FileNotFoundError(f"there is no file {path}; {what}")
+        if hint := HINTS.get(path.suffix.lower()):
+            raise ValueError(f"{path} cannot be imported: {hint}")
         if path.suffix.lower() not in IMPORTS:
             raise ValueError(f"what {path} holds is told by its name; end that with {', '.join(IMPORTS)}")

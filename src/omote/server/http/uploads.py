@@ -17,6 +17,7 @@ from aiohttp import web
 
 from omote.edit.session.brought_items import TakenIn
 from omote.interchange.formats.error_reasons import explain_error
+from omote.interchange.formats.file_names import HINTS
 from omote.interchange.formats.glb_reader import LARGEST
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
 from omote.server.workers.file_jobs import Imported, ImportFile
@@ -25,12 +26,6 @@ from omote.showfile.changes import BroughtItem, Kind
 
 SUFFIXES = (".json", ".glb", ".obj")
 KINDS = ("expression", "face")
-HINTS = {
-    ".omote": "a show file is opened with `omote show`; take single expressions out of it as documents (.json)",
-    **dict.fromkeys((".gltf", ".fbx", ".blend", ".dae", ".stl", ".ply", ".usdz"), "export it as glTF binary (.glb)"),
-    **dict.fromkeys((".png", ".jpg", ".jpeg", ".gif", ".webp"), "a picture has no shape that a face could have"),
-}
-"""What to do with files that people try."""
 CHUNK = 2**18
 CANCELLED = 204
 """The status of a request that its page ended: there is nothing, and browsers log no error."""
