@@ -147,13 +147,13 @@ def export(
 
     from omote.interchange.export_face import choose_expressions, named_compound_meshes
     from omote.interchange.formats.atomic_file import write_whole
-    from omote.perform.name_lookup import find_name
-    from omote.stage_data.full_cast import build_full_cast
+    from omote.stage_data.full_cast import build_full_cast, find_face
 
     with exit_on_refusal():
         encode = find_encoder(output, hair=hair)
         cast = load_cast() if found is None else build_full_cast(load_cast(), found.stored, found.contents)
-        face, names = find_name(face, cast.faces, "face"), choose_expressions(cast, expressions)
+        face = find_face(cast, None if found is None else found.stored, face)
+        names = choose_expressions(cast, expressions)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
         poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
         write_whole(output, encode(cast, face, poses))

@@ -125,9 +125,10 @@ def take_in(
         require_imports(things)
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
         from omote.edit.store.import_items import changes_to_import, distinguish
-        from omote.stage_data.full_cast import build_full_cast
+        from omote.stage_data.full_cast import build_full_cast, find_face
 
         cast = load_cast() if own is None else build_full_cast(load_cast(), *own)
+        face = find_face(cast, None if own is None else own[0], face) if face else ""
         arrivals = read_arrivals(cast, things, face, kind)
         with open_offline_show(file, new=True) as show:
             stored = show.stored()

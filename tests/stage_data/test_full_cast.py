@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from msgspec import structs
 
 from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.model.cast import Cast, Look
@@ -13,7 +14,7 @@ from omote.model.space.face import Face
 from omote.showfile.changes import Item, PutContent, PutItem, PutRevision, Stored
 from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import open_show
-from omote.stage_data.full_cast import build_full_cast, playing_items, read_show
+from omote.stage_data.full_cast import build_full_cast, find_face, playing_items, read_show
 from tests import synthetic
 
 
@@ -66,6 +67,18 @@ def test_what_is_no_show_or_of_another_head_is_refused(tmp_path: Path, monkeypat
         show.apply(changes_to_import(small, Stored(), [ImportedItem("Grin", short)], wall=0.0))
     with pytest.raises(ShowFileError, match=r"the own expression grin cannot be played on the built-in head: .* has"):
         read_show(tmp_path / "a.omote")
+
+
+def test_own_faces_are_found_by_their_labels() -> None:
+    stored, contents = kept(synthetic.cast())
+    renamed = Stored(
+        tuple(structs.replace(item, label=f"Frau {item.label}") for item in stored.items), stored.revisions
+    )
+    cast = build_full_cast(synthetic.cast(), renamed, contents)
+    assert find_face(cast, renamed, "frau aunt") == find_face(cast, renamed, "AUNT") == "aunt"
+    assert find_face(cast, None, "Long") == "long"
+    with pytest.raises(ValueError, match="there is no face 'Frau Grin' in this cast; near are"):
+        find_face(cast, renamed, "Frau Grin")
 
 
 def test_a_face_of_another_head_is_refused_by_its_name() -> None:

@@ -10,6 +10,7 @@ from omote.builtin import load_cast
 from omote.model.cast import Cast, Title
 from omote.model.known_names import NEUTRAL
 from omote.model.space.face_fit import fit
+from omote.perform.name_lookup import find_name
 from omote.showfile.changes import Item, Stored
 from omote.showfile.contents import unpack_expression, unpack_face
 from omote.showfile.inspection import inspect_show
@@ -72,6 +73,15 @@ def build_full_cast(base: Cast, stored: Stored, contents: Mapping[str, bytes], /
                 "it was made with, or delete it from the show on a console."
             ) from error
     return replace(base, faces=faces, looks=looks, expressions=expressions, titles=titles)
+
+
+def find_face(cast: Cast, stored: Stored | None, typed: str, /) -> str:
+    """The face of a full cast that a person means by a name or, of own ones, a label; ValueError for none.
+
+    stored: what the cast's own ones are of, None where it has none.
+    """
+    own = () if stored is None else playing_items(stored)
+    return find_name(typed, cast.faces, "face", {item.name: item.label for item, _ in own if item.kind == "face"})
 
 
 def playing_items(stored: Stored, /) -> list[tuple[Item, str]]:

@@ -47,6 +47,9 @@ def test_files_to_be_taken_in_are_there_and_say_what_they_are(tmp_path: Path) ->
     (tmp_path / "smile.txt").touch()
     with pytest.raises(ValueError, match=r"smile\.txt holds is told by its name; end that with \.json, \.glb, \.obj"):
         require_imports([tmp_path / "smile.txt"])
+    (tmp_path / "head.FBX").touch()
+    with pytest.raises(ValueError, match=r"head\.FBX cannot be imported: export it as glTF binary"):
+        require_imports([tmp_path / "head.FBX"])
     with pytest.raises(FileNotFoundError, match=r"there is no file .*; did you mean .*smile\.json\?"):
         require_imports([tmp_path / "smile"])
     with pytest.raises(FileNotFoundError, match="name one that is there"):
