@@ -27,6 +27,7 @@ from omote.stage_data.assets import (
     first_rows,
     quantise,
     rest_positions,
+    unit_tags,
 )
 from tests import synthetic
 from tests.compound_assets import unpack_compound
@@ -163,3 +164,10 @@ def test_a_face_says_what_a_picture_has_to_hold(cast: Cast) -> None:
         assert found.shape == (6, 3)
         assert [found[2 * axis][axis] for axis in range(3)] == face.positions.min(axis=0).tolist()
         assert [found[2 * axis + 1][axis] for axis in range(3)] == face.positions.max(axis=0).tolist()
+
+
+def test_palettes_find_a_channel_by_its_action_units() -> None:
+    assert unit_tags("mouthSmileLeft") == ["AU12L", "Lip corner puller"]
+    assert unit_tags("eyebrows-left-up") == ["AU1L", "Inner brow raiser", "AU2L", "Outer brow raiser"]
+    assert unit_tags("jawOpen") == ["AU26", "Jaw drop"]
+    assert unit_tags("joy") == []
