@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from omote.server.persistence.lock import lock_show, release_lock
+from omote.server.persistence.lock import ShowLockedError, lock_show, release_lock
 from omote.showfile.backup import back_up
 from omote.showfile.identification import locate_show
 from omote.showfile.recovery import is_lost
@@ -29,7 +29,10 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
             f"{path} is not there or empty, but its good copies are: open it with `omote show {path}`, which brings "
             "them back, then repeat this."
         )
-    lock = lock_show(path)
+    try:
+        lock = lock_show(path)
+    except ShowLockedError as error:
+        raise ShowLockedError(f"{error} A running show takes files in by its console and its editor.") from error
     try:
         file = open_show(path)
         try:
