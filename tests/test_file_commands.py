@@ -93,7 +93,7 @@ def test_check_says_what_is_good_and_what_is_not(show: ShowFile) -> None:
     assert "a.omote is not all right. There is no good copy of it" in text
     back_up(show)
     text = said("check", show.path, status=1)
-    assert "a.omote is not all right. Of a damaged file omote show opens the newest good copy." in text
+    assert "a.omote is not all right. It has good copies: omote show " in text
 
 
 @pytest.mark.parametrize(
@@ -139,6 +139,19 @@ def test_a_damaged_file_without_a_copy_is_not_called_good(show: ShowFile) -> Non
     text = said("check", show.path, status=1)
     assert "BAD   there is no good copy beside it" in text
     assert "good " not in text.replace("good copy", "copy")
+
+
+def test_a_damaged_file_is_told_with_the_way_out(show: ShowFile, tmp_path: Path) -> None:
+    (tmp_path / "x.json").touch()
+    back_up(show)
+    show.close()
+    show.path.write_bytes(show.path.read_bytes()[:5000])
+    for command in (("list",), ("history", "smirk"), ("import", tmp_path / "x.json")):
+        text = said(command[0], show.path.with_suffix(""), *command[1:], status=1)
+        assert f"It has good copies: omote show {show.path} opens the newest" in text
+    for copy in tmp_path.glob("*.good*"):
+        copy.unlink()
+    assert f"There is no good copy of it: omote show {show.path} keeps it aside" in said("list", show.path, status=1)
 
 
 def test_a_file_that_never_was_a_show_is_not_called_damaged(tmp_path: Path) -> None:

@@ -88,8 +88,8 @@ def holds_nothing(path: Path, /) -> bool:
 def what_opens(path: Path, /) -> str:
     """What `omote show` would open of a file that is not all right, as a whole sentence."""
     if any(identify(backup).kind == "show" for backup in backup_paths(path)):
-        return "Of a damaged file omote show opens the newest good copy."
-    return "There is no good copy of it; omote show keeps a damaged file aside and starts neutral."
+        return f"It has good copies: omote show {path} opens the newest, and keeps the damaged file aside."
+    return f"There is no good copy of it: omote show {path} keeps it aside and starts neutral."
 
 
 def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:

@@ -11,8 +11,9 @@ from pathlib import Path
 from omote.server.persistence.lock import ShowLockedError, lock_show, release_lock
 from omote.showfile.backup import back_up
 from omote.showfile.identification import locate_show
+from omote.showfile.inspection import what_opens
 from omote.showfile.recovery import is_lost
-from omote.showfile.show_file import ShowFile, ShowFileError, open_show
+from omote.showfile.show_file import CorruptShowFileError, ShowFile, ShowFileError, open_show
 
 
 @contextmanager
@@ -34,7 +35,10 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
     except ShowLockedError as error:
         raise ShowLockedError(f"{error} A running show takes files in by its console and its editor.") from error
     try:
-        file = open_show(path)
+        try:
+            file = open_show(path)
+        except CorruptShowFileError as error:
+            raise CorruptShowFileError(f"{error} {what_opens(path)}") from error
         try:
             yield file
             if new:
