@@ -18,8 +18,8 @@ character's left and right, `T` and `B` the upper and the lower lip; `1+2` is bo
 for it. `eyeLookInLeft` turns the left eye towards the nose, which is to the right. Weights are no intensities A to E:
 a weight of 1 is the unit as it was sculpted.
 
-Wherever the name of an expression or a channel is typed, its unit finds it: `--channel AU12=0.5`, `--channel "lip corner
-puller"`, `AU12L` or `L12` for the left half, `--expressions AU26`; a console finds it by *Search*.
+Wherever the name of an expression or a channel is typed, its unit finds it: `--channel AU12=0.5`, `--channel "lip
+corner puller"`, `AU12L` or `L12` for the left half, `--expressions AU26`; a console finds it by *Search*.
 
 Of the head, in degrees of `--turn` or radians of `Performer.set_head`: yaw + is AU 51 (left), yaw - AU 52, pitch + AU
 53 (up), pitch - AU 54, roll + AU 55 (tilt left), roll - AU 56. Of the gaze (`--gaze`, `Performer.set_gaze`): yaw + is

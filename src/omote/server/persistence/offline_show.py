@@ -30,15 +30,9 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
             f"{path} is not there or empty, but its good copies are: open it with `omote show {path}`, which brings "
             "them back, then repeat this."
         )
+    lock = _lock_idle(path)
     try:
-        lock = lock_show(path)
-    except ShowLockedError as error:
-        raise ShowLockedError(f"{error} A running show takes files in by its console and its editor.") from error
-    try:
-        try:
-            file = open_show(path)
-        except CorruptShowFileError as error:
-            raise CorruptShowFileError(f"{error} {what_opens(path)}") from error
+        file = _open_whole(path)
         try:
             yield file
             if new:
@@ -48,6 +42,20 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
             file.close()
     finally:
         release_lock(path, lock)
+
+
+def _lock_idle(path: Path) -> int:
+    try:
+        return lock_show(path)
+    except ShowLockedError as error:
+        raise ShowLockedError(f"{error} A running show takes files in by its console and its editor.") from error
+
+
+def _open_whole(path: Path) -> ShowFile:
+    try:
+        return open_show(path)
+    except CorruptShowFileError as error:
+        raise CorruptShowFileError(f"{error} {what_opens(path)}") from error
 
 
 def wall_clock() -> float:
