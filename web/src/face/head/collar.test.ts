@@ -56,7 +56,11 @@ describe("the collar", () => {
   });
 
   it("goes with every neck as a whole, and stays as thick", () => {
-    const move = ([x, y, z]: number[]) => [1.2 * (x as number) + 0.1 * (z as number), (y as number) - 0.02, 0.9 * (z as number)];
+    const move = ([x, y, z]: number[]) => [
+      1.2 * (x as number) + 0.1 * (z as number),
+      (y as number) - 0.02,
+      0.9 * (z as number),
+    ];
     const other = drawn(geometry, raggedNeck(move));
     const offset = geometry.getAttribute("offset").array;
     points.forEach((point, at) => {

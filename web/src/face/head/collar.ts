@@ -89,8 +89,16 @@ function pointOf({ middle, polar }: Neck, angle: number, out: number, up: number
 }
 
 /** What the anchors carry to a place of the ring, on the generic face. */
-function carried(anchors: readonly number[], weights: readonly number[], positions: Float32Array, axis: number): number {
-  return weights.reduce((sum, weight, at) => sum + weight * (positions[3 * (anchors[at] as number) + axis] as number), 0);
+function carried(
+  anchors: readonly number[],
+  weights: readonly number[],
+  positions: Float32Array,
+  axis: number,
+): number {
+  return weights.reduce(
+    (sum, weight, at) => sum + weight * (positions[3 * (anchors[at] as number) + axis] as number),
+    0,
+  );
 }
 
 /** Quads between neighbouring rings, as triangles that face outwards. */
