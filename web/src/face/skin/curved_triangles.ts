@@ -1,7 +1,7 @@
 /** Large triangles of the skin, divided so that they can be drawn curved. */
 
 /** The edge, metres on the generic face, above which a triangle shows as one. */
-export const LONGEST_EDGE = 0.014;
+export const LONGEST_EDGE = 0.018;
 
 /** Vertices on large triangles: each between three vertices of the mesh. */
 export interface CurvedTriangles {

@@ -2,16 +2,21 @@
 
 import * as THREE from "three";
 import type { Mesh } from "../../link/assets";
-import type { Anatomy } from "../anatomy/anatomy";
 import { material, type Uniforms } from "../gpu/renderer";
 import { type CurvedTriangles, divideLong, LONGEST_EDGE } from "./curved_triangles";
 import { SKIN_FRAGMENT, SKIN_VERTEX } from "./skin_shaders";
+
+/** What the skin takes of the generic face, per row: its position (metres) and its four traits. */
+interface SkinRows {
+  readonly positions: Float32Array;
+  readonly traits: Float32Array;
+}
 
 /** The skin on `geometry` (index and rows of the mesh): its small triangles, then the large ones of crown, nape and neck. */
 export function skinParts(
   geometry: THREE.BufferGeometry,
   mesh: Mesh,
-  { positions, traits }: Anatomy,
+  { positions, traits }: SkinRows,
   shared: Uniforms,
 ): THREE.Mesh[] {
   const place = (vertex: number) => {
