@@ -6,69 +6,127 @@ import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
 
 /** The collar's profile from the neck outwards: metres out, metres up, light. */
 const PROFILE: readonly (readonly [number, number, number])[] = [
-  [-0.004, 0.002, 0.3],
-  [0.001, 0.009, 0.8],
-  [0.005, 0.009, 1],
-  [0.008, 0.004, 1],
-  [0.009, -0.012, 1],
-  [0.013, -0.03, 0.9],
+  [-0.009, 0.004, 0.2],
+  [-0.003, 0.014, 0.6],
+  [0.002, 0.018, 0.9],
+  [0.006, 0.016, 1],
+  [0.009, 0.008, 1],
+  [0.01, -0.012, 1],
+  [0.014, -0.03, 0.9],
   [0.04, -0.045, 0.7],
   [0.09, -0.06, 0.45],
   [0.16, -0.1, 0.15],
   [0.2, -0.18, 0],
 ];
+/** Places around the neck. */
+const COLUMNS = 48;
+/** How far along the rim its radius is averaged: the concentration of a von Mises distribution. */
+const CONCENTRATION = 8;
 
-/** A turtleneck around the neck's rim, as rings of offsets from the rim's rows; it follows every neck. */
+/** A point (metres), in polar coordinates about the neck's middle: 0 straight ahead, then to the left. */
+interface Polar {
+  readonly angle: number;
+  readonly radius: number;
+}
+
+/** The neck's rim as a ring: its middle (metres), and its rows in polar coordinates. */
+interface Neck {
+  readonly middle: readonly [number, number, number];
+  readonly polar: readonly Polar[];
+}
+
+/**
+ * A turtleneck around the neck, as rings of points. The rim of a scanned neck is ragged, so no ring follows it row by row:
+ * four of its rows (front, left, back, right) carry an ellipse (an affine map of the circle), which is smooth on every
+ * face, and `offset` leads from that of the generic face to its averaged rim.
+ */
 export function collar(anatomy: Anatomy): THREE.BufferGeometry {
   const { rim, positions } = anatomy;
-  const outwards = rim.map((row) => outward(anatomy, row));
-  const [source, offset, fade, index]: [number[], number[], number[], number[]] = [[], [], [], []];
-  PROFILE.forEach(([out, up, light], ring) => {
-    rim.forEach((row, place) => {
-      const [ox, oz] = outwards[place] as [number, number];
-      const level = levelOfRim(rim, positions) - (positions[3 * row + 1] as number);
-      source.push(row);
-      offset.push(ox * out * 1.15, up + level * Math.min(1, ring / 6), oz * out * 0.8);
+  const neck = measureNeck(rim, positions);
+  const anchors = [0, 1, 2, 3].map((quarter) => rim[nearest(neck, (quarter * Math.PI) / 2)] as number);
+  const [points, offset, shares, fade]: [number[], number[], number[], number[]] = [[], [], [], []];
+  for (const [out, up, light] of PROFILE)
+    for (let column = 0; column < COLUMNS; column++) {
+      const angle = (2 * Math.PI * column) / COLUMNS;
+      const weights = anchors.map((_, quarter) => 0.25 + 0.5 * Math.cos(angle - (quarter * Math.PI) / 2));
+      const point = pointOf(neck, angle, out, up);
+      points.push(...point);
+      offset.push(...point.map((value, axis) => value - carried(anchors, weights, positions, axis)));
+      shares.push(...weights);
       fade.push(light);
-      if (ring === 0) return;
-      const [a, b] = [ring * rim.length + place, ring * rim.length + ((place + 1) % rim.length)];
-      index.push(a, b - rim.length, a - rim.length, a, b, b - rim.length);
-    });
+    }
+  return assemble({ points, offset, shares, fade }, anchors);
+}
+
+function measureNeck(rim: readonly number[], positions: Float32Array): Neck {
+  const values = (axis: number) => rim.map((row) => positions[3 * row + axis] as number);
+  const [x, y, z] = [values(0), values(1), values(2)];
+  const depth = (Math.min(...z) + Math.max(...z)) / 2;
+  const polar = x.map((across, at) => {
+    const ahead = (z[at] as number) - depth;
+    return { angle: Math.atan2(across, ahead), radius: Math.hypot(across, ahead) };
   });
-  return assemble(source, offset, fade, index, positions);
+  return { middle: [0, y.reduce((sum, value) => sum + value, 0) / y.length, depth], polar };
 }
 
-function levelOfRim(rim: readonly number[], positions: Float32Array): number {
-  return rim.reduce((sum, row) => sum + (positions[3 * row + 1] as number), 0) / rim.length;
+/** The place in the rim that lies nearest to an angle. */
+function nearest({ polar }: Neck, angle: number): number {
+  const near = polar.map((at) => Math.cos(at.angle - angle));
+  return near.indexOf(Math.max(...near));
 }
 
-/** The horizontal direction away from the middle of the rim. */
-function outward(anatomy: Anatomy, row: number): [number, number] {
-  const { rim, positions } = anatomy;
-  const mean = (axis: number) =>
-    rim.reduce((sum, other) => sum + (positions[3 * other + axis] as number), 0) / rim.length;
-  const [x, z] = [(positions[3 * row] as number) - mean(0), (positions[3 * row + 2] as number) - mean(2)];
-  const length = Math.hypot(x, z);
-  return [x / length, z / length];
+/** A point of the profile at an angle, on the generic face, metres. */
+function pointOf({ middle, polar }: Neck, angle: number, out: number, up: number): [number, number, number] {
+  let [sum, whole] = [0, 0];
+  for (const at of polar) {
+    const near = Math.exp(CONCENTRATION * (Math.cos(at.angle - angle) - 1));
+    sum += near * at.radius;
+    whole += near;
+  }
+  const [across, ahead] = [Math.sin(angle), Math.cos(angle)];
+  const radius = sum / whole;
+  return [across * (radius + 1.15 * out), middle[1] + up, middle[2] + ahead * (radius + 0.8 * out)];
 }
 
-function assemble(
-  source: number[],
-  offset: number[],
-  fade: number[],
-  index: number[],
+/** What the anchors carry to a place of the ring, on the generic face. */
+function carried(
+  anchors: readonly number[],
+  weights: readonly number[],
   positions: Float32Array,
-): THREE.BufferGeometry {
-  const geometry = new THREE.BufferGeometry();
-  const points = source.flatMap((row, at) =>
-    [0, 1, 2].map((axis) => (positions[3 * row + axis] as number) + (offset[3 * at + axis] as number)),
+  axis: number,
+): number {
+  return weights.reduce(
+    (sum, weight, at) => sum + weight * (positions[3 * (anchors[at] as number) + axis] as number),
+    0,
   );
-  geometry.setIndex(index);
+}
+
+/** Quads between neighbouring rings, as triangles that face outwards. */
+function ringTriangles(): number[] {
+  return Array.from({ length: (PROFILE.length - 1) * COLUMNS }, (_, at) => {
+    const [inner, column] = [Math.floor(at / COLUMNS) * COLUMNS, at % COLUMNS];
+    const [a, b] = [inner + column, inner + ((column + 1) % COLUMNS)];
+    return [a + COLUMNS, b, a, a + COLUMNS, b + COLUMNS, b];
+  }).flat();
+}
+
+interface Rings {
+  readonly points: number[];
+  readonly offset: number[];
+  readonly shares: number[];
+  readonly fade: number[];
+}
+
+function assemble({ points, offset, shares, fade }: Rings, anchors: readonly number[]): THREE.BufferGeometry {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setIndex(ringTriangles());
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
   geometry.computeVertexNormals();
   const facing = geometry.getAttribute("normal") as THREE.BufferAttribute;
   geometry.deleteAttribute("position").deleteAttribute("normal");
-  geometry.setAttribute("source", new THREE.Float32BufferAttribute(source, 1));
+  const rows = fade.flatMap(() => anchors);
+  geometry.setAttribute("anchors", new THREE.Float32BufferAttribute(rows, 4));
+  geometry.setAttribute("shares", new THREE.Float32BufferAttribute(shares, 4));
   geometry.setAttribute("offset", new THREE.Float32BufferAttribute(offset, 3));
   geometry.setAttribute("fade", new THREE.Float32BufferAttribute(fade, 1));
   geometry.setAttribute("facing", facing);
@@ -77,6 +135,8 @@ function assemble(
 
 /** The collar: a roll of dark cloth around the neck that widens into shoulders; it stays when the head turns. */
 export const COLLAR_VERTEX = `${VERTEX_HEAD}
+in vec4 anchors; // rows of the neck's rim: front, left, back, right
+in vec4 shares;
 in vec3 offset;
 in vec3 facing;
 in float fade;
@@ -85,7 +145,8 @@ out vec3 vNormal;
 out float vFade;
 
 void main() {
-  vPoint = fetchRow(positions) + offset;
+  ivec4 rows = ivec4(anchors + 0.5);
+  vPoint = offset + shares.x * rowAt(rows.x) + shares.y * rowAt(rows.y) + shares.z * rowAt(rows.z) + shares.w * rowAt(rows.w);
   vNormal = facing;
   vFade = fade;
   gl_Position = project(vPoint);

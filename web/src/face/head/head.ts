@@ -8,7 +8,7 @@ import { type LightUniforms, lightUniforms } from "../light/light_uniforms";
 import { type ShadowUniforms, shadowUniforms } from "../light/shadow";
 import { definesOf, type Features } from "../quality/quality_levels";
 import { type SkinUniforms, skinUniforms } from "../skin/skin_layers";
-import * as skins from "../skin/skin_shaders";
+import { skinParts } from "../skin/skin_parts";
 import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "./collar";
 import { eyeball } from "./eyeballs";
 import { lashes } from "./lashes";
@@ -99,7 +99,7 @@ export interface HeadParts {
 /** The whole head as a scene. */
 export function buildHead(from: HeadParts): THREE.Group {
   const head = new THREE.Group();
-  for (const mesh of from.meshes) if (mesh.name !== "lashes") head.add(drawn(mesh, from));
+  for (const mesh of from.meshes) if (mesh.name !== "lashes") head.add(...drawn(mesh, from));
   const grown = lashes(from.anatomy, from.shared);
   if (grown !== undefined) head.add(grown);
   if (from.anatomy.rim.length > 0) {
@@ -114,39 +114,28 @@ export function buildHead(from: HeadParts): THREE.Group {
   return head;
 }
 
-function drawn(mesh: Mesh, { anatomy, shared, eyes, features }: HeadParts): THREE.Mesh {
-  const geometry = new THREE.BufferGeometry();
-  geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
-  geometry.setAttribute("source", new THREE.BufferAttribute(Float32Array.from(mesh.source), 1));
+function drawn(mesh: Mesh, from: HeadParts): THREE.Mesh[] {
+  const { anatomy, shared, eyes, features } = from;
   switch (mesh.name) {
     case "eye_left":
     case "eye_right": {
       const side = mesh.name === "eye_left" ? 0 : 1;
-      return eyeball(side, anatomy, { ...shared, ...eyes[side] }, !features.pixelLight);
+      return [eyeball(side, anatomy, { ...shared, ...eyes[side] }, !features.pixelLight)];
     }
     case "teeth_upper":
     case "teeth_lower":
     case "tongue":
-      return mouthPart(geometry, mesh, anatomy, shared, features);
+      return [mouthPart(geometryOf(mesh), mesh, anatomy, shared, features)];
     default:
-      return skin(geometry, mesh, anatomy, material(skins.SKIN_VERTEX, skins.SKIN_FRAGMENT, shared));
+      return skinParts(geometryOf(mesh), mesh, anatomy, shared);
   }
 }
 
-function skin(geometry: THREE.BufferGeometry, mesh: Mesh, anatomy: Anatomy, look: THREE.RawShaderMaterial): THREE.Mesh {
-  geometry.setAttribute("uv", new THREE.BufferAttribute(mesh.uv, 2));
-  geometry.setAttribute("traits", new THREE.BufferAttribute(gather(anatomy.traits, mesh.source, 4), 4));
-  const drawn = new THREE.Mesh(geometry, look);
-  drawn.castShadow = true;
-  return drawn;
-}
-
-function gather(values: Float32Array, rows: Uint32Array, width: number): Float32Array {
-  const out = new Float32Array(width * rows.length);
-  rows.forEach((row, index) => {
-    out.set(values.subarray(width * row, width * (row + 1)), width * index);
-  });
-  return out;
+function geometryOf(mesh: Mesh): THREE.BufferGeometry {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
+  geometry.setAttribute("source", new THREE.BufferAttribute(Float32Array.from(mesh.source), 1));
+  return geometry;
 }
 
 /** Four channels of seeded noise that tile: pores, blotches, fibres. */

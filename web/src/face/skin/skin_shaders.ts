@@ -146,9 +146,38 @@ vec3 lit(Layers layers, Ground at, float open) {
 }
 `;
 
+/**
+ * Where a vertex of the skin lies, and which way it faces. CURVED: between three rows, each of which says by its normal
+ * how the skin curves (T. Boubekeur and M. Alexa, "Phong Tessellation", 2008; 0.5 keeps a ball round).
+ */
+const SURFACE = `
+#ifdef CURVED
+in vec3 rows;
+in vec3 shares;
+
+vec3 normalAt(int row) { return texelFetch(normals, texelOf(row), 0).xyz; }
+vec3 besides(vec3 point, vec3 corner, vec3 normal) { return dot(point - corner, normal) * normal; }
+
+vec3 surface(out vec3 normal) {
+  ivec3 at = ivec3(rows + 0.5);
+  vec3 a = rowAt(at.x), b = rowAt(at.y), c = rowAt(at.z);
+  vec3 na = normalAt(at.x), nb = normalAt(at.y), nc = normalAt(at.z);
+  normal = shares.x * na + shares.y * nb + shares.z * nc;
+  vec3 point = shares.x * a + shares.y * b + shares.z * c;
+  return point - 0.5 * (shares.x * besides(point, a, na) + shares.y * besides(point, b, nb) + shares.z * besides(point, c, nc));
+}
+#else
+vec3 surface(out vec3 normal) {
+  normal = fetchRow(normals);
+  return fetchRow(positions);
+}
+#endif
+`;
+
 export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${SHADE_LIGHT}${VERTEX_LIGHT}
 in vec2 uv;
 in vec4 traits; // turn with the head, open sky, hair, light at the neck
+${SURFACE}
 out vec2 vUv;
 out vec3 vTraits;
 #ifdef FAST
@@ -163,8 +192,9 @@ out vec3 vNormal;
 float openness(float sky) { return smoothstep(0.05, 1.0, shaded(sky)); }
 
 void main() {
-  vec3 point = turned(fetchRow(positions), traits.x);
-  vec3 normal = turnedNormal(fetchRow(normals), traits.x);
+  vec3 normal;
+  vec3 point = turned(surface(normal), traits.x);
+  normal = turnedNormal(normal, traits.x);
   vUv = uv;
   vTraits = vec3(openness(traits.y), traits.zw);
 #ifdef FAST
