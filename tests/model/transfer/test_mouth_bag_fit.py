@@ -97,13 +97,11 @@ def test_a_push_takes_along_only_neighbours_that_have_no_depth_to_spare() -> Non
     space = built().space
     bag = find_mouth_bag(space)
     assert bag is not None
-    depth = measure_depths(space, bag, space.points).depth
-    row = int(np.argmax(np.where(np.isfinite(depth) & (depth < 0.01), depth, -np.inf)))
+    depth = np.minimum(measure_depths(space, bag, space.points).depth, 0.02)
+    row = int(np.argmax(np.where(depth < 0.01, depth, 0.0)))
     deeper = np.arange(len(depth)) == row
     for spare, along in ((0.0, True), (0.002, False)):
         wanted = depth - spare + np.where(deeper, spare + 0.001, 0.0)
-        moved = (
-            np.linalg.norm(push_inside(space, bag, wanted, space.points) - space.points[bag.vertices], axis=1) > 1e-9
-        )
+        moved = np.abs(push_inside(space, bag, wanted, space.points) - space.points[bag.vertices]).max(axis=1) > 1e-9
         assert moved[row]
-        assert (np.count_nonzero(moved) > 1) is along
+        assert bool(np.count_nonzero(moved) > 1) is along

@@ -50,7 +50,7 @@ def measure_missing_drop(line: Floats, moved: Floats) -> Floats:
 
 
 def _share_of_lower_lip(space: ParameterSpace, upper: Ints, lower: Ints) -> Floats:
-    """How far each vertex goes with the lower lip, (V,): in full beside it, not at all where the upper one is nearer."""
+    """How far each vertex goes with the lower lip, (V,): in full beside it, not where the upper one is nearer."""
     edges = mesh.edges(space.welded[space.triangles]).astype(np.int64)
     lengths = np.linalg.norm(space.points[edges[:, 0]] - space.points[edges[:, 1]], axis=1)
     graph = coo_array((lengths, (edges[:, 0], edges[:, 1])), shape=(space.vertex_count, space.vertex_count)).tocsr()

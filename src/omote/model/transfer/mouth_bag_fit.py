@@ -124,7 +124,7 @@ def fit_mouth_bag(space: ParameterSpace, face: Face, positions: Floats, /) -> Fl
 
 
 def keep_bag_inside(space: ParameterSpace, displacement: Values, /) -> Values:
-    """A displacement of the generic skin (V, 3) with the mouth bag as far behind the moved skin as any face's has to be.
+    """A displacement of the generic skin (V, 3) with the mouth bag as far behind the moved skin as on any face.
 
     A unit whose bag comes out of the generic face's skin would come out of every face's in each sum, where none pushes.
     """
