@@ -22,6 +22,7 @@ from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.mouth.gum_binding import carry_bag
 from omote.model.transfer.mouth.lip_closure import close_behind_lips
 from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
+from omote.model.transfer.mouth_bag_fit import keep_bag_inside
 from tools.baking.expressions import ARKIT, OMOTE, PERFORMED, PUPILS, ear_turns, head_turn, region
 from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head, Piece
@@ -135,7 +136,7 @@ def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move
     generic = face_of(arrays, GENERIC)
     expressions = [_at_rest(space)]
     for name, move in moves.items():
-        skin = carry_bag(space, move.skin, move.parts["teeth_lower"])
+        skin = keep_bag_inside(space, carry_bag(space, move.skin, move.parts["teeth_lower"]))
         taken = extract(space, generic, skin, parts=move.parts)
         expressions.append(replace(taken, pupil=PUPILS.get(name, 0.0), ears=ear_turns(name), head=head_turn(name)))
         step(name)

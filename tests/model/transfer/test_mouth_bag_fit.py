@@ -13,9 +13,11 @@ from omote.model.transfer.mouth_bag import find_mouth_bag
 from omote.model.transfer.mouth_bag_fit import (
     EXACT,
     fit_mouth_bag,
+    keep_bag_inside,
     limit_depths,
     measure_depths,
     missing_depths,
+    push_inside,
     require_depths,
 )
 from omote.model.transfer.paper_map import compile_expression
@@ -65,3 +67,41 @@ def test_the_bag_follows_the_weight_without_a_jump() -> None:
     worn = [compound(space, face, jaw, weight)[bag.vertices] for weight in (0.799, 0.8, 0.801)]
     assert np.abs(worn[1] - worn[0]).max() < 5e-4
     assert np.abs(worn[2] - worn[1]).max() < 5e-4
+
+
+def test_no_unit_brings_the_bag_out_of_the_generic_face() -> None:
+    cast = built()
+    bag = find_mouth_bag(cast.space)
+    assert bag is not None
+    for name, expression in cast.expressions.items():
+        worn = compound(cast.space, cast.faces["generic"], expression).astype(np.float64)
+        lack = missing_depths(require_depths(cast.space, bag), measure_depths(cast.space, bag, worn))
+        assert lack.max() < 2e-4, name
+
+
+def test_a_displacement_is_kept_but_for_the_bag() -> None:
+    space = built().space
+    still = np.zeros((space.vertex_count, 3))
+    assert not keep_bag_inside(space, still).any()
+    bag = find_mouth_bag(space)
+    assert bag is not None
+    out = still.copy()
+    out[bag.vertices, 2] = 0.01
+    kept = keep_bag_inside(space, out)
+    assert not kept[space.on_sheet].any()
+    lack = missing_depths(require_depths(space, bag), measure_depths(space, bag, space.points + kept))
+    assert lack.max() < 2e-4
+
+
+def test_a_push_takes_along_only_neighbours_that_have_no_depth_to_spare() -> None:
+    space = built().space
+    bag = find_mouth_bag(space)
+    assert bag is not None
+    depth = np.minimum(measure_depths(space, bag, space.points).depth, 0.02)
+    row = int(np.argmax(np.where(depth < 0.01, depth, 0.0)))
+    deeper = np.arange(len(depth)) == row
+    for spare, along in ((0.0, True), (0.002, False)):
+        wanted = depth - spare + np.where(deeper, spare + 0.001, 0.0)
+        moved = np.abs(push_inside(space, bag, wanted, space.points) - space.points[bag.vertices]).max(axis=1) > 1e-9
+        assert moved[row]
+        assert bool(np.count_nonzero(moved) > 1) is along

@@ -29,10 +29,11 @@ _limits: WeakKeyDictionary[Face, tuple[ParameterSpace, Values]] = WeakKeyDiction
 # the lips, nothing at them and in full beyond FREE along the mesh.
 MARGIN, FREE = 0.0015, 0.014
 # Beside the corners of the mouth, up to the first of CORNER metres from them and less up to the second, the same more
-# strictly: the skin is bent most there, and straight edges between vertices that are behind it would come out of it.
-CORNER, CORNER_MARGIN, CORNER_FREE = (0.008, 0.016), 0.0025, 0.006
-# A push spreads over so many rings, from one to the next this share of it; then what is still outside by more than
-# EXACT metres is pushed again.
+# strictly: the skin is bent most there, and straight edges between vertices that are behind it would come out of it;
+# each compound of a sum takes some of that depth.
+CORNER, CORNER_MARGIN, CORNER_FREE = (0.012, 0.022), 0.004, 0.008
+# A push spreads over so many rings, from one to the next this share of it, less what a vertex is deeper than wanted:
+# who lies deep enough stays, for behind it are teeth. Then what is still outside by more than EXACT is pushed again.
 RINGS, SHARE, ROUNDS, EXACT = 4, 0.75, 12, 1e-6
 # What has moved by less, metres, is at rest.
 STILL = 1e-5
@@ -93,7 +94,8 @@ def missing_depths(wanted: Values, here: Depths, /) -> Values:
 def push_inside(space: ParameterSpace, bag: MouthBag, wanted: Values, positions: Values, /) -> Values:
     """Where the bag of positions (V, 3) goes, (m, 3), to lie as far behind the skin as wanted (m,).
 
-    Each round projects what is not deep enough along the skin's normal, its neighbours with it, so no dent is left.
+    Each round projects what is not deep enough along the skin's normal, its neighbours with it as far as they have no
+    depth to spare, so no dent is left.
     """
     result = positions.copy()
     for _ in range(ROUNDS):
@@ -101,8 +103,9 @@ def push_inside(space: ParameterSpace, bag: MouthBag, wanted: Values, positions:
         push = missing_depths(wanted, here)
         if push.max() < EXACT:
             break
+        spare = np.maximum(here.depth - wanted, 0.0)
         for _ in range(RINGS):
-            push = np.maximum(push, SHARE * push[bag.neighbours].max(axis=1))
+            push = np.maximum(push, SHARE * push[bag.neighbours].max(axis=1) - spare)
         result[bag.vertices] += push[:, None] * here.inward
     placed: Values = result[bag.vertices]
     return placed
@@ -118,6 +121,21 @@ def fit_mouth_bag(space: ParameterSpace, face: Face, positions: Floats, /) -> Fl
     return place_bag(
         space, bag, positions, push_inside(space, bag, limit_depths(space, face, bag), positions.astype(np.float64))
     )
+
+
+def keep_bag_inside(space: ParameterSpace, displacement: Values, /) -> Values:
+    """A displacement of the generic skin (V, 3) with the mouth bag as far behind the moved skin as on any face.
+
+    A unit whose bag comes out of the generic face's skin would come out of every face's in each sum, where none pushes.
+    """
+    bag = find_mouth_bag(space)
+    if bag is None:
+        return displacement
+    result = displacement.copy()
+    moved = push_inside(space, bag, require_depths(space, bag), space.points + displacement)
+    result[bag.vertices] = moved - space.points[bag.vertices]
+    welded: Values = result[space.welded]
+    return welded
 
 
 def fit_mouth_bag_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats:

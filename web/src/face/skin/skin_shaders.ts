@@ -135,7 +135,8 @@ vec3 lit(Layers layers, Ground at, float open) {
   strength *= open;
   vec3 aside = onFlesh(FILL_LIGHT, flesh) * mix(1.0, 0.6, flesh);
   vec3 mirror = KEY_LIGHT * sunlit * lobes(normal, view, KEY, sharpness) + aside * lobes(normal, view, FILL, sharpness * 0.5);
-  mirror += onFlesh(ambient(reflect(-view, normal)), flesh) * (0.03 + 0.4 * down * edge) * (0.4 + 2.0 * wet + lacquer) * open;
+  float inside = max(at.lining, at.lips * smoothstep(0.7, 0.95, layers.mask.r)); // seen edge on, it mirrors the mouth behind it
+  mirror += onFlesh(ambient(reflect(-view, normal)), flesh) * (0.03 + 0.4 * down * edge) * (0.4 + 2.0 * wet + lacquer) * open * (1.0 - inside);
 
   vec3 seen = at.albedo * diffuse + strength * 1.6 * mirror;
   seen += at.albedo * (aside + KEY_LIGHT * 0.25 * sunlit * max(dot(form, KEY) + 0.5, 0.0)) * down * (0.35 * flesh + 1.2 * at.fur) * open; // down on the skin
