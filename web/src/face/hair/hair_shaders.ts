@@ -40,6 +40,16 @@ export const HAIR_VERTEX = `${VERTEX_HEAD}
 #else
 #define FIBRE 0.0011
 #endif
+// Half of the pixels that a ribbon is drawn wide at least, where it is narrower or seen from its edge; with one sample a
+// pixel it would be a row of dots there, and so would the skin between two ribbons: each lies that much over the next.
+#ifdef SOFT
+#define NARROWEST 0.4
+#define OVERLAP 0.0
+#else
+#define NARROWEST 0.9 // an edge on either side: what smooths edges afterwards breaks thinner lines
+#define OVERLAP 0.4
+#endif
+#define SCARCE 0.8 // of that width: ribbons end one by one where they are narrower, instead of all being wider than they are
 #define SLENDER 0.12 // half the width of a ribbon that is this short, of its length
 
 /** A chance (0..1) of this ribbon, another for every salt; in whole numbers, so that it is the same on every machine. */
@@ -54,9 +64,11 @@ uniform sampler2D strands; // a line for each strand: metres from its anchor, ro
 uniform sampler2D shape;   // away from the head (xyz), open sky (w)
 uniform float stations;
 uniform float width;
+uniform float pixel; // metres a pixel is wide, one metre away
 in vec2 place; // across -1..1, along 0..1
 out vec3 vPlace; // and half of the ribbon's width, in fibres
 out vec2 vChance;
+out vec2 vSharp; // what is left of the ribbon (nothing below zero), and how far a pixel shows its fibres, 0..1
 #ifdef FAST
 out vec3 vDiffuse;
 out vec3 vSheen;
@@ -130,18 +142,32 @@ void main() {
   float end = place.y * place.y;
   thin *= 1.0 - 0.45 * end;
 #ifdef DETAIL
-  thin *= (1.0 - 0.8 * end * end) * mix(0.45, 1.0, smoothstep(0.0, 0.2, place.y)); // to a point: noise leaves dust
+  thin *= 1.0 - 0.8 * end * end; // to a point: noise leaves dust
 #else
-  thin *= mix(0.6, 1.0, smoothstep(0.0, 0.25, place.y)); // out of the skin finely
   thin *= 1.0 - 0.85 * end * smoothstep(1.0, 0.6, grown); // hair that comes or goes ends in points: cut across it is slats
 #endif
-  vec3 point = fetchRow(positions) + spot + aside * (place.x * width * thin);
+  float half_ = width * thin;
+#ifdef DETAIL
+  thin *= mix(0.45, 1.0, smoothstep(0.0, 0.2, place.y)); // out of the skin finely
+#else
+  thin *= mix(0.6, 1.0, smoothstep(0.0, 0.25, place.y));
+#endif
+  vec3 point = fetchRow(positions) + spot;
   vec3 normal = normalize(away + 0.55 * place.x * aside);
   point = turned(point, 1.0);
   normal = headTurn * normal;
   along = headTurn * along;
   float open = facing.w * mix(0.45, 1.0, smoothstep(0.0, 0.22, place.y));
-  vPlace = vec3(place, width * thin / FIBRE);
+  vec3 view = cameraPosition - point;
+  vec3 beside = normalize(cross(along, view));
+  vec3 edge = width * thin * (headTurn * aside);
+  float seen = dot(edge, beside);
+  float wide = pixel * length(view);
+  float pixels = abs(seen) / wide;
+  if (seen < 0.0) edge = -edge; // a ribbon that shows its other side further on has no waist there
+  point += place.x * (edge + beside * wide * max(NARROWEST - pixels, OVERLAP));
+  vPlace = vec3(place.x * clamp(pixels / NARROWEST - 1.0, 0.0, 1.0), place.y, width * thin / FIBRE); // a line has no edges
+  vSharp = vec2(half_ / (NARROWEST * wide) - SCARCE * chance, clamp(FIBRE / wide - 1.0, 0.0, 1.0));
   vChance = vec2(chance, chanceOf(6u));
 #ifdef FAST
   HairFall light = hairFall(point, normal, along, open, 1.0, 0.2 * (vChance.y - 0.5));
@@ -164,6 +190,7 @@ uniform sampler2D grain;
 uniform vec3 tint;
 in vec3 vPlace;
 in vec2 vChance;
+in vec2 vSharp;
 #ifdef FAST
 in vec3 vDiffuse;
 in vec3 vSheen;
@@ -194,9 +221,11 @@ void main() {
 #else
   float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
 #endif
-  float cover = fibre.r - bare; // fibres end one after the other, at the edges and at the tip
+  if (vSharp.x < 0.0) discard;
+  // Fibres end one after the other, at the edges and at the tip; all at once where a pixel is wider than they are.
+  float cover = mix(0.5, fibre.r, vSharp.y) - bare;
 #ifdef SOFT
-  cover -= 0.12; // and leave gaps; with one sample a pixel those are dots of skin
+  cover -= 0.12 * vSharp.y; // and leave gaps; with one sample a pixel those are dots of skin
   cover = clamp(cover / max(fwidth(cover), 0.1) + 0.5, 0.0, 1.0);
 #endif
   if (cover <= 0.0) discard;

@@ -9,7 +9,7 @@ export interface ScalpShare {
 }
 
 /** How much of the scalp is stubble, 0..1, under the weight of the faces that have it: all, before hair is long enough to cover it. */
-export const stubbleAt = (weight: number): number => MathUtils.smoothstep(weight, 0, 0.3);
+export const stubbleAt = (weight: number): number => MathUtils.smoothstep(weight, 0, 0.4);
 
 /**
  * How dark the scalp is painted, 0..1. What one face has painted and another has not is stubble: it comes before the hair,
