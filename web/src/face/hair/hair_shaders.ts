@@ -68,7 +68,7 @@ uniform float pixel; // metres a pixel is wide, one metre away
 in vec2 place; // across -1..1, along 0..1
 out vec3 vPlace; // and half of the ribbon's width, in fibres
 out vec2 vChance;
-out vec2 vSharp; // what is left of the ribbon (nothing below zero), and how far a pixel shows its fibres, 0..1
+out vec2 vCover; // what covers between the fibres (nothing below zero), and how far a pixel shows them, 0..1
 #ifdef FAST
 out vec3 vDiffuse;
 out vec3 vSheen;
@@ -140,7 +140,11 @@ void main() {
   spot += apart * width * ((chanceOf(4u) - 0.5) * aside + 0.4 * chanceOf(5u) * away);
 #endif
   float end = place.y * place.y;
+  #ifdef DETAIL
   thin *= 1.0 - 0.45 * end;
+#else
+  thin *= 1.0 - 0.3 * end;
+#endif
 #ifdef DETAIL
   thin *= 1.0 - 0.8 * end * end; // to a point: noise leaves dust
 #else
@@ -167,7 +171,13 @@ void main() {
   if (seen < 0.0) edge = -edge; // a ribbon that shows its other side further on has no waist there
   point += place.x * (edge + beside * wide * max(NARROWEST - pixels, OVERLAP));
   vPlace = vec3(place.x * clamp(pixels / NARROWEST - 1.0, 0.0, 1.0), place.y, width * thin / FIBRE); // a line has no edges
-  vSharp = vec2(half_ / (NARROWEST * wide) - SCARCE * chance, clamp(FIBRE / wide - 1.0, 0.0, 1.0));
+#ifdef DETAIL
+  float bare = 0.16 * end + 0.5 * smoothstep(0.9, 1.06, place.y);
+#else
+  float bare = 0.34 * end + 0.9 * smoothstep(0.86, 1.06, place.y + 0.12 * chance * end);
+#endif
+  float left = 4.0 * (half_ / (NARROWEST * wide) - SCARCE * chance);
+  vCover = vec2(min(left, 0.5 - bare), clamp(FIBRE / wide - 1.0, 0.0, 1.0));
   vChance = vec2(chance, chanceOf(6u));
 #ifdef FAST
   HairFall light = hairFall(point, normal, along, open, 1.0, 0.2 * (vChance.y - 0.5));
@@ -190,7 +200,7 @@ uniform sampler2D grain;
 uniform vec3 tint;
 in vec3 vPlace;
 in vec2 vChance;
-in vec2 vSharp;
+in vec2 vCover;
 #ifdef FAST
 in vec3 vDiffuse;
 in vec3 vSheen;
@@ -201,6 +211,12 @@ in vec3 vNormal;
 in vec3 vAlong;
 in float vOpen;
 in float vSunlit;
+#endif
+
+#ifdef DETAIL
+#define EDGE 0.22 // of the fibres, that the edges of a ribbon lack
+#else
+#define EDGE 0.30
 #endif
 
 void main() {
@@ -214,18 +230,11 @@ void main() {
 #else
   vec4 fibre = texture(grain, start + vec2(aside, vPlace.y * 0.0025));
 #endif
-  float edge = vPlace.x * vPlace.x;
-  float tip = vPlace.y * vPlace.y;
-#ifdef DETAIL
-  float bare = 0.22 * edge * edge + 0.16 * tip + 0.5 * smoothstep(0.9, 1.06, vPlace.y);
-#else
-  float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
-#endif
-  if (vSharp.x < 0.0) discard;
   // Fibres end one after the other, at the edges and at the tip; all at once where a pixel is wider than they are.
-  float cover = mix(0.5, fibre.r, vSharp.y) - bare;
+  float edge = vPlace.x * vPlace.x;
+  float cover = vCover.x + vCover.y * (fibre.r - 0.5) - EDGE * edge * edge;
 #ifdef SOFT
-  cover -= 0.12 * vSharp.y; // and leave gaps; with one sample a pixel those are dots of skin
+  cover -= 0.12 * vCover.y; // and leave gaps; with one sample a pixel those are dots of skin
   cover = clamp(cover / max(fwidth(cover), 0.1) + 0.5, 0.0, 1.0);
 #endif
   if (cover <= 0.0) discard;
