@@ -43,7 +43,7 @@ export const HAIR_VERTEX = `${VERTEX_HEAD}
 // Half of the pixels that a ribbon is drawn wide at least, where it is narrower or seen from its edge; with one sample a
 // pixel it would be a row of dots there, and so would the skin between two ribbons: each lies that much over the next.
 #ifdef SOFT
-#define NARROWEST 0.4
+#define NARROWEST 0.55
 #define OVERLAP 0.0
 #else
 #define NARROWEST 0.9 // an edge on either side: what smooths edges afterwards breaks thinner lines

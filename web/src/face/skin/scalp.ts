@@ -8,7 +8,7 @@ export interface ScalpShare {
   readonly scalp: number;
 }
 
-/** How much of the scalp is stubble, 0..1, under the weight of the faces that have it: all, before hair is long enough to cover it. */
+/** How much of the scalp is stubble, 0..1, under the weight of the faces that have it: all, when the first hair is wide enough to be seen. */
 export const stubbleAt = (weight: number): number => MathUtils.smoothstep(weight, 0, 0.4);
 
 /**
