@@ -157,19 +157,17 @@ void main() {
   thin *= mix(0.6, 1.0, smoothstep(0.0, 0.25, place.y));
 #endif
   vec3 point = fetchRow(positions) + spot;
-  vec3 normal = normalize(away + 0.55 * place.x * aside);
   point = turned(point, 1.0);
-  normal = headTurn * normal;
   along = headTurn * along;
   float open = facing.w * mix(0.45, 1.0, smoothstep(0.0, 0.22, place.y));
   vec3 view = cameraPosition - point;
   vec3 beside = normalize(cross(along, view));
-  vec3 edge = width * thin * (headTurn * aside);
-  float seen = dot(edge, beside);
+  aside = headTurn * aside;
+  if (dot(aside, beside) < 0.0) aside = -aside; // a ribbon that shows its other side further on has no waist there
+  vec3 normal = normalize(headTurn * away + 0.55 * place.x * aside);
   float wide = pixel * length(view);
-  float pixels = abs(seen) / wide;
-  if (seen < 0.0) edge = -edge; // a ribbon that shows its other side further on has no waist there
-  point += place.x * (edge + beside * wide * max(NARROWEST - pixels, OVERLAP));
+  float pixels = width * thin * dot(aside, beside) / wide;
+  point += place.x * (aside * width * thin + beside * wide * max(NARROWEST - pixels, OVERLAP));
   vPlace = vec3(place.x * clamp(pixels / NARROWEST - 1.0, 0.0, 1.0), place.y, width * thin / FIBRE); // a line has no edges
 #ifdef DETAIL
   float bare = 0.16 * end + 0.5 * smoothstep(0.9, 1.06, place.y);
