@@ -60,9 +60,11 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
   const count = drawnStrands(style.hair, features.hair);
   const share = count / style.hair.anchors.length;
   geometry.instanceCount = kin * count;
+  const pixel = { value: 0.001 };
   const look = material(HAIR_VERTEX, HAIR_FRAGMENT, {
     ...shared,
     ...own,
+    pixel,
     width: { value: (style.hair.width / 2) * share ** -0.6 * (features.detail ? KIN.width : 1) },
   });
   look.defines = { ...definesOf(features), KIN: kin, ...(features.multisample ? { SOFT: "" } : {}) };
@@ -72,6 +74,10 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
   mesh.name = style.name;
   mesh.frustumCulled = false;
   mesh.castShadow = true;
+  mesh.onBeforeRender = (renderer, _scene, camera) => {
+    const { w: height } = renderer.getCurrentViewport(new THREE.Vector4());
+    pixel.value = 2 / ((camera.projectionMatrix.elements[5] as number) * height);
+  };
   return mesh;
 }
 

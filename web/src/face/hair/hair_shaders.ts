@@ -40,6 +40,16 @@ export const HAIR_VERTEX = `${VERTEX_HEAD}
 #else
 #define FIBRE 0.0011
 #endif
+// Half of the pixels that a ribbon is drawn wide at least, where it is narrower or seen from its edge; with one sample a
+// pixel it would be a row of dots there, and so would the skin between two ribbons: each lies that much over the next.
+#ifdef SOFT
+#define NARROWEST 0.55
+#define OVERLAP 0.0
+#else
+#define NARROWEST 0.9 // an edge on either side: what smooths edges afterwards breaks thinner lines
+#define OVERLAP 0.4
+#endif
+#define SCARCE 0.8 // of that width: ribbons end one by one where they are narrower, instead of all being wider than they are
 #define SLENDER 0.12 // half the width of a ribbon that is this short, of its length
 
 /** A chance (0..1) of this ribbon, another for every salt; in whole numbers, so that it is the same on every machine. */
@@ -54,9 +64,11 @@ uniform sampler2D strands; // a line for each strand: metres from its anchor, ro
 uniform sampler2D shape;   // away from the head (xyz), open sky (w)
 uniform float stations;
 uniform float width;
+uniform float pixel; // metres a pixel is wide, one metre away
 in vec2 place; // across -1..1, along 0..1
 out vec3 vPlace; // and half of the ribbon's width, in fibres
 out vec2 vChance;
+out vec2 vCover; // what covers between the fibres (nothing below zero), and how far a pixel shows them, 0..1
 #ifdef FAST
 out vec3 vDiffuse;
 out vec3 vSheen;
@@ -128,20 +140,42 @@ void main() {
   spot += apart * width * ((chanceOf(4u) - 0.5) * aside + 0.4 * chanceOf(5u) * away);
 #endif
   float end = place.y * place.y;
+  #ifdef DETAIL
   thin *= 1.0 - 0.45 * end;
-#ifdef DETAIL
-  thin *= (1.0 - 0.8 * end * end) * mix(0.45, 1.0, smoothstep(0.0, 0.2, place.y)); // to a point: noise leaves dust
 #else
-  thin *= mix(0.6, 1.0, smoothstep(0.0, 0.25, place.y)); // out of the skin finely
+  thin *= 1.0 - 0.3 * end;
+#endif
+#ifdef DETAIL
+  thin *= 1.0 - 0.8 * end * end; // to a point: noise leaves dust
+#else
   thin *= 1.0 - 0.85 * end * smoothstep(1.0, 0.6, grown); // hair that comes or goes ends in points: cut across it is slats
 #endif
-  vec3 point = fetchRow(positions) + spot + aside * (place.x * width * thin);
-  vec3 normal = normalize(away + 0.55 * place.x * aside);
+  float half_ = width * thin;
+#ifdef DETAIL
+  thin *= mix(0.45, 1.0, smoothstep(0.0, 0.2, place.y)); // out of the skin finely
+#else
+  thin *= mix(0.6, 1.0, smoothstep(0.0, 0.25, place.y));
+#endif
+  vec3 point = fetchRow(positions) + spot;
   point = turned(point, 1.0);
-  normal = headTurn * normal;
   along = headTurn * along;
   float open = facing.w * mix(0.45, 1.0, smoothstep(0.0, 0.22, place.y));
-  vPlace = vec3(place, width * thin / FIBRE);
+  vec3 view = cameraPosition - point;
+  vec3 beside = normalize(cross(along, view));
+  aside = headTurn * aside;
+  if (dot(aside, beside) < 0.0) aside = -aside; // a ribbon that shows its other side further on has no waist there
+  vec3 normal = normalize(headTurn * away + 0.55 * place.x * aside);
+  float wide = pixel * length(view);
+  float pixels = width * thin * dot(aside, beside) / wide;
+  point += place.x * (aside * width * thin + beside * wide * max(NARROWEST - pixels, OVERLAP));
+  vPlace = vec3(place.x * clamp(pixels / NARROWEST - 1.0, 0.0, 1.0), place.y, width * thin / FIBRE); // a line has no edges
+#ifdef DETAIL
+  float bare = 0.16 * end + 0.5 * smoothstep(0.9, 1.06, place.y);
+#else
+  float bare = 0.34 * end + 0.9 * smoothstep(0.86, 1.06, place.y + 0.12 * chance * end);
+#endif
+  float left = 4.0 * (half_ / (NARROWEST * wide) - SCARCE * chance);
+  vCover = vec2(min(left, 0.5 - bare), clamp(FIBRE / wide - 1.0, 0.0, 1.0));
   vChance = vec2(chance, chanceOf(6u));
 #ifdef FAST
   HairFall light = hairFall(point, normal, along, open, 1.0, 0.2 * (vChance.y - 0.5));
@@ -164,6 +198,7 @@ uniform sampler2D grain;
 uniform vec3 tint;
 in vec3 vPlace;
 in vec2 vChance;
+in vec2 vCover;
 #ifdef FAST
 in vec3 vDiffuse;
 in vec3 vSheen;
@@ -174,6 +209,12 @@ in vec3 vNormal;
 in vec3 vAlong;
 in float vOpen;
 in float vSunlit;
+#endif
+
+#ifdef DETAIL
+#define EDGE 0.22 // of the fibres, that the edges of a ribbon lack
+#else
+#define EDGE 0.30
 #endif
 
 void main() {
@@ -187,16 +228,11 @@ void main() {
 #else
   vec4 fibre = texture(grain, start + vec2(aside, vPlace.y * 0.0025));
 #endif
+  // Fibres end one after the other, at the edges and at the tip; all at once where a pixel is wider than they are.
   float edge = vPlace.x * vPlace.x;
-  float tip = vPlace.y * vPlace.y;
-#ifdef DETAIL
-  float bare = 0.22 * edge * edge + 0.16 * tip + 0.5 * smoothstep(0.9, 1.06, vPlace.y);
-#else
-  float bare = 0.30 * edge * edge + 0.34 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y + 0.12 * vChance.x * tip);
-#endif
-  float cover = fibre.r - bare; // fibres end one after the other, at the edges and at the tip
+  float cover = vCover.x + vCover.y * (fibre.r - 0.5) - EDGE * edge * edge;
 #ifdef SOFT
-  cover -= 0.12; // and leave gaps; with one sample a pixel those are dots of skin
+  cover -= 0.12 * vCover.y; // and leave gaps; with one sample a pixel those are dots of skin
   cover = clamp(cover / max(fwidth(cover), 0.1) + 0.5, 0.0, 1.0);
 #endif
   if (cover <= 0.0) discard;

@@ -8,8 +8,8 @@ export interface ScalpShare {
   readonly scalp: number;
 }
 
-/** How much of the scalp is stubble, 0..1, under the weight of the faces that have it: all, before hair is long enough to cover it. */
-export const stubbleAt = (weight: number): number => MathUtils.smoothstep(weight, 0, 0.3);
+/** How much of the scalp is stubble, 0..1, under the weight of the faces that have it: all, when the first hair is wide enough to be seen. */
+export const stubbleAt = (weight: number): number => MathUtils.smoothstep(weight, 0, 0.4);
 
 /**
  * How dark the scalp is painted, 0..1. What one face has painted and another has not is stubble: it comes before the hair,
