@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { SKIN_LAYERS } from "../../link/constants";
 import type { Look } from "../../link/messages";
 import type { Uniforms } from "../gpu/renderer";
+import type { Features } from "../quality/quality_levels";
 
 type Layer = (typeof SKIN_LAYERS)[number];
 
@@ -48,10 +49,10 @@ export function skinUniforms(): SkinUniforms {
 }
 
 /** Puts the pictures of the layers, in their order, on the skin. */
-export function applyLayers(uniforms: SkinUniforms, pictures: readonly ImageBitmap[], anisotropy: number): void {
+export function applyLayers(uniforms: SkinUniforms, pictures: readonly ImageBitmap[], features: Features): void {
   SKIN_LAYERS.forEach((name, index) => {
     const picture = pictures[index];
-    if (picture !== undefined) uniforms[name].value = layerTexture(picture, anisotropy);
+    if (picture !== undefined) uniforms[name].value = layerTexture(picture, features);
   });
 }
 
@@ -67,12 +68,12 @@ function plainTexture(texel: readonly number[]): THREE.Texture {
   return texture;
 }
 
-function layerTexture(picture: ImageBitmap, anisotropy: number): THREE.Texture {
+function layerTexture(picture: ImageBitmap, { detail, anisotropy }: Features): THREE.Texture {
   const texture = new THREE.Texture(picture);
   texture.flipY = false; // texture coordinates as in glTF: (0, 0) is the upper left corner
   texture.premultiplyAlpha = false;
   texture.generateMipmaps = true;
-  texture.minFilter = anisotropy > 1 ? THREE.LinearMipmapLinearFilter : THREE.LinearMipmapNearestFilter;
+  texture.minFilter = detail ? THREE.LinearMipmapLinearFilter : THREE.LinearMipmapNearestFilter;
   texture.magFilter = THREE.LinearFilter;
   texture.anisotropy = anisotropy;
   texture.needsUpdate = true;
