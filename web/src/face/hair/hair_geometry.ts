@@ -88,12 +88,10 @@ function courseOf({ detail, hair }: Features): [number, number][] {
   return Array.from({ length: 2 * pieces + 2 }, (_, place) => [place % 2 === 0 ? -1 : 1, (place >> 1) / pieces]);
 }
 
-/** From side to side; across at the root. */
+/** From side to side; across at the root and at the tip. */
 function zigzag(triangles: number): [number, number][] {
-  return Array.from({ length: triangles + 2 }, (_, place) => [
-    place % 2 === 0 ? -1 : 1,
-    Math.max(0, place - 1) / triangles,
-  ]);
+  const along = (place: number): number => Math.min(1, Math.max(0, place - 1) / (triangles - 1));
+  return Array.from({ length: triangles + 2 }, (_, place) => [place % 2 === 0 ? -1 : 1, along(place)]);
 }
 
 function ribbon(hair: HairStrands, course: [number, number][], kin: number): THREE.InstancedBufferGeometry {
