@@ -21,7 +21,7 @@ import type { Triple } from "./light/tone";
 import { headOf } from "./pose/head_answer";
 import { type Pose, restPose, writeTurn } from "./pose/pose";
 import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
-import { FEATURES, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
+import { FEATURES, featuresOf, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
 import { drawsInSoftware, hasWebGL2 } from "./quality/software_rendering";
 import { applyLayers } from "./skin/skin_layers";
 
@@ -198,7 +198,7 @@ export class FaceView {
     this.residency ??= new AssetResidency(this.library, correctives?.size);
     this.shared = headUniforms(this.blender.positions, this.blender.normals);
     this.shadow = new Shadow(this.shared);
-    applyLayers(this.shared, this.layers, FEATURES[this.wanted].anisotropy);
+    applyLayers(this.shared, this.layers, featuresOf(this.wanted, drawsInSoftware()));
     this.scene = new THREE.Scene();
     this.backdrop = new Backdrop();
     if (!this.options.transparent) this.scene.add(this.backdrop.mesh);
@@ -211,10 +211,10 @@ export class FaceView {
     this.renderer.resetState();
   }
 
-  private buildHead(level: Level): THREE.Group {
+  private buildHead(level: Level, features = featuresOf(level, drawsInSoftware())): THREE.Group {
     const { library, anatomy, shared, eyeUniforms: eyes } = this;
-    const head = buildHead({ meshes: library.meshes, anatomy, shared, eyes, features: FEATURES[level] });
-    this.hair.on(head, shared, FEATURES[level]);
+    const head = buildHead({ meshes: library.meshes, anatomy, shared, eyes, features });
+    this.hair.on(head, shared, features);
     return head;
   }
 

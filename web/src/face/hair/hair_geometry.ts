@@ -16,8 +16,14 @@ export interface RibbonStyle {
   readonly strands: Float32Array;
 }
 
-/** Pieces of a ribbon where its course is drawn round, where all ribbons are drawn, and where few are. */
-const PIECES = { round: 14, fine: 11, coarse: 5 };
+/** Pieces of a ribbon where all ribbons are drawn, and where few are. */
+const PIECES = { fine: 11, coarse: 5 };
+
+/**
+ * Triangles of a ribbon whose course is drawn round: a zigzag. On a software renderer a thin triangle costs by the squares
+ * of pixels that it touches, and the two triangles of a piece touch the same.
+ */
+const TRIANGLES = 20;
 
 /** Thin ribbons that follow each strand where hair is drawn in detail, and how wide each is, of the whole. */
 const KIN = { count: 4, width: 0.47 };
@@ -56,7 +62,7 @@ function texture(
 /** Fewer ribbons are wider, so that they cover the head as all of them do. */
 export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
   const kin = features.detail ? KIN.count : 1;
-  const geometry = ribbon(style.hair, piecesOf(features), kin);
+  const geometry = ribbon(style.hair, courseOf(features), kin);
   const count = drawnStrands(style.hair, features.hair);
   const share = count / style.hair.anchors.length;
   geometry.instanceCount = kin * count;
@@ -81,22 +87,23 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
   return mesh;
 }
 
-function piecesOf(features: Features): number {
-  if (features.detail) return PIECES.round;
-  return features.hair < 0.5 ? PIECES.coarse : PIECES.fine;
+/** The places along a ribbon (across -1..1, along 0..1) that one triangle lies between each three of. */
+function courseOf({ detail, hair }: Features): [number, number][] {
+  if (detail) return zigzag(TRIANGLES);
+  const pieces = hair < 0.5 ? PIECES.coarse : PIECES.fine;
+  return Array.from({ length: 2 * pieces + 2 }, (_, place) => [place % 2 === 0 ? -1 : 1, (place >> 1) / pieces]);
 }
 
-function ribbon(hair: HairStrands, pieces: number, kin: number): THREE.InstancedBufferGeometry {
+/** From side to side; across at the root and at the tip. */
+function zigzag(triangles: number): [number, number][] {
+  const along = (place: number): number => Math.min(1, Math.max(0, place - 1) / (triangles - 1));
+  return Array.from({ length: triangles + 2 }, (_, place) => [place % 2 === 0 ? -1 : 1, along(place)]);
+}
+
+function ribbon(hair: HairStrands, course: [number, number][], kin: number): THREE.InstancedBufferGeometry {
   const geometry = new THREE.InstancedBufferGeometry();
-  const place: number[] = [];
-  const index: number[] = [];
-  for (let piece = 0; piece <= pieces; piece++) {
-    place.push(-1, piece / pieces, 1, piece / pieces);
-    const first = 2 * piece;
-    if (piece < pieces) index.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
-  }
-  geometry.setIndex(index);
-  geometry.setAttribute("place", new THREE.Float32BufferAttribute(place, 2));
+  geometry.setIndex(course.slice(2).flatMap((_, at) => (at % 2 === 0 ? [at, at + 1, at + 2] : [at + 1, at, at + 2])));
+  geometry.setAttribute("place", new THREE.Float32BufferAttribute(course.flat(), 2));
   geometry.setAttribute("source", new THREE.InstancedBufferAttribute(Float32Array.from(hair.anchors), 1, false, kin));
   return geometry;
 }

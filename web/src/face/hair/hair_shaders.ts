@@ -2,16 +2,16 @@
 
 import { FRAGMENT_HEAD, SHADED_LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
 
-/** Light on hair (Kajiya and Kay 1989): a soft shade around the strand, a white sheen and a coloured one beside it. */
+/**
+ * Light on hair (Kajiya and Kay 1989): a soft shade around the strand, a white sheen and a coloured one beside it. What
+ * changes slowly along a ribbon is found at its vertices; \`sheens\` needs the fibre too. The powers are multiplied out,
+ * for software renderers.
+ */
 const HAIR_LIGHT = `
-struct HairFall { vec3 diffuse; vec3 sheen; vec3 glow; };
+/** halves: cosines of the strand and of its normal to half way between the eye and the key (xy), and the fill (zw). */
+struct HairFall { vec3 diffuse; vec3 rim; vec4 halves; float facing; };
 
-float lobe(vec3 along, vec3 half_, float sharpness) {
-  float cosine = dot(along, half_);
-  return pow(max(1.0 - cosine * cosine, 0.0), sharpness);
-}
-
-HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float sunlit, float shift) {
+HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float sunlit) {
   vec3 view = normalize(cameraPosition - point);
   float lit = dot(normal, KEY);
   float key = clamp((lit + 0.35) / 1.35, 0.0, 1.0) * shaded(open) * sunlit;
@@ -19,16 +19,37 @@ HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float sunlit,
   float around = sqrt(max(1.0 - cosine * cosine, 0.0));
   vec3 diffuse = KEY_LIGHT * key * mix(around, 1.0, 0.4);
   diffuse += (FILL_LIGHT * clamp(dot(normal, FILL) * 0.5 + 0.5, 0.0, 1.0) + 1.6 * ambient(normal)) * shaded(open);
-  vec3 root = normalize(along - normal * (0.10 + shift));
-  vec3 tip = normalize(along + normal * (0.16 + shift));
   vec3 toKey = normalize(KEY + view);
   vec3 toFill = normalize(FILL + view);
+  vec4 halves = vec4(dot(along, toKey), dot(normal, toKey), dot(along, toFill), dot(normal, toFill));
   float facing = smoothstep(-0.25, 0.5, lit) * shaded(open) * key;
-  vec3 sheen = KEY_LIGHT * lobe(root, toKey, 120.0) * facing + FILL_LIGHT * 0.5 * lobe(root, toFill, 90.0) * open;
-  vec3 glow = KEY_LIGHT * lobe(tip, toKey, 16.0) * facing;
   float edge = 1.0 - max(dot(normal, view), 0.0);
   float rim = edge * edge * edge * (max(dot(normal, RIM_LEFT), 0.0) * 0.7 + max(dot(normal, RIM_RIGHT), 0.0));
-  return HairFall(diffuse, sheen, glow + RIM_LIGHT * rim * open);
+  return HairFall(diffuse, RIM_LIGHT * rim * open, halves, facing);
+}
+
+/** The sheen of the fibres, tilted by \`shift\`, and their glow. */
+void sheens(vec3 rim, vec4 halves, float facing, float open, float shift, out vec3 sheen, out vec3 glow) {
+  float root = 0.10 + shift;
+  float tip = 0.16 + shift;
+  vec2 rootward = (halves.xz - root * halves.yw) * inversesqrt(1.0 + root * root);
+  float tipward = (halves.x + tip * halves.y) * inversesqrt(1.0 + tip * tip);
+  vec2 to1 = max(1.0 - rootward * rootward, 0.0);
+  vec2 to2 = to1 * to1;
+  vec2 to4 = to2 * to2;
+  vec2 to8 = to4 * to4;
+  vec2 to16 = to8 * to8;
+  vec2 to32 = to16 * to16;
+  vec2 to64 = to32 * to32;
+  float key = to64.x * to32.x * to16.x * to8.x; // to the power of 120
+  float fill = to64.y * to16.y * to8.y * to2.y; // 90
+  float soft = max(1.0 - tipward * tipward, 0.0);
+  soft *= soft;
+  soft *= soft;
+  soft *= soft;
+  soft *= soft; // 16
+  sheen = KEY_LIGHT * key * facing + FILL_LIGHT * 0.5 * fill * open;
+  glow = KEY_LIGHT * soft * facing + rim;
 }
 `;
 
@@ -69,19 +90,19 @@ in vec2 place; // across -1..1, along 0..1
 out vec3 vPlace; // and half of the ribbon's width, in fibres
 out vec2 vChance;
 out vec2 vCover; // what covers between the fibres (nothing below zero), and how far a pixel shows them, 0..1
-#ifdef FAST
 out vec3 vDiffuse;
+#ifdef FAST
 out vec3 vSheen;
 out vec3 vGlow;
 #else
-out vec3 vPoint;
-out vec3 vNormal;
-out vec3 vAlong;
-out float vOpen;
-out float vSunlit;
+out vec3 vRim;
+out vec4 vHalves;
+out vec2 vFacing; // and open sky
 #endif
 
 #ifdef DETAIL
+out float vSway;
+uniform sampler2D grain;
 #define KIN_APART 5.5 // half-widths of a ribbon that those of one strand spread over
 /** A round course through the stations (Catmull and Rom 1974): where it is \`part\` of the way between the middle two. */
 vec3 coursed(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
@@ -140,7 +161,7 @@ void main() {
   spot += apart * width * ((chanceOf(4u) - 0.5) * aside + 0.4 * chanceOf(5u) * away);
 #endif
   float end = place.y * place.y;
-  #ifdef DETAIL
+#ifdef DETAIL
   thin *= 1.0 - 0.45 * end;
 #else
   thin *= 1.0 - 0.3 * end;
@@ -178,16 +199,18 @@ void main() {
   vCover = vec2(min(left, 0.5 - bare), clamp(FIBRE / wide - 1.0, 0.0, 1.0));
   vChance = vec2(chance, chanceOf(6u));
 #ifdef FAST
-  HairFall light = hairFall(point, normal, along, open, 1.0, 0.2 * (vChance.y - 0.5));
+  HairFall light = hairFall(point, normal, along, open, 1.0);
   vDiffuse = light.diffuse;
-  vSheen = light.sheen;
-  vGlow = light.glow;
+  sheens(light.rim, light.halves, light.facing, open, 0.2 * (vChance.y - 0.5), vSheen, vGlow);
 #else
-  vPoint = point;
-  vNormal = normal;
-  vAlong = along;
-  vOpen = open;
-  vSunlit = shadow(point, normal);
+  HairFall light = hairFall(point, normal, along, open, shadow(point, normal));
+  vDiffuse = light.diffuse;
+  vRim = light.rim;
+  vHalves = light.halves;
+  vFacing = vec2(light.facing, open);
+#endif
+#ifdef DETAIL
+  vSway = 0.010 * (textureLod(grain, vChance.yx * vec2(1.0, 7.3) + vec2(0.0, place.y * 0.010), 0.0).b - 0.5);
 #endif
   gl_Position = project(point);
 }
@@ -199,16 +222,17 @@ uniform vec3 tint;
 in vec3 vPlace;
 in vec2 vChance;
 in vec2 vCover;
-#ifdef FAST
 in vec3 vDiffuse;
+#ifdef FAST
 in vec3 vSheen;
 in vec3 vGlow;
 #else
-in vec3 vPoint;
-in vec3 vNormal;
-in vec3 vAlong;
-in float vOpen;
-in float vSunlit;
+in vec3 vRim;
+in vec4 vHalves;
+in vec2 vFacing;
+#endif
+#ifdef DETAIL
+in float vSway;
 #endif
 
 #ifdef DETAIL
@@ -222,9 +246,8 @@ void main() {
   vec2 start = vec2(vChance.x * 7.3, vChance.y);
   float aside = vPlace.x * vPlace.z / 256.0; // the noise has so many cells
 #ifdef DETAIL
-  float sway = 0.010 * (texture(grain, start.yx + vec2(0.0, vPlace.y * 0.010)).b - 0.5);
-  vec4 fibre = texture(grain, start + vec2(aside + sway, vPlace.y * 0.008));
-  fibre.rg = clamp(fibre.rg + 0.7 * (texture(grain, start.yx + vec2(2.8 * aside + sway, vPlace.y * 0.012)).rg - 0.5), 0.0, 1.0);
+  vec4 fibre = texture(grain, start + vec2(aside + vSway, vPlace.y * 0.008));
+  fibre.rg = clamp(fibre.rg + 0.7 * (texture(grain, start.yx + vec2(2.8 * aside + vSway, vPlace.y * 0.012)).rg - 0.5), 0.0, 1.0);
 #else
   vec4 fibre = texture(grain, start + vec2(aside, vPlace.y * 0.0025));
 #endif
@@ -237,9 +260,11 @@ void main() {
 #endif
   if (cover <= 0.0) discard;
 #ifdef FAST
-  HairFall light = HairFall(vDiffuse, vSheen, vGlow);
+  vec3 sheen = vSheen;
+  vec3 glow = vGlow;
 #else
-  HairFall light = hairFall(vPoint, normalize(vNormal), normalize(vAlong), vOpen, vSunlit, 0.35 * (fibre.g - 0.5));
+  vec3 sheen, glow;
+  sheens(vRim, vHalves, vFacing.x, vFacing.y, 0.35 * (fibre.g - 0.5), sheen, glow);
 #endif
 #ifdef DETAIL
   vec3 albedo = tint * (0.78 + 0.5 * vChance.x) * (0.22 + 1.5 * fibre.r) * mix(0.62, 1.12, vPlace.y);
@@ -247,8 +272,8 @@ void main() {
 #else
   vec3 albedo = tint * (0.72 + 0.56 * vChance.x) * (0.25 + 1.5 * fibre.r);
 #endif
-  vec3 seen = albedo * light.diffuse;
-  seen += (0.05 + 0.25 * albedo) * light.sheen * (0.4 + 1.2 * fibre.g) + (0.02 + 0.9 * albedo) * light.glow;
+  vec3 seen = albedo * vDiffuse;
+  seen += (0.05 + 0.25 * albedo) * sheen * (0.4 + 1.2 * fibre.g) + (0.02 + 0.9 * albedo) * glow;
 #ifdef SOFT
   colour = vec4(display(seen), cover);
 #else

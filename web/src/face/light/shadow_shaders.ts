@@ -31,11 +31,8 @@ const float BIAS = 0.0006;
 const int BLOCKERS = 16;
 const int SAMPLES = 28;
 
-/** Evenly spread over the unit disc (Vogel 1979). */
-vec2 onDisc(int index, int count) {
-  float angle = 2.39996323 * float(index);
-  return sqrt((float(index) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
-}
+/** A turn by the golden angle: places that far from each other, by the root of their number from the middle, spread evenly over a disc (Vogel 1979). */
+const mat2 GOLDEN = mat2(-0.737368878, 0.675490294, -0.675490294, -0.737368878);
 
 float shadow(vec3 point, vec3 normal) {
   if (KEY_LIGHT.r + KEY_LIGHT.g + KEY_LIGHT.b <= 0.0) return 1.0;
@@ -48,24 +45,29 @@ float shadow(vec3 point, vec3 normal) {
   float bias = BIAS + 0.14 * max(0.06 - facing, 0.0);
   vec2 slope = -vec2(dot(normal, shadowSide), dot(normal, shadowUp)) / max(facing, 0.30);
   float turn = 6.2831853 * SPIN;
-  mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));
+  vec2 first = vec2(cos(turn), sin(turn));
   float texel = ${(2 * REACH).toFixed(4)} / float(textureSize(shadowHeights, 0).x);
   float least = mix(max(2.0 * texel, 0.0012), 0.007, grazing);
   float widest = clamp(KEY_SIZE * 0.07, least, 0.02);
 
+  vec2 spoke = first;
   float gap = 0.0;
   float count = 0.0;
   for (int i = 0; i < BLOCKERS; i++) {
-    vec2 aside = spin * onDisc(i, BLOCKERS) * widest;
+    vec2 aside = spoke * sqrt((float(i) + 0.5) / float(BLOCKERS)) * widest;
+    spoke = GOLDEN * spoke;
     float height = textureLod(shadowHeights, (at.xy + aside) * ${(0.5 / REACH).toFixed(6)} + 0.5, 0.0).r;
     float over = (height - 0.5) * ${DEPTH.toFixed(4)} - at.z - max(dot(slope, aside), 0.0) - bias;
     if (over > 0.0) { gap += over; count += 1.0; }
   }
   if (count == 0.0) return 1.0;
+  if (count == float(BLOCKERS)) return 1.0 - SHADE; // all of the lamp is hidden
   float width = clamp(KEY_SIZE * gap / count, least, max(0.8 * widest, least)); // inside what was searched: no lone dots
+  spoke = first;
   float light = 0.0;
   for (int i = 0; i < SAMPLES; i++) {
-    vec2 aside = spin * onDisc(i, SAMPLES) * width;
+    vec2 aside = spoke * sqrt((float(i) + 0.5) / float(SAMPLES)) * width;
+    spoke = GOLDEN * spoke;
     float height = at.z + max(dot(slope, aside), 0.0) + bias;
     light += texture(shadowDepths, vec3((at.xy + aside) * ${(0.5 / REACH).toFixed(6)} + 0.5, 0.5 - height / ${DEPTH.toFixed(4)}));
   }

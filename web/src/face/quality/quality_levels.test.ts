@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { LEVELS } from "../../link/constants";
-import { definesOf, FEATURES, firstLevel, type Level, levelsOf, pixelRatio } from "./quality_levels";
+import { definesOf, FEATURES, featuresOf, firstLevel, type Level, levelsOf, pixelRatio } from "./quality_levels";
 
 describe("the levels", () => {
   it("cost more from one to the next, in no feature less", () => {
@@ -17,9 +17,17 @@ describe("the levels", () => {
     expect(LEVELS.indexOf(firstLevel(false))).toBeGreaterThan(0);
   });
 
+  it("differ without a graphics processor in what is dear there alone", () => {
+    for (const level of LEVELS) {
+      expect(featuresOf(level, false)).toEqual(FEATURES[level]);
+      expect(featuresOf(level, true)).toEqual({ ...FEATURES[level], anisotropy: 1 });
+    }
+  });
+
   it("switch the shaders", () => {
     expect(definesOf(FEATURES.lowest)).toEqual({ FAST: "" });
     expect(definesOf(FEATURES.high)).toEqual({ SHADOW: "", DETAIL: "" });
+    expect(definesOf(featuresOf("high", true))).toEqual({ SHADOW: "", DETAIL: "", SHARPEN: "" });
   });
 });
 

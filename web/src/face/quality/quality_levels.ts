@@ -37,12 +37,21 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
   high: { pixelLight: true, shadow: 1024, detail: true, hair: 1, multisample: true, anisotropy: 8, pixels: Infinity },
 };
 
-/** The features as the shaders' switches: FAST, SHADOW, DETAIL. */
+/**
+ * What a view draws at a level. llvmpipe filters along a slant with an ellipse of texels, at a third of a whole frame:
+ * without a graphics processor the skin's shader takes a finer step of its textures there instead.
+ */
+export function featuresOf(level: Level, software: boolean): Features {
+  return software ? { ...FEATURES[level], anisotropy: 1 } : FEATURES[level];
+}
+
+/** The features as the shaders' switches: FAST, SHADOW, DETAIL, SHARPEN. */
 export function definesOf(features: Features): Record<string, string> {
   return {
     ...(features.pixelLight ? {} : { FAST: "" }),
     ...(features.shadow > 0 ? { SHADOW: "" } : {}),
     ...(features.detail ? { DETAIL: "" } : {}),
+    ...(features.detail && features.anisotropy === 1 ? { SHARPEN: "" } : {}),
   };
 }
 

@@ -47,11 +47,17 @@ export function skinUniforms(): SkinUniforms {
   return { ...Object.fromEntries(plain), ...Object.fromEntries(SKIN_TRAITS.map((name) => [name, { value: 0 }])) };
 }
 
+/** How a level of quality filters the layers: between the levels of a mipmap too, and along a slant from so many samples. */
+export interface LayerFilter {
+  readonly detail: boolean;
+  readonly anisotropy: number;
+}
+
 /** Puts the pictures of the layers, in their order, on the skin. */
-export function applyLayers(uniforms: SkinUniforms, pictures: readonly ImageBitmap[], anisotropy: number): void {
+export function applyLayers(uniforms: SkinUniforms, pictures: readonly ImageBitmap[], filter: LayerFilter): void {
   SKIN_LAYERS.forEach((name, index) => {
     const picture = pictures[index];
-    if (picture !== undefined) uniforms[name].value = layerTexture(picture, anisotropy);
+    if (picture !== undefined) uniforms[name].value = layerTexture(picture, filter);
   });
 }
 
@@ -67,12 +73,12 @@ function plainTexture(texel: readonly number[]): THREE.Texture {
   return texture;
 }
 
-function layerTexture(picture: ImageBitmap, anisotropy: number): THREE.Texture {
+function layerTexture(picture: ImageBitmap, { detail, anisotropy }: LayerFilter): THREE.Texture {
   const texture = new THREE.Texture(picture);
   texture.flipY = false; // texture coordinates as in glTF: (0, 0) is the upper left corner
   texture.premultiplyAlpha = false;
   texture.generateMipmaps = true;
-  texture.minFilter = anisotropy > 1 ? THREE.LinearMipmapLinearFilter : THREE.LinearMipmapNearestFilter;
+  texture.minFilter = detail ? THREE.LinearMipmapLinearFilter : THREE.LinearMipmapNearestFilter;
   texture.magFilter = THREE.LinearFilter;
   texture.anisotropy = anisotropy;
   texture.needsUpdate = true;

@@ -80,7 +80,7 @@ vec3 tilted(vec3 normal, vec2 slope) {
 
 /** What the fine relief does to the normal. */
 vec3 fine(vec3 normal, Ground at) {
-  vec4 slope = (texture(relief, vUv) - 0.5) * ${(2 * STEEPEST).toFixed(1)};
+  vec4 slope = (layer(relief) - 0.5) * ${(2 * STEEPEST).toFixed(1)};
   float skinned = (1.0 - at.hair) * (1.0 - at.fur) * (1.0 - lacquer);
   vec2 young = slope.rg * max(pores, at.lips * 0.8);
   return tilted(normal, (young * 2.0 + slope.ba * age * (1.0 - 0.6 * at.lips)) * skinned);
@@ -175,6 +175,29 @@ vec3 surface(out vec3 normal) {
 #endif
 `;
 
+/**
+ * `layer(picture)`: a painted layer at this pixel. SHARPEN: where the skin is seen at a slant, the texels of one level
+ * finer at most, for trilinear filtering blurs as far across the slant as along it, and lines are lost.
+ */
+const LAYER_SAMPLING = `
+#ifdef SHARPEN
+float sharper; // levels of the mipmap
+
+/** How many levels of a mipmap lie between a pixel's long side and its short one on the texture, 1 at most. */
+float slant() {
+  vec2 across = dFdx(vUv), down = dFdy(vUv);
+  float both = 0.5 * (dot(across, across) + dot(down, down));
+  float area = abs(across.x * down.y - across.y * down.x);
+  float longest = both + sqrt(max(both * both - area * area, 0.0)); // squared, of the ellipse
+  return clamp(log2(max(longest, 1e-20) / max(area, 1e-20)), 0.0, 1.0);
+}
+
+vec4 layer(sampler2D picture) { return texture(picture, vUv, sharper); }
+#else
+vec4 layer(sampler2D picture) { return texture(picture, vUv); }
+#endif
+`;
+
 export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${SHADE_LIGHT}${VERTEX_LIGHT}
 in vec2 uv;
 in vec4 traits; // turn with the head, open sky, hair, light at the neck
@@ -224,18 +247,21 @@ in vec3 vNormal;
 #ifdef DETAIL
 uniform sampler2D finish;
 #endif
-${SKIN_COLOURS}
+${LAYER_SAMPLING}${SKIN_COLOURS}
 #ifndef FAST
 ${SHADE_LIGHT}${PIXEL_LIGHT}
 #endif
 
 void main() {
+#ifdef SHARPEN
+  sharper = -slant();
+#endif
 #ifdef DETAIL
-  vec4 finished = texture(finish, vUv);
+  vec4 finished = layer(finish);
 #else
   const vec4 finished = vec4(0.45, 0.2, 1.0, 0.5);
 #endif
-  Layers layers = Layers(texture(mask, vUv), texture(marks, vUv), texture(patches, vUv), finished, fur > 0.0 ? texture(pelt, vUv) : vec4(0.0));
+  Layers layers = Layers(layer(mask), layer(marks), layer(patches), finished, fur > 0.0 ? layer(pelt) : vec4(0.0));
   Ground at = ground(layers, vTraits.y);
 #ifdef FAST
   float oil = (0.05 + 0.13 * at.lips * gloss + 0.06 * lacquer) * (1.0 - at.hair) * (1.0 - 0.7 * at.fur) * vTraits.x;
