@@ -14,7 +14,6 @@ import type { Seconds, Timing } from "./timing";
 import type { Change, Step, TakeStep, Way } from "./undo_history";
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
-const TOO_LATE = "Not brought back: panic was pressed meanwhile.";
 const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to run on in.";
 export class ConsoleStore extends PageStore {
   state: State | null = null;
@@ -22,10 +21,7 @@ export class ConsoleStore extends PageStore {
   /** Milliseconds there and back, or null before the first pong. */
   latency: number | null = null;
   online = false;
-  /** The names of the layouts in the show file, and what the other consoles call this one. */
-  layoutNames: readonly string[] = [];
-  /** The name of the layout that was chosen or saved last. */
-  chosenLayout = "";
+  /** What the other consoles call this one. */
   name = "";
   /** What hands at other consoles move, and the names of those consoles. */
   hands: Hands["hands"] = {};
@@ -126,11 +122,6 @@ export class ConsoleStore extends PageStore {
 
   override get busy(): string | null {
     return this.#requests.busy;
-  }
-
-  receiveLayouts(names: readonly string[]): void {
-    this.layoutNames = names;
-    this.tell("layouts");
   }
 
   /** What the other consoles call this one. */
@@ -260,11 +251,7 @@ export class ConsoleStore extends PageStore {
   takeStep(step: Step, way: Way, refused: Parameters<TakeStep>[2]): boolean {
     if (!this.#mayAct()) return false;
     const over = step.panics !== undefined && (this.#panicking || step.panics !== this.state?.panics);
-    if (way === "undo" && over) {
-      this.history.skip(step);
-      this.say(TOO_LATE);
-      return false;
-    }
+    if (way === "undo" && over) return this.tooLate(step);
     return step[way].map((change) => this.#change(change, refused)).some(Boolean);
   }
 

@@ -46,6 +46,9 @@ export abstract class PageStore extends TopicStore<Topic> {
     () => this.tell("undo"),
   );
   manifest: Manifest | null = null;
+  /** The names of the layouts in the show file, and of that chosen or saved last. */
+  layoutNames: readonly string[] = [];
+  chosenLayout = "";
   /** The last thing the operator must read, how it is meant, and what can be done about it. */
   notice: string | null = null;
   tone: "attention" | "done" = "attention";
@@ -87,6 +90,11 @@ export abstract class PageStore extends TopicStore<Topic> {
     this.tell("cast");
   }
 
+  receiveLayouts(names: readonly string[]): void {
+    this.layoutNames = names;
+    this.tell("layouts");
+  }
+
   /** The channel that moves the same on the other side of the face; null where there is none. */
   protected mirrorOf(name: string): string | null {
     return mirrorOf(name, this.#strips);
@@ -126,6 +134,13 @@ export abstract class PageStore extends TopicStore<Topic> {
       const step = this.history.take(way);
       if (step !== null) this.say(`${DONE[way]}: ${step.what}.`, "done", this.#ways());
     }
+  }
+
+  /** A step that a panic has overtaken is left out. */
+  protected tooLate(step: Step): false {
+    this.history.skip(step);
+    this.say("Not brought back: panic was pressed meanwhile.");
+    return false;
   }
 
   #ways(): Offer[] {
