@@ -108,6 +108,7 @@ class Tab:
             self.tools.send("Page.removeScriptToEvaluateOnNewDocument", {"identifier": script})
         self.scripts.clear()
         self.page.goto(f"{show}/nothing")  # of the same server, so that the process stays
+        self.page.evaluate("sessionStorage.clear()")
         self.tools.send("Storage.clearDataForOrigin", {"origin": show, "storageTypes": "local_storage"})
         for page in self.page.context.pages:
             if page is not self.page:

@@ -513,3 +513,13 @@ def test_a_console_is_told_whose_hands_move_what(cast: Cast) -> None:
     assert session.hands_now(1.0) == [Outgoing("a", wire.Hands({"set_channel:jawOpen": "console 2"}))]
     session.receive("a", wire.Panic(), 1.1)
     assert session.hands_now(1.1) == [Outgoing("a", wire.Hands({}))]
+
+
+def test_a_page_is_told_which_of_its_messages_was_rejected(cast: Cast) -> None:
+    session = opened(cast, "a")
+    unknown = msgspec.msgpack.encode({"type": "keep_everything", "id": "a-1"})
+    [of_unknown] = session.receive_bytes("a", unknown, 0.0)
+    [of_call] = session.receive("a", wire.CallFace("a-2", "nobody", 1.0, "smooth"), 0.0)
+    [of_fader] = session.receive("a", wire.FadeFace(2.0), 0.0)
+    told = [each.message for each in (of_unknown, of_call, of_fader)]
+    assert [each.id for each in told if isinstance(each, wire.Refused)] == ["a-1", "a-2", ""]

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from omote.show.messages import MESSAGE_LIMIT, SetChannel
 from omote.show.validation import Refusal
-from omote.show.wire import decode, encode
+from omote.show.wire import decode, encode, id_in
 
 BAD = {
     "nothing": b"",
@@ -59,3 +59,14 @@ def test_a_message_with_one_byte_changed_is_refused_or_is_a_message(data: st.Dat
         return
     if isinstance(message, SetChannel) and not math.isnan(message.value):
         assert decode(encode(message)) == message
+
+
+@pytest.mark.parametrize("data", BAD.values(), ids=BAD)
+def test_what_has_no_id_has_none(data: bytes) -> None:
+    assert id_in(data) == ""
+
+
+@given(st.text(max_size=64), st.dictionaries(st.text(max_size=9), st.integers(0, 9) | st.text(max_size=9), max_size=4))
+def test_the_id_of_a_message_that_is_none_can_be_read(name: str, other: dict[str, int | str]) -> None:
+    assert id_in(msgspec.msgpack.encode({**other, "type": "dance", "id": name})) == name
+    assert id_in(msgspec.msgpack.encode({"type": "dance", "id": 65 * "x"})) == ""

@@ -57,7 +57,9 @@ def test_another_behaviour_is_found_where_it_is(monkeypatch: pytest.MonkeyPatch)
 def test_a_reworded_refusal_shows_among_the_sentences_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     before, refuse = show(), ShowSession._refuse
     monkeypatch.setattr(
-        ShowSession, "_refuse", lambda session, who, refusal: refuse(session, who, type(refusal)(f"No: {refusal}"))
+        ShowSession,
+        "_refuse",
+        lambda session, who, refusal, message: refuse(session, who, type(refusal)(f"No: {refusal}"), message),
     )
     assert differing(before, show()) == ["wire: sentences"]
 

@@ -337,8 +337,8 @@ class Pong(Message, frozen=True):
 
 
 class Refused(Message, frozen=True):
-    """A message was rejected, and why, in one sentence for the operator. `id`: of the message, where it had one and
-    was about the show file."""
+    """A message was rejected, and why, in one sentence for the operator. `id`: of the message, where it had one, also
+    where nothing else of it could be read."""
 
     reason: str
     id: str = ""

@@ -17,7 +17,7 @@ from omote.show.commands import ACTIONS, reload_hint
 from omote.show.contention import MOVING, Hands, name_apart
 from omote.show.state import EyeOffset, offset_between, state_of
 from omote.show.validation import Refusal, validate_number
-from omote.show.wire import decode
+from omote.show.wire import decode, id_in
 
 if TYPE_CHECKING:
     from omote.perform.snapshot import Playable
@@ -104,7 +104,7 @@ class ShowSession:
         try:
             message = decode(data)
         except Refusal as refusal:
-            return self._refuse(who, refusal)
+            return self._refuse(who, refusal, id_in(data))
         return self.receive(who, message, now)
 
     def receive(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
@@ -112,7 +112,7 @@ class ShowSession:
         try:
             return self._answer(who, message, now)
         except Refusal as refusal:
-            return self._refuse(who, refusal)
+            return self._refuse(who, refusal, getattr(message, "id", ""))
 
     def tick(self, now: float) -> wire.State:
         """Advances the show to `now` (seconds, monotonic) in one step and returns what is on air."""
@@ -286,6 +286,6 @@ class ShowSession:
             raise Refusal("nothing is heard before hello: send hello with role and version first.")
         return self.crew[who]
 
-    def _refuse(self, who: str, refusal: Refusal) -> list[Outgoing]:
+    def _refuse(self, who: str, refusal: Refusal, message: str) -> list[Outgoing]:
         self.refused += 1
-        return [Outgoing(who, wire.Refused(reason=str(refusal)))]
+        return [Outgoing(who, wire.Refused(reason=str(refusal), id=message))]

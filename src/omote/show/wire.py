@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.formats.error_reasons import explain_error
-from omote.show.messages import MESSAGE_LIMIT, FromClient, FromServer
+from omote.show.messages import MESSAGE_LIMIT, FromClient, FromServer, RequestId
 from omote.show.validation import Refusal
 
 Said = TypeVar("Said")
@@ -39,6 +39,23 @@ def message_in(data: bytes, decoder: msgspec.msgpack.Decoder[Said], limit: int) 
         raise Refusal(
             f"the message cannot be read: {explain_error(error)[:200]}. Reload the page that sent it."
         ) from error
+
+
+class _Identified(msgspec.Struct):
+    """What is read of a message that was rejected."""
+
+    id: RequestId = ""
+
+
+_identified = msgspec.msgpack.Decoder(_Identified)
+
+
+def id_in(data: bytes) -> str:
+    """The id of a message that was rejected, so that its page knows which; "" where none can be read."""
+    try:
+        return message_in(data, _identified, MESSAGE_LIMIT).id
+    except Refusal:
+        return ""
 
 
 def decode_answer(data: bytes) -> FromServer:

@@ -11,7 +11,7 @@ from msgspec import inspect
 
 from omote.edit.protocol import messages as wire
 from omote.edit.protocol.orders import Baked
-from omote.edit.protocol.wire import decode, decode_answer, decode_baked, encode, read_recipe, write_recipe
+from omote.edit.protocol.wire import decode, decode_answer, decode_baked, encode, read_recipe, request_in, write_recipe
 from omote.model.recipes.recipe import FaceRecipe, Recipe
 from omote.show.validation import Refusal
 
@@ -91,3 +91,10 @@ def test_answers_of_the_workshop_come_back() -> None:
     assert decode_baked(encode(baked)) == baked
     with pytest.raises(Refusal, match="workshop"):
         decode_baked(msgspec.msgpack.encode({"key": 1}))
+
+
+@given(st.integers(0, 2**53))
+def test_the_number_of_a_request_that_is_none_can_be_read(number: int) -> None:
+    assert request_in(msgspec.msgpack.encode({"type": "dance", "request": number, "more": []})) == number
+    for data in (b"", b"\x91" * 3000, msgspec.msgpack.encode({"request": str(number)}), bytes(wire.EDITING_LIMIT + 1)):
+        assert request_in(data) == -1

@@ -52,3 +52,29 @@ async def test_a_cancelled_request_ends_and_others_go_on() -> None:
     assert await other == "done"
     requests.cancel("b")  # it has ended
     assert await requests.run("a", work) == "done", "the id is free again"
+
+
+async def test_jobs_of_one_kind_take_turns_and_a_page_reads_for_what_it_waits() -> None:
+    requests, told = LongRequests(lambda _: None), list[str]()
+    begun, end = asyncio.Event(), asyncio.Event()
+    running = list[str]()
+
+    def follow(_done: int, _total: int, what: str) -> None:
+        told.append(what)
+
+    async def work(name: str, kind: str) -> None:
+        async with requests.turn(kind, follow, f"{name} waits"):
+            running.append(name)
+            begun.set()
+            await end.wait()
+            running.remove(name)
+
+    first = asyncio.create_task(work("first", "export"))
+    await begun.wait()
+    others = [asyncio.create_task(work(name, kind)) for name, kind in (("second", "export"), ("other", "import"))]
+    while len(running) < 2:
+        await asyncio.sleep(0)
+    assert running == ["first", "other"], "another kind does not wait"
+    end.set()
+    await asyncio.gather(first, *others)
+    assert (told, running) == (["second waits"], [])

@@ -16,6 +16,7 @@ import type { ConsoleContext } from "./controls/console_element";
 import { FileImports } from "./show_file/file_imports";
 import { LayoutStorage, layoutName } from "./show_file/layout_storage";
 import { OwnItems } from "./show_file/own_items";
+import { keepUndo } from "./show_file/undo_storage";
 import { ConsoleStore } from "./store/console_store";
 
 /** A name for this console, so that its calls have their own ids; `randomUUID` is not there on a LAN without https. */
@@ -92,6 +93,7 @@ function stayAwake(): void {
 function contextOf(link: () => ShowLink): ConsoleContext {
   const clock = (): number => performance.now();
   const store = new ConsoleStore((message) => link().send(message), clock, PAGE);
+  keepUndo(store, () => sessionStorage);
   const rename = (name: string): void => {
     ownName.write(name);
     link().introduce();

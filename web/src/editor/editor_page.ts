@@ -1,9 +1,10 @@
 /** The editor's page: library, canvas and panels. */
 
 import { html, nothing } from "lit";
-import { customElement, query, state } from "lit/decorators.js";
+import { customElement, property, query, state } from "lit/decorators.js";
 import { onFileDrop } from "../ui/file_import";
 import { listenToKeys } from "../ui/key_presses";
+import type { ShowNoticesView } from "../ui/show_notices_view";
 import { base, palette } from "../ui/theme";
 import { exposeProbe } from "./canvas/canvas_probe";
 import { EditorCanvas } from "./canvas/editor_canvas";
@@ -29,6 +30,8 @@ const OLD = "You look at an old revision, not at your draft.";
 /** The editor: what there is on the left, the face under work and those beside it between, what it is made of on the right. */
 @customElement("omote-editor")
 export class EditorPage extends EditorElement {
+  /** The notices of the show, which have their place above those of the work. */
+  @property({ attribute: false }) notices!: ShowNoticesView;
   @state() private helping = false;
   /** Whether all faces have been drawn once. */
   @state() private loaded = false;
@@ -90,7 +93,7 @@ export class EditorPage extends EditorElement {
       <div class="side">
         <omote-panels class="panel" .context=${context}
           @make=${(event: CustomEvent<Kind>) => this.library.make({}, event.detail)}></omote-panels>
-        <omote-notices .context=${context}></omote-notices>
+        <div class="told">${this.notices}<omote-notices .context=${context}></omote-notices></div>
       </div>
       ${this.helping ? html`<omote-editor-help .context=${context} @close=${this.#toggleHelp}></omote-editor-help>` : nothing}
     `;

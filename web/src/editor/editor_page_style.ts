@@ -30,7 +30,6 @@ export const style = css`
     grid-area: panels;
     display: flex;
     flex-direction: column;
-    gap: 6px;
     min-height: 0;
   }
   omote-panels {
@@ -76,12 +75,15 @@ export const style = css`
     white-space: nowrap;
   }
   /* Under the panels, which make room: nothing is hidden, and the faces keep their size. */
-  omote-notices {
+  .told {
     flex: none;
     max-height: 45dvh;
     overflow: hidden auto;
     scrollbar-width: thin;
     scrollbar-color: var(--edge) transparent;
+  }
+  .told > * {
+    margin-top: 6px;
   }
   :host(.lost) {
     box-shadow: inset 0 0 0 4px #d21f10;
@@ -101,7 +103,7 @@ export const style = css`
     omote-panels {
       grid-area: panels;
     }
-    omote-notices {
+    .told {
       position: fixed;
       left: 6px;
       right: 6px;

@@ -117,8 +117,10 @@ async function start(): Promise<void> {
   };
   const page = new EditorPage();
   page.context = context;
+  shown.classList.add("in-page");
+  page.notices = shown;
   document.getElementById("loading")?.remove();
-  document.body.append(page, shown, new LongRequestsView(store.longRequests));
+  document.body.append(page, new LongRequestsView(store.longRequests));
   store.setCast(await Library.open());
   thumbnailRenderer = await ThumbnailRenderer.open(store.library as Library);
   thumbnails.open((sitting) => (thumbnailRenderer as ThumbnailRenderer).picture(sitting, SMALL.width, SMALL.height));

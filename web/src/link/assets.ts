@@ -2,7 +2,6 @@
 
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "./arrays";
-import { Backoff } from "./backoff";
 import { downloads } from "./fetch_progress";
 import type {
   CompoundAsset,
@@ -14,6 +13,7 @@ import type {
   Manifest,
   MeshDocument,
 } from "./messages";
+import { Backoff } from "./reconnecting_socket";
 import { type HairStrands, readStrands } from "./strands";
 
 /** A drawn mesh; `source` maps its vertices to rows of the positions, `uv` (0, 0) is the upper left corner.

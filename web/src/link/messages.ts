@@ -318,8 +318,8 @@ export interface Pong {
 }
 
 /**
- * A message was rejected, and why, in one sentence for the operator. `id`: of the message, where it had one and
- * was about the show file.
+ * A message was rejected, and why, in one sentence for the operator. `id`: of the message, where it had one, also
+ * where nothing else of it could be read.
  */
 export interface Refused {
   type: "refused";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { Backoff } from "./backoff";
+import { Backoff } from "./reconnecting_socket";
 import { Newest } from "./show_link";
 
 describe("the newest state", () => {

@@ -39,8 +39,9 @@ export class ShowNoticesView extends LitElement {
         transform: translateX(-50%);
         pointer-events: none;
       }
-      :host(.in-bar) {
-        position: static; /* where a page's bar has a place for messages */
+      :host(.in-bar),
+      :host(.in-page) {
+        position: static; /* where a page's bar, or the page itself, has a place for messages */
         width: auto;
         transform: none;
       }
@@ -95,6 +96,11 @@ export class ShowNoticesView extends LitElement {
       }
     `,
   ];
+
+  /** Nothing to say takes no room. */
+  override updated(): void {
+    this.hidden = this.notices.open.length === 0;
+  }
 
   override render() {
     const { open } = this.notices;

@@ -72,6 +72,17 @@ export const caption = css`
   background: var(--raised);
 `;
 
+/** The declarations of the thin bar at the lower edge of what it measures. */
+export const thinBar = css`
+  position: absolute;
+  left: 0;
+  right: 0;
+  bottom: 0;
+  height: 3px;
+  transform-origin: left;
+  transform: scaleX(0);
+`;
+
 export const base = css`
   :host {
     box-sizing: border-box;

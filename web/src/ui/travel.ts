@@ -73,3 +73,90 @@ export function sprung(value: number, elapsed: number): number {
 }
 
 const SPRING = 70;
+
+/**
+ * Milliseconds after a panic until a spring moves: the panic has settled the face by then, and what the hand sent before
+ * has arrived. A server that took over meanwhile cannot know that from a new play.
+ */
+export const LATE = 400;
+
+/** What a spring moves: one number of a control. */
+export interface Sprung {
+  value(now: number): number;
+  nudge(value: number): void;
+}
+
+/** Who else plays the control: `era` rises with each panic, `theirs`: a hand at another console is on it. */
+export interface Others {
+  readonly era: number;
+  readonly theirs: boolean;
+}
+
+/**
+ * Brings what was let go back to the centre. After a panic it does so where nobody else has been on the control since:
+ * moves of the hand may have come after the panic. Times in milliseconds.
+ */
+export class Spring {
+  #parts: readonly Sprung[] = [];
+  #start = 0;
+  #last = 0;
+  /** The era in which the hand came, and the one heard last. */
+  #begun = 0;
+  #era = 0;
+  /** Somebody else has been on the control since the last panic. */
+  #taken = false;
+
+  /** A hand comes; false in `held` once there has been a panic since. */
+  grip(era: number): void {
+    this.stop();
+    this.#begun = era;
+  }
+
+  /** Whether the hand came after the last panic, so that what it does counts. */
+  held(era: number): boolean {
+    return this.#begun === era;
+  }
+
+  /** The hand lets go of some parts. */
+  release(parts: readonly Sprung[], now: number, { era, theirs }: Others): void {
+    const late = !this.held(era);
+    if (late ? this.#taken || theirs : theirs) return;
+    this.#parts = parts;
+    this.wait(late ? now + LATE : now);
+  }
+
+  /** What is on its way stays where it is. */
+  stop(): void {
+    this.#parts = [];
+  }
+
+  /** Nothing moves before `start`. */
+  wait(start: number): void {
+    this.#start = Math.max(this.#start, start);
+  }
+
+  /** One step of the way, each frame. Nothing is sent of a part that is at rest: that would count as played. */
+  move(now: number, others: Others): void {
+    this.#listen(now, others);
+    const elapsed = now - Math.max(this.#last, this.#start);
+    this.#last = now;
+    if (elapsed < 0) return;
+    this.#parts = this.#parts.filter((part) => {
+      const value = part.value(now);
+      if (value === 0) return false;
+      const rest = sprung(value, elapsed);
+      part.nudge(rest);
+      return rest !== 0;
+    });
+  }
+
+  #listen(now: number, { era, theirs }: Others): void {
+    if (era !== this.#era) {
+      [this.#era, this.#taken] = [era, false];
+      this.wait(now + LATE);
+    }
+    if (!theirs) return;
+    this.#taken = true;
+    if (!this.held(era)) this.stop();
+  }
+}

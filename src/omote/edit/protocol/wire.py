@@ -29,6 +29,23 @@ def decode(data: bytes) -> FromEditor:
     return message_in(data, _from_editor, EDITING_LIMIT)
 
 
+class _Numbered(msgspec.Struct):
+    """What is read of a message that was rejected."""
+
+    request: int = -1
+
+
+_numbered = msgspec.msgpack.Decoder(_Numbered)
+
+
+def request_in(data: bytes) -> int:
+    """The number of a request that was rejected, so that its page knows which; -1 where none can be read."""
+    try:
+        return message_in(data, _numbered, EDITING_LIMIT).request
+    except Refusal:
+        return -1
+
+
 def decode_answer(data: bytes) -> ToEditor:
     """Decodes a server's message, for editors written in Python; msgspec.DecodeError for invalid bytes."""
     return _to_editor.decode(data)

@@ -15,7 +15,7 @@ from omote.edit.protocol import messages as wire
 from omote.edit.protocol.names import clean_label
 from omote.edit.protocol.orders import Baked, EditOrder
 from omote.edit.protocol.validation import Bounds
-from omote.edit.protocol.wire import decode, decode_baked, read_recipe, write_recipe
+from omote.edit.protocol.wire import decode, decode_baked, read_recipe, request_in, write_recipe
 from omote.edit.session import drafts, items
 from omote.edit.session.draft_queue import DraftQueues, Task
 from omote.edit.session.plan import Authored, KeepOutcome, Plan, Result
@@ -126,7 +126,7 @@ class EditSession:
 
     def receive_bytes(self, who: str, data: bytes, *, wall: float, on_air: OnAir) -> Outcome:
         """Handles the bytes of an editor; wall: seconds since 1970, shown in histories."""
-        answer, request = _Answer(), -1
+        answer = _Answer()
         try:
             message = decode(data)
             if isinstance(message, wire.Greet):
@@ -134,10 +134,9 @@ class EditSession:
             elif isinstance(message, Cancel):
                 answer.cancelled.append(message.request)
             else:
-                request = message.request
                 self._start(answer, self._task(who, message, wall, on_air))
         except Refusal as refusal:
-            self._refuse(answer, who, request, refusal)
+            self._refuse(answer, who, request_in(data), refusal)
         return self._outcome(answer)
 
     def finish_order(self, order: int, result: bytes | str | None) -> Outcome:

@@ -3,7 +3,6 @@ for it, and what it makes is what `omote export` and `omote file export` write."
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -39,7 +38,6 @@ class Downloads:
 
     def __init__(self, show: Callable[[], Path], run_job: RunFileJob, long_requests: LongRequests) -> None:
         self._show, self._run_job, self._long_requests = show, run_job, long_requests
-        self._turn = asyncio.Lock()
 
     async def respond(self, request: web.Request, playing: PlayingCast) -> web.Response:
         """Responds with the file; 404 or 503 with a sentence for the person who asked, 204 where the page ended it."""
@@ -57,9 +55,7 @@ class Downloads:
         return web.Response(body=data, content_type=wanted.content_type, headers=headers)
 
     async def _make(self, wanted: Download, follow: Follow) -> bytes:
-        if self._turn.locked():
-            follow(0, 0, "it waits until another export is made")
-        async with self._turn:
+        async with self._long_requests.turn("export", follow, "it waits until another export is made"):
             return await self._run_job(msgspec.msgpack.encode(wanted.job), follow)
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Coroutine
+from collections.abc import AsyncIterator, Callable, Coroutine
+from contextlib import asynccontextmanager
 from typing import TypeVar
 
 from aiohttp import web
@@ -28,6 +29,16 @@ class LongRequests:
     def __init__(self, tell: Callable[[Progress], None]) -> None:
         self._tell = tell
         self._tasks: dict[str, asyncio.Task[object]] = {}
+        self._turns: dict[str, asyncio.Lock] = {}
+
+    @asynccontextmanager
+    async def turn(self, kind: str, follow: Follow, waiting: str) -> AsyncIterator[None]:
+        """Lets one job of a kind run at a time; `waiting` is what a page reads until its own may."""
+        lock = self._turns.setdefault(kind, asyncio.Lock())
+        if lock.locked():
+            follow(0, 0, waiting)
+        async with lock:
+            yield
 
     async def run(self, request: str, work: Callable[[Follow], Coroutine[object, object, T]]) -> T:
         """Runs `work`, which is cancelled where a page ends the request; CancelledRequestError then.

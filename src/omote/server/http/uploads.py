@@ -40,7 +40,6 @@ class Uploads:
 
     def __init__(self, show: Callable[[], Path], run_job: RunFileJob, long_requests: LongRequests) -> None:
         self._show, self._run_job, self._long_requests = show, run_job, long_requests
-        self._turn = asyncio.Lock()
 
     async def respond(self, request: web.Request, take_in: TakeIn) -> web.Response:
         """Responds with what was taken in and what is to be said of it (JSON); 400 or 503 with a sentence, 204 where
@@ -66,9 +65,7 @@ class Uploads:
             path = Path(folder) / name
             follow(0, 0, "the file is sent")
             await _receive(request, path)
-            if self._turn.locked():
-                follow(0, 0, "it waits until another file is taken in")
-            async with self._turn:
+            async with self._long_requests.turn("import", follow, "it waits until another file is taken in"):
                 job = ImportFile(str(self._show()), str(path), kind, time.time())  # noqa: TID251  (dates revisions)
                 made = await self._run_job(msgspec.msgpack.encode(job), follow)
         return await asyncio.get_running_loop().run_in_executor(

@@ -11,7 +11,8 @@ import {
   HEAD_PITCH,
   HEAD_ROLL,
   HEAD_YAW,
-  sprung,
+  type Others,
+  Spring,
   valueAt,
   within,
 } from "../../ui/travel";
@@ -43,12 +44,9 @@ export class Pad extends AnimatedElement {
   @query(".read") private read!: HTMLElement;
   @query(".other") private other!: HTMLElement;
   readonly #written = new StyleWriter();
-  #era = 0;
   #at: [number, number] = [0, 0];
   #roll = 0;
-  /** What is on its way back to the centre, and when it was last moved. */
-  #returning: Knob[] = [];
-  #last = 0;
+  readonly #spring = new Spring();
   #left = 0;
 
   static override styles = [base, style, otherStyle];
@@ -139,14 +137,13 @@ export class Pad extends AnimatedElement {
   #wireField(): void {
     onDrag(this.field, {
       start: (x, y) => {
-        this.#era = this.store.era;
-        this.#returning = [];
+        this.#spring.grip(this.store.era);
         this.#at = this.#place(performance.now());
         if (Math.hypot(x - this.#at[0], y - this.#at[1]) > NEAR) this.#at = [x, y];
         this.#grip();
       },
       move: (dx, dy) => {
-        if (this.#era !== this.store.era) return;
+        if (!this.#spring.held(this.store.era)) return;
         if (!this.#yaw.gripped()) this.#at = this.#place(performance.now()); // nothing is pretended
         this.#at = [this.#at[0] + dx, this.#at[1] + dy];
         this.#grip();
@@ -166,12 +163,11 @@ export class Pad extends AnimatedElement {
     const knob = () => this.store.head("roll");
     onDrag(tilt, {
       start: () => {
-        this.#era = this.store.era;
-        this.#returning = [];
+        this.#spring.grip(this.store.era);
         this.#roll = knob().value(performance.now());
       },
       move: (dx) => {
-        if (this.#era !== this.store.era) return;
+        if (!this.#spring.held(this.store.era)) return;
         if (!knob().gripped()) this.#roll = knob().value(performance.now());
         this.#roll = within(this.#roll + dx * (HEAD_ROLL.high - HEAD_ROLL.low), HEAD_ROLL);
         knob().grip(this.#roll);
@@ -191,13 +187,13 @@ export class Pad extends AnimatedElement {
   #step(dx: number, dy: number): void {
     const now = performance.now();
     const [yaw, pitch] = this.#ranges;
-    this.#returning = [];
+    this.#spring.stop();
     if (dx !== 0) this.#yaw.nudge(within(this.#yaw.value(now) + dx * STEP, yaw));
     if (dy !== 0) this.#pitch.nudge(within(this.#pitch.value(now) + dy * STEP, pitch));
   }
 
   #rest(): void {
-    this.#returning = [];
+    this.#spring.stop();
     this.#at = [0.5, 0.5];
     this.#yaw.nudge(0);
     this.#pitch.nudge(0);
@@ -205,29 +201,22 @@ export class Pad extends AnimatedElement {
   }
 
   #let(...knobs: Knob[]): void {
-    for (const knob of knobs) knob.leave();
-    const mine = this.#era === this.store.era && this.store.otherOn(this.#yaw) === null;
-    if (this.springs && mine) this.#returning = knobs;
     this.#left = performance.now();
+    for (const knob of knobs) knob.leave();
+    if (this.springs) this.#spring.release(knobs, this.#left, this.#others);
+  }
+
+  get #others(): Others {
+    return { era: this.store.era, theirs: this.store.otherOn(this.#yaw) !== null };
   }
 
   paint(now: number): void {
-    const elapsed = now - this.#last;
-    this.#last = now;
-    if (!this.store.online) {
-      if (now - this.#left > OWED) this.#returning = [];
-    } else this.#spring(elapsed, now);
+    if (this.store.online) this.#spring.move(now, this.#others);
+    else {
+      this.#spring.wait(now);
+      if (now - this.#left > OWED) this.#spring.stop();
+    }
     this.#paintPlace(now);
-  }
-
-  /** What was let go comes back to the centre. */
-  #spring(elapsed: number, now: number): void {
-    if (this.#era !== this.store.era) this.#returning = []; // after a panic nothing is left to bring back
-    this.#returning = this.#returning.filter((knob) => {
-      const rest = sprung(knob.value(now), elapsed);
-      knob.nudge(rest);
-      return rest !== 0;
-    });
   }
 
   #paintPlace(now: number): void {

@@ -1,5 +1,5 @@
 import { css } from "lit";
-import { caption, entry } from "../../ui/theme";
+import { caption, entry, thinBar } from "../../ui/theme";
 import { short } from "../controls/screen_sizes";
 
 export const style = css`
@@ -182,13 +182,7 @@ export const style = css`
     color: var(--text);
   }
   .tile .weight {
-    position: absolute;
-    left: 0;
-    right: 0;
-    bottom: 0;
-    height: 3px;
-    transform-origin: left;
-    transform: scaleX(0);
+    ${thinBar}
     background: var(--air);
   }
   @media (pointer: coarse) and (max-width: 599px) {

@@ -2,7 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
-import { base } from "../../ui/theme";
+import { base, thinBar } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
 import { short } from "../controls/screen_sizes";
 import { type Axis, onAir } from "../store/axis";
@@ -115,13 +115,7 @@ export class Mix extends AnimatedElement {
         white-space: nowrap;
       }
       .progress {
-        position: absolute;
-        left: 0;
-        right: 0;
-        bottom: 0;
-        height: 3px;
-        transform-origin: left;
-        transform: scaleX(0);
+        ${thinBar}
         background: var(--coming);
       }
       @media (pointer: fine) {

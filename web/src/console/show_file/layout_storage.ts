@@ -2,7 +2,7 @@
 
 import { FIRST, parsed, written } from "../store/console_layout";
 import type { ConsoleStore } from "../store/console_store";
-import type { Step, TakeStep } from "../store/undo_history";
+import type { Change, Step } from "../store/undo_history";
 
 /** The layout that a console opens with where nobody has arranged it; the crew may save its own under this name. */
 export const DEFAULT_LAYOUT = "Default";
@@ -23,8 +23,6 @@ export const readLayout: ReadLayout = async (name) => {
 export type OwnStore = Pick<Storage, "getItem" | "setItem">;
 
 export class LayoutStorage {
-  /** The name that was chosen or saved last. */
-  chosen: string;
   readonly #key: string;
 
   constructor(
@@ -33,8 +31,13 @@ export class LayoutStorage {
     private readonly read: ReadLayout = readLayout,
     private readonly own: () => OwnStore = () => localStorage,
   ) {
-    this.chosen = name;
+    store.chosenLayout = name;
     this.#key = `omote console ${name}`;
+  }
+
+  /** The name that was chosen or saved last. */
+  get chosen(): string {
+    return this.store.chosenLayout;
   }
 
   /** Lays the console out as this browser has it, else as the layout of the address or the default says; keeps what changes. */
@@ -48,7 +51,7 @@ export class LayoutStorage {
   async choose(name: string): Promise<boolean> {
     const document = await this.#document(name);
     if (document === null && name !== DEFAULT_LAYOUT) return false;
-    this.chosen = name;
+    this.store.chosenLayout = name;
     this.#apply(document ?? written(FIRST));
     return true;
   }
@@ -67,16 +70,16 @@ export class LayoutStorage {
   /** Saves the console as it is under a name, for every console of the show; whether it could be sent. */
   async save(name: string): Promise<boolean> {
     const [before, document] = [await this.#document(name), written(this.store.layout)];
-    const undo = before === null ? this.#remove(name) : this.#put(name, before);
-    const step = { what: `save the layout ${name}`, undo, redo: this.#put(name, document) };
+    const undo = before === null ? removing(name) : putting(name, before);
+    const step = { what: `save the layout ${name}`, undo: [undo], redo: [putting(name, document)] };
     const sent = this.#begin(step, `Saved as ${name}: every console can choose it.`);
-    if (sent) this.chosen = name;
+    if (sent) this.store.chosenLayout = name;
     return sent;
   }
 
   /** Gives a saved layout another name; whether it could be sent. */
   rename(name: string, to: string): boolean {
-    const step = { what: `rename the layout ${name}`, undo: this.#call(to, name), redo: this.#call(name, to) };
+    const step = { what: `rename the layout ${name}`, undo: [renaming(to, name)], redo: [renaming(name, to)] };
     return this.#begin(step, `${name} is called ${to} now.`);
   }
 
@@ -84,7 +87,7 @@ export class LayoutStorage {
   async drop(name: string): Promise<boolean> {
     const document = await this.#document(name);
     if (document === null) return false;
-    const step = { what: `delete the layout ${name}`, undo: this.#put(name, document), redo: this.#remove(name) };
+    const step = { what: `delete the layout ${name}`, undo: [putting(name, document)], redo: [removing(name)] };
     return this.#begin(step, `Deleted the layout ${name}; consoles that it was chosen on stay as they are.`);
   }
 
@@ -94,25 +97,9 @@ export class LayoutStorage {
       this.store.history.skip(step);
       this.store.say(reason);
     };
-    if (!step.redo(refused)) return false;
+    if (!this.store.takeStep(step, "redo", refused)) return false;
     this.store.offerUndo(done, step);
     return true;
-  }
-
-  #put(name: string, document: string): TakeStep {
-    return (refused) => this.store.ask({ type: "set_layout", name, document }, { refused });
-  }
-
-  #remove(name: string): TakeStep {
-    return (refused) => this.store.ask({ type: "drop_layout", name }, { refused });
-  }
-
-  #call(name: string, to: string): TakeStep {
-    return (refused) => {
-      const sent = this.store.ask({ type: "rename_layout", name, to }, { refused });
-      if (sent && this.chosen === name) this.chosen = to;
-      return sent;
-    };
   }
 
   #document(name: string): Promise<string | null> {
@@ -142,3 +129,9 @@ export class LayoutStorage {
     }
   }
 }
+
+const putting = (name: string, document: string): Change => ({ type: "set_layout", name, document });
+
+const removing = (name: string): Change => ({ type: "drop_layout", name });
+
+const renaming = (name: string, to: string): Change => ({ type: "rename_layout", name, to });

@@ -4,7 +4,7 @@ import { editorAddress } from "../../link/editor_address";
 import type { Axis } from "../store/axis";
 import type { ConsoleStore } from "../store/console_store";
 import type { Offer } from "../store/page_store";
-import type { Step, TakeStep } from "../store/undo_history";
+import type { Change, Step } from "../store/undo_history";
 
 /** Milliseconds within which a second press of *Keep* is the same. */
 const TWICE = 800;
@@ -90,7 +90,7 @@ export class OwnItems {
 
   /** Deletes an item at once: it can be brought back. What is on air stays; the show says so. */
   delete(item: OwnItem): void {
-    const step = this.#twoWays(`delete ${item.label}`, this.#restore(item), this.#delete(item));
+    const step = { what: `delete ${item.label}`, undo: [restoring(item)], redo: [deleting(item)] };
     const said = `Deleted ${item.label}: no console has it any more. Faces and layouts made with it stay as they are.`;
     const changed = (): void => this.store.offerUndo(said, step);
     this.store.ask({ type: "delete_item", kind: item.kind, name: item.name, unedited: false }, { changed });
@@ -114,7 +114,7 @@ export class OwnItems {
         busy: `${item.label} is being copied`,
         kept: (name, label) => {
           const copy = { kind: item.kind, name, label };
-          const step = this.#twoWays(`keep ${label} too`, this.#delete(copy), this.#restore(copy));
+          const step = { what: `keep ${label} too`, undo: [deleting(copy)], redo: [restoring(copy)] };
           this.store.offerUndo(`Both are there: ${item.label} and ${label}.`, step);
         },
       },
@@ -123,17 +123,12 @@ export class OwnItems {
 
   /** What takes items that came in out of the cast again, and back. */
   stepOf(what: string, items: readonly OwnItem[]): Step {
-    const all =
-      (takes: readonly TakeStep[]): TakeStep =>
-      (refused) =>
-        takes.map((take) => take(refused)).some(Boolean);
-    const [out, back] = [items.map((item) => this.#delete(item)), items.map((item) => this.#restore(item))];
-    return this.#twoWays(what, all(out), all(back));
+    return { what, undo: items.map((item) => deleting(item)), redo: items.map(restoring) };
   }
 
   #received(naming: Naming, item: OwnItem): void {
     const { kind, name, label } = item;
-    const step = this.#twoWays(`keep ${label}`, this.#delete(item, true), this.#restore(item));
+    const step = { what: `keep ${label}`, undo: [deleting(item, true)], redo: [restoring(item)] };
     const edit: Offer = { label: "Edit it", address: editorAddress(kind, name) };
     const rename: Offer = { label: "Name it", act: () => this.beginNaming(item) };
     this.store.offerUndo(`Kept as ${label} under Own.`, step, this.typing() ? [edit] : [rename, edit]);
@@ -144,23 +139,9 @@ export class OwnItems {
   }
 
   #offerRenamed(item: OwnItem, label: string, before: string): void {
-    const to =
-      (wanted: string): TakeStep =>
-      (refused) =>
-        this.store.ask({ type: "rename_item", kind: item.kind, name: item.name, label: wanted }, { refused });
-    this.store.offerUndo(`${before} is called ${label} now.`, this.#twoWays(`rename ${before}`, to(before), to(label)));
-  }
-
-  #twoWays(what: string, undo: TakeStep, redo: TakeStep): Step {
-    return { what, undo, redo };
-  }
-
-  #delete({ kind, name }: OwnItem, unedited = false): TakeStep {
-    return (refused) => this.store.ask({ type: "delete_item", kind, name, unedited }, { refused });
-  }
-
-  #restore({ kind, name }: OwnItem): TakeStep {
-    return (refused) => this.store.ask({ type: "restore_item", kind, name }, { refused });
+    const to = (wanted: string): Change[] => [{ type: "rename_item", kind: item.kind, name: item.name, label: wanted }];
+    const step = { what: `rename ${before}`, undo: to(before), redo: to(label) };
+    this.store.offerUndo(`${before} is called ${label} now.`, step);
   }
 
   #name(naming: Naming | null): void {
@@ -168,3 +149,7 @@ export class OwnItems {
     this.store.tell("naming");
   }
 }
+
+const deleting = ({ kind, name }: OwnItem, unedited = false): Change => ({ type: "delete_item", kind, name, unedited });
+
+const restoring = ({ kind, name }: OwnItem): Change => ({ type: "restore_item", kind, name });

@@ -11,7 +11,7 @@ import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./kn
 import { Outbox } from "./outbox";
 import { PageStore } from "./page_store";
 import type { Seconds, Timing } from "./timing";
-import type { Step } from "./undo_history";
+import type { Change, Step, TakeStep, Way } from "./undo_history";
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
 const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to run on in.";
@@ -21,8 +21,7 @@ export class ConsoleStore extends PageStore {
   /** Milliseconds there and back, or null before the first pong. */
   latency: number | null = null;
   online = false;
-  /** The names of the layouts in the show file, and what the other consoles call this one. */
-  layoutNames: readonly string[] = [];
+  /** What the other consoles call this one. */
   name = "";
   /** What hands at other consoles move, and the names of those consoles. */
   hands: Hands["hands"] = {};
@@ -125,11 +124,6 @@ export class ConsoleStore extends PageStore {
     return this.#requests.busy;
   }
 
-  receiveLayouts(names: readonly string[]): void {
-    this.layoutNames = names;
-    this.tell("layouts");
-  }
-
   /** What the other consoles call this one. */
   receiveName(name: string): void {
     this.name = name;
@@ -227,12 +221,11 @@ export class ConsoleStore extends PageStore {
   /** Chooses the face that a second panic brings, and the seconds that it takes. */
   setHome(face: string, seconds: number): void {
     const before = this.state;
-    const put = (name: string, time: number) => (): boolean =>
-      this.#push({ type: "set_home", face: name, seconds: time });
-    const redo = put(face, seconds);
-    if (!redo() || before === null) return;
-    const [label, undo] = [this.label("face", face), put(before.home_face, before.home_seconds)];
-    this.offerUndo(`The home face is ${label}.`, { what: `home face ${label}`, undo, redo });
+    const to = (name: string, time: number) => ({ type: "set_home", face: name, seconds: time }) as const;
+    const redo = to(face, seconds);
+    if (!this.#push(redo) || before === null) return;
+    const [label, undo] = [this.label("face", face), to(before.home_face, before.home_seconds)];
+    this.offerUndo(`The home face is ${label}.`, { what: `home face ${label}`, undo: [undo], redo: [redo] });
   }
 
   #push(message: FromClient): boolean {
@@ -245,25 +238,31 @@ export class ConsoleStore extends PageStore {
     if (!this.#mayAct()) return;
     const read = (name: string): number => this.channel(name, false).value(this.now());
     const before = [...names].map((name) => [name, read(name)] as const).filter(([, weight]) => weight !== 0);
-    const put = (at: (weight: number) => number): boolean => {
-      for (const [name, weight] of before) this.channel(name, false).nudge(at(weight));
-      return true;
-    };
     if (before.length === 0) return;
-    const [what, era] = [`${before.length} ${before.length === 1 ? "fader" : "faders"}`, this.era];
-    const step: Step = {
-      what: `clear ${what}`,
-      undo: () => this.#mayAct() && (this.era === era ? put((weight) => weight) : this.#tooLate(step)),
-      redo: () => this.#mayAct() && put(() => 0),
-    };
-    put(() => 0);
+    const to = (at: (weight: number) => number): Change[] =>
+      before.map(([name, weight]) => ({ type: "set_channel", name, value: at(weight) }));
+    const what = `${before.length} ${before.length === 1 ? "fader" : "faders"}`;
+    const [undo, redo, panics] = [to((weight) => weight), to(() => 0), this.state?.panics ?? 0];
+    const step: Step = { what: `clear ${what}`, undo, redo, panics };
+    this.takeStep(step, "redo", () => undefined);
     this.offerUndo(`Cleared ${what}.`, step);
   }
 
-  #tooLate(step: Step): false {
-    this.history.skip(step);
-    this.say("Not brought back: panic was pressed meanwhile.");
-    return false;
+  takeStep(step: Step, way: Way, refused: Parameters<TakeStep>[2]): boolean {
+    if (!this.#mayAct()) return false;
+    const over = step.panics !== undefined && (this.#panicking || step.panics !== this.state?.panics);
+    if (way === "undo" && over) return this.tooLate(step);
+    return step[way].map((change) => this.#change(change, refused)).some(Boolean);
+  }
+
+  #change(change: Change, refused: (reason: string) => void): boolean {
+    if (change.type === "set_home") return this.#push(change);
+    if (change.type === "set_channel") {
+      this.channel(change.name, false).nudge(change.value);
+      return true;
+    }
+    if (change.type === "rename_layout" && change.name === this.chosenLayout) this.chosenLayout = change.to;
+    return this.ask(change, { refused });
   }
 
   centre(): void {

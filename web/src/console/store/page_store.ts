@@ -1,9 +1,10 @@
 /** What the console has whatever is on air: the cast, who listens to changes, the notice and what can be taken back. */
 
 import type { ExpressionDocument, FaceDocument, LightDocument, Manifest } from "../../link/messages";
+import { TopicStore } from "../../link/topics";
 import type { Axis } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
-import { type Step, UndoHistory, type Way } from "./undo_history";
+import { type Step, type TakeStep, UndoHistory, type Way } from "./undo_history";
 
 /** What has changed, for elements that render (rarely); what moves is read every frame instead. */
 export type Topic =
@@ -17,6 +18,7 @@ export type Topic =
   | "notice"
   | "panic"
   | "naming"
+  | "undo"
   | "import";
 
 /** Where to go on from a notice, or what to do about it. */
@@ -35,32 +37,32 @@ export interface Told {
 const MOST_TOLD = 200;
 const DONE: Readonly<Record<Way, string>> = { undo: "Undone", redo: "Done again" };
 
-export class PageStore {
+export abstract class PageStore extends TopicStore<Topic> {
   /** All that was told, the newest last. */
   told: readonly Told[] = [];
-  readonly history = new UndoHistory((step, way, reason) => this.#offerToSkip(step, way, reason));
+  readonly history = new UndoHistory(
+    (step, way, refused) => this.takeStep(step, way, refused),
+    (step, way, reason) => this.#offerToSkip(step, way, reason),
+    () => this.tell("undo"),
+  );
   manifest: Manifest | null = null;
+  /** The names of the layouts in the show file, and of that chosen or saved last. */
+  layoutNames: readonly string[] = [];
+  chosenLayout = "";
   /** The last thing the operator must read, how it is meant, and what can be done about it. */
   notice: string | null = null;
   tone: "attention" | "done" = "attention";
   offers: readonly Offer[] = [];
   #strips: Strip[] = [];
   #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
-  readonly #listeners = new Map<Topic, Set<() => void>>();
 
   /** `wall`: milliseconds since 1970, for people to read. */
-  constructor(private readonly wall: () => number = Date.now) {}
-
-  /** Calls `heard` with each change, until what it gives is called. */
-  listen(topic: Topic, heard: () => void): () => void {
-    const listeners = this.#listeners.get(topic) ?? new Set();
-    this.#listeners.set(topic, listeners.add(heard));
-    return () => listeners.delete(heard);
+  constructor(private readonly wall: () => number = Date.now) {
+    super();
   }
 
-  tell(topic: Topic): void {
-    for (const heard of this.#listeners.get(topic) ?? []) heard();
-  }
+  /** Sends what a step does in one way; whether it was sent. */
+  abstract takeStep(...step: Parameters<TakeStep>): boolean;
 
   /** What people read of a name; a name that the cast does not know stands for itself. */
   label(axis: Axis, name: string): string {
@@ -86,6 +88,11 @@ export class PageStore {
       new Map(documents.map(({ name, label }) => [name, label]));
     this.#labels = { face: labels(manifest.faces), expression: labels(manifest.expressions) };
     this.tell("cast");
+  }
+
+  receiveLayouts(names: readonly string[]): void {
+    this.layoutNames = names;
+    this.tell("layouts");
   }
 
   /** The channel that moves the same on the other side of the face; null where there is none. */
@@ -127,6 +134,13 @@ export class PageStore {
       const step = this.history.take(way);
       if (step !== null) this.say(`${DONE[way]}: ${step.what}.`, "done", this.#ways());
     }
+  }
+
+  /** A step that a panic has overtaken is left out. */
+  protected tooLate(step: Step): false {
+    this.history.skip(step);
+    this.say("Not brought back: panic was pressed meanwhile.");
+    return false;
   }
 
   #ways(): Offer[] {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { MOST_STEPS, type Step, UndoHistory, type Way } from "./undo_history";
+import { type Change, MOST_STEPS, type Step, UndoHistory, type Way } from "./undo_history";
 
 /** A value that steps set, as a show that may be away or refuse. */
 class Show {
@@ -7,7 +7,10 @@ class Show {
   away = false;
   readonly asked: ((reason: string) => void)[] = [];
   readonly told: string[] = [];
-  readonly history = new UndoHistory((step, way, why) => this.told.push(`${way} ${step.what}: ${why}`));
+  readonly history = new UndoHistory(
+    (step, way, refused) => this.#put(step[way], refused),
+    (step, way, why) => this.told.push(`${way} ${step.what}: ${why}`),
+  );
 
   take(way: Way): number {
     this.history.take(way);
@@ -15,17 +18,17 @@ class Show {
   }
 
   set(value: number): void {
-    const before = this.value;
-    const put =
-      (to: number): Step["undo"] =>
-      (refused) => {
-        if (this.away) return false;
-        this.value = to;
-        this.asked.push(refused);
-        return true;
-      };
+    const to = (seconds: number): Change[] => [{ type: "set_home", face: "generic", seconds }];
+    const [undo, redo] = [to(this.value), to(value)];
     this.value = value;
-    this.history.add({ what: String(value), undo: put(before), redo: put(value) });
+    this.history.add({ what: String(value), undo, redo });
+  }
+
+  #put(changes: readonly Change[], refused: (reason: string) => void): boolean {
+    if (this.away) return false;
+    for (const change of changes) if (change.type === "set_home") this.value = change.seconds;
+    this.asked.push(refused);
+    return true;
   }
 }
 

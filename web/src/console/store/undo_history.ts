@@ -1,30 +1,53 @@
 /** What this console has done that can be taken back, and what was taken back and can be done again, step by step. */
 
+import type { FromClient } from "../../link/messages";
+import type { Asked } from "./file_requests";
+
 export type Way = "undo" | "redo";
 
-/** Takes a step in one way; whether it was done, or sent. Calls `refused` where the show rejects it later. */
-export type TakeStep = (refused: (reason: string) => void) => boolean;
+/** What a step sends: plain data, so that it outlives a reload of the page. */
+export type Change = Asked | Extract<FromClient, { type: "set_home" | "set_channel" }>;
 
-/** Something done: what, for people, and both ways. */
+/** Something done: what, for people, and what is sent in both ways. */
 export interface Step {
   readonly what: string;
-  readonly undo: TakeStep;
-  readonly redo: TakeStep;
+  readonly undo: readonly Change[];
+  readonly redo: readonly Change[];
+  /** The panics there had been: after another one it is not taken back. */
+  readonly panics?: number;
 }
+
+/** Takes a step in one way; whether it was sent. Calls `refused` where the show rejects it later. */
+export type TakeStep = (step: Step, way: Way, refused: (reason: string) => void) => boolean;
+
+/** What can be taken in both ways, the next one last. */
+export type Steps = Readonly<Record<Way, readonly Step[]>>;
 
 /** Steps that are remembered. */
 export const MOST_STEPS = 100;
 
 export class UndoHistory {
-  readonly #steps: Record<Way, Step[]> = { undo: [], redo: [] };
+  #steps: Steps = { undo: [], redo: [] };
 
-  /** `refused`: told of a step that the show rejected, which is where it was before. */
-  constructor(private readonly refused: (step: Step, way: Way, reason: string) => void) {}
+  /** `refused`: told of a step that the show rejected, which is where it was before; `changed`: after each change. */
+  constructor(
+    private readonly send: TakeStep,
+    private readonly refused: (step: Step, way: Way, reason: string) => void,
+    private readonly changed: () => void = () => undefined,
+  ) {}
+
+  get steps(): Steps {
+    return this.#steps;
+  }
+
+  /** Goes on from the steps of before a reload. */
+  resume(steps: Steps): void {
+    this.#put(steps.undo, steps.redo);
+  }
 
   /** Something was done: what was taken back before cannot be done again. */
   add(step: Step): void {
-    this.#steps.undo = [...this.#steps.undo, step].slice(-MOST_STEPS);
-    this.#steps.redo = [];
+    this.#put([...this.#steps.undo, step], []);
   }
 
   /** The step that is next in a way, null for none. */
@@ -36,23 +59,33 @@ export class UndoHistory {
   take(way: Way): Step | null {
     const step = this.next(way);
     const back = way === "undo" ? "redo" : "undo";
-    if (step === null || !step[way]((reason) => this.#return(step, back, reason))) return null;
-    this.skip(step);
-    this.#steps[back].push(step);
+    if (step === null || !this.send(step, way, (reason) => this.#return(step, back, reason))) return null;
+    this.#move(step, back);
     return step;
   }
 
   /** Leaves a step out for good: those before it can be taken. */
   skip(step: Step): void {
-    for (const way of ["undo", "redo"] as const) this.#steps[way] = this.#steps[way].filter((one) => one !== step);
+    const others = (way: Way): readonly Step[] => this.#steps[way].filter((one) => one !== step);
+    this.#put(others("undo"), others("redo"));
   }
 
   /** Puts a step back that was rejected. */
   #return(step: Step, from: Way, reason: string): void {
     if (!this.#steps[from].includes(step)) return;
     const way = from === "undo" ? "redo" : "undo";
-    this.skip(step);
-    this.#steps[way].push(step);
+    this.#move(step, way);
     this.refused(step, way, reason);
+  }
+
+  #move(step: Step, to: Way): void {
+    this.skip(step);
+    const { undo, redo } = this.#steps;
+    this.#put(to === "undo" ? [...undo, step] : undo, to === "redo" ? [...redo, step] : redo);
+  }
+
+  #put(undo: readonly Step[], redo: readonly Step[]): void {
+    this.#steps = { undo: undo.slice(-MOST_STEPS), redo: redo.slice(-MOST_STEPS) };
+    this.changed();
   }
 }

@@ -51,6 +51,8 @@ export class ItemListPanel extends EditorElement {
   #watch: IntersectionObserver | null = null;
   #carried: ItemDocument | null = null;
   #open = -1;
+  /** What items that are not saved yet look like, as far as they have been open here. */
+  readonly #drafts = new Map<number, string>();
 
   static override styles = [base, controls, style];
 
@@ -83,7 +85,8 @@ export class ItemListPanel extends EditorElement {
 
   /** The list shows where the item is that has just been opened. */
   override willUpdate(): void {
-    const { item } = this.store;
+    const { item, draft } = this.store;
+    if (draft !== null) this.#drafts.set(draft.item, draft.content);
     if (item === null || item.id === this.#open) return;
     [this.#open, this.kind] = [item.id, item.kind];
   }
@@ -156,7 +159,7 @@ export class ItemListPanel extends EditorElement {
       @keydown=${(event: KeyboardEvent) => this.#key(event, item)}>
       <button class="picture" title="Open" aria-label="Open ${item.label}" ?disabled=${item.deleted}
         @click=${() => openItem(this.store, item.id)}>
-        <canvas data-source=${item.content} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>
+        <canvas data-source=${item.content || (this.#drafts.get(item.id) ?? "")} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>
         <span class="text">${this.naming === item.id ? nothing : html`<b>${item.label}</b>`}
           <small>${this.#remark(item)}</small></span>
       </button>
@@ -271,10 +274,11 @@ export class ItemListPanel extends EditorElement {
     }
   }
 
-  /** What is not saved yet has no content: it is shown as what all begins from. */
+  /** What is neither saved nor has been open here has no picture, rather than that of something else. */
   #portray(canvas: HTMLCanvasElement): void {
-    const source = canvas.dataset.source ?? "";
-    const [face, expression] = this.kind === "face" ? [source || PLAIN, "neutral"] : [PLAIN, source || "neutral"];
+    const { source } = canvas.dataset;
+    if (!source) return;
+    const [face, expression] = this.kind === "face" ? [source, "neutral"] : [PLAIN, source];
     this.context.thumbnails.ask(canvas, { face, expression });
   }
 }

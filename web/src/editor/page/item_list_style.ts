@@ -152,4 +152,10 @@ export const style = css`
       grid-template-columns: repeat(3, minmax(0, 1fr));
     }
   }
+  @media (max-width: 1180px) {
+    .tile span {
+      font-size: 10.5px;
+      letter-spacing: -0.03em; /* "Contempt" is one word */
+    }
+  }
 `;

@@ -3,6 +3,7 @@
 import type { Library } from "../../link/assets";
 import type { Greeted, ItemDocument } from "../../link/editing_messages";
 import type { Manifest } from "../../link/messages";
+import { TopicStore } from "../../link/topics";
 import { LongRequests } from "../../ui/long_requests";
 import { type Followers, type HeadControls, type Muscle, readHeadControls } from "./control_net";
 import { type Notice, Notices } from "./notices";
@@ -33,7 +34,7 @@ const FIRST = "kaori";
 const NEIGHBOURS = ["dog", "child", "old"];
 
 /** Everything that belongs to no item; whoever listens to a topic hears of its changes. */
-export class EditorStore {
+export class EditorStore extends TopicStore<Topic> {
   library: Library | null = null;
   headControls: HeadControls | null = null;
   items: readonly ItemDocument[] = [];
@@ -56,17 +57,6 @@ export class EditorStore {
   opening = "";
   readonly longRequests = new LongRequests();
   readonly #notices = new Notices();
-  readonly #listeners = new Map<Topic, Set<() => void>>();
-
-  listen(topic: Topic, heard: () => void): () => void {
-    const listeners = this.#listeners.get(topic) ?? new Set();
-    this.#listeners.set(topic, listeners.add(heard));
-    return () => listeners.delete(heard);
-  }
-
-  tell(topic: Topic): void {
-    for (const heard of this.#listeners.get(topic) ?? []) heard();
-  }
 
   /** The cast as it is now. */
   get manifest(): Manifest | null {

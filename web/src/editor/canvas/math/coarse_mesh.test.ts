@@ -23,9 +23,11 @@ it("draws fewer triangles of the same rows, and those around lines in their own 
   expect(made.openness).toHaveLength(made.source.length);
 });
 
-it("changes nothing where cells hold one row, and leaves out what no light reaches", () => {
+it("changes nothing where cells hold one row, and closes what no light reaches by few triangles", () => {
   expect(coarsened(mesh, positions, { ...fineness, cell: 1e-5 }).triangles).toHaveLength(triangles.length);
-  expect(coarsened(mesh, positions, { ...fineness, lines: [], sky: () => 0 }).triangles).toHaveLength(0);
+  const inside = coarsened(mesh, positions, { ...fineness, lines: [], cell: 1e-5, sky: () => 0 }).triangles;
+  expect(inside.length).toBeGreaterThan(0); // without it one looks through an open mouth, out at the back of the head
+  expect(inside.length).toBeLessThan(triangles.length);
 });
 
 it("keeps apart what lies in one place but hangs together nowhere: lips that touch", () => {

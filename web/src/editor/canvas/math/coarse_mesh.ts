@@ -11,17 +11,19 @@ export interface Fineness {
   around: number;
   near: number;
   cell: number;
-  /** How much of the sky each row sees, 0..1; what sees none lies inside and is left out, but for what is around lines. */
+  /** How much of the sky each row sees, 0..1; what sees none lies inside: it closes the mouth, in cells of `INSIDE`. */
   sky: (row: number) => number;
 }
 
 const DARK = 0.03;
+const INSIDE = 0.012;
 const ISLAND = 12; // parts of the picture's side: what lies that far apart in it is not merged
 
 /** The skin with what lies together in a cell drawn as one of its rows: the same rows of positions, fewer of them. */
 export function coarsened(mesh: Mesh, positions: Float32Array, fineness: Fineness): Mesh {
   const near = nearRows(positions, fineness);
-  const shown = clusters(mesh, positions, (row) => (near(row) ? fineness.near : fineness.cell));
+  const cell = (row: number): number => (fineness.sky(row) > DARK ? fineness.cell : INSIDE);
+  const shown = clusters(mesh, positions, (row) => (near(row) ? fineness.near : cell(row)));
   const made = new Map<string, number>();
   const [source, uv, openness]: [number[], number[], number[]] = [[], [], []];
   const places = Array.from(mesh.source, (row, corner) => {
@@ -35,7 +37,7 @@ export function coarsened(mesh: Mesh, positions: Float32Array, fineness: Finenes
     made.set(key, source.length - 1);
     return source.length - 1;
   });
-  const triangles = kept(mesh, places, source, (row) => near(row) || fineness.sky(row) > DARK);
+  const triangles = kept(mesh, places, source);
   return {
     name: mesh.name,
     source: Uint32Array.from(source),
@@ -71,16 +73,10 @@ function clusters(mesh: Mesh, positions: Float32Array, cellAt: (row: number) => 
   return root;
 }
 
-function kept(
-  mesh: Mesh,
-  places: readonly number[],
-  source: readonly number[],
-  visible: (row: number) => boolean,
-): Uint32Array {
+function kept(mesh: Mesh, places: readonly number[], source: readonly number[]): Uint32Array {
   const triangles: number[] = [];
   for (let at = 0; at < mesh.triangles.length; at += 3) {
     const corners = [0, 1, 2].map((n) => mesh.triangles[at + n] as number);
-    if (!corners.some((corner) => visible(mesh.source[corner] as number))) continue;
     const drawn = corners.map((corner) => places[corner] as number) as Triple;
     const [a, b, c] = drawn.map((place) => source[place]);
     if (a !== b && b !== c && c !== a) triangles.push(...drawn);
@@ -113,9 +109,9 @@ export const FINENESS = [
 /** The meshes as they are drawn where a face is shown smaller and smaller (`FINENESS`). */
 export const coarseMeshes = (meshes: readonly Mesh[], { positions, lines, traits }: Anatomy): Mesh[][] =>
   FINENESS.map((fineness) =>
-    meshes.flatMap((mesh) => {
-      if (mesh.name !== "skin") return mesh.name === "tongue" ? [] : [mesh];
+    meshes.map((mesh) => {
       const rows = [...lines.values()].flatMap((line) => [...line]);
-      return [coarsened(mesh, positions, { ...fineness, lines: rows, sky: (row) => traits[4 * row + 1] as number })];
+      const sky = (row: number): number => traits[4 * row + 1] as number;
+      return mesh.name === "skin" ? coarsened(mesh, positions, { ...fineness, lines: rows, sky }) : mesh;
     }),
   );

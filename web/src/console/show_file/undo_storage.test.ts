@@ -1,0 +1,70 @@
+import { describe, expect, it } from "vitest";
+import type { FromClient } from "../../link/messages";
+import { ConsoleStore } from "../store/console_store";
+import { OwnItems } from "./own_items";
+import { keepUndo, readSteps } from "./undo_storage";
+
+const GRIN = { kind: "expression", name: "grin", label: "Grin" } as const;
+
+/** A console page in a tab that keeps `kept`, and all that it sends. */
+function open(kept: Map<string, string>) {
+  const sent: FromClient[] = [];
+  const store = new ConsoleStore(
+    (message) => sent.push(message),
+    () => 0,
+    "me",
+  );
+  keepUndo(store, () => ({
+    getItem: (key) => kept.get(key) ?? null,
+    setItem: (key, text) => void kept.set(key, text),
+  }));
+  store.setOnline(true);
+  const types = (): string[] => sent.splice(0).map(({ type }) => type);
+  return { store, items: new OwnItems(store, () => 0), types };
+}
+
+describe("the steps of a console", () => {
+  it("are taken back and done again after a reload, in their order, as often as the page is reloaded", () => {
+    const kept = new Map<string, string>();
+    const first = open(kept);
+    first.store.offerUndo("", first.items.stepOf("take in grin", [GRIN]));
+    first.store.offerUndo("", { what: "save", undo: [{ type: "drop_layout", name: "a" }], redo: [] });
+    const second = open(kept);
+    expect(second.store.history.steps).toEqual(first.store.history.steps);
+    second.store.undo();
+    second.store.undo();
+    expect(second.types()).toEqual(["drop_layout", "delete_item"]);
+    const third = open(kept);
+    expect(third.store.history.next("undo")).toBeNull();
+    third.store.redo();
+    expect(third.types()).toEqual(["restore_item"]);
+    expect(third.store.history.next("undo")?.what).toBe("take in grin");
+  });
+
+  it("stay with their tab: another begins with none", () => {
+    const first = open(new Map());
+    first.store.offerUndo("", first.items.stepOf("take in grin", [GRIN]));
+    expect(open(new Map()).store.history.next("undo")).toBeNull();
+  });
+
+  it("that a tab cannot keep last as long as the page", () => {
+    const { store } = open(new Map());
+    const forbid = (): never => {
+      throw new Error("forbidden");
+    };
+    keepUndo(store, forbid);
+    keepUndo(store, () => ({ getItem: () => null, setItem: forbid }));
+    store.history.add({ what: "keep", undo: [], redo: [] });
+    expect(store.history.next("undo")?.what).toBe("keep");
+  });
+
+  it("are left alone where something else lies in their place", () => {
+    const step = { what: "keep", undo: [{ type: "delete_item" }], redo: [] };
+    const written = (change: object): string => JSON.stringify({ version: 1, undo: [step], redo: [], ...change });
+    expect(readSteps(written({}))).toEqual({ undo: [step], redo: [] });
+    const wrong = [{ version: 2 }, { redo: {} }, { undo: [3] }, { undo: [{ ...step, what: 1 }] }];
+    const play = [{ undo: [{ ...step, undo: [{ type: "panic" }] }] }, { undo: [{ ...step, panics: "1" }] }];
+    for (const document of ["", "3", "null", "[]", ...[...wrong, ...play].map(written)])
+      expect(readSteps(document)).toBeNull();
+  });
+});
