@@ -204,6 +204,38 @@ def test_a_refused_port_leaves_no_show_file(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize("port", ["70000", "on", "9000.5"])
+def test_what_is_no_port_for_osc_is_said(tmp_path: Path, port: str) -> None:
+    done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--osc", port], env={"COLUMNS": "400"})
+    assert done.exit_code == 2
+    assert "is no port" in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.usefixtures("no_show")
+def test_a_port_for_osc_that_is_taken_ends_the_command_and_off_needs_none(tmp_path: Path) -> None:
+    opened = ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open", "--osc"]
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind(("127.0.0.1", 0))
+        done = runner.invoke(app, [*opened, str(taken.getsockname()[1])])
+    assert done.exit_code == 1
+    assert "cannot be opened for OSC (another program has it, perhaps another show)" in done.stderr
+    assert list(tmp_path.iterdir()) == []
+    assert runner.invoke(app, [*opened, "off"]).exit_code == 0
+
+
+@pytest.mark.usefixtures("no_show")
+def test_a_show_begins_without_osc_where_another_program_has_its_usual_port(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind(("127.0.0.1", 0))
+        monkeypatch.setattr("omote.cli.OSC_PORT", taken.getsockname()[1])
+        done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
+    assert done.exit_code == 0
+    assert "OSC is off: port" in done.stderr
+
+
 @pytest.mark.usefixtures("no_show")
 def test_a_show_that_is_played_already_is_one_sentence(tmp_path: Path) -> None:
     lock_show(tmp_path / "a.omote")

@@ -22,9 +22,11 @@ from omote.terminal import complete_name, complete_show, exit_on_refusal, fail, 
 if TYPE_CHECKING:
     from omote.interchange.export_face import Meshes
     from omote.model.cast import Cast
+    from omote.server.devices.osc_listener import OscSockets
     from omote.showfile.inspection import Inspection
 
 HIGHEST_PORT = 65535
+OSC_PORT, OSC_OFF = 9000, -1
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -57,6 +59,11 @@ def main() -> None:
     app()
 
 
+def read_osc_port(text: str | int) -> int:
+    """The number of the port for OSC as it is typed; `OSC_OFF` for "off"."""
+    return OSC_OFF if str(text).strip().lower() == "off" else read_port(text)
+
+
 def read_port(text: str | int) -> int:
     """The number of a port as it is typed."""
     digits = str(text).strip()
@@ -69,6 +76,7 @@ def read_port(text: str | int) -> int:
 
 @app.command()
 def show(
+    context: typer.Context,
     file: Annotated[
         Path | None, typer.Argument(callback=complete_show, help="The show file (.omote); made when there is none.")
     ] = None,
@@ -76,6 +84,14 @@ def show(
     port: Annotated[
         int, typer.Option(parser=read_port, metavar="PORT", help="The port to listen on; 0 for any.")
     ] = 8090,
+    osc: Annotated[
+        int | None,
+        typer.Option(
+            parser=read_osc_port,
+            metavar="PORT|off",
+            help="The port for OSC, UDP and TCP; off for none. [default: 9000]",
+        ),
+    ] = None,
     browser: Annotated[bool, typer.Option("--open/--no-open", help="Open the stage and the console.")] = True,
 ) -> None:
     """Opens a show: serves stage and console, and keeps them alive."""
@@ -89,16 +105,47 @@ def show(
     from omote.showfile.schema import ShowFileError
 
     board = NoticeBoard()
+    sockets = None if osc is None else open_osc(context, host, osc)
     try:
         path = locate_show(default_show() if file is None else file)
         lock, listening = prepare_show(path, host, port, tell=say, report=board.with_report(say))
     except (OSError, ShowFileError, ShowLockedError) as error:
         fail_with(error)
     port = listening.getsockname()[1]
-    opened = partial(announce, host, port, browser=browser)
-    supervisor = Supervisor(listening, lock, path, report=say, opened=opened, notices=board.notices)
+    sockets = open_usual_osc(context, host) if osc is None else sockets
+    opened = partial(announce, host, port, browser=browser, osc=sockets)
+    handed = {} if sockets is None else sockets.handed
+    supervisor = Supervisor(listening, lock, path, report=say, opened=opened, notices=board.notices, handed=handed)
     say("the faces are getting ready ...")
     raise typer.Exit(supervisor.run())
+
+
+def open_osc(context: typer.Context, host: str, port: int) -> OscSockets | None:
+    """The sockets of OSC at a port that somebody named, until the command ends; None for `OSC_OFF`. Ends the command
+    where they cannot be had."""
+    from omote.server.supervision.listening_socket import listen_for_osc
+
+    if port == OSC_OFF:
+        return None
+    try:
+        sockets = listen_for_osc(host, port)
+    except OSError as error:
+        fail_with(error)
+    context.call_on_close(sockets.close)
+    return sockets
+
+
+def open_usual_osc(context: typer.Context, host: str) -> OscSockets | None:
+    """The sockets of OSC at the usual port; None, and a sentence, where another program has it."""
+    from omote.server.supervision.listening_socket import listen_for_osc
+
+    try:
+        sockets = listen_for_osc(host, OSC_PORT)
+    except OSError as error:
+        say(f"OSC is off: {error}")
+        return None
+    context.call_on_close(sockets.close)
+    return sockets
 
 
 def default_show() -> Path:
@@ -204,12 +251,14 @@ def check() -> None:
         fail("this machine cannot play yet.")
 
 
-def announce(host: str, port: int, *, browser: bool) -> None:
-    """Prints the addresses of the pages, and opens stage and console where there is a screen."""
+def announce(host: str, port: int, *, browser: bool, osc: OscSockets | None = None) -> None:
+    """Prints the addresses of the pages and of OSC, and opens stage and console where there is a screen."""
     from omote.server.http.address import local_address, reachable_addresses
 
     for url in reachable_addresses(host, port):
         typer.echo(f"  stage    {url}/stage\n  console  {url}/console\n  editor   {url}/editor")
+    if osc is not None:
+        typer.echo(f"  OSC      port {osc.datagrams.getsockname()[1]}")
     if host not in ("127.0.0.1", "::1", "localhost"):
         say("everybody on this network can play; there is no password yet.")
     typer.echo("  Ctrl-C ends the show.")

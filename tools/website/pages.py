@@ -11,6 +11,7 @@ from pathlib import Path
 from tools.website.action_unit_reference import action_unit_page, action_unit_table
 from tools.website.command_reference import command_page
 from tools.website.file_reference import file_page
+from tools.website.osc_reference import osc_page
 from tools.website.python_reference import python_page
 from tools.website.wire_reference import wire_page
 
@@ -33,6 +34,7 @@ def examples_page() -> str:
 GENERATED: Mapping[str, Callable[[], str]] = {
     "reference/python.md": python_page,
     "reference/wire.md": wire_page,
+    "reference/osc.md": osc_page,
     "reference/show-file.md": file_page,
     "reference/commands.md": command_page,
     "reference/action-units.md": action_unit_page,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from types import MappingProxyType
 
 from omote.show import messages as wire
 
@@ -47,10 +48,13 @@ class Hands:
         for movers in self._moved.values():
             movers.pop(who, None)
 
-    def tell(self, names: Mapping[str, str], now: float) -> dict[str, wire.Hands]:
-        """What consoles must be told now, each of the others' hands; names: of the consoles, by client."""
+    def tell(
+        self, consoles: Mapping[str, str], now: float, sources: Mapping[str, str] = MappingProxyType({})
+    ) -> dict[str, wire.Hands]:
+        """What consoles must be told now, each of the others' hands; consoles, sources: their names, by client."""
         self._forget_old(now)
-        return {who: message for who in names if (message := self._news(who, names, now)) is not None}
+        names = {**consoles, **sources}
+        return {who: message for who in consoles if (message := self._news(who, names, now)) is not None}
 
     def _forget_old(self, now: float) -> None:
         for control, movers in list(self._moved.items()):
@@ -69,7 +73,7 @@ class Hands:
         return wire.Hands(hands)
 
     def _others(self, who: str, names: Mapping[str, str]) -> dict[str, str]:
-        """By control: the name of the other console that moved it last."""
+        """By control: the name of the other console, or the source, that moved it last."""
         found: dict[str, str] = {}
         for control, movers in self._moved.items():
             others = {other: moved for other, moved in movers.items() if other != who and other in names}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import msgspec
 
@@ -39,12 +39,12 @@ class Outgoing:
 
 @dataclass(frozen=True)
 class Member:
-    """A connected client: its role, its last report with the time of it, and the name of a console.
+    """A connected client: its role, its last report with the time of it, and the name of a console or a source.
 
     claims: it asked for that name, else it was given one; page: the page that the link belongs to.
     """
 
-    role: wire.Role
+    role: wire.Role | Literal["source"]
     report: wire.StageReport | None = None
     heard: float = -math.inf
     name: str = ""
@@ -158,6 +158,10 @@ class ShowSession:
         """The show's clock at `now`, as in `State.time`: it runs on through a restart of the server."""
         return self._time if self._now is None else self._time + max(0.0, now - self._now)
 
+    def join(self, who: str, name: str) -> None:
+        """Adds a source, such as a sender of OSC: it plays as a console does, but hears nothing and needs no hello."""
+        self.crew[who] = Member("source", name=name)
+
     def leave(self, who: str, *, lost: float | None = None) -> None:
         """Removes a client; T-bars and channels that it held stay as they are. lost: when its link broke, where its
         page was not closed."""
@@ -188,7 +192,8 @@ class ShowSession:
 
     def hands_now(self, now: float) -> list[Outgoing]:
         """What consoles must be told of each other's hands."""
-        return [Outgoing(who, told) for who, told in self._hands.tell(self._consoles(), now).items()]
+        sources = {who: member.name for who, member in self.crew.items() if member.role == "source"}
+        return [Outgoing(who, told) for who, told in self._hands.tell(self._consoles(), now, sources).items()]
 
     def _consoles(self) -> dict[str, str]:
         return {who: member.name for who, member in self.crew.items() if member.role == "console"}
@@ -224,7 +229,7 @@ class ShowSession:
             self._remember(request.message.id)
 
     def _refuse_a_stage(self, who: str, message: wire.FromClient) -> None:
-        if self._member(who).role != "console":
+        if self._member(who).role == "stage":
             raise Refusal(f"{type(message).__struct_config__.tag} came from a stage, but only a console plays.")
 
     def _refuse_a_late_hand(self, who: str, message: wire.FromClient, now: float) -> None:

@@ -7,6 +7,7 @@ import time
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Protocol
 
 from aiohttp import WSCloseCode, WSMsgType, web
 
@@ -36,6 +37,16 @@ MESSAGEPACK = "application/msgpack"
 Clock = Callable[[], float]
 
 
+class Source(Protocol):
+    """What plays the show beside the pages; neither call waits, and both take a bounded time."""
+
+    def hear(self, now: float) -> None:
+        """Obeys what has come since the last tick."""
+
+    def tell(self, state: State, now: float) -> None:
+        """Tells its devices what is on air."""
+
+
 class ShowServer:
     """Serves a show session: its WebSocket links, the cast's documents and the built pages."""
 
@@ -52,6 +63,7 @@ class ShowServer:
         self.downloads: Downloads | None = None
         self.uploads: Uploads | None = None
         self.long_requests = LongRequests(self._send_progress)
+        self.sources: list[Source] = []
         self._pages = pages
         self._state: State | None = None
 
@@ -112,8 +124,12 @@ class ShowServer:
     def tick(self) -> None:
         """Advances the session by one tick and broadcasts the state."""
         now = self.clock()
+        for source in self.sources:
+            source.hear(now)
         state = self._state = self.session.tick(now)
         self.links.broadcast(encode(state), now)
+        for source in self.sources:
+            source.tell(state, now)
         self.documents.set_on_air(state)
         self._deliver(self.session.hands_now(now))
 

@@ -1,11 +1,13 @@
-"""Opens the listening socket of a show, or says in plain words why it cannot be."""
+"""Opens the listening sockets of a show, or says in plain words why it cannot be."""
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import socket
 
 from omote.interchange.formats.error_reasons import explain_error
+from omote.server.devices.osc_listener import OscSockets
 
 LOWEST_FREE_PORT = 1024
 """Ports below it want rights that a show has no need of."""
@@ -24,6 +26,28 @@ def listen_on(host: str, port: int) -> socket.socket:
         raise OSError(f"{host} is no address of this machine: {HOSTS}.") from error
     except OSError as error:
         raise OSError(_refused_address(host, port, error)) from error
+
+
+def listen_for_osc(host: str, port: int) -> OscSockets:
+    """Opens the sockets of OSC: UDP and TCP under one number; OSError with a message where UDP cannot be had.
+
+    Where another program has that port of TCP, OSC is heard over UDP alone.
+    """
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    datagrams = socket.socket(family, socket.SOCK_DGRAM)
+    try:
+        datagrams.bind((host, port))
+    except OSError as error:
+        datagrams.close()
+        reason = "another program has it, perhaps another show" if error.errno == errno.EADDRINUSE else None
+        raise OSError(
+            f"port {port} on {host} cannot be opened for OSC ({reason or explain_error(error)}): "
+            "name another with --osc, or --osc off."
+        ) from error
+    with contextlib.suppress(OSError):
+        number = datagrams.getsockname()[1]
+        return OscSockets(datagrams, socket.create_server((host, number), family=family))
+    return OscSockets(datagrams, None)
 
 
 def _refused_address(host: str, port: int, error: OSError) -> str:

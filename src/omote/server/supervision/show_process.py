@@ -15,7 +15,9 @@ from pathlib import Path
 
 from aiohttp import web
 
+from omote.inputs.osc_input import OscInput
 from omote.interchange.formats.error_reasons import explain_error
+from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
@@ -39,11 +41,13 @@ from omote.showfile.show_file import ShowFile
 
 @dataclass(frozen=True)
 class Pipes:
-    """Descriptors from the supervisor: the listening socket, the control pipe (closed: end), the heartbeat pipe."""
+    """Descriptors from the supervisor: the listening socket, the control pipe (closed: end), the heartbeat pipe, and
+    the sockets of OSC for datagrams and for connections, where there are such."""
 
     listen: int
     control: int
     pulse: int
+    osc: tuple[int | None, int | None] = (None, None)
 
 
 @dataclass(frozen=True)
@@ -108,11 +112,11 @@ async def play(
         server.enable_files(lambda: file.path, jobs.run)
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
-    runner = await start_serving(server, pipes.listen)
+    runner, osc = await start_serving(server, pipes.listen), await start_osc(server, pipes.osc)
     try:
         await run_until_ended(run_ticks(ShowTick(server, journal, pipes.pulse, board).tick), pipes.control)
     finally:
-        await server.close_all()
+        await asyncio.gather(server.close_all(), *([osc.close()] if osc else []))
         await runner.cleanup()
         documents.close()
         if journal:
@@ -133,6 +137,17 @@ async def start_serving(server: ShowServer, listen: int) -> web.AppRunner:
     await runner.setup()
     await web.SockSite(runner, socket.socket(fileno=listen)).start()
     return runner
+
+
+async def start_osc(server: ShowServer, descriptors: tuple[int | None, int | None]) -> OscListener | None:
+    """Hears OSC on the supervisor's sockets, given by their descriptors; None where there are none."""
+    datagrams, connections = (None if each is None else socket.socket(fileno=os.dup(each)) for each in descriptors)
+    if datagrams is None:
+        return None
+    listener = OscListener(OscInput(lambda: server.session), OscSockets(datagrams, connections), report)
+    await listener.start()
+    server.sources.append(listener)
+    return listener
 
 
 def open_reopenable_work(

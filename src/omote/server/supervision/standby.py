@@ -48,7 +48,7 @@ def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = 
     with socket.socket(fileno=options.line) as line:
 
         def start(order: Order, control: int, pulse: int) -> int:
-            pipes = Pipes(options.listen, control, pulse)
+            pipes = Pipes(options.listen, control, pulse, (options.osc, options.osc_connections))
             return fork_server(line, lambda: run(material, order, show=Path(order.show or options.show), pipes=pipes))
 
         raise_priority()
@@ -136,6 +136,8 @@ def _options(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--show", type=Path, required=True)
     parser.add_argument("--listen", type=int, required=True)
     parser.add_argument("--line", type=int, required=True)
+    parser.add_argument("--osc", type=int, default=None)
+    parser.add_argument("--osc-connections", type=int, default=None)
     return parser.parse_args(arguments)
 
 

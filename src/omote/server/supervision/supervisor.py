@@ -16,9 +16,10 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 
 from omote.server.process.notice_board import MOST_NOTICES
 from omote.server.process.priority import raise_priority, waiting_seconds
@@ -88,7 +89,8 @@ class Server:
 class Supervisor:
     """Starts, watches and replaces the servers of one show; `opened` is called when the first of them plays.
 
-    notices: what the crew is to know from the start; what servers tell it is kept here for those after them.
+    notices: what the crew is to know from the start; what servers tell it is kept here for those after them. handed:
+    descriptors of more sockets, by the option of a standby that takes each.
     """
 
     def __init__(
@@ -101,6 +103,7 @@ class Supervisor:
         opened: Callable[[], None],
         program: Sequence[str] = PROGRAM,
         notices: Sequence[Notice] = (),
+        handed: Mapping[str, int] = MappingProxyType({}),
     ) -> None:
         self._listen, self._lock, self._show, self._program = listen, lock, show, tuple(program)
         self._report, self._opened = report, opened
@@ -108,7 +111,7 @@ class Supervisor:
         self._server: Server | None = None
         self._crash_loop, self._start_limit = CrashLoop(), StartLimit()
         self._failover: Failover | None = None
-        self._notices = list(notices)
+        self._notices, self._handed = list(notices), handed
         self._not_before = self._checked = 0.0
         self._epoch, self._ending = 0, False
         self._selector = selectors.DefaultSelector()
@@ -161,7 +164,7 @@ class Supervisor:
 
     def _start_standby(self) -> Standby:
         ours, theirs = socket.socketpair()
-        handed = {"--listen": self._listen.fileno(), "--line": theirs.fileno()}
+        handed = {"--listen": self._listen.fileno(), "--line": theirs.fileno(), **self._handed}
         words = [word for name, descriptor in handed.items() for word in (name, str(descriptor))]
         process = subprocess.Popen(
             [*self._program, "--show", str(self._show), *words],

@@ -1,0 +1,1 @@
+"""Decoders of what devices and other programs send, without input or output."""

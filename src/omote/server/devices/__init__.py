@@ -1,0 +1,1 @@
+"""Sockets of devices and programs that play a show."""

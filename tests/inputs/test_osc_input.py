@@ -1,0 +1,174 @@
+"""Senders and surfaces of OSC at a show, without a socket."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from omote.inputs.osc_input import (
+    ERROR,
+    MOST_SENDERS,
+    MOST_SURFACES,
+    SURFACE_SECONDS,
+    OscInput,
+    Place,
+    matches,
+)
+from omote.inputs.osc_packet import Argument, decode_packet, encode_bundle, encode_message
+from omote.perform.performer import Performer
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+from tests import synthetic
+
+DESK: Place = ("10.0.0.5", 9001)
+Send = Callable[..., list[tuple[Place, bytes]]]
+
+
+@pytest.fixture
+def session() -> ShowSession:
+    return ShowSession(synthetic.cast(), Performer(synthetic.cast()))
+
+
+@pytest.fixture
+def osc(session: ShowSession) -> OscInput:
+    return OscInput(lambda: session)
+
+
+@pytest.fixture
+def send(osc: OscInput) -> Send:
+    return lambda address, *arguments, place=DESK, now=0.0: osc.receive(place, encode_message(address, *arguments), now)
+
+
+def told(news: list[tuple[Place, bytes]], place: Place = DESK) -> dict[str, tuple[Argument, ...]]:
+    messages = [message for to, packet in news if to == place for message in decode_packet(packet)]
+    return {message.address: message.arguments for message in messages}
+
+
+def test_a_sender_plays_and_consoles_see_whose_hand_it_is(session: ShowSession, send: Send) -> None:
+    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION, "Ana"), 0.0)
+    send("/omote/one/face", "broad", 0.0)
+    send("/omote/*/channel/jawOpen", 0.5)
+    state = session.tick(0.1)
+    assert (state.faces, state.channels) == ({"broad": 1.0}, {"jawOpen": 0.5})
+    (hands,) = session.hands_now(0.1)
+    assert hands.message == wire.Hands({"set_channel:jawOpen": "OSC 10.0.0.5"})
+    assert session.crew_now(0.1) == wire.Crew([], 1)
+
+
+def test_the_same_call_twice_calls_twice(session: ShowSession, send: Send) -> None:
+    for name in ("broad", "long", "broad"):
+        send("/omote/one/face", name, 0.0)
+    assert session.tick(0.0).faces == {"broad": 1.0}
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, 1.6, -0.6])
+def test_a_value_out_of_range_is_rejected_and_counted(
+    session: ShowSession, osc: OscInput, send: Send, value: float
+) -> None:
+    send("/omote/one/channel/jawOpen", value)
+    assert session.tick(0.0).channels == {}
+    assert (osc.heard, osc.rejected) == (1, 1)
+    assert osc.last_rejection is not None
+    assert "jawOpen" in osc.last_rejection.reason
+
+
+def test_of_a_bundle_each_message_stands_for_itself(session: ShowSession, osc: OscInput) -> None:
+    packets = [encode_message("/omote/one/channel/nose", 1.0), encode_message("/omote/one/channel/jawOpen", 1.0)]
+    osc.receive(DESK, encode_bundle(packets), 0.0)
+    assert (session.tick(0.0).channels, osc.rejected) == ({"jawOpen": 1.0}, 1)
+
+
+def test_a_character_that_there_is_not_is_said(osc: OscInput, send: Send) -> None:
+    send("/omote/bob/face", "broad")
+    assert osc.last_rejection is not None
+    assert osc.last_rejection.reason == "there is no character 'bob'; there is one, and * for all"
+
+
+@pytest.mark.parametrize(
+    ("pattern", "meant"),
+    [("one", True), ("*", True), ("o?e", True), ("{two,one}", True), ("[m-p]ne", True), ("[!o]ne", False),
+     ("two", False), ("One", False), ("{two,three}", False), ("{one", False)],
+)  # fmt: skip
+def test_characters_are_meant_by_patterns(pattern: str, meant: bool) -> None:
+    assert matches(pattern, "one") is meant
+
+
+def test_a_surface_hears_everything_once_then_what_is_new(session: ShowSession, osc: OscInput, send: Send) -> None:
+    send("/omote/subscribe", 9001)
+    first = told(osc.news(session.tick(0.0), 0.0))
+    assert first["/omote/one/face"] == ("generic",)
+    assert first["/omote/light"] == ("theatre",)
+    assert first["/omote/one/head"] == (0.0, 0.0, 0.0)
+    assert osc.news(session.tick(0.1), 0.1) == []
+    send("/omote/one/channel/jawOpen", 0.5, place=("10.0.0.6", 5), now=0.1)
+    assert told(osc.news(session.tick(0.2), 0.2)) == {"/omote/one/channel/jawOpen": (0.5,)}
+    send("/omote/one/channel/jawOpen", 0.0, place=("10.0.0.6", 5), now=0.2)
+    assert told(osc.news(session.tick(0.3), 0.3)) == {"/omote/one/channel/jawOpen": (0.0,)}
+    assert osc.news(session.tick(0.4), 0.4) == []
+
+
+def test_a_surface_is_not_told_what_it_sends_while_it_sends_it(session: ShowSession, osc: OscInput, send: Send) -> None:
+    send("/omote/subscribe")
+    osc.news(session.tick(0.0), 0.0)
+    send("/omote/one/channel/jawOpen", 0.5, now=0.1)
+    assert osc.news(session.tick(0.2), 0.2) == []
+    assert told(osc.news(session.tick(1.0), 1.0)) == {"/omote/one/channel/jawOpen": (0.5,)}
+
+
+def test_a_surface_hears_why_something_was_rejected_and_others_do_not(osc: OscInput, send: Send) -> None:
+    assert send("/omote/one/face", "nobody") == []
+    send("/omote/subscribe")
+    assert list(told(send("/omote/one/face", "nobody"))) == [ERROR]
+    send("/omote/unsubscribe")
+    assert send("/omote/one/face", "nobody") == []
+
+
+def test_a_silent_surface_is_told_no_more_but_for_a_lasting_one(session: ShowSession, osc: OscInput) -> None:
+    lasting = ("10.0.0.9", 9)
+    osc.subscribe(DESK, 0.0)
+    osc.subscribe(lasting, 0.0, lasting=True)
+    later = SURFACE_SECONDS + 1.0
+    assert {place for place, _ in osc.news(session.tick(later), later)} == {lasting}
+
+
+@pytest.mark.parametrize("port", [0, -1, 65536, 1.5, "9001", math.nan, math.inf])
+def test_a_port_that_cannot_be_is_rejected(osc: OscInput, send: Send, port: Argument) -> None:
+    send("/omote/subscribe", port)
+    assert osc.last_rejection is not None
+    assert "expected a port" in osc.last_rejection.reason
+
+
+def test_neither_senders_nor_surfaces_pile_up(session: ShowSession, osc: OscInput, send: Send) -> None:
+    for number in range(3 * MOST_SENDERS):
+        send("/omote/subscribe", place=(f"10.0.0.{number}", 9))
+        send("/omote/one/channel/jawOpen", 0.5, place=(f"10.0.0.{number}", 9))
+    assert len(session.crew) == MOST_SENDERS
+    assert len({place for place, _ in osc.news(session.tick(0.0), 0.0)}) == MOST_SURFACES
+
+
+def test_a_connection_that_is_gone_leaves_the_show(session: ShowSession, osc: OscInput, send: Send) -> None:
+    place = ("10.0.0.5#1", 0)
+    send("/omote/subscribe", place=place)
+    send("/omote/one/channel/jawOpen", 0.5, place=place)
+    osc.leave(place)
+    assert session.crew == {}
+    assert osc.news(session.tick(0.0), 0.0) == []
+
+
+def test_whatever_comes_the_state_stays_whole(session: ShowSession, osc: OscInput) -> None:
+    rng = np.random.default_rng(2)
+    whole = [
+        encode_message("/omote/one/face", "broad", 0.5), encode_message("/omote/one/head", 10.0, 20, 3),
+        encode_message("/omote/*/channel/smile", 0.5), encode_message("/omote/one/fade/face", 0.5),
+        encode_message("/omote/subscribe", 9001), encode_message("/omote/panic"),
+    ]  # fmt: skip
+    for number in range(5_000):
+        data = bytearray(whole[rng.integers(len(whole))])
+        for _ in range(rng.integers(0, 4)):
+            data[rng.integers(len(data))] = rng.integers(256)
+        osc.receive(DESK, bytes(data), number / 100)
+        state = session.tick(number / 100)
+        assert math.fsum(state.faces.values()) == pytest.approx(1.0)
+        assert all(map(math.isfinite, [*state.channels.values(), *state.head, *state.gaze, *state.eyes]))
+    assert osc.rejected > 500

@@ -1,0 +1,166 @@
+"""OSC over real sockets, from clients that are not ours: python-osc, and liblo's `oscsend` and `oscdump` where they
+are."""
+
+import asyncio
+import shutil
+import socket
+import subprocess
+from collections.abc import AsyncIterator
+
+import pytest
+import pytest_asyncio
+from pythonosc.osc_bundle_builder import OscBundleBuilder
+from pythonosc.osc_message_builder import OscMessageBuilder
+from pythonosc.tcp_client import SimpleTCPClient
+from pythonosc.udp_client import SimpleUDPClient
+
+from omote.inputs.osc_input import OscInput
+from omote.inputs.osc_packet import decode_packet, encode_message
+from omote.server.devices.osc_listener import MOST_CONNECTIONS, MOST_WAITING, OscListener
+from omote.server.supervision.listening_socket import listen_for_osc
+from tests.server.conftest import ShowHarness
+
+pytestmark = pytest.mark.asyncio
+HOST = "127.0.0.1"
+
+
+@pytest.fixture
+def said() -> list[str]:
+    """What the terminal was told."""
+    return []
+
+
+@pytest_asyncio.fixture
+async def listener(show_harness: ShowHarness, said: list[str]) -> AsyncIterator[OscListener]:
+    sockets = listen_for_osc(HOST, 0)
+    made = OscListener(OscInput(lambda: show_harness.show.session), sockets, said.append)
+    await made.start()
+    show_harness.show.sources.append(made)
+    yield made
+    await made.close()
+    sockets.close()
+
+
+@pytest.fixture
+def port(listener: OscListener) -> int:
+    number: int = listener._sockets.datagrams.getsockname()[1]
+    return number
+
+
+async def tick_until_heard(harness: ShowHarness, listener: OscListener, count: int) -> None:
+    """Ticks until so many messages have been heard."""
+    while listener.osc.heard < count:
+        harness.tick()
+        await asyncio.sleep(0.001)
+    harness.tick()
+
+
+async def test_python_osc_plays_over_udp(show_harness: ShowHarness, listener: OscListener, port: int) -> None:
+    client = SimpleUDPClient(HOST, port)
+    client.send_message("/omote/one/face", ["broad", 0])
+    client.send_message("/omote/one/channel/jawOpen", 0.5)
+    bundle = OscBundleBuilder(2_000_000_000)
+    for angle in ("10", 20):
+        message = OscMessageBuilder("/omote/one/head")
+        for value in (angle, 0.0, 0.0):
+            message.add_arg(value)
+        bundle.add_content(message.build())
+    client._sock.sendto(bundle.build().dgram, (HOST, port))
+    await tick_until_heard(show_harness, listener, 4)
+    session = show_harness.show.session
+    state = session.tick(show_harness.clock())
+    assert (state.faces, state.channels) == ({"broad": 1.0}, {"jawOpen": 0.5})
+    assert state.head == pytest.approx((0.349066, 0.0, 0.0), abs=1e-5)
+    client._sock.close()
+
+
+@pytest.mark.parametrize("mode", ["1.0", "1.1"])
+async def test_python_osc_plays_over_tcp_and_hears_the_state(
+    show_harness: ShowHarness, listener: OscListener, port: int, mode: str
+) -> None:
+    with SimpleTCPClient(HOST, port, mode=mode) as client:  # type: ignore[no-untyped-call]
+        client.send_message("/omote/subscribe", [])
+        client.send_message("/omote/one/expression", ["smile", 0])
+        await tick_until_heard(show_harness, listener, 2)
+        heard = dict[str, object]()
+        while "/omote/one/expression" not in heard:  # later than the rest: it is its own
+            show_harness.tick()
+            await asyncio.sleep(0.001)
+            for data in client.receive(timeout=0.01):
+                heard |= {message.address: message.arguments for message in decode_packet(data)}
+        assert heard["/omote/one/expression"] == ("smile",)
+    while show_harness.show.session.crew:
+        show_harness.tick()
+        await asyncio.sleep(0.001)
+
+
+@pytest.mark.skipif(shutil.which("oscsend") is None, reason="liblo-tools is not installed")
+async def test_liblo_plays_and_hears(show_harness: ShowHarness, listener: OscListener, port: int) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
+        free.bind((HOST, 0))
+        back = free.getsockname()[1]
+    dump = subprocess.Popen(["stdbuf", "-oL", "oscdump", str(back)], stdout=subprocess.PIPE, text=True)
+    assert dump.stdout is not None
+    try:
+        for words in (f"/omote/subscribe i {back}", "/omote/one/face sf broad 0.0"):
+            subprocess.run(["oscsend", HOST, str(port), *words.split()], check=True)
+        await tick_until_heard(show_harness, listener, 2)
+        lines = asyncio.get_running_loop().run_in_executor(None, dump.stdout.readline)
+        while not lines.done():
+            listener.osc.subscribe((HOST, back), show_harness.clock())  # oscdump may have opened its port only now
+            show_harness.tick()
+            await asyncio.sleep(0.01)
+        assert '/omote/one/face s "broad"' in await lines
+    finally:
+        dump.kill()
+        dump.communicate()
+
+
+async def test_a_flood_is_bounded_and_the_newest_wins(
+    show_harness: ShowHarness, listener: OscListener, port: int, said: list[str]
+) -> None:
+    for number in range(10 * MOST_WAITING):
+        listener.wait((HOST, 5), encode_message("/omote/one/channel/jawOpen", number / (10 * MOST_WAITING)))
+    assert len(listener._waiting) == MOST_WAITING
+    assert listener.dropped == 9 * MOST_WAITING
+    while listener._waiting:
+        show_harness.tick()
+    weight = show_harness.show.session.tick(show_harness.clock()).channels["jawOpen"]
+    assert weight == pytest.approx(1.0 - 1.0 / (10 * MOST_WAITING), abs=1e-6)
+
+
+async def test_the_terminal_hears_of_rejections_once_a_second(
+    show_harness: ShowHarness, listener: OscListener, said: list[str]
+) -> None:
+    for _ in range(90):  # ticks: a second and a half
+        listener.wait((HOST, 5), encode_message("/omote/one/face", "nobody"))
+        show_harness.tick()
+    assert len(said) == 2
+    assert "OSC from 127.0.0.1: /omote/one/face: there is no face 'nobody'" in said[0]
+    assert said[1].endswith("(60 were rejected).") or "were rejected" in said[1]
+
+
+async def test_a_stream_that_cannot_be_read_is_closed_and_too_many_are_not_taken(
+    show_harness: ShowHarness, listener: OscListener, port: int
+) -> None:
+    reader, writer = await asyncio.open_connection(HOST, port)
+    writer.write(b"\xdbx\xc0")
+    with pytest.raises((ConnectionError, asyncio.IncompleteReadError)):
+        await reader.readexactly(1)
+    opened = [await asyncio.open_connection(HOST, port) for _ in range(MOST_CONNECTIONS + 1)]
+    while len(listener._connections) < MOST_CONNECTIONS:
+        await asyncio.sleep(0.001)
+    last, _ = opened[-1]
+    with pytest.raises((ConnectionError, asyncio.IncompleteReadError)):
+        await last.readexactly(1)
+    for _, each in [(reader, writer), *opened]:
+        each.close()
+
+
+async def test_a_port_that_is_taken_is_said() -> None:
+    sockets = listen_for_osc(HOST, 0)
+    try:
+        with pytest.raises(OSError, match=r"cannot be opened for OSC .*another program has it.*--osc off"):
+            listen_for_osc(HOST, sockets.datagrams.getsockname()[1])
+    finally:
+        sockets.close()
