@@ -16,7 +16,7 @@ import pytest
 from typer.testing import CliRunner
 
 from omote import cli
-from omote.cli import announce, app, has_screen
+from omote.cli import announce, app
 from omote.interchange.formats.glb_reader import read_glb
 from omote.model.cast import Cast
 from omote.server.persistence.lock import lock_show
@@ -388,15 +388,6 @@ def test_a_browser_opens_where_there_is_a_screen(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr("omote.cli.webbrowser.open", opened.append)
     announce("127.0.0.1", 8090, browser=True)
     assert opened == (["http://127.0.0.1:8090/stage", "http://127.0.0.1:8090/console"] if screen else [])
-
-
-def test_a_screen_is_known_by_its_display(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("omote.cli.sys.platform", "linux")
-    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
-        monkeypatch.delenv(name, raising=False)
-    assert not has_screen()
-    monkeypatch.setenv("WAYLAND_DISPLAY", "wayland-0")
-    assert has_screen()
 
 
 def test_the_real_show_opens_and_ends(tmp_path: Path) -> None:

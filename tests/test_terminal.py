@@ -8,7 +8,7 @@ import pytest
 import typer
 
 from omote.showfile.schema import ShowFileError
-from omote.terminal import escape_controls, exit_on_refusal, fail, read_count, say
+from omote.terminal import escape_controls, exit_on_refusal, fail, has_screen, read_count, say
 
 
 @pytest.mark.parametrize("text", ["\x1b[2J", "a\nb", "\u202e", "\x07"])
@@ -57,3 +57,12 @@ def test_what_is_no_number_of_browsers_is_refused(text: str) -> None:
 def test_an_error_of_our_own_is_not_hidden() -> None:
     with pytest.raises(KeyError), exit_on_refusal():
         raise KeyError("ours")
+
+
+def test_a_screen_is_known_by_its_display(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("omote.terminal.sys.platform", "linux")
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    assert not has_screen()
+    monkeypatch.setenv("WAYLAND_DISPLAY", "wayland-0")
+    assert has_screen()

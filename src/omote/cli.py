@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import sys
 import textwrap
@@ -17,7 +16,7 @@ import typer
 
 from omote.file_commands import file_app
 from omote.picture_commands import ShowOption, grid, redraw, render
-from omote.terminal import complete_name, complete_show, exit_on_refusal, fail, fail_with, say
+from omote.terminal import complete_name, complete_show, exit_on_refusal, fail, fail_with, has_screen, say
 
 if TYPE_CHECKING:
     from omote.interchange.export_face import Meshes
@@ -112,7 +111,7 @@ def show(
     except (OSError, ShowFileError, ShowLockedError) as error:
         fail_with(error)
     port = listening.getsockname()[1]
-    sockets = open_usual_osc(context, host) if osc is None else sockets
+    sockets = open_osc(context, host, None) if osc is None else sockets
     opened = partial(announce, host, port, browser=browser, osc=sockets)
     handed = {} if sockets is None else sockets.handed
     supervisor = Supervisor(listening, lock, path, report=say, opened=opened, notices=board.notices, handed=handed)
@@ -120,28 +119,18 @@ def show(
     raise typer.Exit(supervisor.run())
 
 
-def open_osc(context: typer.Context, host: str, port: int) -> OscSockets | None:
-    """The sockets of OSC at a port that somebody named, until the command ends; None for `OSC_OFF`. Ends the command
-    where they cannot be had."""
+def open_osc(context: typer.Context, host: str, port: int | None) -> OscSockets | None:
+    """The sockets of OSC until the command ends; None for `OSC_OFF`, and where another program has the usual port and
+    nobody named one. Ends the command where a named one cannot be had."""
     from omote.server.supervision.listening_socket import listen_for_osc
 
     if port == OSC_OFF:
         return None
     try:
-        sockets = listen_for_osc(host, port)
+        sockets = listen_for_osc(host, OSC_PORT if port is None else port)
     except OSError as error:
-        fail_with(error)
-    context.call_on_close(sockets.close)
-    return sockets
-
-
-def open_usual_osc(context: typer.Context, host: str) -> OscSockets | None:
-    """The sockets of OSC at the usual port; None, and a sentence, where another program has it."""
-    from omote.server.supervision.listening_socket import listen_for_osc
-
-    try:
-        sockets = listen_for_osc(host, OSC_PORT)
-    except OSError as error:
+        if port is not None:
+            fail_with(error)
         say(f"OSC is off: {error}")
         return None
     context.call_on_close(sockets.close)
@@ -265,11 +254,6 @@ def announce(host: str, port: int, *, browser: bool, osc: OscSockets | None = No
     if browser and has_screen():
         for page in ("stage", "console"):
             webbrowser.open(f"{local_address(host, port)}/{page}")
-
-
-def has_screen() -> bool:
-    """Whether there is a screen on which a browser can open."""
-    return sys.platform == "darwin" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def load_cast() -> Cast:

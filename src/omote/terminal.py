@@ -6,6 +6,8 @@ Names come from files of strangers, so no character of theirs controls the termi
 from __future__ import annotations
 
 import contextlib
+import os
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NoReturn
@@ -79,3 +81,8 @@ def fail(sentence: str) -> NoReturn:
     """Ends the command with an error message and exit status 1."""
     say(sentence)
     raise typer.Exit(1)
+
+
+def has_screen() -> bool:
+    """Whether there is a screen on which a browser can open."""
+    return sys.platform == "darwin" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
