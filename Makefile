@@ -70,7 +70,7 @@ $(CAST): $(CAST_FROM) | $(PACKAGES)
 
 test: setup
 	@$(MAKE) --jobs=2 check
-	@$(MAKE) --jobs=2 tests-and-wheel browser-tests
+	@$(MAKE) tests-and-wheel browser-tests
 	@echo "== All checks and tests passed"
 
 check: check-python check-web

@@ -10,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 from playwright.sync_api import Page, expect
 
+from omote import load_cast
 from tests.browser.test_console import console
 from tests.browser.test_editor import BENCH, SETTLED, bench, editor, positions, save, wait_for
 
@@ -18,6 +19,7 @@ __all__ = ["console", "editor"]
 Console = Callable[..., Page]
 Editor = Callable[..., Page]
 
+SHEET = np.flatnonzero(load_cast().space.on_sheet)
 REACH = 5e-5
 """Metres within which a dragged handle lies where it was put."""
 
@@ -106,7 +108,9 @@ def test_mirrored_drags_undo_and_a_second_drag_from_a_moved_face(editor: Editor)
     left, right = row_of(page, "left mouth corner"), row_of(page, "right mouth corner")
     assert np.allclose((moved - first)[left] * [-1, 1, 1], (moved - first)[right], atol=2 * REACH)
     live = drag_handle(page, "left upper lid", 0, -8)
-    assert np.linalg.norm(positions(page, "At rest") - live, axis=1).max() < 1e-6
+    off = np.linalg.norm(positions(page, "At rest") - live, axis=1)
+    assert off[SHEET].max() < 1e-6
+    assert off.max() < 0.005, "the server fits the mouth's bag anew behind lips so wide"
     page.keyboard.press("Control+z")
     wait_for(page, f"bench.draft.undo === 1 && {SETTLED}")
     assert np.allclose(positions(page, "At rest"), moved, atol=1e-6)

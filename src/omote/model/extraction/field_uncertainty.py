@@ -39,13 +39,14 @@ def measure_uncertainty(space: ParameterSpace, face: Face, taken: Expression, /)
 
 
 def _spread(space: ParameterSpace, moved: Values) -> Values:
-    """Values (V,) spread over the skin around, less and less."""
-    rows = np.flatnonzero(moved)
-    if not len(rows):
-        return moved
-    far = cKDTree(space.points).sparse_distance_matrix(cKDTree(space.points[rows]), _AROUND).tocoo()
+    """Values (V,) spread over the skin around, less and less; what is inside the mouth says nothing of the lips."""
     result = moved.copy()
-    np.maximum.at(result, far.row, moved[rows[far.col]] * (1.0 - far.data / _AROUND))
+    for side in (space.on_sheet, ~space.on_sheet):
+        rows, around = np.flatnonzero(moved * side), np.flatnonzero(side)
+        if len(rows):
+            near = cKDTree(space.points[rows])
+            far = cKDTree(space.points[around]).sparse_distance_matrix(near, _AROUND).tocoo()
+            np.maximum.at(result, around[far.row], moved[rows[far.col]] * (1.0 - far.data / _AROUND))
     return result
 
 

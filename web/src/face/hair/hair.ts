@@ -8,6 +8,9 @@ import type { Features } from "../quality/quality_levels";
 import { type ActiveStyle, HairAssignment } from "./hair_assignment";
 import { ribbons, type StyleUniforms, styleUniforms } from "./hair_geometry";
 
+/** Between styles, in the order of drawing: half way they lie on each other, and who is first shows there. */
+const ONE_AFTER_OTHER = 0.01;
+
 /** The hair on stage: a mesh of ribbons for each style that is here, in every head that is being drawn. */
 export class Hair {
   private readonly assignment: HairAssignment;
@@ -65,13 +68,14 @@ export class Hair {
 
   private update(): void {
     this.mixTint();
-    for (const style of this.assignment.worn.values()) {
+    for (const [place, style] of [...this.assignment.worn.values()].entries()) {
       const own = this.uniformsOf(style);
       this.write(style, own);
       for (const [head, { shared, features }] of this.heads) {
         const mesh = head.getObjectByName(style.name) ?? ribbons(style, shared, own, features);
         if (mesh.parent === null) head.add(mesh);
         mesh.visible = style.grown > 0;
+        mesh.renderOrder = ONE_AFTER_OTHER * (place + 1);
       }
     }
   }

@@ -78,4 +78,19 @@ describe("the assignment of hair", () => {
     assignment.dress(new Map([["dog", 1]]), 0, false);
     expect(bob?.grown).toBe(0);
   });
+
+  it("keeps styles by name, in whatever order they come", async () => {
+    for (const order of [
+      ["kaori", "old"],
+      ["old", "kaori"],
+    ]) {
+      const { library, come } = late();
+      (library.faces as Map<string, unknown>).set("old", { name: "old", look: { hair_style: "thin" } });
+      const assignment = new HairAssignment(library, generic, () => 1);
+      for (const face of order) assignment.want([face]);
+      come();
+      await assignment.complete();
+      expect([...assignment.worn.keys()]).toEqual(["bob", "thin"]); // sums and overlaps would differ in the last bit
+    }
+  });
 });

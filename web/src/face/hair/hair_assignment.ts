@@ -34,7 +34,7 @@ export class HairAssignment {
   detail = 1;
   /** The weights of the faces on air that wear any hair. */
   wearers: ReadonlyMap<string, number> = new Map();
-  /** Every style that has come. */
+  /** Every style that has come, by name: in whatever order they came, sums are the same to the last bit. */
   readonly worn = new Map<string, ActiveStyle>();
 
   constructor(
@@ -130,7 +130,10 @@ export class HairAssignment {
 
   private take(name: string, hair: HairStrands): void {
     const [strands, carried] = [0, 1].map(() => new Float32Array((4 * hair.points.length) / 3));
-    this.worn.set(name, { name, hair, strands, carried, scalp: 1, version: 0, grown: 0 } as ActiveStyle);
+    const style = { name, hair, strands, carried, scalp: 1, version: 0, grown: 0 } as ActiveStyle;
+    const styles = [...this.worn.values(), style].sort((one, other) => (one.name < other.name ? -1 : 1));
+    this.worn.clear();
+    for (const each of styles) this.worn.set(each.name, each);
   }
 
   private ask(key: string, read: () => Promise<unknown>): void {
