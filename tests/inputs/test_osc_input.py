@@ -116,6 +116,18 @@ def test_a_surface_is_not_told_what_it_sends_while_it_sends_it(session: ShowSess
     assert told(osc.news(session.tick(1.0), 1.0)) == {"/omote/one/channel/jawOpen": (0.5,)}
 
 
+def test_a_surface_may_send_from_another_port_than_it_hears_at(session: ShowSession, osc: OscInput, send: Send) -> None:
+    sends, hears = ("10.0.0.5", 51234), DESK
+    send("/omote/subscribe", hears[1], place=sends)
+    osc.news(session.tick(0.0), 0.0)
+    assert list(told(send("/omote/one/face", "nobody", place=sends), hears)) == [ERROR]
+    last = SURFACE_SECONDS - 1.0
+    send("/omote/one/channel/jawOpen", 0.5, place=sends, now=last)
+    assert osc.news(session.tick(last), last) == [], "its fader is in a hand"
+    later = SURFACE_SECONDS + 1.0
+    assert told(osc.news(session.tick(later), later), hears) == {"/omote/one/channel/jawOpen": (0.5,)}, "not silent"
+
+
 def test_a_surface_hears_why_something_was_rejected_and_others_do_not(osc: OscInput, send: Send) -> None:
     assert send("/omote/one/face", "nobody") == []
     send("/omote/subscribe")

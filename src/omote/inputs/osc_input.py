@@ -65,9 +65,8 @@ class OscInput:
 
         A packet that is none is rejected whole, a message that cannot be obeyed by itself.
         """
-        surface = self._surfaces.get(place)
-        if surface is not None:
-            surface.heard = now
+        for other in self._heard_by(place):
+            self._surfaces[other].heard = now
         try:
             messages = decode_packet(packet)
         except OscError as error:
@@ -122,8 +121,8 @@ class OscInput:
             for answer in session.receive(self._sender(place[0]), order.message, now)
             if isinstance(answer.message, Refused)
         ]
-        if place in self._surfaces and not reasons:
-            self._surfaces[place].feedback.note(message.address, now)
+        for other in self._heard_by(place) if not reasons else ():
+            self._surfaces[other].feedback.note(message.address, now)
         return [answer for reason in reasons for answer in self._reject(place, reason, now)]
 
     def _follow(self, place: Place, message: OscMessage, now: float) -> None:
@@ -137,6 +136,10 @@ class OscInput:
             self.subscribe((host, number), now)
         else:
             self._surfaces.pop((host, number), None)
+
+    def _heard_by(self, place: Place) -> list[Place]:
+        """Where the surface hears that sends from a place: over UDP mostly at another port of its host."""
+        return [other for other in self._surfaces if other[0] == place[0]]
 
     def _sender(self, host: str) -> str:
         """The sender's name in the session, which it joins at its first message."""
@@ -158,7 +161,8 @@ class OscInput:
     def _reject(self, place: Place, reason: str, now: float) -> list[tuple[Place, bytes]]:
         self.rejected += 1
         self.last_rejection = Rejection(now, place[0], reason)
-        return [(place, encode_message(ERROR, reason[:400].replace("\0", " ")))] if place in self._surfaces else []
+        answer = encode_message(ERROR, reason[:400].replace("\0", " "))
+        return [(other, answer) for other in self._heard_by(place)]
 
 
 def check_character(order: Order, names: Mapping[str, object] | tuple[str, ...] = (FIRST_CHARACTER,)) -> None:

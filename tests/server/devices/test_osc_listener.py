@@ -5,7 +5,7 @@ import asyncio
 import shutil
 import socket
 import subprocess
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Iterable
 
 import pytest
 import pytest_asyncio
@@ -53,6 +53,11 @@ async def tick_until_heard(harness: ShowHarness, listener: OscListener, count: i
         harness.tick()
         await asyncio.sleep(0.001)
     harness.tick()
+
+
+def read_until(lines: Iterable[str], words: str) -> str:
+    """The first line with these words."""
+    return next(line for line in lines if words in line)
 
 
 async def test_python_osc_plays_over_udp(show_harness: ShowHarness, listener: OscListener, port: int) -> None:
@@ -105,12 +110,12 @@ async def test_liblo_plays_and_hears(show_harness: ShowHarness, listener: OscLis
         for words in (f"/omote/subscribe i {back}", "/omote/one/face sf broad 0.0"):
             subprocess.run(["oscsend", HOST, str(port), *words.split()], check=True)
         await tick_until_heard(show_harness, listener, 2)
-        lines = asyncio.get_running_loop().run_in_executor(None, dump.stdout.readline)
-        while not lines.done():
+        found = asyncio.get_running_loop().run_in_executor(None, read_until, dump.stdout, "/omote/one/face s")
+        while not found.done():
             listener.osc.subscribe((HOST, back), show_harness.clock())  # oscdump may have opened its port only now
             show_harness.tick()
             await asyncio.sleep(0.01)
-        assert '/omote/one/face s "broad"' in await lines
+        assert '/omote/one/face s "broad"' in await found
     finally:
         dump.kill()
         dump.communicate()
