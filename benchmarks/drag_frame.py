@@ -1,8 +1,8 @@
 """What a frame of a drag in the editor costs, beside the pages of a former commit in the same run (issue 10).
 
 Builds the pages of `--before` (a commit) into a temporary folder and lets one browser show them and the present ones in
-turn, on the same server: both drag the same needles, with ten faces beside the work, without a graphics processor. For
-every frame while the needle is led:
+turn, on the same server, which the former ones greet in today's versions: both drag the same needles, with ten faces
+beside the work, without a graphics processor. For every frame while the needle is led:
 
 * `commands`: milliseconds in which the page gives commands to WebGL, from the first to the last of a frame;
 * `frame`: until the renderer has drawn them too;
@@ -19,6 +19,7 @@ from __future__ import annotations
 import argparse
 import asyncio
 import io
+import re
 import subprocess
 import sys
 import tarfile
@@ -34,6 +35,8 @@ from rich.table import Table
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks import editor
+from omote.edit.protocol.messages import EDITING_VERSION
+from omote.show.messages import PROTOCOL_VERSION
 from tools import node
 from tools.browser import SENTENCE, find_browser
 
@@ -103,11 +106,25 @@ def build_pages(commit: str, folder: Path) -> Path:
     packed = subprocess.run(["git", "archive", commit, "web"], cwd=ROOT, capture_output=True, check=True).stdout
     with tarfile.open(fileobj=io.BytesIO(packed)) as archive:
         archive.extractall(folder, filter="data")
+    speak_today(folder / "web" / "src" / "link")
     (folder / "web" / "node_modules").symlink_to(ROOT / "web" / "node_modules")
     pages = folder / "pages"
     if node.main(str(folder / "web"), "npx", "vite", "build", "--logLevel", "error", "--outDir", str(pages)):
         raise RuntimeError(f"the pages of {commit} cannot be built")
     return pages
+
+
+def speak_today(link: Path) -> None:
+    """Gives former pages today's versions of the protocols, which have only been added to since; else the server asks
+    them to be reloaded. RuntimeError where a version is not said where it was."""
+    for name, constant, version in (
+        ("messages.ts", "PROTOCOL_VERSION", PROTOCOL_VERSION),
+        ("editing_messages.ts", "EDITING_VERSION", EDITING_VERSION),
+    ):
+        text, found = re.subn(rf"(?<=export const {constant} = )\d+", str(version), (link / name).read_text())
+        if found != 1:
+            raise RuntimeError(f"the former pages' {name} does not say {constant} once")
+        (link / name).write_text(text)
 
 
 async def show_pages(page: Page, pages: Path) -> None:

@@ -43,6 +43,8 @@ SECONDS, RATE = 5.0, 60.0
 GRABBED = ((0.025, -0.068, 0.141), (0.045, 0.026, 0.13))
 REACH = 18.0
 """Pixels that a drag leads a needle."""
+PATIENCE = 120.0
+"""Seconds until a page that does not get on is given up."""
 CHROMIUM = (
     "--use-gl=angle --use-angle=gl-egl --ignore-gpu-blocklist --disable-quic --no-first-run "
     "--disable-background-networking --disable-component-update --disable-sync"
@@ -101,9 +103,15 @@ class Sent:
 
 
 async def until(page: Page, condition: str) -> None:
-    """Waits until something holds in the page."""
-    while not await page.evaluate(condition):
-        await asyncio.sleep(0.05)
+    """Waits until something holds in the page; TimeoutError with what, and what the page says, where it never does."""
+    try:
+        async with asyncio.timeout(PATIENCE):
+            while not await page.evaluate(condition):
+                await asyncio.sleep(0.05)
+    except TimeoutError:
+        raise TimeoutError(
+            f"not after {PATIENCE:g} s: {condition}; the page says: {await page.inner_text('body')}"
+        ) from None
 
 
 async def counters(page: Page) -> dict[str, Any]:

@@ -106,7 +106,8 @@ class Stage:
             await self.changed.wait()
             self.changed.clear()
             state = self.state
-            if state and (face in state.faces or (state.face_call and state.face_call.target == face)):
+            one = state and state.characters["one"]
+            if state and one and (face in one.faces or (one.face_call and one.face_call.target == face)):
                 return state
 
     async def fetch(self, path: str) -> None:
@@ -139,9 +140,10 @@ def listen(url: str, orders: Connection) -> None:
 async def call(stage: Stage, console: aiohttp.ClientWebSocketResponse, face: str, *, plain: bool) -> Called:
     """Calls a face and fetches it as a stage would."""
     sent = time.monotonic()
-    await console.send_bytes(encode(CallFace(f"{os.getpid()} {face}", face, 1.0, "smooth")))
+    await console.send_bytes(encode(CallFace("one", f"{os.getpid()} {face}", face, 1.0, "smooth")))
     state = await stage.until(face)
-    on_air = [name for name in (state.expressions | state.channels | state.lids) if name != "neutral"]
+    one = state.characters["one"]
+    on_air = [name for name in (one.expressions | one.channels | one.lids) if name != "neutral"]
     url = next(each.url for each in stage.manifest.faces if each.name == face)
     await asyncio.gather(stage.fetch(url), stage.fetch_compounds(face, on_air))
     here = time.monotonic()
@@ -165,16 +167,18 @@ async def play(url: str, faces: int | None, *, plain: bool) -> list[Called]:
         async with http.ws_connect(url + LINK_PATH) as console, http.ws_connect(url + LINK_PATH) as link:
             await link.send_bytes(encode(Hello("stage", PROTOCOL_VERSION)))
             following = asyncio.create_task(stage.follow(link))
-            on_air: list[FromClient] = [SetChannel(name, 0.3) for name in CHANNELS]
+            on_air: list[FromClient] = [SetChannel("one", name, 0.3) for name in CHANNELS]
             for message in (
                 Hello("console", PROTOCOL_VERSION),
-                CallExpression("e", EXPRESSION, 0.1, "smooth"),
+                CallExpression("one", "e", EXPRESSION, 0.1, "smooth"),
                 *on_air,
             ):
                 await console.send_bytes(encode(message))
             await asyncio.sleep(2 * REST_SECONDS)
             names = [
-                each.name for each in manifest.faces if each.name not in (stage.state.faces if stage.state else {})
+                each.name
+                for each in manifest.faces
+                if each.name not in (stage.state.characters["one"].faces if stage.state else {})
             ]
             calls = [await call(stage, console, name, plain=plain) for name in names[:faces]]
             following.cancel()

@@ -56,7 +56,7 @@ class Follower:
         await self._connect(http)
         assert self._socket is not None
         name = FACES[number % len(FACES)]
-        await self._socket.send_bytes(encode(CallFace(f"{os.getpid()} {number}", name, FADE_SECONDS, "smooth")))
+        await self._socket.send_bytes(encode(CallFace("one", f"{os.getpid()} {number}", name, FADE_SECONDS, "smooth")))
 
     async def state(self, http: aiohttp.ClientSession) -> State:
         """The next state, however often the link must be opened for it."""
@@ -100,15 +100,15 @@ async def kill_once(
     await follower.call(number, http)
     state = await follower.state(http)
     begun = time.monotonic()
-    while time.monotonic() - begun < wait or state.face_call is None:
+    while time.monotonic() - begun < wait or state.characters["one"].face_call is None:
         state = await follower.state(http)
-    called, seen = state.face_call.target, state.time
+    called, seen = state.characters["one"].face_call.target, state.time
     killed = time.monotonic()
     os.kill(server_of(supervisor), signal.SIGKILL)
     while state.epoch == (first := await follower.state(http)).epoch:
         seen = first.time
     came_back = first.time - (first.number - 1) / STATE_RATE
-    same = first.face_call is not None and first.face_call.target == called
+    same = first.characters["one"].face_call is not None and first.characters["one"].face_call.target == called
     return Recovery(follower.received - killed, seen - came_back, same)
 
 

@@ -126,10 +126,10 @@ class Player:
     async def call(self, seconds: float, expressions: tuple[str, ...] = ("smile", "angry", "surprise", "cry")) -> None:
         """Calls the next face and the next expression."""
         n = self._calls = self._calls + 1
-        await self.send(CallFace(f"{os.getpid()} face {n}", FACES[n % len(FACES)], seconds, "smooth"))
+        await self.send(CallFace("one", f"{os.getpid()} face {n}", FACES[n % len(FACES)], seconds, "smooth"))
         if expressions:
             name = expressions[n % len(expressions)]
-            await self.send(CallExpression(f"{os.getpid()} expression {n}", name, seconds, "smooth"))
+            await self.send(CallExpression("one", f"{os.getpid()} expression {n}", name, seconds, "smooth"))
 
     async def calling(self) -> None:
         """A face and an expression twice a second, for ever."""
@@ -144,12 +144,12 @@ class Player:
                 await self.call(2.0, ())
             levels = 0.06 * (1.2 + np.sin(tick / 2.5 + np.arange(CHANNELS)))
             for name, level in zip(self.channels, levels.tolist(), strict=True):
-                await self.send(SetChannel(name, level))
+                await self.send(SetChannel("one", name, level))
             await asyncio.sleep(1 / 15)
 
     async def rest(self) -> None:
         """Everything stands still."""
-        await self.send(Panic())
+        await self.send(Panic("one"))
         await asyncio.sleep(1.5)
 
 
@@ -190,7 +190,7 @@ async def latency(page: Page, player: Player) -> float:
         await page.evaluate(FIRST_CHANGE)
         await asyncio.sleep(0.25 + float(rng.uniform(0, 1 / 60)))  # at any phase of the server's beat
         sent = time.monotonic()
-        await player.send(SetChannel("jawOpen", 0.5 if move % 2 == 0 else 0.1))
+        await player.send(SetChannel("one", "jawOpen", 0.5 if move % 2 == 0 else 0.1))
         waits.append(await page.evaluate("window.changed") - 1000 * sent - ahead)
         await asyncio.sleep(0.25)
     return float(np.median(waits))

@@ -19,15 +19,22 @@ out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)
 
 # What consoles sent, and when (seconds of any monotonic clock). It opens with hello, as every link does.
+CALL = {"character": "one", "easing": "smooth"}
 LOG = [
     (10.00, {"type": "hello", "role": "console", "version": PROTOCOL_VERSION}),
-    (10.10, {"type": "call_face", "id": "a", "name": "kaori", "seconds": 1.0, "easing": "smooth"}),
-    (10.42, {"type": "call_expression", "id": "b", "name": "smile", "seconds": 0.5, "easing": "sharp"}),
-    (10.42, {"type": "call_expression", "id": "b", "name": "smile", "seconds": 0.5, "easing": "sharp"}),  # a retry
-    (10.70, {"type": "fade_face", "value": 0.8}),
-    (10.81, {"type": "set_gaze", "yaw": 0.3, "pitch": -0.1}),
-    (11.20, {"type": "call_face", "id": "c", "name": "noh", "seconds": 2.0, "easing": "smooth"}),
-    (11.50, {"type": "panic"}),
+    (10.10, {"type": "call_face", **CALL, "id": "a", "name": "kaori", "seconds": 1.0}),
+    (
+        10.42,
+        {"type": "call_expression", **CALL, "id": "b", "name": "smile", "seconds": 0.5},
+    ),
+    (
+        10.42,
+        {"type": "call_expression", **CALL, "id": "b", "name": "smile", "seconds": 0.5},
+    ),  # a retry
+    (10.70, {"type": "fade_face", "character": "one", "value": 0.8}),
+    (10.81, {"type": "set_gaze", "character": "one", "yaw": 0.3, "pitch": -0.1}),
+    (11.20, {"type": "call_face", **CALL, "id": "c", "name": "noh", "seconds": 2.0}),
+    (11.50, {"type": "panic", "character": "one"}),
 ]
 (out / "log.jsonl").write_text("".join(json.dumps(line) + "\n" for line in LOG))
 
@@ -35,7 +42,7 @@ LOG = [
 def replay(log: Path, *, start: float = 10.0, seconds: float = 2.0, rate: float = 60.0) -> bytes:
     """The states that a show sends while it hears a log, one message behind the other."""
     cast = omote.load_cast()
-    session = ShowSession(cast, omote.Performer(cast))
+    session = ShowSession(cast)
     waiting = [json.loads(line) for line in log.read_text().splitlines()]
     states = []
     for number in range(round(seconds * rate) + 1):

@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import aiohttp
 import msgspec
@@ -20,17 +21,24 @@ out.mkdir(parents=True, exist_ok=True)
 pack, unpack = msgspec.msgpack.encode, msgspec.msgpack.decode
 
 
-async def play(address: str) -> list[dict[str, object]]:
+async def play(address: str) -> list[dict[str, Any]]:
     """What a console hears from hello until its call has arrived."""
     heard = []
     async with aiohttp.ClientSession() as session, session.ws_connect(f"{address}/link") as link:
-        await link.send_bytes(pack({"type": "hello", "role": "console", "version": 4}))
-        call = {"type": "call_face", "id": "first", "name": "dog", "seconds": 0.5, "easing": "smooth"}
+        await link.send_bytes(pack({"type": "hello", "role": "console", "version": 6}))
+        call = {
+            "type": "call_face",
+            "character": "one",
+            "id": "first",
+            "name": "dog",
+            "seconds": 0.5,
+            "easing": "smooth",
+        }
         await link.send_bytes(pack(call))
         await link.send_bytes(pack({**call, "id": "second", "name": "nobody"}))  # is answered with the reason
         async for message in link:
             heard.append(unpack(message.data))
-            if heard[-1]["type"] == "state" and heard[-1]["faces"] == {"dog": 1.0}:
+            if heard[-1]["type"] == "state" and heard[-1]["characters"]["one"]["faces"] == {"dog": 1.0}:
                 break
     return heard
 
@@ -48,5 +56,5 @@ with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as show:
 states = [message for message in heard if message["type"] == "state"]
 print("welcome:", *(m["digest"] for m in heard if m["type"] == "welcome"))
 print("refused:", *(m["reason"] for m in heard if m["type"] == "refused"))
-print(f"{len(states)} states until {states[-1]['faces']}")
+print(f"{len(states)} states until {states[-1]['characters']['one']['faces']}")
 (out / "heard.jsonl").write_text("".join(json.dumps(message) + "\n" for message in heard))

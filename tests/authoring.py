@@ -28,6 +28,7 @@ from omote.showfile.changes import (
     Edit,
     Item,
     Kind,
+    PutBindings,
     PutContent,
     PutDraft,
     PutEdit,
@@ -53,7 +54,7 @@ def net_of(cast: Cast, count: int = POINTS) -> tuple[int, ...]:
 def welcome() -> wire.Greeted:
     """An answer to greet with two muscles and no pictures."""
     muscles = [wire.MuscleDocument(name, name.title(), "linear", [0, 1], b"") for name in MUSCLES]
-    return wire.Greeted(0, "", muscles, list(REGIONS), b"", b"", b"", b"", [])
+    return wire.Greeted(0, "", "", muscles, list(REGIONS), b"", b"", b"", b"", [], [])
 
 
 def net_document(net: tuple[int, ...]) -> wire.NetDocument:
@@ -103,6 +104,7 @@ class Tables:
     drafts: dict[tuple[int, str], Draft] = field(default_factory=dict)
     edits: dict[tuple[int, str, int], Edit] = field(default_factory=dict)
     layouts: dict[str, bytes] = field(default_factory=dict)
+    bindings: bytes = b""
     contents: dict[str, bytes] = field(default_factory=dict)
 
     def apply(self, changes: Iterable[Change]) -> None:
@@ -121,9 +123,12 @@ class Tables:
             tuple(self.drafts[key] for key in sorted(self.drafts)),
             tuple(self.edits[key] for key in sorted(self.edits)),
             dict(self.layouts),
+            self.bindings,
         )
 
-    def _apply_to_items(self, change: PutContent | PutItem | PutRevision | PutLayout | DropLayout) -> None:
+    def _apply_to_items(
+        self, change: PutContent | PutItem | PutRevision | PutLayout | DropLayout | PutBindings
+    ) -> None:
         match change:
             case PutContent(key, data):
                 assert self.contents.setdefault(key, data) == data
@@ -136,6 +141,8 @@ class Tables:
                 self.layouts[name] = document
             case DropLayout(name):
                 self.layouts.pop(name, None)
+            case PutBindings(document):
+                self.bindings = document
 
     def _apply_to_drafts(self, change: PutDraft | PutEdit | DropDraft) -> None:
         match change:

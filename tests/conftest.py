@@ -11,6 +11,7 @@ from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.model.known_names import PLAY_REGIONS
 from omote.perform.easing import EASINGS
 from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
@@ -32,10 +33,12 @@ class Command:
     seconds: float | None = None
     easing: str = "smooth"
     wait: float = 0.0
+    region: str | None = None
 
     def play(self, performer: Performer) -> None:
         """Does it."""
-        options = {} if self.seconds is None else {"seconds": self.seconds, "easing": self.easing}
+        options: dict[str, Any] = {} if self.seconds is None else {"seconds": self.seconds, "easing": self.easing}
+        options |= {} if self.region is None else {"region": self.region}
         getattr(performer, self.name)(*self.arguments, **options)
 
 
@@ -63,9 +66,19 @@ _light = st.builds(
     Command, st.just("call_light"), st.tuples(st.sampled_from([*LIGHTS])), st.floats(0.0, 4.0), _easings, _waits
 )
 
+regional_calls = st.builds(
+    Command,
+    st.just("call_expression"),
+    st.tuples(st.sampled_from(synthetic.EXPRESSIONS)),
+    st.floats(0.0, 5.0),
+    _easings,
+    _waits,
+    st.sampled_from(PLAY_REGIONS),
+)
+
 calls = st.one_of(_call("face", synthetic.FACES), _call("expression", synthetic.EXPRESSIONS))
 moves = st.one_of(calls, calls, _by_hand("face"), _by_hand("expression"))
-commands = st.one_of(moves, moves, _light, _channel, _gaze, st.just(Command("panic", wait=0.1)))
+commands = st.one_of(moves, moves, regional_calls, _light, _channel, _gaze, st.just(Command("panic", wait=0.1)))
 shows = st.lists(commands, max_size=30)
 
 

@@ -21,11 +21,14 @@ LONG_MODULES: dict[str, str] = {
     "tools/baking/heads/people.py": "one recipe for each person, line by line",
     "src/omote/edit/protocol/messages.py": "every message of an editor's link once, in one file",
     "web/src/link/editing_messages.ts": "written by tools/messages.py from the one file above",
+    "web/src/console/console_page_style.ts": "the places of one page, a layout for each size of window",
     "web/src/console/store/console_store.test.ts": "one store, a test for each of its promises",
+    "web/src/editor/session/draft_store.test.ts": "one store, a test for each of its promises",
     "web/src/link/messages.ts": "written by tools/messages.py from show/messages.py",
     "benchmarks/interruptions.py": "one claim with its bound, its search for the maximum and its picture",
     "src/omote/model/controls/control_net.py": "public: parameters, errors and an example of each method",
     "src/omote/model/space/parameter_space.py": "public: parameters, errors and an example of each method",
+    "src/omote/perform/scene/scene.py": "public: parameters, errors and an example of each method",
     "src/omote/perform/performer.py": "public: parameters, errors and an example of each method",
 }
 LONG_BODIES: dict[str, str] = {}

@@ -15,8 +15,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from omote import cli
-from omote.cli import announce, app
+from omote.cli import app
 from omote.interchange.formats.glb_reader import read_glb
 from omote.model.cast import Cast
 from omote.server.persistence.lock import lock_show
@@ -46,6 +45,7 @@ def no_show(monkeypatch: pytest.MonkeyPatch) -> list[Supervisor]:
         return 0
 
     monkeypatch.setattr(Supervisor, "run", run)
+    monkeypatch.setattr("omote.show_command.start_announcement", lambda *_: None)
     return made
 
 
@@ -204,38 +204,6 @@ def test_a_refused_port_leaves_no_show_file(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("port", ["70000", "on", "9000.5"])
-def test_what_is_no_port_for_osc_is_said(tmp_path: Path, port: str) -> None:
-    done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--osc", port], env={"COLUMNS": "400"})
-    assert done.exit_code == 2
-    assert "is no port" in done.stderr
-    assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.usefixtures("no_show")
-def test_a_port_for_osc_that_is_taken_ends_the_command_and_off_needs_none(tmp_path: Path) -> None:
-    opened = ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open", "--osc"]
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
-        taken.bind(("127.0.0.1", 0))
-        done = runner.invoke(app, [*opened, str(taken.getsockname()[1])])
-    assert done.exit_code == 1
-    assert "cannot be opened for OSC (another program has it, perhaps another show)" in done.stderr
-    assert list(tmp_path.iterdir()) == []
-    assert runner.invoke(app, [*opened, "off"]).exit_code == 0
-
-
-@pytest.mark.usefixtures("no_show")
-def test_a_show_begins_without_osc_where_another_program_has_its_usual_port(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
-        taken.bind(("127.0.0.1", 0))
-        monkeypatch.setattr("omote.cli.OSC_PORT", taken.getsockname()[1])
-        done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
-    assert done.exit_code == 0
-    assert "OSC is off: port" in done.stderr
-
-
 @pytest.mark.usefixtures("no_show")
 def test_a_show_that_is_played_already_is_one_sentence(tmp_path: Path) -> None:
     lock_show(tmp_path / "a.omote")
@@ -368,31 +336,9 @@ def test_pages_that_are_not_built_are_one_sentence(tmp_path: Path, monkeypatch: 
     assert (done.exit_code, done.stderr) == (1, "omote: the pages are not built: run `make web`.\n")
 
 
-def test_on_windows_it_says_where_it_runs(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("omote.cli.sys.platform", "win32")
-    done = runner.invoke(app, ["show"])
-    assert done.exit_code == 1
-    assert "WSL" in done.stderr
-
-
-@pytest.mark.parametrize(("host", "warned"), [("127.0.0.1", False), ("localhost", False), ("0.0.0.0", True)])
-def test_off_loopback_it_warns(capsys: pytest.CaptureFixture[str], host: str, warned: bool) -> None:
-    announce(host, 8090, browser=False)
-    assert ("everybody on this network can play" in capsys.readouterr().err) is warned
-
-
-@pytest.mark.parametrize("screen", [True, False])
-def test_a_browser_opens_where_there_is_a_screen(monkeypatch: pytest.MonkeyPatch, screen: bool) -> None:
-    opened: list[str] = []
-    monkeypatch.setattr(cli, "has_screen", lambda: screen)
-    monkeypatch.setattr("omote.cli.webbrowser.open", opened.append)
-    announce("127.0.0.1", 8090, browser=True)
-    assert opened == (["http://127.0.0.1:8090/stage", "http://127.0.0.1:8090/console"] if screen else [])
-
-
 def test_the_real_show_opens_and_ends(tmp_path: Path) -> None:
     command = [sys.executable, "-c", "from omote.cli import main; main()", "show", str(tmp_path / "a.omote")]
-    show = subprocess.Popen([*command, "--port", "0", "--no-open"], stdout=subprocess.PIPE, text=True)
+    show = subprocess.Popen([*command, "--port", "0", "--no-open", "--no-announce"], stdout=subprocess.PIPE, text=True)
     assert show.stdout is not None
     with show.stdout as said:
         assert "/stage" in said.readline()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import doctest
 import inspect
 import math
@@ -69,6 +70,8 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     dtheta, dh, ratio, residual = smile.dtheta, smile.dh, smile.ratio, smile.residual
     nowhere = Path("no such sculpt.toml")
     performer.call_face("old")
+    scene = omote.Scene.begun(cast)
+    scene["one"].call_face("old")
     return {
         ("Cast", ValueError): lambda: omote.Cast(space, {"strange": strange}, dict(cast.expressions)),
         ("Cast", KeyError): lambda: cast.faces["dgo"],
@@ -108,15 +111,53 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ),
         ("Performer.set_channel", ValueError): lambda: performer.set_channel("neutral", 1),
         ("Performer.set_channel", TypeError): lambda: performer.set_channel("jawOpen", words),
+        ("Performer.set_channels", ValueError): lambda: performer.set_channels({"neutral": 1}),
+        ("Performer.set_channels", TypeError): lambda: performer.set_channels({"jawOpen": words}),
+        ("Performer.drive", ValueError): lambda: performer.drive({"jawOpen": 4.0}),
+        ("Performer.drive", TypeError): lambda: performer.drive({"jawOpen": words}),
+        ("Performer.set_layer", ValueError): lambda: performer.set_layer("lips", influence=4.0),
+        ("Performer.set_layer", TypeError): lambda: performer.set_layer("lips", influence=words),
         ("Performer.set_gaze", ValueError): lambda: performer.set_gaze(4, 0),
         ("Performer.set_gaze", TypeError): lambda: performer.set_gaze(words, 0),
         ("Performer.set_head", ValueError): lambda: performer.set_head(0, 0, 4),
         ("Performer.set_head", TypeError): lambda: performer.set_head(0, 0, words),
         ("Performer.set_home", ValueError): lambda: performer.set_home("nobody"),
         ("Performer.set_home", TypeError): lambda: performer.set_home("old", seconds=words),
+        ("Scene", ValueError): lambda: omote.Scene(without),
+        ("Scene.add", ValueError): lambda: scene.add("Old"),
+        ("Scene.advance", ValueError): lambda: scene.advance(-1.0),
+        ("Scene.advance", TypeError): lambda: scene.advance(words),
+        ("Scene.call_framing", ValueError): lambda: scene.call_framing(["nobody"]),
+        ("Scene.call_framing", TypeError): lambda: scene.call_framing("one"),
+        ("Scene.call_light", ValueError): lambda: scene.call_light("candle"),
+        ("Scene.call_light", TypeError): lambda: scene.call_light("flat", seconds=words),
+        ("Scene.enter", ValueError): lambda: scene.enter("nobody"),
+        ("Scene.enter", TypeError): lambda: scene.enter("one", seconds=words),
+        ("Scene.leave", ValueError): lambda: scene.leave("one", seconds=-1),
+        ("Scene.leave", TypeError): lambda: scene.leave("one", seconds=words),
+        ("Scene.place", ValueError): lambda: scene.place("one", x=99.0),
+        ("Scene.place", TypeError): lambda: scene.place("one", size=words),
+        ("Scene.recast", ValueError): lambda: scene.recast(without),
+        ("Scene.remove", ValueError): lambda: scene.remove("nobody"),
+        ("Scene.remove", TypeError): lambda: scene.remove("one", seconds=words),
+        ("Scene.rename", ValueError): lambda: scene.rename("one", " "),
+        ("Scene.restore", ValueError): lambda: scene.restore("nobody"),
+        ("Scene.restore", TypeError): lambda: scene.restore("nobody", seconds=words),
+        ("Scene.restored", ValueError): lambda: omote.Scene.restored(without_face(cast, "old"), scene.snapshot()),
+        ("Scene.restored", TypeError): lambda: omote.Scene.restored(cast, words),
         ("Sculpt", ValueError): lambda: omote.Sculpt("same", np.zeros((4, 3)), np.zeros((4, 3))),
         ("caricature", ValueError): lambda: omote.caricature(space, kaori, math.nan),
         ("compound", ValueError): lambda: omote.compound(space, strange, smile),
+        ("connect", ConnectionError): lambda: omote.connect("http://127.0.0.1:1", timeout=0.1),
+        ("connect", OSError): lambda: omote.connect("https://127.0.0.1:1", timeout=0.1, authority="nowhere.pem"),
+        ("connect", ValueError): lambda: omote.connect("ftp://stage"),
+        ("connect", TypeError): lambda: omote.connect(no_parts),
+        ("connect_async", ConnectionError): lambda: asyncio.run(omote.connect_async("http://127.0.0.1:1", timeout=0.1)),
+        ("connect_async", OSError): lambda: asyncio.run(
+            omote.connect_async("https://127.0.0.1:1", timeout=0.1, authority="nowhere.pem")
+        ),
+        ("connect_async", ValueError): lambda: asyncio.run(omote.connect_async("ftp://stage")),
+        ("connect_async", TypeError): lambda: asyncio.run(omote.connect_async(no_parts)),
         ("evaluate", ValueError): lambda: omote.evaluate(cast, frame, words),
         ("evaluate", TypeError): lambda: omote.evaluate(cast, mixed),
         ("evaluate_parts", ValueError): lambda: omote.evaluate_parts(cast, frame, words),

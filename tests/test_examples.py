@@ -190,7 +190,7 @@ def test_a_replayed_log_gives_the_same_bytes_and_the_calls_of_the_log(folder: Pa
     log = [json.loads(line) for line in (folder / "log.jsonl").read_text().splitlines()]
     assert [message["type"] for _, message in log][-1] == "panic"
     assert states.count(b"epoch") == 121
-    last = unpacker.decode(states[states.rindex(b"\xa4type\xa5state") - 3 :])
+    last = unpacker.decode(states[states.rindex(b"\xa4type\xa5state") - 1 :])["characters"]["one"]
     assert last["expressions"] == {"neutral": 1.0}
     assert last["face_call"] is None  # panic stopped it on its way
     assert 0 < last["faces"]["noh"] < 1
@@ -202,7 +202,8 @@ def test_a_console_hears_its_call_arrive(folder: Path) -> None:
     messages = [decode_answer(msgspec.msgpack.encode(message)) for message in heard]  # all of them are of the wire
     kinds = {type(message).__name__ for message in messages}
     assert {"Welcome", "State", "Refused"} <= kinds
-    assert heard[-1]["faces"] == {"dog": 1.0}
-    weights = [message["faces"].get("dog", 0.0) for message in heard if message["type"] == "state"]
+    assert heard[-1]["characters"]["one"]["faces"] == {"dog": 1.0}
+    states = [message["characters"]["one"] for message in heard if message["type"] == "state"]
+    weights = [state["faces"].get("dog", 0.0) for state in states]
     assert weights == sorted(weights)
     assert (folder / "talk.omote").is_file()

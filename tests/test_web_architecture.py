@@ -19,6 +19,7 @@ LONELY_MODULES: dict[str, str] = {}
 USED: dict[str, str] = {
     "link": "",
     "ui": "link",
+    "access": "link ui",
     "face/pose": "link",
     "face/quality": "link",
     "face/anatomy": "link",
@@ -30,13 +31,32 @@ USED: dict[str, str] = {
     "face/hair": "link face/quality face/anatomy face/gpu face/light face/head",
     "face": "link face/pose face/quality face/anatomy face/gpu face/blend face/light face/skin face/head face/hair",
     "stage": "link face/pose face/quality face/light face",
-    "console/store": "link ui",
+    "console/layers": "link",
+    "console/characters": "link console/layers",
+    "console/regions": "link",
+    "console/store": "link ui console/layers console/characters console/regions",
     "console/show_file": "link ui console/store",
-    "console/controls": "link ui console/store console/show_file",
-    "console/palette": "link ui console/store console/show_file console/controls",
-    "console/panels": "link ui face/pose face/quality face console/store console/show_file console/controls",
+    "console/devices": "link ui console/store",
+    "console/leases": "link console/store",
+    "console/controls": "link ui console/store console/show_file console/devices console/leases",
+    "console/palette": "link ui console/regions console/store console/show_file console/controls",
+    "console/panels": (
+        "link ui face/pose face/quality face console/layers console/regions console/store console/show_file "
+        "console/controls"
+    ),
+    "console/scene": "link ui console/characters console/store console/controls",
+    "console/layer_panel": "link ui console/layers console/store console/controls",
+    "console/lease_panel": "link ui console/leases console/store console/controls",
+    "console/device_panel": "link ui console/store console/controls console/devices",
+    "console/learn": "link ui console/store console/controls console/devices console/layer_panel console/palette",
     "console": (
-        "link ui face/pose face console/store console/show_file console/controls console/palette console/panels"
+        "link ui access face/pose face console/regions console/store console/show_file console/controls "
+        "console/palette console/panels console/scene console/layer_panel console/devices "
+        "console/device_panel console/learn console/leases console/lease_panel"
+    ),
+    "console/devices_page": (
+        "link ui access console/store console/show_file console/leases console/panels console/devices "
+        "console/device_panel console"
     ),
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
@@ -60,7 +80,7 @@ USED: dict[str, str] = {
         "link face/quality face/anatomy face/gpu editor/session editor/canvas/math editor/canvas/model "
         "editor/canvas/draw editor/canvas/scene editor/canvas/input"
     ),
-    "editor": "link ui editor/link editor/session editor/controls editor/panels editor/page editor/canvas",
+    "editor": "link ui access editor/link editor/session editor/controls editor/panels editor/page editor/canvas",
 }
 ALLOWED = {folder: set(used.split()) for folder, used in USED.items()}
 

@@ -27,6 +27,7 @@ from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED
 from tools.baking.hair.strands import hair_arrays
 from tools.baking.hair.styles import GROOMS
 from tools.baking.heads.basemesh import BaseMesh, Floats, read_base_mesh
+from tools.baking.heads.fold_correction import correct_folds
 from tools.baking.heads.head import Head, cut_head
 from tools.baking.heads.lower_lip import round_lower_lip
 from tools.baking.heads.moves import all_moves, jaw_vertices
@@ -71,7 +72,7 @@ def cast_arrays(package: Package, base: BaseMesh, head: Head, layout: Floats, st
     fit_mouths(arrays, space, [name for name in PEOPLE if name != GENERIC])
     arrays.update(sculpt_arrays(arrays, space, sculpts, step))
     fit_mouths(arrays, space, [sculpt.name for sculpt in sculpts])
-    arrays.update(field_arrays(arrays, space, round_lower_lip(space, moves), step))
+    arrays.update(field_arrays(arrays, space, correct_folds(space, round_lower_lip(space, moves)), step))
     arrays.update(hair_arrays(space, step))
     arrays.update(openness_arrays(arrays))
     arrays.update(about(moves, sculpts))

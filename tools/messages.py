@@ -18,16 +18,22 @@ import msgspec
 
 from omote.edit.protocol import messages as editing
 from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
-from omote.interchange.skin_texture import HAIRLINE, LAYERS
+from omote.interchange.skin_texture import HAIRLINE
+from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
 from omote.model.hair import STRETCH
+from omote.model.known_names import PLAY_REGIONS
 from omote.model.sculpting.sculpt import WARP_UNIT
 from omote.model.space.eye_socket import FAR, NEAR
 from omote.model.space.gain import LEAST_GAIN, MOST_GAIN, NEUTRAL_GAINS
 from omote.model.space.lid_lip_lines import RUNGS
 from omote.perform.easing import DEFAULT_EASING, EASINGS
+from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
+from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, JOINT, MOST_CHARACTERS
 from omote.show import messages
+from omote.show.access.access_documents import REVOKED_CODE
+from omote.show.access.access_role import ACCESS_ROLES
 
 FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
 HEAD = "// Written by tools/messages.py from {}. Do not edit: run `python tools/messages.py`.\n"
@@ -77,9 +83,23 @@ def editing_module() -> str:
 
 
 CONSTANTS: Mapping[str, tuple[str, object]] = {
+    "FIRST_CHARACTER": ("The name of the first character of a new show.", FIRST_CHARACTER),
+    "ALL": ("In the place of a character: all of them; a framing: of all that are on the stage.", ALL),
+    "FRAMING_JOINT": ("Between the names of the characters of a framing.", JOINT),
+    "MOST_CHARACTERS": ("Characters that a scene holds at most.", MOST_CHARACTERS),
+    "ACCESS_ROLES": ("What people may do: each role all that those before it may.", ACCESS_ROLES),
+    "REVOKED_CODE": ("How a link is closed whose token is not valid any more.", REVOKED_CODE),
     "LIGHT_NAMES": ("The lights that a show can call, in the order of the console.", tuple(LIGHTS)),
     "FIRST_LIGHT": ("The light that a show begins with.", FIRST_LIGHT),
     "BACKGROUNDS": ("The backgrounds that have a name.", dict(BACKGROUNDS)),
+    "PLAY_REGIONS": ("The regions of a face in which an expression can be called alone.", PLAY_REGIONS),
+    "LAYERS": ("The layers of a character, lowest first.", LAYERS),
+    "LAYER_PARTS": ("What an influence of a layer is of.", LAYER_PARTS),
+    "DRIVEN_LAYERS": ("The layers that sources drive.", DRIVEN),
+    "LIPS_INFLUENCE": (
+        "The influence of lips at first, by part; all others have 1 on all.",
+        tuple(DEFAULT_SETTINGS["lips"].influence.values()),
+    ),
     "EASING_NAMES": ("The easings of a call.", tuple(EASINGS)),
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
     "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(messages.Level)),
@@ -90,7 +110,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "SOCKET_NEAR": ("In radii of an eyeball: skin below keeps its height over it exactly.", NEAR),
     "SOCKET_FAR": ("In radii of an eyeball: skin above moves freely.", FAR),
     "WARP_UNIT": ("Metres in which the warp of the handles counts lengths.", WARP_UNIT),
-    "SKIN_LAYERS": ("The layers of the skin's picture, from the top.", LAYERS),
+    "SKIN_LAYERS": ("The layers of the skin's picture, from the top.", SKIN_LAYERS),
     "STRETCH": ("How far a face may turn or stretch one piece of a strand of hair, of its own length.", STRETCH),
     "HAIRLINE": ("Radians from straight ahead, and the metres over the eyes where hair begins.", HAIRLINE.tolist()),
     "ARCH": ("Metres from the front teeth back to the middle of the dental arch.", ARCH),
@@ -148,6 +168,8 @@ def _generic(origin: object, arguments: tuple[object, ...], annotation: object) 
         return f"[{', '.join(map(type_script, arguments))}]"
     if origin is dict and arguments[0] is str:
         return f"Record<string, {type_script(arguments[1])}>"
+    if origin is dict and typing.get_origin(arguments[0]) is typing.Literal:
+        return f"Partial<Record<{type_script(arguments[0])}, {type_script(arguments[1])}>>"
     raise TypeError(
         f"no TypeScript for {annotation!r}: use float, int, str, bool, bytes, None, list, tuple, dict or a struct"
     )

@@ -2,7 +2,7 @@ import { resolve } from "node:path";
 import { defineConfig } from "vite";
 
 /** Pages and their files; "/assets/" belongs to the cast, so the bundle's own files live under "/static/". */
-const PAGES = ["index", "stage", "console", "editor"];
+const PAGES = ["index", "stage", "console", "devices", "editor"];
 const page = (name: string): string => resolve(import.meta.dirname, `${name}.html`);
 
 export default defineConfig({

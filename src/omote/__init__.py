@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from omote.perform.blending.evaluate import evaluate as evaluate
     from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
     from omote.perform.performer import Performer as Performer
+    from omote.perform.scene.scene import Scene as Scene
+    from omote.server.client.connect import connect as connect
+    from omote.server.client.connect import connect_async as connect_async
     from omote.server.headless.picture_renderer import render as render
     from omote.stage_data.full_cast import read_show as read_show
     from omote.stage_data.pose_parser import parse_pose as parse_pose
@@ -41,10 +44,13 @@ _HOMES = {
     "Gain": "omote.model.space.gain",
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
+    "Scene": "omote.perform.scene.scene",
     "Sculpt": "omote.model.sculpting.sculpt",
     "action_units": "omote.model.action_units",
     "caricature": "omote.model.sculpting.caricature",
     "compound": "omote.model.transfer.compound",
+    "connect": "omote.server.client.connect",
+    "connect_async": "omote.server.client.connect",
     "evaluate": "omote.perform.blending.evaluate",
     "evaluate_parts": "omote.perform.blending.evaluate",
     "extract": "omote.model.extraction.extract",

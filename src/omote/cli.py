@@ -3,29 +3,24 @@
 from __future__ import annotations
 
 import shutil
-import sys
 import textwrap
-import webbrowser
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from omote.access_commands import access_app
 from omote.file_commands import file_app
 from omote.picture_commands import ShowOption, grid, redraw, render
-from omote.terminal import complete_name, complete_show, exit_on_refusal, fail, fail_with, has_screen, say
+from omote.show_command import show
+from omote.terminal import complete_name, exit_on_refusal, fail, fail_with, say
 
 if TYPE_CHECKING:
     from omote.interchange.export_face import Meshes
     from omote.model.cast import Cast
-    from omote.server.devices.osc_listener import OscSockets
     from omote.showfile.inspection import Inspection
-
-HIGHEST_PORT = 65535
-OSC_PORT, OSC_OFF = 9000, -1
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -33,6 +28,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 app.add_typer(file_app, name="file")
+app.add_typer(access_app, name="access")
 
 
 def print_version(wanted: bool) -> None:
@@ -53,97 +49,12 @@ def omote(
     """Omote plays faces live: any face wears any expression, and both change at any instant."""
 
 
+app.command()(show)
+
+
 def main() -> None:
     """The `omote` command."""
     app()
-
-
-def read_osc_port(text: str | int) -> int:
-    """The number of the port for OSC as it is typed; `OSC_OFF` for "off"."""
-    return OSC_OFF if str(text).strip().lower() == "off" else read_port(text)
-
-
-def read_port(text: str | int) -> int:
-    """The number of a port as it is typed."""
-    digits = str(text).strip()
-    if not digits.isascii() or not digits.isdecimal() or int(digits[:9]) > HIGHEST_PORT:
-        raise typer.BadParameter(
-            f"{digits!r} is no port; give a number from 1 to {HIGHEST_PORT}, or 0 for any free one"
-        )
-    return int(digits)
-
-
-@app.command()
-def show(
-    context: typer.Context,
-    file: Annotated[
-        Path | None, typer.Argument(callback=complete_show, help="The show file (.omote); made when there is none.")
-    ] = None,
-    host: Annotated[str, typer.Option(help="The address to listen on; 0.0.0.0 for the whole network.")] = "127.0.0.1",
-    port: Annotated[
-        int, typer.Option(parser=read_port, metavar="PORT", help="The port to listen on; 0 for any.")
-    ] = 8090,
-    osc: Annotated[
-        int | None,
-        typer.Option(
-            parser=read_osc_port,
-            metavar="PORT|off",
-            help="The port for OSC, UDP and TCP; off for none. [default: 9000]",
-        ),
-    ] = None,
-    browser: Annotated[bool, typer.Option("--open/--no-open", help="Open the stage and the console.")] = True,
-) -> None:
-    """Opens a show: serves stage and console, and keeps them alive."""
-    if sys.platform == "win32":
-        fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
-    from omote.server.persistence.lock import ShowLockedError
-    from omote.server.process.notice_board import NoticeBoard
-    from omote.server.supervision.preparation import prepare_show
-    from omote.server.supervision.supervisor import Supervisor
-    from omote.showfile.identification import locate_show
-    from omote.showfile.schema import ShowFileError
-
-    board = NoticeBoard()
-    sockets = None if osc is None else open_osc(context, host, osc)
-    try:
-        path = locate_show(default_show() if file is None else file)
-        lock, listening = prepare_show(path, host, port, tell=say, report=board.with_report(say))
-    except (OSError, ShowFileError, ShowLockedError) as error:
-        fail_with(error)
-    port = listening.getsockname()[1]
-    sockets = open_osc(context, host, None) if osc is None else sockets
-    opened = partial(announce, host, port, browser=browser, osc=sockets)
-    handed = {} if sockets is None else sockets.handed
-    supervisor = Supervisor(listening, lock, path, report=say, opened=opened, notices=board.notices, handed=handed)
-    say("the faces are getting ready ...")
-    raise typer.Exit(supervisor.run())
-
-
-def open_osc(context: typer.Context, host: str, port: int | None) -> OscSockets | None:
-    """The sockets of OSC until the command ends; None for `OSC_OFF`, and where another program has the usual port and
-    nobody named one. Ends the command where a named one cannot be had."""
-    from omote.server.supervision.listening_socket import listen_for_osc
-
-    if port == OSC_OFF:
-        return None
-    try:
-        sockets = listen_for_osc(host, OSC_PORT if port is None else port)
-    except OSError as error:
-        if port is not None:
-            fail_with(error)
-        say(f"OSC is off: {error}")
-        return None
-    context.call_on_close(sockets.close)
-    return sockets
-
-
-def default_show() -> Path:
-    """The show file where none is named, in a folder that is made for it."""
-    from omote.showfile.show_file import default_path
-
-    path = default_path()
-    path.parent.mkdir(parents=True, exist_ok=True)
-    return path
 
 
 @app.command()
@@ -187,7 +98,7 @@ def export(
 
     with exit_on_refusal():
         encode = find_encoder(output, hair=hair)
-        cast = load_cast() if found is None else build_full_cast(load_cast(), found.stored, found.contents)
+        cast = load_cast() if found is None else build_full_cast(load_cast(), found.stored, found.contents, say)
         face = find_face(cast, None if found is None else found.stored, face)
         names = choose_expressions(cast, expressions)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
@@ -238,22 +149,6 @@ def check() -> None:
         typer.echo(f"{'good' if passed else 'BAD '}  {sentence}")
     if not good:
         fail("this machine cannot play yet.")
-
-
-def announce(host: str, port: int, *, browser: bool, osc: OscSockets | None = None) -> None:
-    """Prints the addresses of the pages and of OSC, and opens stage and console where there is a screen."""
-    from omote.server.http.address import local_address, reachable_addresses
-
-    for url in reachable_addresses(host, port):
-        typer.echo(f"  stage    {url}/stage\n  console  {url}/console\n  editor   {url}/editor")
-    if osc is not None:
-        typer.echo(f"  OSC      port {osc.datagrams.getsockname()[1]}")
-    if host not in ("127.0.0.1", "::1", "localhost"):
-        say("everybody on this network can play; there is no password yet.")
-    typer.echo("  Ctrl-C ends the show.")
-    if browser and has_screen():
-        for page in ("stage", "console"):
-            webbrowser.open(f"{local_address(host, port)}/{page}")
 
 
 def load_cast() -> Cast:

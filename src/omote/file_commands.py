@@ -127,7 +127,7 @@ def take_in(
         from omote.edit.store.import_items import changes_to_import, distinguish
         from omote.stage_data.full_cast import build_full_cast, find_face
 
-        cast = load_cast() if own is None else build_full_cast(load_cast(), *own)
+        cast = load_cast() if own is None else build_full_cast(load_cast(), *own, say)
         face = find_face(cast, None if own is None else own[0], face) if face else ""
         arrivals = read_arrivals(cast, things, face, kind)
         with open_offline_show(file, new=True) as show:

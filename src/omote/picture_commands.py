@@ -194,7 +194,7 @@ def plan(path: Path, request: Request, *, fresh: bool) -> tuple[PictureStudio, P
     find_chromium()
     from omote.server.headless.picture_run import PictureStudio
 
-    studio = PictureStudio(show)
+    studio = PictureStudio(show, say)
     return studio, studio.plan(request, path, fresh=fresh)
 
 

@@ -60,7 +60,7 @@ def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 def playing(file: Path) -> Iterator[str]:
     """The address of a show that plays from a file, until it is closed."""
-    command = [sys.executable, "-c", PATIENT, "show", str(file), "--no-open", "--port", "0"]
+    command = [sys.executable, "-c", PATIENT, "show", str(file), "--no-open", "--no-announce", "--port", "0"]
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "PYTHONUNBUFFERED": "1"}
     with subprocess.Popen(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True) as process:
         try:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from threading import Event
 from typing import Any
 
 import msgspec
@@ -10,6 +14,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page, Route, WebSocketRoute, expect
 
+import omote
 from tests.browser.waiting import wait_until
 
 OpenPage = Callable[..., Page]
@@ -29,7 +34,7 @@ TO_REST = f"""() => {{
         desk.setTiming(axis, {{ seconds: 0 }});
     }}
     desk.flush();
-    const before = desk.state.panics;
+    const before = desk.air.panics;
     desk.panic();
     desk.call("face", "generic");
     return before;
@@ -56,13 +61,14 @@ def console(open_page: OpenPage) -> Console:
 
 
 def state(page: Page) -> dict[str, Any]:
-    """The newest state this console has heard."""
-    return dict(page.evaluate(f"{DESK}.state"))
+    """The newest state this console has heard, and in it what the character has on air that it plays."""
+    return dict(page.evaluate(f"({{...{DESK}.state, ...{DESK}.air}})"))
 
 
 def wait_for(page: Page, condition: str) -> None:
-    """Waits until a condition on `state` and `authored_work` holds."""
-    given = "const desk = document.querySelector('omote-console')?.context.store; const state = desk?.state"
+    """Waits until a condition on `desk` and `state` holds: what is on air, the character's own that is played too."""
+    desk = "const desk = document.querySelector('omote-console')?.context.store"
+    given = f"{desk}; const state = desk?.state ? {{...desk.state, ...desk.air}} : null"
     wait_until(page, f"desk && ({condition})", given, told="state")
 
 
@@ -260,6 +266,62 @@ def test_a_fader_moves_its_channel_and_stands_out(console: Console) -> None:
     wait_for(page, "!('jawOpen' in state.channels)")
 
 
+@contextmanager
+def driving(show: str, **channels: float) -> Iterator[None]:
+    """A program drives the playback of the first character by 30 frames a second."""
+    over = Event()
+
+    def drive() -> None:
+        with omote.connect(show, name="robot") as connected:
+            while not over.wait(1 / 30):
+                connected["one"].drive(channels)
+
+    with ThreadPoolExecutor(1) as program:
+        running = program.submit(drive)
+        try:
+            yield
+        finally:
+            over.set()
+            running.result()
+
+
+def test_what_a_program_drives_is_seen_on_faders_and_mixed_by_layers(console: Console, show: str) -> None:
+    page = console()
+    region(page, "jaw")
+    choose(page, "expression", "0")
+    tile(page, "smile").click()
+    jaw, number = fader(page, "jawOpen"), page.locator("omote-fader", has=fader(page, "jawOpen")).locator(".number")
+    with driving(show, jawOpen=0.6):
+        wait_for(page, "Math.abs(state.channels.jawOpen - 0.6) < 0.01 && state.regions.mouth?.neutral > 0.99")
+        expect(number).to_have_text(".60")  # on air; no hand is on it
+        expect(number).to_have_class("number driven")
+        expect(jaw).to_have_attribute("aria-valuenow", "0.00")
+        jaw.press("PageUp")
+        jaw.press("PageUp")
+        wait_for(page, "Math.abs(state.channels.jawOpen - 1) < 0.01")
+        expect(jaw).to_have_attribute("aria-valuenow", "1.00")
+        jaw.press("Home")
+        wait_for(page, "Math.abs(state.channels.jawOpen - 0.6) < 0.01")
+        page.keyboard.press(";")
+        strip = page.locator("omote-layer-panel .strip[data-layer=playback]")
+        expect(strip.locator(".feed")).to_have_text("robot playback one")
+        expect(strip.locator(".bar").first).to_have_text(page.evaluate(f"{DESK}.label('expression', 'jawOpen')"))
+        influence = strip.get_by_role("slider")
+        influence.press("PageDown")
+        influence.press("PageDown")
+        wait_for(
+            page, "!(state.channels.jawOpen > 0.01) && !(state.regions.mouth?.neutral > 0.01)"
+        )  # the smile is back
+        assert state(page)["expressions"] == {"smile": 1}
+        influence.press("Home")
+        wait_for(page, "Math.abs(state.channels.jawOpen - 0.6) < 0.01")
+        strip.locator(".on").click()
+        wait_for(page, "!(state.channels.jawOpen > 0.01) && !state.layers.playback.on")
+        page.keyboard.press("Control+z")
+        wait_for(page, "state.layers.playback.on")
+    wait_for(page, "!('playback' in state.layers) && state.held === null")  # the program has gone, without a trace
+
+
 def test_a_drag_with_shift_is_ten_times_finer(console: Console) -> None:
     page = console()
     region(page, "jaw")
@@ -352,6 +414,32 @@ def test_two_consoles_stay_in_step_and_the_last_touch_wins(console: Console) -> 
     expect(mark).to_have_text(second.evaluate(f"{DESK}.name"))
     second.evaluate("() => clearInterval(window.moving)")
     expect(mark).to_be_empty()
+    check_leases(first, second)
+
+
+def check_leases(first: Page, second: Page) -> None:
+    """With leases on the first touch wins: the other console reads whose it is, takes it over, a reload keeps it."""
+    leases = DESK.replace(".store", ".leases")
+    name, other = (page.evaluate(f"{DESK}.name") for page in (first, second))
+    first.locator("body").press(",")
+    first.get_by_role("switch", name="Leases off").click()
+    try:
+        expect(first.locator("omote-seat button")).to_have_attribute("aria-label", re.compile(f"{name}, stage manager"))
+        first.keyboard.press("Escape")
+        tile(first, "old").click()
+        expect(second.get_by_role("button", name=f"{name}: take over the face of One").first).to_be_visible()
+        tile(second, "dog").click()
+        expect(second.locator(".notice")).to_contain_text(f"{name} holds the face of One.")
+        expect(first.locator(".notice")).to_contain_text(f"{other} wants the face of One")
+        second.get_by_role("button", name="Take over", exact=True).click()
+        expect(first.locator(".notice")).to_contain_text(f"{other} has taken over the face of One.")
+        second.reload()
+        expect(second.get_by_role("button", name="You: release the face of One").first).to_be_visible()
+        tile(second, "dog").click()
+        wait_for(first, "state.faces.dog > 0 || state.face_call?.target === 'dog'")
+    finally:
+        first.evaluate(f"{leases}.switch(false)")
+        first.wait_for_function(f"() => !{leases}.told.on")
 
 
 def test_two_fingers_move_two_faders_at_once(console: Console) -> None:
@@ -392,6 +480,15 @@ def test_the_keyboard_calls_chooses_times_and_reaches_the_controls(console: Cons
     wait_for(page, f"state.faces['{faces[1]}'] === 1")
     page.keyboard.press("w")
     wait_for(page, "state.expressions.smile === 1")
+    page.keyboard.press("d")  # the brows alone, which show another expression until the whole face is called
+    page.keyboard.press("e")
+    wait_for(page, "state.regions.brows?.joy === 1 && state.expressions.smile === 1")
+    expect(tile(page, "joy").locator(".where")).to_have_text("brows")
+    expect(tile(page, "smile").locator(".where")).to_have_text("E M R")
+    page.locator("omote-regions [data-region=whole]").click()
+    page.keyboard.press("w")
+    wait_for(page, "Object.keys(state.regions).length === 0")
+    expect(tile(page, "smile").locator(".where")).to_have_text("")
     page.keyboard.press("]")
     assert page.evaluate(f"{DESK}.timing.face.seconds") == 0.25
     page.keyboard.press("a")
@@ -608,3 +705,34 @@ def test_a_server_with_another_built_in_cast_reloads_the_page(open_page: OpenPag
     with page.expect_event("load"):
         links[-1].close()
     wait_for(page, "desk.online && desk.faces.length > 0")
+
+
+def test_a_second_character_is_added_played_alone_and_taken_back(console: Console) -> None:
+    page = console()
+    page.locator("omote-characters .add").click()
+    wait_for(page, "state.characters.two?.presence === 1 && desk.played.lead === 'two'")
+    tile(page, "old").click()
+    wait_for(page, "state.characters.two.faces.old === 1 && state.characters.one.faces.generic === 1")
+    page.locator("omote-characters .all").click()
+    before = page.evaluate(f"Object.values({DESK}.state.characters).map((one) => one.panics)")
+    page.keyboard.press("Shift+Backspace")
+    after = "Object.values(state.characters).map((one) => one.panics).join()"
+    wait_for(page, f"{after} === '{','.join(str(panics + 1) for panics in before)}'")
+    page.locator("omote-characters [data-character=one]").click()
+    page.keyboard.press("Control+z")
+    wait_for(page, "!('two' in state.characters) && desk.played.lead === 'one'")
+    assert page.locator("omote-characters [data-character]").count() == 0
+    page.keyboard.press("Control+y")  # comes back with all that it had
+    wait_for(page, "state.characters.two?.presence === 1 && state.characters.two.faces.old === 1")
+    page.locator("omote-characters [data-character=two]").click()
+    page.keyboard.press("p")
+    page.locator("omote-place-controls input[type=number][name=turn]").fill("45")
+    page.keyboard.press("Enter")
+    wait_for(page, "Math.abs(state.characters.two.place.turn - Math.PI / 4) < 1e-9")
+    page.locator("omote-scene-panel [data-character=two] .remove").click()
+    wait_for(page, "!('two' in state.characters)")
+    page.keyboard.press("Control+z")
+    wait_for(page, "Math.abs(state.characters.two?.place.turn - Math.PI / 4) < 1e-9")
+    for _ in range(2):
+        page.keyboard.press("Control+z")
+    wait_for(page, "!('two' in state.characters)")

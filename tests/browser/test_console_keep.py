@@ -174,8 +174,8 @@ def test_the_menu_of_an_own_tile_edits_renames_and_deletes_and_calls_nothing(con
     page.locator("body").press("Control+z")
     page.locator("body").press("Control+z")
     expect(own.locator(".name")).to_have_text("Catdog")
-    assert page.evaluate(f"{DESK}.state.face_call") is None
-    assert page.evaluate(f"{DESK}.state.faces") == {"generic": 1}
+    assert page.evaluate(f"{DESK}.air.face_call") is None
+    assert page.evaluate(f"{DESK}.air.faces") == {"generic": 1}
     page.get_by_role("button", name="Log").click()
     expect(page.locator("omote-message-log")).to_contain_text("Deleted Dogcat")
     page.locator("body").press("Control+z")  # not through a dialog

@@ -14,7 +14,7 @@ __all__ = ["console"]
 
 Console = Callable[..., Page]
 
-SHORTCUTS = ["2", "w", "a", "]", "x", "n", "c", "?", "/", "Control+z", "ArrowUp", "Home"]
+SHORTCUTS = ["2", "w", "a", "d", "]", "x", "n", "c", "?", "/", "p", "Control+z", "ArrowUp", "Home"]
 """Keys that do something on the page."""
 PANIC = "Shift+Backspace"
 
@@ -22,7 +22,7 @@ PANIC = "Shift+Backspace"
 def still(page: Page) -> dict[str, Any]:
     """All that keys could change."""
     now = state(page)
-    kept = page.evaluate(f"[{DESK}.faces.length, {DESK}.layout, {DESK}.notice]")
+    kept = page.evaluate(f"[{DESK}.faces.length, {DESK}.layout, {DESK}.notice, {DESK}.region]")
     return {name: now[name] for name in ("faces", "expressions", "channels", "head", "panics")} | {"kept": kept}
 
 

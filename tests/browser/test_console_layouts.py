@@ -21,6 +21,7 @@ FIRST = {
     "kind": "performed",
     "ownFaces": False,
     "tab": "brows",
+    "alone": False,
     "linked": True,
     "springs": {"head": True, "gaze": True},
     "view": "palettes",

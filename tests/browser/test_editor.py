@@ -142,7 +142,7 @@ def test_a_newcomer_makes_a_crooked_smile_with_what_the_page_says(editor: Editor
     name = tile.get_attribute("data-name")
     desk = "document.querySelector('omote-console').context.store"
     expect(tile).to_have_class(re.compile(r"\bair\b"))
-    assert console.evaluate(f"{desk}.state.expressions[{name!r}]") > 0
+    assert console.evaluate(f"{desk}.air.expressions[{name!r}]") > 0
     console.evaluate(f"{desk}.panic()")
 
 
@@ -337,6 +337,16 @@ def test_items_are_renamed_tagged_found_copied_deleted_and_brought_back(editor: 
     expect(own).to_have_count(1)
     page.get_by_role("button", name="Undo", exact=True).last.click()
     expect(own).to_have_count(2)
+    page.get_by_label("Delete: Grumpy copy").dblclick()  # the second click falls where the next one came
+    expect(own).to_have_count(1)
+    page.keyboard.press("Control+z")
+    expect(own).to_have_count(2)
+    expect(own.nth(1)).not_to_contain_text("not saved")
+    count = int(bench(page, "items.length"))
+    page.locator("omote-item-list [data-new]").dblclick()
+    page.get_by_role("button", name="Create").dblclick()
+    wait_for(page, f"bench.items.length === {count + 1} && bench.item?.label === 'New expression'")
+    expect(page.locator("omote-new")).to_have_count(0)
 
 
 # --- two artists ------------------------------------------------------------------------------------------------------
@@ -501,7 +511,7 @@ def test_an_own_face_has_a_picture_as_soon_as_it_is_saved(editor: Editor) -> Non
 def test_what_is_saved_is_downloaded_by_a_button_and_what_is_not_says_why(editor: Editor) -> None:
     page = editor()
     make(page, "Goes out", "Smile")
-    page.get_by_role("tab", name="In & out").click()
+    page.get_by_role("tab", name="Import & export").click()
     button = page.get_by_role("button", name="Download goes_out.json")
     expect(button).to_be_disabled()
     expect(page.locator("omote-exchange")).to_contain_text("Save first")

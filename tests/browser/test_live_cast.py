@@ -154,7 +154,7 @@ def test_a_changed_expression_on_air_passes_to_the_new_one_without_a_jump(
     open_page: OpenPage, author: Author, cast: Cast
 ) -> None:
     draft = author.expression("Lopsided")
-    author.play(wire.CallExpression("call", "lopsided", 0.0, "smooth"))
+    author.play(wire.CallExpression("one", "call", "lopsided", 0.0, "smooth"))
     stage = open_page("/stage", width=160, height=120)
     wait_until(stage, "window.omoteStage?.pose()?.expressions.lopsided === 1 && window.omoteStage.settled()")
     before = author.wear(cast, draft.content)
@@ -184,5 +184,5 @@ def test_a_changed_expression_on_air_passes_to_the_new_one_without_a_jump(
 def test_what_is_kept_on_air_is_in_the_palette(open_page: OpenPage, author: Author) -> None:
     console = open_page("/console", pictures=False)
     expect(console.locator("omote-palette .tile").first).to_be_visible()
-    author.play(wire.CallFace("half", "dog", 0.0, "smooth"), wire.KeepFace("kept"))
+    author.play(wire.CallFace("one", "half", "dog", 0.0, "smooth"), wire.KeepFace("one", "kept"))
     expect(console.locator("omote-palette .tile[data-source^='#'] .name", has_text="On air")).to_have_count(1)

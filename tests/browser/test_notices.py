@@ -76,11 +76,11 @@ def test_a_recovered_file_and_a_killed_process_are_told_until_they_are_dismissed
     expect(notice(page)).to_contain_text(damaged + "instead: its good copy of ")
     expect(notice(page).locator("small")).to_have_count(0)
 
-    call = f"if ({STORE}.state.expression_call === null) {STORE}.call('expression', 'smile'); {STORE}.flush()"
-    wait_until(page, f"{STORE}.state.expressions.smile === 1", given=call)  # again where the link was lost meanwhile
+    call = f"if ({STORE}.air.expression_call === null) {STORE}.call('expression', 'smile'); {STORE}.flush()"
+    wait_until(page, f"{STORE}.air.expressions.smile === 1", given=call)  # again where the link was lost meanwhile
     epoch = page.evaluate(f"{STORE}.state.epoch")
     os.kill(process_of(file), signal.SIGKILL)
-    wait_until(page, f"{STORE}.online && {epoch} < {STORE}.state.epoch && {STORE}.state.expressions.smile === 1")
+    wait_until(page, f"{STORE}.online && {epoch} < {STORE}.state.epoch && {STORE}.air.expressions.smile === 1")
     expect(notice(page)).to_contain_text("The show's process ended at ")
     expect(notice(page)).to_contain_text("what was on air went on.")
     expect(notice(page).locator("small")).to_have_text("1 more")

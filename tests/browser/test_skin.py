@@ -41,6 +41,12 @@ def test_fur_shows_strands_where_lacquer_is_even(stage: Page) -> None:
     assert grain("cat") > 2 * grain("noh")
 
 
+def test_no_shadow_ends_on_a_bald_forehead(stage: Page) -> None:
+    for face in ("baby", "alien"):  # it turns away from the lamp, and nothing stands in its light
+        temple = look(stage, {face: 1.0})[64:112, 150:214].reshape(6, 8, 16, 4, 3).mean(axis=(1, 3))
+        assert np.abs(np.diff(temple, 2, axis=1)).max() < WHOLE
+
+
 def test_between_skin_and_fur_nothing_pops(stage: Page) -> None:
     shares = np.linspace(0.0, 1.0, 9)
     seen = [

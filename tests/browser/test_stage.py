@@ -14,9 +14,11 @@ from playwright.sync_api import Page, Route, WebSocketRoute, expect
 
 import omote
 from omote.model.cast import Cast
+from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import Frame, Gaze, Head
-from omote.show.messages import FromServer, State
-from omote.show.state import state_of
+from omote.perform.scene.character_names import MOST_CHARACTERS
+from omote.show.messages import CharacterState, FromServer, Place, State
+from omote.stage_data.pose_parser import pose_of as whole_pose_of
 from tests.browser.pictures import picture
 from tests.browser.waiting import draw_on_demand, floats, wait_until
 
@@ -26,7 +28,11 @@ OpenPage = Callable[..., Page]
 Floats = NDArray[np.float64]
 FRAMES = 100
 TOLERANCE = 0.05e-3  # metres
-POSE = ("faces", "expressions", "channels", "lids", "head", "eyes")
+POSE = ("faces", "expressions", "regions", "channels", "lids", "head", "eyes")
+TWO = {
+    "one": {"faces": {"kaori": 0.6, "old": 0.4}, "expressions": {"laugh": 1.0}, "place": {"x": -0.1, "turn": 0.3}},
+    "two": {"faces": {"old": 1.0}, "place": {"x": 0.16, "depth": 0.1, "size": 0.9, "turn": -0.4}},
+}
 LAUGHING = {"faces": {"kaori": 0.6, "old": 0.4}, "expressions": {"laugh": 1.0}, "head": [0.3, 0.1, -0.1]}
 
 
@@ -60,6 +66,10 @@ def hold(page: Page, pose: Mapping[str, Any]) -> None:
     page.evaluate("pose => window.omoteStage.hold(pose)", pose)
 
 
+def hold_scene(page: Page, characters: Mapping[str, Any]) -> None:
+    page.evaluate("characters => window.omoteStage.holdScene({ characters })", characters)
+
+
 def positions(page: Page) -> Floats:
     """The GPU's positions (vertices, 3)."""
     return floats(page, "window.omoteStage.readPositions()").reshape(-1, 3)
@@ -87,18 +97,26 @@ class Pool:
         return cls(rng.permutation(list(cast.faces))[:4].tolist(), rng.permutation(expressions)[:24].tolist())
 
 
-def random_frame(pool: Pool, rng: np.random.Generator) -> Frame:
-    """A mix as a show meets it: some faces, expressions, channels and a gaze; weights may leave 0..1 a little."""
+def random_frame(pool: Pool, rng: np.random.Generator, regional: bool) -> Frame:
+    """A mix as a show meets it: some faces, expressions, channels and a gaze; weights may leave 0..1 a little.
+
+    regional: one to four regions show mixes of their own.
+    """
 
     def weights(names: list[str], count: int) -> dict[str, float]:
         chosen = rng.choice(names, size=count, replace=False).tolist()
         share = rng.dirichlet(np.ones(count)) + 0.03 * rng.standard_normal(count)
         return dict(zip(chosen, (share / share.sum()).tolist(), strict=True))
 
+    def expressions() -> dict[str, float]:
+        return weights(["neutral", *pool.expressions], int(rng.integers(1, 5)))
+
     channels = rng.choice(pool.expressions, size=int(rng.integers(0, 9)), replace=False).tolist()
+    regions = rng.permutation(PLAY_REGIONS)[: int(rng.integers(1, 5))].tolist() if regional else []
     return Frame(
         faces=weights(pool.faces, int(rng.integers(1, 4))),
-        expressions=weights(["neutral", *pool.expressions], int(rng.integers(1, 5))),
+        expressions=expressions(),
+        regions={region: expressions() for region in regions},
         channels={name: float(rng.uniform(-0.2, 1.0)) for name in channels},
         head=Head(*rng.uniform(-0.5, 0.5, 3).tolist()),
         gaze=Gaze(*rng.uniform(-0.4, 0.4, 2).tolist()),
@@ -107,15 +125,16 @@ def random_frame(pool: Pool, rng: np.random.Generator) -> Frame:
 
 def pose_of(cast: Cast, frame: Frame) -> dict[str, Any]:
     """What the server would tell a stage of this frame."""
-    state = msgspec.to_builtins(state_of(cast, frame, epoch=1, number=1, revision=1))
-    return {name: state[name] for name in POSE}
+    whole = whole_pose_of(cast, frame)
+    return {name: whole[name] for name in POSE}
 
 
 def test_gpu_positions_equal_the_bilinear_evaluator(stage: Callable[..., Page], cast: Cast) -> None:
+    """With and without regions that go their own way, in turn: what one leaves on the GPU is not in the next."""
     page, rng = stage(), np.random.default_rng(1993)
     pool = Pool.drawn(cast, rng)
-    for _ in range(FRAMES):
-        frame = random_frame(pool, rng)
+    for number in range(FRAMES):
+        frame = random_frame(pool, rng, regional=number % 2 == 1)
         hold(page, pose_of(cast, frame))
         wrong = np.linalg.norm(positions(page) - expected(cast, frame), axis=1)
         assert wrong.max() < TOLERANCE, (frame, wrong.argmax())
@@ -198,10 +217,10 @@ def test_nine_tiles_make_one_picture(stage: Callable[..., Page]) -> None:
 
     def shown(query: str, width: int, height: int) -> NDArray[np.int16]:
         stage(query, width=width, height=height, over=page)
-        hold(page, LAUGHING)
+        hold_scene(page, TWO)
         return picture(page)
 
-    hold(page, LAUGHING)
+    hold_scene(page, TWO)
     whole = picture(page)
     tiles = [[shown(f"?tile={column},{row}&of=3x3", 160, 120) for column in range(3)] for row in range(3)]
     wall = np.concatenate([np.concatenate(row, axis=1) for row in tiles], axis=0)
@@ -234,25 +253,33 @@ def test_a_bad_address_is_refused_with_a_sentence(open_page: OpenPage, query: st
 # --- what goes away ---------------------------------------------------------------------------------------------------
 
 
+LOSE = """async () => {
+    const canvas = document.querySelector("canvas");
+    const handle = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+    const happens = (what) => new Promise((done) => canvas.addEventListener(what, done, { once: true }));
+    const lost = happens("webglcontextlost");
+    handle.loseContext();
+    await lost;
+    await new Promise(requestAnimationFrame);
+    const restored = happens("webglcontextrestored");
+    handle.restoreContext();
+    await restored;
+}"""
+
+
+def lose_and_restore(page: Page) -> None:
+    """Takes the graphics context from a stage and gives it back; waits until it shows what it showed."""
+    page.evaluate(LOSE)
+    drawn = page.evaluate("window.omoteStage.counters().drawn")
+    wait_for(page, f"stage.counters().drawn > {drawn} && stage.settled()")
+
+
 def test_a_lost_context_comes_back_with_the_same_face(stage: Callable[..., Page]) -> None:
     page = stage(live=True, width=160, height=120)
     hold(page, LAUGHING)
     before, looked = positions(page), picture(page)
     for _ in range(3):
-        page.evaluate("""async () => {
-            const canvas = document.querySelector("canvas");
-            const handle = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
-            const happens = (what) => new Promise((done) => canvas.addEventListener(what, done, { once: true }));
-            const lost = happens("webglcontextlost");
-            handle.loseContext();
-            await lost;
-            await new Promise(requestAnimationFrame);
-            const restored = happens("webglcontextrestored");
-            handle.restoreContext();
-            await restored;
-        }""")
-        drawn = page.evaluate("window.omoteStage.counters().drawn")
-        wait_for(page, f"stage.counters().drawn > {drawn} && stage.settled()")
+        lose_and_restore(page)
         assert np.array_equal(positions(page), before)
         assert np.array_equal(picture(page), looked)
 
@@ -317,17 +344,69 @@ def test_a_stage_holds_its_face_while_the_server_is_gone(open_page: OpenPage) ->
     wait_for(page, f"stage.counters().connected && stage.counters().received > {counted['received'] + 10}")
 
 
-def test_an_older_state_is_ignored(open_page: OpenPage) -> None:
-    page = open_page("/", disposable=True)
+def test_a_stage_takes_the_newest_state_and_draws_its_whole_scene(open_page: OpenPage, cast: Cast) -> None:
+    page = open_page("/", disposable=True, width=160, height=120)
     wire = Wire(page)
-    page.goto(page.url + "stage")
+    page.goto(page.url + "stage?quality=lowest")
     wait_for(page, "stage.counters().received > 5")
     newest = wire.states[-1]
-    other = {"doll": 1.0}
-    wire.send(msgspec.structs.replace(newest, epoch=newest.epoch - 1, number=newest.number + 10**9, faces=other))
-    wire.send(msgspec.structs.replace(newest, number=0, faces=other))
+    one = newest.characters["one"]
+    doll = {"one": msgspec.structs.replace(one, faces={"doll": 1.0})}
+    wire.send(msgspec.structs.replace(newest, epoch=newest.epoch - 1, number=newest.number + 10**9, characters=doll))
+    wire.send(msgspec.structs.replace(newest, number=0, characters=doll))
     wait_for(page, "stage.counters().ignored === 2")
-    assert page.evaluate("window.omoteStage.pose().faces") == newest.faces
+    assert page.evaluate("window.omoteStage.pose().faces") == one.faces
+
+    # From here on only the test's own states count.
+    scene = Scene(wire, msgspec.structs.replace(newest, epoch=newest.epoch + 1), one)
+    laughing = {"faces": {"old": 1.0}, "expressions": {"laugh": 1.0}, "regions": {"brows": {"surprise": 1.0}}}
+    scene.show({"one": {}, "two": {**laughing, "presence": 0.5}})
+    wait_for(page, "stage.scene().characters.two?.presence === 0.5 && stage.settled()")
+    frame = Frame(faces={"old": 1.0}, expressions={"laugh": 1.0}, regions={"brows": {"surprise": 1.0}})
+    drawn = floats(page, "window.omoteStage.readPositions('two')").reshape(-1, 3)
+    np.testing.assert_allclose(drawn, expected(cast, frame), rtol=0, atol=TOLERANCE)
+    np.testing.assert_allclose(
+        positions(page), expected(cast, Frame(one.faces, one.expressions)), rtol=0, atol=TOLERANCE
+    )
+    hold_scene(page, TWO)
+    together = picture(page)
+    page.evaluate("window.omoteStage.holdScene(null)")
+
+    scene.show({"one": {}, "two": {"faces": {"dog": 1.0}, "expressions": {"angry": 1.0}}})  # gone while it loads
+    scene.show({"one": {}})
+    wait_for(page, "!stage.scene().characters.two && stage.settled()")
+    mixes = {
+        f"n{number}": {"laugh": 0.9 - number / 40, "neutral": 0.1 + number / 40} for number in range(1, MOST_CHARACTERS)
+    }
+    scene.show({"one": {}, **{name: {**laughing, "expressions": mix} for name, mix in mixes.items()}})
+    wait_for(page, f"Object.keys(stage.scene().characters).length === {MOST_CHARACTERS} && stage.settled()")
+    for name in ("n1", f"n{MOST_CHARACTERS - 1}"):  # all in the same passes
+        drawn = floats(page, f"window.omoteStage.readPositions('{name}')").reshape(-1, 3)
+        frame = Frame(faces={"old": 1.0}, expressions=mixes[name], regions={"brows": {"surprise": 1.0}})
+        np.testing.assert_allclose(drawn, expected(cast, frame), rtol=0, atol=TOLERANCE)
+    lose_and_restore(page)
+    hold_scene(page, TWO)
+    assert np.array_equal(picture(page), together), "the same scene is the same picture, whatever was before"
+
+
+@dataclass
+class Scene:
+    """States of the test's own, each newer than the last."""
+
+    wire: Wire
+    state: State
+    rest: CharacterState
+
+    def show(self, characters: Mapping[str, Mapping[str, Any]]) -> None:
+        """These characters, each at rest but for what is given, side by side, are on air."""
+        whole = {
+            name: msgspec.structs.replace(self.rest, place=Place(0.3 * at, 0.0, 1.0, 0.0), **given)
+            for at, (name, given) in enumerate(characters.items())
+        }
+        self.state = msgspec.structs.replace(
+            self.state, number=self.state.number + 1, characters=whole, framing={"*": 1.0}
+        )
+        self.wire.send(self.state)
 
 
 SLOW = """() => {

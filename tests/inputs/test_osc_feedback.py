@@ -4,10 +4,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.inputs.osc_addresses import read_order
-from omote.inputs.osc_feedback import QUIET_SECONDS, Feedback, tell_state
+from omote.inputs.osc_feedback import QUIET_SECONDS, Feedback, OnAir, tell_state
+from omote.inputs.osc_orders import read_orders
 from omote.inputs.osc_packet import OscMessage
-from omote.perform.performer import Performer
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from tests import synthetic
@@ -15,18 +14,47 @@ from tests import synthetic
 
 def test_all_that_is_told_can_be_sent_back_and_changes_nothing() -> None:
     cast = synthetic.cast()
-    session = ShowSession(cast, Performer(cast))
+    session = ShowSession(cast)
     session.join("a", "Ana")
-    for message in (wire.CallFace("1", "broad", 0.0, "smooth"), wire.SetChannel("smile", 0.5), wire.SetHead(0.1, 0, 0)):
+    for message in (
+        wire.CallFace("one", "1", "broad", 0.0, "smooth"),
+        wire.AddCharacter("2", "two", "Two", "long"),
+        wire.CallExpression("one", "4", "smile", 0.0, "smooth", "mouth"),
+        wire.SetChannel("two", "jawOpen", 0.25),
+        wire.CallFraming("3", ["two", "one"], 0.0, "smooth"),
+        wire.SetChannel("one", "smile", 0.5),
+        wire.SetHead("one", 0.1, 0, 0),
+    ):
         session.receive("a", message, 0.0)
     state = session.tick(0.0)
-    for number, (address, values) in enumerate(tell_state(state, "one").items()):
-        order = read_order(OscMessage(address, values), cast, f"c{number}")
-        assert order is not None
-        assert session.receive("a", order.message, 0.0) == []
+    for number, (address, values) in enumerate(tell_state(state).items()):
+        orders = read_orders(OscMessage(address, values), cast, ("one", "two"), f"c{number}")
+        assert len(orders) == 1
+        assert session.receive("a", orders[0], 0.0) == []
     again = session.tick(5.0)
-    assert (again.faces, again.channels, again.light) == (state.faces, state.channels, state.light)
-    assert again.head == pytest.approx(state.head, abs=1e-5)
+    assert (again.characters["one"].faces, again.characters["one"].channels, again.light) == (
+        state.characters["one"].faces,
+        state.characters["one"].channels,
+        state.light,
+    )
+    assert again.characters["one"].regions == {"mouth": {"smile": 1.0}}
+    assert (again.characters["two"], again.framing) == (state.characters["two"], {"one+two": 1.0})
+    assert again.characters["one"].head == pytest.approx(state.characters["one"].head, abs=1e-5)
+
+
+def test_a_region_is_told_what_it_shows_its_own_or_that_of_the_face() -> None:
+    session = ShowSession(synthetic.cast())
+    session.join("a", "Ana")
+
+    def told() -> dict[str, object]:
+        own = "/omote/one/expression"
+        values = tell_state(session.tick(0.0))
+        return {address.removeprefix(own): value for address, (value, *_) in values.items() if address.startswith(own)}
+
+    assert told() == dict.fromkeys(["", "/brows", "/eyes", "/mouth", "/rest"], "neutral")
+    session.receive("a", wire.CallExpression("one", "1", "jawOpen", 1.0, "smooth", "mouth"), 0.0)
+    session.receive("a", wire.CallExpression("one", "2", "smile", 0.0, "smooth", "brows"), 0.0)
+    assert told() == {"": "neutral", "/brows": "smile", "/eyes": "neutral", "/mouth": "jawOpen", "/rest": "neutral"}
 
 
 values = st.dictionaries(st.sampled_from("abc"), st.tuples(st.floats(0.0, 1.0)), max_size=3)
@@ -49,3 +77,21 @@ def test_an_address_that_a_hand_moves_is_told_once_the_hand_rests() -> None:
     feedback.note("a", 0.0)
     assert feedback.news({"a": (1.0,)}, 0.5 * QUIET_SECONDS) == {}
     assert feedback.news({"a": (1.0,)}, 1.5 * QUIET_SECONDS) == {"a": (1.0,)}
+
+
+def test_on_air_tells_each_address_as_the_whole_list_does() -> None:
+    session = ShowSession(synthetic.cast())
+    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
+    session.receive("a", wire.SetChannel("one", "jawOpen", 0.25), 0.0)
+    session.receive("a", wire.SetHead("one", 0.5, 0.25, 0.0), 0.0)
+    state = session.tick(0.1)
+    on_air, told = OnAir(state), tell_state(state)
+    assert {path: on_air.get(path) for path in told} == told
+    assert {path: on_air.get(path.replace("/one/", "/*/")) for path in told} == told
+    assert on_air.get("/omote/one/channel/smile") == (0.0,)
+
+
+@pytest.mark.parametrize("path", ["/omote/two/head", "/omote/one/panic", "/omote/one/expression/nose", "/omote/panic"])
+def test_what_has_no_value_on_air_is_told_as_the_default(path: str) -> None:
+    assert OnAir(ShowSession(synthetic.cast()).tick(0.0)).get(path) == ()
+    assert OnAir().get(path, (1.0,)) == (1.0,)

@@ -5,6 +5,8 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from omote.inputs.osc_input import (
     ERROR,
@@ -13,10 +15,8 @@ from omote.inputs.osc_input import (
     SURFACE_SECONDS,
     OscInput,
     Place,
-    matches,
 )
-from omote.inputs.osc_packet import Argument, decode_packet, encode_bundle, encode_message
-from omote.perform.performer import Performer
+from omote.inputs.osc_packet import Argument, OscMessage, decode_packet, encode_bundle, encode_message
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from tests import synthetic
@@ -27,7 +27,7 @@ Send = Callable[..., list[tuple[Place, bytes]]]
 
 @pytest.fixture
 def session() -> ShowSession:
-    return ShowSession(synthetic.cast(), Performer(synthetic.cast()))
+    return ShowSession(synthetic.cast())
 
 
 @pytest.fixture
@@ -50,16 +50,16 @@ def test_a_sender_plays_and_consoles_see_whose_hand_it_is(session: ShowSession, 
     send("/omote/one/face", "broad", 0.0)
     send("/omote/*/channel/jawOpen", 0.5)
     state = session.tick(0.1)
-    assert (state.faces, state.channels) == ({"broad": 1.0}, {"jawOpen": 0.5})
+    assert (state.characters["one"].faces, state.characters["one"].channels) == ({"broad": 1.0}, {"jawOpen": 0.5})
     (hands,) = session.hands_now(0.1)
-    assert hands.message == wire.Hands({"set_channel:jawOpen": "OSC 10.0.0.5"})
+    assert hands.message == wire.Hands({"one/set_channel:jawOpen": "OSC 10.0.0.5"})
     assert session.crew_now(0.1) == wire.Crew([], 1)
 
 
 def test_the_same_call_twice_calls_twice(session: ShowSession, send: Send) -> None:
     for name in ("broad", "long", "broad"):
         send("/omote/one/face", name, 0.0)
-    assert session.tick(0.0).faces == {"broad": 1.0}
+    assert session.tick(0.0).characters["one"].faces == {"broad": 1.0}
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, 1.6, -0.6])
@@ -67,7 +67,7 @@ def test_a_value_out_of_range_is_rejected_and_counted(
     session: ShowSession, osc: OscInput, send: Send, value: float
 ) -> None:
     send("/omote/one/channel/jawOpen", value)
-    assert session.tick(0.0).channels == {}
+    assert session.tick(0.0).characters["one"].channels == {}
     assert (osc.heard, osc.rejected) == (1, 1)
     assert osc.last_rejection is not None
     assert "jawOpen" in osc.last_rejection.reason
@@ -76,22 +76,13 @@ def test_a_value_out_of_range_is_rejected_and_counted(
 def test_of_a_bundle_each_message_stands_for_itself(session: ShowSession, osc: OscInput) -> None:
     packets = [encode_message("/omote/one/channel/nose", 1.0), encode_message("/omote/one/channel/jawOpen", 1.0)]
     osc.receive(DESK, encode_bundle(packets), 0.0)
-    assert (session.tick(0.0).channels, osc.rejected) == ({"jawOpen": 1.0}, 1)
+    assert (session.tick(0.0).characters["one"].channels, osc.rejected) == ({"jawOpen": 1.0}, 1)
 
 
 def test_a_character_that_there_is_not_is_said(osc: OscInput, send: Send) -> None:
     send("/omote/bob/face", "broad")
     assert osc.last_rejection is not None
     assert osc.last_rejection.reason == "there is no character 'bob'; there is one, and * for all"
-
-
-@pytest.mark.parametrize(
-    ("pattern", "meant"),
-    [("one", True), ("*", True), ("o?e", True), ("{two,one}", True), ("[m-p]ne", True), ("[!o]ne", False),
-     ("two", False), ("One", False), ("{two,three}", False), ("{one", False)],
-)  # fmt: skip
-def test_characters_are_meant_by_patterns(pattern: str, meant: bool) -> None:
-    assert matches(pattern, "one") is meant
 
 
 def test_a_surface_hears_everything_once_then_what_is_new(session: ShowSession, osc: OscInput, send: Send) -> None:
@@ -181,6 +172,61 @@ def test_whatever_comes_the_state_stays_whole(session: ShowSession, osc: OscInpu
             data[rng.integers(len(data))] = rng.integers(256)
         osc.receive(DESK, bytes(data), number / 100)
         state = session.tick(number / 100)
-        assert math.fsum(state.faces.values()) == pytest.approx(1.0)
-        assert all(map(math.isfinite, [*state.channels.values(), *state.head, *state.gaze, *state.eyes]))
+        assert math.fsum(state.characters["one"].faces.values()) == pytest.approx(1.0)
+        assert all(
+            map(
+                math.isfinite,
+                [
+                    *state.characters["one"].channels.values(),
+                    *state.characters["one"].head,
+                    *state.characters["one"].gaze,
+                    *state.characters["one"].eyes,
+                ],
+            )
+        )
     assert osc.rejected > 500
+
+
+weights = st.one_of(st.floats(-0.5, 1.5), st.sampled_from([0.0, 9.0]))
+played = st.one_of(
+    st.builds(
+        lambda who, name, weight: OscMessage(f"/omote/{who}/channel/{name}", (weight,)),
+        st.sampled_from(["one", "two", "*", "nobody"]),
+        st.sampled_from(["jawOpen", "smile", "neutral", "nothing"]),
+        weights,
+    ),
+    st.builds(lambda yaw: OscMessage("/omote/one/head", (yaw, 0.0, 0.0)), st.sampled_from([5.0, 200.0])),
+    st.just(OscMessage("/omote/one/panic")),
+)
+
+
+def play(ticks: list[list[OscMessage]], *, at_once: bool, panicked: bool, held: bool) -> dict[str, object]:
+    """What a show has come to after some ticks. panicked: another console has just pressed panic of all; held: it holds
+    the channels of one character."""
+    show = ShowSession(synthetic.cast())
+    show.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION, "Ana"), 0.0)
+    show.receive("a", wire.AddCharacter("add", "two", "Two", "generic"), 0.0)
+    if held:
+        show.receive("a", wire.SetLeases("on", True), 0.0)
+        show.receive("a", wire.SetChannel("two", "smile", 0.5), 0.0)
+    osc, told = OscInput(lambda: show), list[object]()
+    osc.subscribe(DESK, 0.0)
+    for number, messages in enumerate(ticks):
+        now = 0.2 * number
+        if panicked and number == 1:
+            show.receive("a", wire.Panic("*"), now)
+        answers = (
+            osc.obey_all(DESK, messages, now) if at_once else [a for m in messages for a in osc.obey(DESK, m, now)]
+        )
+        told += [answers, show.tick(now), show.hands_now(now), osc.news(show.tick(now), now)]
+    return {"snapshot": show.snapshot(), "told": told, "counts": (osc.heard, osc.rejected), "newest": osc.newest}
+
+
+@settings(max_examples=40)
+@given(st.lists(st.lists(played, max_size=8), min_size=2, max_size=5), st.booleans(), st.booleans())
+def test_channels_that_are_set_at_once_do_what_they_do_one_by_one(
+    ticks: list[list[OscMessage]], panicked: bool, held: bool
+) -> None:
+    one_by_one = play(ticks, at_once=False, panicked=panicked, held=held)
+    at_once = play(ticks, at_once=True, panicked=panicked, held=held)
+    assert at_once == one_by_one

@@ -91,7 +91,7 @@ def test_a_message_of_before_1_0_has_no_tags() -> None:
         (BUNDLE + bytes(8) + struct.pack(">i", -4), "has -4 bytes"),
         (BUNDLE + bytes(8) + b"\0", "ends within a number"),
         (bytes(LONGEST_PACKET + 1), "at most 65507 are read"),
-        (encode_bundle([b"/a\0\0"] * (MOST_MESSAGES + 1)), "more than 1024 messages"),
+        (encode_bundle([b"/a\0\0"] * (MOST_MESSAGES + 1)), "more than 256 messages"),
     ],
 )  # fmt: skip
 def test_what_is_no_packet_is_rejected_whole(packet: bytes, said: str) -> None:

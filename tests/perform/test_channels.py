@@ -6,7 +6,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
-from omote.perform.channels import GAZE_UNITS, effective_channels, eye_angles, gaze_channels, with_channel
+from omote.perform.channels import (
+    GAZE_UNITS,
+    effective_channels,
+    eye_angles,
+    gaze_channels,
+    with_channel,
+    with_channels,
+)
 from omote.perform.frame import Gaze
 from omote.perform.limits import GAZE_LIMITS
 from tests.synthetic import EXPRESSIONS, LOOKS
@@ -22,6 +29,17 @@ def test_channels_are_kept_as_set_in_one_order_without_zeros(cast: Cast, values:
         channels = with_channel(channels, cast.expressions, name, value)
     assert channels == {name: value for name, value in values.items() if value}
     assert list(channels) == sorted(channels)
+
+
+@given(faders, faders)
+def test_channels_set_at_once_are_those_set_one_by_one(
+    cast: Cast, before: dict[str, float], values: dict[str, float]
+) -> None:
+    begun = with_channels({}, cast.expressions, before)
+    channels = begun
+    for name, value in values.items():
+        channels = with_channel(channels, cast.expressions, name, value)
+    assert list(with_channels(begun, cast.expressions, values).items()) == list(channels.items())
 
 
 @pytest.mark.parametrize("name", ["neutral", "jawopen", ""])

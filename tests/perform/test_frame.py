@@ -1,11 +1,11 @@
 """Directions of head and gaze are checked where they are made."""
 
 import math
-from dataclasses import FrozenInstanceError
+from dataclasses import FrozenInstanceError, replace
 
 import pytest
 
-from omote.perform.frame import Frame, Gaze, Head
+from omote.perform.frame import Frame, Gaze, Head, with_fields
 
 
 @pytest.mark.parametrize("angle", [math.nan, math.inf, 1.58, -1.58])
@@ -29,3 +29,10 @@ def test_directions_are_kept_as_plain_floats() -> None:
 def test_a_frame_cannot_be_changed() -> None:
     with pytest.raises(FrozenInstanceError):
         Frame({"generic": 1.0}, {"neutral": 1.0}).time = 1.0  # type: ignore[misc]
+
+
+def test_a_frame_with_other_fields_is_what_replace_gives_and_leaves_the_first() -> None:
+    frame = Frame({"generic": 1.0}, {"neutral": 1.0}, panics=2)
+    later = with_fields(frame, head=Head(0.1), time=2.0)
+    assert later == replace(frame, head=Head(0.1), time=2.0)
+    assert frame == Frame({"generic": 1.0}, {"neutral": 1.0}, panics=2)

@@ -14,7 +14,7 @@ from omote.perform.panic import (
     with_settling_channels,
     with_settling_gaze,
     with_settling_head,
-    without_channel,
+    without_channels,
 )
 
 LEFT = Settling({"jawOpen": 1.2, "cheekPuff": -0.4}, Head(0.6, -0.3, 0.1), Gaze(-0.5, 0.2))
@@ -42,8 +42,8 @@ def test_it_only_comes_closer_and_one_step_lands_where_many_do(steps: list[float
 
 def test_what_a_hand_takes_again_is_its_own() -> None:
     half = replace(LEFT, elapsed=PANIC_SECONDS / 2)
-    left = without_channel(half, "jawOpen")
+    left = without_channels(half, ["jawOpen"])
     found = with_settling_channels({"jawOpen": 0.9}, left)
     assert found["jawOpen"] == 0.9
     assert -0.4 < found["cheekPuff"] < 0.0
-    assert without_channel(None, "jawOpen") is None
+    assert without_channels(None, ["jawOpen"]) is None

@@ -1,6 +1,7 @@
 """The performer as its callers see it: commands, frames, refusals, panic, snapshots."""
 
 import math
+from collections.abc import Mapping
 from itertools import pairwise
 from typing import Any
 
@@ -10,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.model.known_names import PLAY_REGIONS, PlayRegion
 from omote.perform.frame import Frame, Gaze, Head, Home
 from omote.perform.panic import PANIC_SECONDS, SAME_PRESS
 from omote.perform.performer import Performer
@@ -25,6 +27,10 @@ def played(cast: Cast, show: list[Command]) -> Performer:
     return performer
 
 
+def mix_in(region: PlayRegion, frame: Frame) -> Mapping[str, float]:
+    return frame.regions.get(region, frame.expressions)
+
+
 def test_a_new_performer_shows_the_generic_face_at_rest(cast: Cast) -> None:
     assert Performer(cast).advance(0.0) == Frame({"generic": 1.0}, {"neutral": 1.0})
 
@@ -35,7 +41,7 @@ def test_mixes_sum_to_one_and_channels_stand_beside_them(cast: Cast, show: list[
     for command in show:
         command.play(performer)
         frame = performer.advance(command.wait)
-        for mix in (frame.faces, frame.expressions, frame.light):
+        for mix in (frame.faces, frame.expressions, frame.light, *frame.regions.values()):
             assert math.fsum(mix.values()) == pytest.approx(1.0, abs=1e-9)
             assert all(-0.1 - 1e-9 <= weight <= 1.1 + 1e-9 for weight in mix.values())
     assert frame_time(show) == pytest.approx(performer.advance(0.0).time)
@@ -146,7 +152,7 @@ def test_after_panic_the_face_is_neutral_and_nothing_moves_until_somebody_plays(
     performer = played(cast, show)
     performer.panic()
     frame = performer.advance(PANIC_SECONDS)
-    assert frame.expressions == {"neutral": 1.0}
+    assert (frame.expressions, frame.regions, frame.region_calls) == ({"neutral": 1.0}, {}, {})
     assert (frame.channels, frame.head, frame.gaze) == ({}, Head(), Gaze())
     assert (frame.face_call, frame.expression_call, frame.face_fader, frame.expression_fader) == (None, None, 0.0, 0.0)
     later = performer.advance(100.0)
@@ -166,6 +172,7 @@ def test_panic_does_not_pop(cast: Cast, show: list[Command]) -> None:
             (one.faces, other.faces),
             (one.expressions, other.expressions),
             (one.channels, other.channels),
+            *((mix_in(each, one), mix_in(each, other)) for each in PLAY_REGIONS),
         ):
             moved = [abs(following.get(name, 0.0) - mix.get(name, 0.0)) for name in {*mix, *following}]
             assert max(moved, default=0.0) < 0.02

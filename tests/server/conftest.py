@@ -14,10 +14,9 @@ from aiohttp.test_utils import TestClient, TestServer
 from omote.edit.protocol import messages as editing
 from omote.edit.protocol import wire as edit_wire
 from omote.model.cast import Cast
-from omote.perform.performer import Performer
+from omote.server.access.security import own_names
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments
-from omote.server.http.security import own_names
 from omote.server.persistence.restore import journal_entry, restore
 from omote.server.process.process_messages import Order
 from omote.server.supervision.show_process import open_reopenable_work
@@ -156,7 +155,7 @@ async def edit_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[EditHarness]
 async def show_harness(cast: Cast) -> AsyncIterator[ShowHarness]:
     """The synthetic cast behind a real socket; ticks come from the test."""
     clock = Clock()
-    session = ShowSession(cast, Performer(cast), epoch=7)
+    session = ShowSession(cast, epoch=7)
     documents = CastDocuments(cast, meshes(cast), MASK)
     show = ShowServer(session, documents, PAGES, clock=clock)
     async with TestClient(TestServer(show.application(own_names()))) as client:

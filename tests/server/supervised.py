@@ -1,9 +1,11 @@
 """A supervisor that plays the synthetic cast from the show file named by its argument."""
 
+import json
 import os
 import sys
 from pathlib import Path
 
+from omote.server.access.access_setup import AccessOptions
 from omote.server.persistence.lock import lock_show
 from omote.server.supervision import supervisor
 from omote.server.supervision.listening_socket import listen_on
@@ -31,7 +33,7 @@ def main(path: Path) -> int:
         path,
         report=say,
         opened=lambda: say(f"http://127.0.0.1:{port}"),
-        program=PROGRAM,
+        program=(*PROGRAM, *AccessOptions(**json.loads(os.environ.get("SYNTHETIC_ACCESS", "{}"))).words),
     )
     return supervisor.run()
 

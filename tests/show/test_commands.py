@@ -1,4 +1,4 @@
-"""Every command of a console reaches the performer, by the table."""
+"""Every command of a console reaches the scene and its characters, by the tables."""
 
 import math
 from typing import get_args
@@ -6,26 +6,103 @@ from typing import get_args
 import pytest
 
 from omote.model.cast import Cast
-from omote.perform.performer import Performer
+from omote.perform.scene.scene import Scene
 from omote.show import messages as wire
-from omote.show.commands import ACTIONS
+from omote.show.commands import ACTIONS, SCENE_ACTIONS, carry_out, characters_of, refuse_unknown
+from omote.show.sources.open_sources import SOURCE_CHANGES
 from omote.show.validation import Refusal
 
 
 def test_a_call_in_seconds_runs_and_one_by_hand_waits(cast: Cast) -> None:
-    performer = Performer(cast)
-    ACTIONS[wire.CallFace](performer, wire.CallFace("1", "broad", 1.0, "smooth"))
-    ACTIONS[wire.CallExpression](performer, wire.CallExpression("2", "smile", None, "smooth"))
-    frame = performer.advance(1.0)
+    scene = Scene.begun(cast)
+    carry_out(scene, wire.CallFace("one", "1", "broad", 1.0, "smooth"))
+    carry_out(scene, wire.CallExpression("one", "2", "smile", None, "smooth"))
+    frame = scene.advance(1.0).characters["one"].frame
     assert (frame.faces, frame.expressions) == ({"broad": 1.0}, {"neutral": 1.0})
 
 
-@pytest.mark.parametrize("kind", [wire.CallFace, wire.CallExpression, wire.CallLight])
-def test_infinite_seconds_are_no_word_of_the_wire(cast: Cast, kind: type[wire.CallFace]) -> None:
-    with pytest.raises(Refusal, match="seconds"):
-        ACTIONS[kind](Performer(cast), kind("1", "broad", math.inf, "smooth"))
+def test_a_call_in_a_region_runs_there_alone_and_has_no_t_bar(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    carry_out(scene, wire.CallExpression("one", "1", "smile", 1.0, "smooth", "mouth"))
+    frame = scene.advance(1.0).characters["one"].frame
+    assert (frame.expressions, frame.regions) == ({"neutral": 1.0}, {"mouth": {"smile": 1.0}})
+    with pytest.raises(Refusal, match="a region of a face has no T-bar: give the seconds"):
+        carry_out(scene, wire.CallExpression("one", "2", "jawOpen", None, "smooth", "mouth"))
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        wire.CallFace("one", "1", "broad", math.inf, "smooth"),
+        wire.CallExpression("one", "1", "smile", math.inf, "smooth"),
+        wire.CallLight("1", "flat", math.inf, "smooth"),
+        wire.CallFraming("1", ["one"], math.inf, "smooth"),
+        wire.EnterCharacter("1", "one", math.inf),
+        wire.LeaveCharacter("1", "one", math.inf),
+        wire.PlaceCharacter("one", 0.0, 0.0, 1.0, 0.0, math.inf),
+    ],
+    ids=lambda call: type(call).__name__,
+)
+def test_infinite_seconds_are_no_word_of_the_wire(cast: Cast, call: wire.FromClient) -> None:
+    with pytest.raises(ValueError, match="seconds"):
+        carry_out(Scene.begun(cast), call)
+
+
+def test_a_message_is_for_one_character_or_for_all_of_them(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    for name in ("two", "three"):
+        scene.add(name)
+    assert characters_of(scene, "*") == ("one", "two", "three")
+    assert characters_of(scene, "two") == ("two",)
+    with pytest.raises(ValueError, match="there is no character 'tow'"):
+        characters_of(scene, "tow")
+    for nobody in ("*", "tow"):
+        with pytest.raises(Refusal, match="there is no character"):
+            refuse_unknown(scene, nobody)
+    carry_out(scene, wire.FadeFace("*", 0.5))
+    carry_out(scene, wire.SetChannel("two", "jawOpen", 0.25))
+    frames = {name: character.frame for name, character in scene.advance(0.0).characters.items()}
+    assert {frame.face_fader for frame in frames.values()} == {0.5}
+    assert {name: dict(frame.channels) for name, frame in frames.items()} == {
+        "one": {},
+        "two": {"jawOpen": 0.25},
+        "three": {},
+    }
+
+
+def test_the_last_character_stays(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    with pytest.raises(Refusal, match="One is the last character"):
+        carry_out(scene, wire.RemoveCharacter("1", "one"))
+    scene.add("two")
+    carry_out(scene, wire.RemoveCharacter("2", "one"))
+    with pytest.raises(Refusal, match="two is the last character"):
+        carry_out(scene, wire.RemoveCharacter("3", "two"))
+    assert list(scene.advance(2.0).characters) == ["two"]
 
 
 def test_every_message_that_plays_has_an_action() -> None:
-    asked = set(get_args(wire.KeepMessage))
-    assert {*wire.CLIENT_MESSAGES} - {*ACTIONS} == asked | {wire.Hello, wire.Cancel, wire.Ping, wire.Drawing}
+    asked = {*get_args(wire.KeepMessage), *get_args(wire.DeviceMessage), *get_args(wire.LeaseMessage)}
+    others = {*wire.CLIENT_MESSAGES} - {*ACTIONS, *SCENE_ACTIONS}
+    assert others == asked | {
+        *SOURCE_CHANGES,
+        wire.Source,
+        wire.Drive,
+        wire.LeaveSource,
+        wire.Hello,
+        wire.Cancel,
+        wire.Ping,
+        wire.Drawing,
+    }
+
+
+def test_a_removed_character_comes_back_by_its_key_or_its_name(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    scene.add("two", face="broad")
+    for key, found in (("", "two"), ("a-7", "a-7")):
+        carry_out(scene, wire.RemoveCharacter("1", "two", key))
+        assert "two" not in scene.advance(5.0).characters
+        carry_out(scene, wire.RestoreCharacter("2", found, 0.5))
+        assert scene.advance(5.0).characters["two"].frame.faces == {"broad": 1.0}
+    with pytest.raises(ValueError, match="there is no removed character 'two'"):
+        carry_out(scene, wire.RestoreCharacter("3", "two", 0.5))

@@ -1,6 +1,7 @@
 """The messages themselves: tags, and that both directions survive the wire."""
 
 import typing
+from typing import TypeVar
 
 import msgspec
 import pytest
@@ -10,6 +11,8 @@ from hypothesis import strategies as st
 from omote.show import messages
 from omote.show.messages import CLIENT_MESSAGES, SERVER_MESSAGES, Message, snake_case
 from omote.show.wire import decode, decode_answer, encode
+
+Struct = TypeVar("Struct", bound=msgspec.Struct)
 
 
 def test_every_message_has_a_tag_of_its_own() -> None:
@@ -42,13 +45,13 @@ def test_what_the_server_says_comes_over_the_wire_unchanged(kind: type[Message])
 
 @given(st.floats(0.0, 600.0), st.text(min_size=1, max_size=80))
 def test_numbers_and_names_travel_exactly(seconds: float, name: str) -> None:
-    message = messages.CallFace("id", name, seconds, "smooth")
+    message = messages.CallFace("one", "id", name, seconds, "smooth")
     assert decode(encode(message)) == message
 
 
-def _example(kind: type[Message]) -> Message:
+def _example(kind: type[Struct]) -> Struct:
     hints = typing.get_type_hints(kind, include_extras=False)
-    message: Message = kind(**{field.name: _value(hints[field.name]) for field in msgspec.structs.fields(kind)})
+    message: Struct = kind(**{field.name: _value(hints[field.name]) for field in msgspec.structs.fields(kind)})
     return message
 
 
@@ -59,7 +62,9 @@ def _value(hint: object) -> object:
     if origin is tuple:
         return tuple(_value(argument) for argument in arguments)
     if origin in (list, dict):
-        return [] if origin is list else {"smile": _value(arguments[1])}
+        return [] if origin is list else {_value(arguments[0]): _value(arguments[1])}
     if type(None) in arguments:
         return None
-    return {str: "smile", float: 0.25, int: 1, bool: True}[hint]  # type: ignore[index]
+    if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
+        return _example(hint)
+    return {str: "smile", float: 0.25, int: 1, bool: True, bytes: b"\xb0\x07\x40"}[hint]  # type: ignore[index]

@@ -11,20 +11,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.model.known_names import PLAY_REGIONS
 from omote.perform.lights import LIGHTS
 from omote.perform.limits import GAZE_LIMITS
 from omote.perform.panic import PANIC_SECONDS
-from omote.perform.performer import Performer
+from omote.perform.scene.scene_snapshot import SceneSnapshot
 from omote.show import messages as wire
-from omote.show.session import (
-    LOST_SECONDS,
-    REMEMBERED_CALLS,
-    SILENCE,
-    KeepRequest,
-    Outgoing,
-    SessionSnapshot,
-    ShowSession,
-)
+from omote.show.crew.members import LOST_SECONDS, SILENCE
+from omote.show.outgoing import KeepRequest, Outgoing
+from omote.show.session import REMEMBERED_CALLS, ShowSession
+from omote.show.session_snapshot import SessionSnapshot
 from omote.show.state import EYE_SECONDS
 from omote.show.wire import encode
 from tests import synthetic
@@ -33,47 +29,90 @@ FRAME = 1.0 / 60.0
 
 call = st.one_of(
     st.builds(
-        wire.CallFace, st.uuids().map(str), st.sampled_from(synthetic.FACES), st.floats(0.0, 3.0), st.just("smooth")
+        wire.CallFace,
+        st.just("one"),
+        st.uuids().map(str),
+        st.sampled_from(synthetic.FACES),
+        st.floats(0.0, 3.0),
+        st.just("smooth"),
     ),
     st.builds(
         wire.CallExpression,
+        st.just("one"),
         st.uuids().map(str),
         st.sampled_from(synthetic.EXPRESSIONS),
         st.floats(0.0, 3.0),
         st.just("smooth"),
     ),
-    st.builds(wire.CallFace, st.uuids().map(str), st.sampled_from(synthetic.FACES), st.none(), st.just("smooth")),
+    st.builds(
+        wire.CallFace,
+        st.just("one"),
+        st.uuids().map(str),
+        st.sampled_from(synthetic.FACES),
+        st.none(),
+        st.just("smooth"),
+    ),
+    st.builds(
+        wire.CallExpression,
+        st.just("one"),
+        st.uuids().map(str),
+        st.sampled_from(synthetic.EXPRESSIONS),
+        st.floats(0.0, 3.0),
+        st.just("smooth"),
+        st.sampled_from(PLAY_REGIONS),
+    ),
     st.builds(wire.CallLight, st.uuids().map(str), st.sampled_from([*LIGHTS]), st.floats(0.0, 3.0), st.just("smooth")),
 )
 command = st.one_of(
     call,
-    st.builds(wire.FadeFace, st.floats(0.0, 1.0)),
-    st.builds(wire.FadeExpression, st.floats(0.0, 1.0)),
-    st.builds(wire.SetChannel, st.sampled_from(synthetic.EXPRESSIONS[1:]), st.floats(-0.5, 1.5)),
-    st.builds(wire.SetHead, *[st.floats(-1.0, 1.0)] * 3),
-    st.builds(wire.SetGaze, *(st.floats(-limit, limit) for limit in GAZE_LIMITS.values())),
-    st.sampled_from([wire.ReleaseFace(), wire.ReleaseExpression(), wire.Panic(), wire.SetHome("broad", 1.0)]),
+    st.builds(wire.FadeFace, st.just("one"), st.floats(0.0, 1.0)),
+    st.builds(wire.FadeExpression, st.just("one"), st.floats(0.0, 1.0)),
+    st.builds(wire.SetChannel, st.just("one"), st.sampled_from(synthetic.EXPRESSIONS[1:]), st.floats(-0.5, 1.5)),
+    st.builds(wire.SetHead, st.just("one"), *[st.floats(-1.0, 1.0)] * 3),
+    st.builds(wire.SetGaze, st.just("one"), *(st.floats(-limit, limit) for limit in GAZE_LIMITS.values())),
+    st.sampled_from(
+        [wire.ReleaseFace("one"), wire.ReleaseExpression("one"), wire.Panic("one"), wire.SetHome("one", "broad", 1.0)]
+    ),
 )
 wrong = st.one_of(
     st.builds(
-        wire.SetChannel, st.text(min_size=1, max_size=20), st.sampled_from([math.nan, math.inf, -math.inf, 1.6, 1e308])
+        wire.SetChannel,
+        st.just("one"),
+        st.text(min_size=1, max_size=20),
+        st.sampled_from([math.nan, math.inf, -math.inf, 1.6, 1e308]),
     ),
-    st.builds(wire.SetHead, *[st.sampled_from([math.nan, math.inf, 4.0])] * 3),
-    st.builds(wire.FadeFace, st.sampled_from([math.nan, -0.001, 1.001, 1e308])),
-    st.builds(wire.CallFace, st.just("x"), st.just("nobody"), st.just(1.0), st.just("smooth")),
+    st.builds(wire.SetHead, st.just("one"), *[st.sampled_from([math.nan, math.inf, 4.0])] * 3),
+    st.builds(wire.FadeFace, st.just("one"), st.sampled_from([math.nan, -0.001, 1.001, 1e308])),
+    st.builds(wire.CallFace, st.just("one"), st.just("x"), st.just("nobody"), st.just(1.0), st.just("smooth")),
     st.builds(
-        wire.CallFace, st.just("x"), st.just("generic"), st.sampled_from([math.nan, -1.0, 1e9]), st.just("smooth")
+        wire.CallFace,
+        st.just("one"),
+        st.just("x"),
+        st.just("generic"),
+        st.sampled_from([math.nan, -1.0, 1e9]),
+        st.just("smooth"),
     ),
-    st.builds(wire.CallFace, st.just("x"), st.just("generic"), st.just(1.0), st.just("jerky")),
+    st.builds(wire.CallFace, st.just("one"), st.just("x"), st.just("generic"), st.just(1.0), st.just("jerky")),
     st.builds(wire.CallLight, st.just("x"), st.sampled_from(["candle", "flat"]), st.just(-1.0), st.just("smooth")),
-    st.builds(wire.SetHome, st.sampled_from(["nobody", "broad"]), st.sampled_from([math.nan, math.inf, -1.0])),
+    st.builds(
+        wire.SetHome, st.just("one"), st.sampled_from(["nobody", "broad"]), st.sampled_from([math.nan, math.inf, -1.0])
+    ),
+    st.builds(
+        wire.CallExpression,
+        st.just("one"),
+        st.just("x"),
+        st.just("smile"),
+        st.sampled_from([None, math.inf, -1.0]),
+        st.just("smooth"),
+        st.sampled_from(PLAY_REGIONS),
+    ),
     st.builds(wire.Ping, st.sampled_from([math.nan, math.inf])),
 )
 
 
 def opened(cast: Cast, *consoles: str) -> ShowSession:
     """A session with these consoles."""
-    session = ShowSession(cast, Performer(cast), epoch=5)
+    session = ShowSession(cast, epoch=5)
     for who in consoles:
         session.receive(who, wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
     session.tick(0.0)
@@ -86,13 +125,13 @@ def reasons(outgoing: list[Outgoing]) -> list[str]:
 
 
 def test_hello_is_answered_with_who_we_are(cast: Cast) -> None:
-    session = ShowSession(cast, Performer(cast), epoch=5, revision=2)
+    session = ShowSession(cast, epoch=5, revision=2)
     welcome = wire.Welcome(wire.PROTOCOL_VERSION, 5, 2, cast.digest)
     assert session.receive("a", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0) == [Outgoing("a", welcome)]
 
 
 def test_consoles_are_told_what_the_crew_must_know_and_stages_are_not(cast: Cast) -> None:
-    session = ShowSession(cast, Performer(cast))
+    session = ShowSession(cast)
     session.notices = [wire.Notice("1", 1.7e9, "The show's process ended.")]
     told = [session.receive(role, wire.Hello(role, wire.PROTOCOL_VERSION), 0.0)[1:] for role in ("console", "stage")]
     assert told == [[Outgoing("console", wire.Notices(session.notices))], []]
@@ -102,44 +141,44 @@ def test_consoles_are_told_what_the_crew_must_know_and_stages_are_not(cast: Cast
 def test_a_page_of_another_version_is_told_to_reload(cast: Cast) -> None:
     session = opened(cast)
     assert "reload the page" in reasons(session.receive("a", wire.Hello("console", 99), 0.0))[0]
-    assert "before hello" in reasons(session.receive("a", wire.Panic(), 0.0))[0]
+    assert "before hello" in reasons(session.receive("a", wire.Panic("one"), 0.0))[0]
 
 
 def test_a_call_brings_its_face_on_air_in_its_time(cast: Cast) -> None:
     session = opened(cast, "a")
-    assert session.receive("a", wire.CallFace("1", "broad", 2.0, "smooth"), 0.0) == []
+    assert session.receive("a", wire.CallFace("one", "1", "broad", 2.0, "smooth"), 0.0) == []
     half, done = session.tick(1.0), session.tick(2.0)
-    assert half.faces == pytest.approx({"generic": 0.5, "broad": 0.5})
-    assert half.face_call is not None
-    assert half.face_call.remaining == pytest.approx(1.0)
-    assert done.faces == {"broad": 1.0}
+    assert half.characters["one"].faces == pytest.approx({"generic": 0.5, "broad": 0.5})
+    assert half.characters["one"].face_call is not None
+    assert half.characters["one"].face_call.remaining == pytest.approx(1.0)
+    assert done.characters["one"].faces == {"broad": 1.0}
     assert done.number == half.number + 1
 
 
 def test_a_call_by_hand_waits_for_the_hand(cast: Cast) -> None:
     session = opened(cast, "a")
-    session.receive("a", wire.CallFace("1", "broad", None, "smooth"), 0.0)
-    assert session.tick(100.0).faces == {"generic": 1.0}
-    session.receive("a", wire.FadeFace(0.0), 100.0)
-    session.receive("a", wire.FadeFace(1.0), 100.0)
-    assert session.tick(110.0).faces == {"broad": 1.0}
+    session.receive("a", wire.CallFace("one", "1", "broad", None, "smooth"), 0.0)
+    assert session.tick(100.0).characters["one"].faces == {"generic": 1.0}
+    session.receive("a", wire.FadeFace("one", 0.0), 100.0)
+    session.receive("a", wire.FadeFace("one", 1.0), 100.0)
+    assert session.tick(110.0).characters["one"].faces == {"broad": 1.0}
 
 
 def test_an_id_executes_once(cast: Cast) -> None:
     session = opened(cast, "a", "b")
-    first = wire.CallFace("same", "broad", 1.0, "smooth")
+    first = wire.CallFace("one", "same", "broad", 1.0, "smooth")
     session.receive("a", first, 0.0)
     session.tick(0.5)
     for who in ("a", "b") * 500:
         assert session.receive(who, first, 0.5) == []
     assert session.commands == 1
-    assert session.tick(1.0).faces == {"broad": 1.0}
+    assert session.tick(1.0).characters["one"].faces == {"broad": 1.0}
 
 
 def test_the_memory_of_calls_is_bounded(cast: Cast) -> None:
     session = opened(cast, "a")
     for number in range(REMEMBERED_CALLS + 50):
-        session.receive("a", wire.CallFace(f"call {number}", "broad", 1.0, "smooth"), 0.0)
+        session.receive("a", wire.CallFace("one", f"call {number}", "broad", 1.0, "smooth"), 0.0)
     assert len(session.snapshot().calls) == REMEMBERED_CALLS
     assert session.snapshot().calls[-1] == f"call {REMEMBERED_CALLS + 49}"
 
@@ -183,10 +222,19 @@ def test_a_refused_message_changes_nothing_and_says_why(
     assert session.refused == len(bad)
 
 
-@pytest.mark.parametrize("call", [wire.CallFace, wire.CallExpression, wire.CallLight])
-def test_an_infinite_call_is_refused_since_nil_calls_by_hand(cast: Cast, call: type[wire.CallFace]) -> None:
+@pytest.mark.parametrize(
+    "call",
+    [
+        wire.CallFace("one", "1", "generic", math.inf, "smooth"),
+        wire.CallExpression("one", "1", "smile", math.inf, "smooth"),
+        wire.CallLight("1", "flat", math.inf, "smooth"),
+        wire.CallFraming("1", [], math.inf, "smooth"),
+    ],
+    ids=lambda call: type(call).__name__,
+)
+def test_an_infinite_call_is_refused_since_nil_calls_by_hand(cast: Cast, call: wire.FromClient) -> None:
     session = opened(cast, "a")
-    (sentence,) = reasons(session.receive("a", call("1", "generic", math.inf, "smooth"), 0.0))
+    (sentence,) = reasons(session.receive("a", call, 0.0))
     assert "inf" in sentence
     assert session.snapshot().calls == []
 
@@ -200,14 +248,14 @@ def test_noise_is_refused_and_counted(cast: Cast, data: bytes) -> None:
 
 def test_bytes_are_obeyed_like_messages(cast: Cast) -> None:
     session = opened(cast, "a")
-    assert session.receive_bytes("a", encode(wire.SetChannel("jawOpen", 0.5)), 0.0) == []
-    assert session.tick(0.0).channels == {"jawOpen": 0.5}
+    assert session.receive_bytes("a", encode(wire.SetChannel("one", "jawOpen", 0.5)), 0.0) == []
+    assert session.tick(0.0).characters["one"].channels == {"jawOpen": 0.5}
 
 
 def test_a_stage_shows_and_does_not_play(cast: Cast) -> None:
     session = opened(cast)
     session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
-    assert "only a console plays" in reasons(session.receive("s", wire.Panic(), 0.0))[0]
+    assert "only a console plays" in reasons(session.receive("s", wire.Panic("one"), 0.0))[0]
     assert session.receive("s", wire.Drawing(60.0, "high"), 0.0) == []
 
 
@@ -250,9 +298,9 @@ def test_a_stage_whose_link_broke_is_missed_until_one_comes_back_or_for_some_min
 
 def test_who_leaves_lets_nothing_drop(cast: Cast) -> None:
     session = opened(cast, "a", "b")
-    session.receive("a", wire.SetChannel("jawOpen", 0.7), 0.0)
+    session.receive("a", wire.SetChannel("one", "jawOpen", 0.7), 0.0)
     session.leave("a")
-    assert session.tick(60.0).channels == {"jawOpen": 0.7}
+    assert session.tick(60.0).characters["one"].channels == {"jawOpen": 0.7}
 
 
 def test_a_ping_tells_the_clock_of_the_states(cast: Cast) -> None:
@@ -263,12 +311,12 @@ def test_a_ping_tells_the_clock_of_the_states(cast: Cast) -> None:
 
 def test_after_a_long_sleep_the_show_is_at_now_in_one_step(cast: Cast) -> None:
     session = opened(cast, "a")
-    session.receive("a", wire.CallFace("1", "broad", 2.0, "smooth"), 0.0)
+    session.receive("a", wire.CallFace("one", "1", "broad", 2.0, "smooth"), 0.0)
     before = session.tick(1.0)
     after = session.tick(1801.0)
     assert after.number == before.number + 1
     assert after.time == pytest.approx(1801.0)
-    assert after.faces == {"broad": 1.0}
+    assert after.characters["one"].faces == {"broad": 1.0}
 
 
 def test_a_clock_that_goes_back_stops_the_show_for_that_step_only(cast: Cast) -> None:
@@ -290,17 +338,23 @@ def test_a_restored_show_goes_on_frame_by_frame_the_same(cast: Cast, messages: l
     for step in range(1, 5):
         one, two = session.tick(last + step * FRAME), other.tick(last + step * FRAME)
         assert two.epoch == 6
-        assert one.faces == pytest.approx(two.faces, abs=1e-9)
-        assert one.expressions == pytest.approx(two.expressions, abs=1e-9)
-        assert (one.channels, one.head, one.gaze) == (two.channels, two.head, two.gaze)
+        assert one.characters["one"].faces == pytest.approx(two.characters["one"].faces, abs=1e-9)
+        assert one.characters["one"].expressions == pytest.approx(two.characters["one"].expressions, abs=1e-9)
+        assert one.characters["one"].regions == two.characters["one"].regions
+        assert one.characters["one"].region_calls == two.characters["one"].region_calls
+        assert (one.characters["one"].channels, one.characters["one"].head, one.characters["one"].gaze) == (
+            two.characters["one"].channels,
+            two.characters["one"].head,
+            two.characters["one"].gaze,
+        )
 
 
 def test_a_call_repeated_after_a_restart_still_executes_once(cast: Cast) -> None:
     session = opened(cast, "a")
-    session.receive("a", wire.CallFace("same", "broad", 1.0, "smooth"), 0.0)
+    session.receive("a", wire.CallFace("one", "same", "broad", 1.0, "smooth"), 0.0)
     other = ShowSession.restored(cast, session.snapshot(), epoch=6)
     other.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
-    other.receive("a", wire.CallFace("same", "broad", 1.0, "smooth"), 0.0)
+    other.receive("a", wire.CallFace("one", "same", "broad", 1.0, "smooth"), 0.0)
     assert other.commands == 0
 
 
@@ -310,6 +364,7 @@ class Recast:
     def __init__(self, cast: Cast, faces: list[str], expressions: list[str], digest: str = "other") -> None:
         self.faces = {name: name for name in faces}
         self.expressions = {name: cast.expressions.get(name, cast.expressions["smile"]) for name in expressions}
+        self.titles = cast.titles
         self.digest = digest
 
 
@@ -342,12 +397,16 @@ def test_a_recast_without_what_is_held_is_refused_and_with_it_alone_is_not(
         with pytest.raises(ValueError, match=rf"there is no face {name!r}"):
             session.recast(Recast(cast, [*(faces - {name}), "cousin"], [*expressions, *rest]))
     for name in expressions - {*rest}:
-        with pytest.raises(ValueError, match=rf"there is no (expression|channel) {name!r}"):
+        with pytest.raises(ValueError, match=rf"there is no (expression|channel)( \(\w+\))? {name!r}"):
             session.recast(Recast(cast, [*faces], [*(expressions - {name}), *rest]))
     assert session.revision == 1
     session.recast(Recast(cast, [*faces], [*expressions, *rest]))
     after = session.tick(pause)
-    assert (after.faces, after.expressions, after.channels) == (before.faces, before.expressions, before.channels)
+    assert (after.characters["one"].faces, after.characters["one"].expressions, after.characters["one"].channels) == (
+        before.characters["one"].faces,
+        before.characters["one"].expressions,
+        before.characters["one"].channels,
+    )
 
 
 @given(
@@ -358,18 +417,18 @@ def test_eyes_of_an_expression_that_changes_on_air_ease(
 ) -> None:
     """However often it changes: no jump, no way back, and after a quarter of a second where the last one has them."""
     session, now = opened(cast, "a"), 0.0
-    session.receive("a", wire.CallExpression("1", "smile", 0.0, "smooth"), now)
-    session.receive("a", wire.SetChannel("smile", weight), now)
+    session.receive("a", wire.CallExpression("one", "1", "smile", 0.0, "smooth"), now)
+    session.receive("a", wire.SetChannel("one", "smile", weight), now)
     for turn in range(1, times + 1):
-        before = np.array(session.tick(now).eyes)
+        before = np.array(session.tick(now).characters["one"].eyes)
         other = Recast(cast, [*cast.faces], [*cast.expressions])
         turned = turn * np.array(angles).reshape(2, 2)
         other.expressions["smile"] = replace(cast.expressions["smile"], eyes=turned)
         session.recast(other)
-        assert session.tick(now).eyes == pytest.approx(before, abs=1e-12)
+        assert session.tick(now).characters["one"].eyes == pytest.approx(before, abs=1e-12)
         now += EYE_SECONDS / 3
         session.tick(now)
-    way = np.array([session.tick(now + step * FRAME).eyes for step in range(20)])
+    way = np.array([session.tick(now + step * FRAME).characters["one"].eyes for step in range(20)])
     wanted = (1.0 + weight) * turned.ravel()
     assert way[-1] == pytest.approx(wanted, abs=1e-9)
     left = np.abs(way - wanted)
@@ -379,11 +438,11 @@ def test_eyes_of_an_expression_that_changes_on_air_ease(
 
 def test_own_names_can_be_called_once_they_are_there(cast: Cast) -> None:
     session = opened(cast, "a")
-    call = wire.CallExpression("1", "grin", 0.0, "smooth")
+    call = wire.CallExpression("one", "1", "grin", 0.0, "smooth")
     assert "there is no expression 'grin'" in reasons(session.receive("a", call, 0.0))[0]
     session.recast(Recast(cast, [*cast.faces], [*cast.expressions, "grin"]))
     assert session.receive("a", call, 0.0) == []
-    assert session.tick(0.0).expressions == {"grin": 1.0}
+    assert session.tick(0.0).characters["one"].expressions == {"grin": 1.0}
     welcome = session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
     assert welcome == [Outgoing("s", wire.Welcome(wire.PROTOCOL_VERSION, 5, 2, "other"))]
 
@@ -391,14 +450,14 @@ def test_own_names_can_be_called_once_they_are_there(cast: Cast) -> None:
 def test_keep_requests_are_taken_once_and_only_of_consoles(cast: Cast) -> None:
     session = opened(cast, "a")
     session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
-    assert "only a console plays" in reasons(session.receive("s", wire.KeepFace("k"), 0.0))[0]
-    keep, undo = wire.KeepFace("k"), wire.DeleteItem("u", "face", "on_air_1", unedited=True)
+    assert "only a console plays" in reasons(session.receive("s", wire.KeepFace("one", "k"), 0.0))[0]
+    keep, undo = wire.KeepFace("one", "k"), wire.DeleteItem("u", "face", "on_air_1", unedited=True)
     layouts: list[wire.KeepMessage] = [
         wire.SetLayout("desk", "{}"),
         wire.RenameLayout("desk", "left"),
         wire.DropLayout("x"),
     ]
-    said: list[wire.KeepMessage] = [keep, keep, wire.KeepExpression("l"), undo, *layouts, undo]
+    said: list[wire.KeepMessage] = [keep, keep, wire.KeepExpression("one", "l"), undo, *layouts, undo]
     for message in said:
         assert session.receive("a", message, 0.0) == []
     assert session.take_keep_requests() == [KeepRequest("a", message) for message in said[1:-1]]
@@ -408,51 +467,165 @@ def test_keep_requests_are_taken_once_and_only_of_consoles(cast: Cast) -> None:
 
 def test_a_number_that_no_hand_can_have_set_is_named_with_what_to_do(cast: Cast) -> None:
     session = opened(cast, "a")
-    (sentence,) = reasons(session.receive("a", wire.SetChannel("jawOpen", math.nan), 0.0))
+    (sentence,) = reasons(session.receive("a", wire.SetChannel("one", "jawOpen", math.nan), 0.0))
     assert sentence == (
         "the channel jawOpen is no number (NaN); give a number from -0.5 to 1.5. Nothing has changed. "
-        "Reload the page that sent it."
+        "Send a finite number; a page that sends another is to be reloaded."
     )
-    (sentence,) = reasons(session.receive("a", wire.SetChannel("jawOpen", 2.0), 0.0))
+    (sentence,) = reasons(session.receive("a", wire.SetChannel("one", "jawOpen", 2.0), 0.0))
     assert sentence.endswith("from -0.5 to 1.5. Nothing has changed.")
 
 
 def test_panic_stops_everything_and_a_second_one_brings_the_home_face(cast: Cast) -> None:
     session = opened(cast, "a", "b")
-    session.receive("b", wire.SetHome("long", 2.0), 0.0)
-    session.receive("a", wire.CallFace("1", "broad", None, "smooth"), 0.0)
-    session.receive("a", wire.FadeFace(0.0), 0.0)
-    session.receive("a", wire.FadeFace(0.48), 0.0)
+    session.receive("b", wire.SetHome("one", "long", 2.0), 0.0)
+    session.receive("a", wire.CallFace("one", "1", "broad", None, "smooth"), 0.0)
+    session.receive("a", wire.FadeFace("one", 0.0), 0.0)
+    session.receive("a", wire.FadeFace("one", 0.48), 0.0)
     session.tick(1.0)
-    session.receive("a", wire.CallExpression("2", "smile", 0.0, "smooth"), 1.0)
-    session.receive("a", wire.Panic(), 1.0)
+    session.receive("a", wire.CallExpression("one", "2", "smile", 0.0, "smooth"), 1.0)
+    session.receive("a", wire.Panic("one"), 1.0)
     state = session.tick(2.0)
-    assert state.faces == pytest.approx({"generic": 0.52, "broad": 0.48})
-    assert state.expressions == {"neutral": 1.0}
-    assert (state.face_call, state.expression_call, state.face_fader, state.panics) == (None, None, 0.0, 1)
-    assert (state.home_face, state.home_seconds, state.home_next) == ("long", 2.0, True)
-    session.receive("b", wire.Panic(), 2.0)
+    assert state.characters["one"].faces == pytest.approx({"generic": 0.52, "broad": 0.48})
+    assert state.characters["one"].expressions == {"neutral": 1.0}
+    assert (
+        state.characters["one"].face_call,
+        state.characters["one"].expression_call,
+        state.characters["one"].face_fader,
+        state.characters["one"].panics,
+    ) == (None, None, 0.0, 1)
+    assert (
+        state.characters["one"].home_face,
+        state.characters["one"].home_seconds,
+        state.characters["one"].home_next,
+    ) == ("long", 2.0, True)
+    session.receive("b", wire.Panic("one"), 2.0)
     coming = session.tick(3.0)
-    assert coming.face_call is not None
-    assert (coming.face_call.target, coming.panics, coming.home_next) == ("long", 2, False)
-    assert coming.face_call.start == state.faces
-    assert session.tick(4.0).faces == {"long": 1.0}
+    assert coming.characters["one"].face_call is not None
+    assert (
+        coming.characters["one"].face_call.target,
+        coming.characters["one"].panics,
+        coming.characters["one"].home_next,
+    ) == ("long", 2, False)
+    assert coming.characters["one"].face_call.start == state.characters["one"].faces
+    assert session.tick(4.0).characters["one"].faces == {"long": 1.0}
 
 
 @pytest.mark.parametrize(
-    "hand", [wire.FadeFace(0.5), wire.FadeExpression(0.5), wire.SetChannel("jawOpen", 0.9), wire.SetGaze(0.2, 0.0)]
+    "hand",
+    [
+        wire.FadeFace("one", 0.5),
+        wire.FadeExpression("one", 0.5),
+        wire.SetChannel("one", "jawOpen", 0.9),
+        wire.SetGaze("one", 0.2, 0.0),
+    ],
 )
 def test_a_hand_at_another_console_does_not_undo_a_panic_that_it_cannot_know_of(
     cast: Cast, hand: wire.FromClient
 ) -> None:
     session = opened(cast, "a", "b")
-    session.receive("a", wire.Panic(), 0.0)
+    session.receive("a", wire.Panic("one"), 0.0)
     (sentence,) = reasons(session.receive("b", hand, PANIC_SECONDS / 2))
     assert "hands are off" in sentence
-    assert session.tick(PANIC_SECONDS / 2).panics == 1
+    assert session.tick(PANIC_SECONDS / 2).characters["one"].panics == 1
     assert session.receive("a", hand, PANIC_SECONDS / 2) == []
     assert session.receive("b", hand, PANIC_SECONDS * 2) == []
-    assert session.receive("b", wire.CallFace("1", "broad", 1.0, "smooth"), 0.0) == []
+    assert session.receive("b", wire.CallFace("one", "1", "broad", 1.0, "smooth"), 0.0) == []
+
+
+def two_characters(cast: Cast) -> ShowSession:
+    session = opened(cast, "a", "b")
+    session.receive("a", wire.AddCharacter("add", "two", "Two", "long"), 0.0)
+    session.receive("a", wire.EnterCharacter("enter", "two", 0.0), 0.0)
+    return session
+
+
+def test_a_character_is_added_placed_shot_played_and_removed(cast: Cast) -> None:
+    session = two_characters(cast)
+    added = session.tick(0.0).characters["two"]
+    assert (added.label, added.faces, added.home_face, added.presence) == ("Two", {"long": 1.0}, "long", 1.0)
+    for message in (
+        wire.RenameCharacter("rename", "two", "Kaori"),
+        wire.PlaceCharacter("two", 0.5, 1.0, 2.0, 0.25, 1.0),
+        wire.CallFraming("shot", ["two"], 1.0, "smooth"),
+        wire.CallExpression("two", "smile", "smile", 0.0, "smooth"),
+    ):
+        assert session.receive("b", message, 0.0) == []
+    session.tick(0.0)
+    state = session.tick(1.0)
+    assert (state.characters["two"].label, state.characters["two"].place) == ("Kaori", wire.Place(0.5, 1.0, 2.0, 0.25))
+    assert state.framing == {"two": 1.0}
+    assert state.characters["two"].expressions == {"smile": 1.0}
+    assert state.characters["one"].expressions == {"neutral": 1.0}
+    session.receive("b", wire.RemoveCharacter("remove", "two"), 1.0)
+    assert session.tick(1.5).characters["two"].leaves
+    gone = session.tick(3.0)
+    assert ([*gone.characters], gone.framing) == (["one"], {"*": 1.0})
+    assert session.names_held()[0] == {"generic"}
+
+
+def test_one_that_is_added_again_while_it_leaves_stays(cast: Cast) -> None:
+    session = two_characters(cast)
+    session.tick(0.0)
+    session.receive("a", wire.RemoveCharacter("remove", "two"), 0.0)
+    session.tick(0.5)
+    assert session.receive("a", wire.AddCharacter("again", "two", "Twice", "broad"), 0.5) == []
+    two = session.tick(3.0).characters["two"]
+    assert (two.label, two.faces, two.presence, two.leaves) == ("Twice", {"broad": 1.0}, 1.0, False)
+
+
+def test_a_message_for_all_is_played_by_each_and_a_retry_once(cast: Cast) -> None:
+    session = two_characters(cast)
+    for _ in range(2):
+        session.receive("a", wire.CallFace("*", "1", "broad", 0.0, "smooth"), 0.0)
+        session.receive("a", wire.AddCharacter("add", "two", "Two", "long"), 0.0)
+    state = session.tick(0.0)
+    assert [each.faces for each in state.characters.values()] == [{"broad": 1.0}] * 2
+    for message in (
+        wire.CallFace("three", "2", "broad", 0.0, "smooth"),
+        wire.KeepFace("*", "3"),
+        wire.KeepFace("three", "4"),
+        wire.RenameCharacter("5", "*", "All"),
+        wire.RemoveCharacter("6", "*"),
+    ):
+        (sentence,) = reasons(session.receive("a", message, 0.0))
+        assert "there is no character" in sentence
+        assert sentence.endswith(".")
+    assert "one, two" in reasons(session.receive("a", wire.Panic("three"), 0.0))[0]
+
+
+def test_panic_of_one_character_leaves_the_hands_on_the_others(cast: Cast) -> None:
+    session = two_characters(cast)
+    for who in ("one", "two"):
+        session.receive("b", wire.SetChannel(who, "jawOpen", 0.5), 0.0)
+    session.receive("a", wire.Panic("one"), 0.0)
+    (told,) = [each.message for each in session.hands_now(0.0) if each.who == "a"]
+    assert told == wire.Hands({"two/set_channel:jawOpen": "console 2"})
+    assert reasons(session.receive("b", wire.SetChannel("one", "jawOpen", 0.6), 0.1)) != []
+    assert reasons(session.receive("b", wire.SetChannel("*", "jawOpen", 0.6), 0.1)) != []
+    assert session.receive("b", wire.SetChannel("two", "jawOpen", 0.6), 0.1) == []
+    assert session.receive("b", wire.PlaceCharacter("one", 0.0, 0.0, 1.0, 0.0, 0.0), 0.1) == []
+    session.tick(0.1)
+    state = session.tick(1.0)
+    assert [each.panics for each in state.characters.values()] == [1, 0]
+    assert [each.channels for each in state.characters.values()] == [{}, {"jawOpen": 0.6}]
+    session.receive("a", wire.Panic("*"), 2.0)
+    assert [each.panics for each in session.tick(3.0).characters.values()] == [2, 1]
+
+
+def test_a_show_of_several_characters_goes_on_after_a_restart(cast: Cast) -> None:
+    session = two_characters(cast)
+    session.tick(0.0)
+    session.receive("a", wire.CallFace("two", "1", "broad", 3.0, "smooth"), 0.0)
+    session.receive("a", wire.PlaceCharacter("two", 1.0, 0.0, 1.0, 0.0, 3.0), 0.0)
+    session.tick(1.0)
+    written = msgspec.msgpack.encode(session.snapshot())
+    other = ShowSession.restored(cast, msgspec.msgpack.decode(written, type=SessionSnapshot), epoch=6)
+    other.tick(1.0)
+    assert other.tick(2.0).characters == session.tick(2.0).characters
+    empty = msgspec.structs.replace(session.snapshot(), scene=SceneSnapshot())
+    with pytest.raises(ValueError, match="the scene of the snapshot is empty"):
+        ShowSession.restored(cast, empty, epoch=7)
 
 
 def test_consoles_are_told_the_layouts_that_there_are_and_stages_are_not(cast: Cast) -> None:
@@ -508,10 +681,10 @@ def test_a_page_that_comes_back_before_its_old_link_is_known_to_be_lost_keeps_it
 def test_a_console_is_told_whose_hands_move_what(cast: Cast) -> None:
     session = opened(cast, "a", "b")
     session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
-    session.receive("b", wire.SetChannel("jawOpen", 0.5), 1.0)
-    session.receive("b", wire.SetChannel("nobody", 0.5), 1.0)  # rejected: no hand is on it
-    assert session.hands_now(1.0) == [Outgoing("a", wire.Hands({"set_channel:jawOpen": "console 2"}))]
-    session.receive("a", wire.Panic(), 1.1)
+    session.receive("b", wire.SetChannel("one", "jawOpen", 0.5), 1.0)
+    session.receive("b", wire.SetChannel("one", "nobody", 0.5), 1.0)  # rejected: no hand is on it
+    assert session.hands_now(1.0) == [Outgoing("a", wire.Hands({"one/set_channel:jawOpen": "console 2"}))]
+    session.receive("a", wire.Panic("one"), 1.1)
     assert session.hands_now(1.1) == [Outgoing("a", wire.Hands({}))]
 
 
@@ -519,7 +692,7 @@ def test_a_page_is_told_which_of_its_messages_was_rejected(cast: Cast) -> None:
     session = opened(cast, "a")
     unknown = msgspec.msgpack.encode({"type": "keep_everything", "id": "a-1"})
     [of_unknown] = session.receive_bytes("a", unknown, 0.0)
-    [of_call] = session.receive("a", wire.CallFace("a-2", "nobody", 1.0, "smooth"), 0.0)
-    [of_fader] = session.receive("a", wire.FadeFace(2.0), 0.0)
+    [of_call] = session.receive("a", wire.CallFace("one", "a-2", "nobody", 1.0, "smooth"), 0.0)
+    [of_fader] = session.receive("a", wire.FadeFace("one", 2.0), 0.0)
     told = [each.message for each in (of_unknown, of_call, of_fader)]
     assert [each.id for each in told if isinstance(each, wire.Refused)] == ["a-1", "a-2", ""]

@@ -51,7 +51,7 @@ def test_random_bytes_are_refused_or_are_a_message(data: bytes) -> None:
 
 @given(st.data())
 def test_a_message_with_one_byte_changed_is_refused_or_is_a_message(data: st.DataObject) -> None:
-    changed = bytearray(encode(SetChannel("jawOpen", 0.5)))
+    changed = bytearray(encode(SetChannel("one", "jawOpen", 0.5)))
     changed[data.draw(st.integers(0, len(changed) - 1))] = data.draw(st.integers(0, 255))
     try:
         message = decode(bytes(changed))

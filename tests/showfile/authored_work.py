@@ -10,6 +10,7 @@ from omote.showfile.changes import (
     DropDraft,
     Edit,
     Item,
+    PutBindings,
     PutContent,
     PutDraft,
     PutEdit,
@@ -80,6 +81,7 @@ puts: st.SearchStrategy[Change] = st.one_of(
     st.builds(PutEdit, st.builds(Edit, ids, editors, st.integers(0, 4), st.binary(max_size=5), texts)),
     st.builds(DropDraft, ids, editors),
     st.builds(PutLayout, texts, st.binary(max_size=5)),
+    st.builds(PutBindings, st.binary(max_size=5)),
 )
 
 
@@ -92,6 +94,7 @@ class AuthoredTables:
         self.drafts: dict[tuple[int, str], Draft] = {}
         self.edits: dict[tuple[int, str, int], Edit] = {}
         self.layouts: dict[str, bytes] = {}
+        self.bindings: dict[int, bytes] = {}
         self.contents: dict[str, bytes] = {}
 
     def copy(self) -> AuthoredTables:
@@ -112,6 +115,8 @@ class AuthoredTables:
                 self.items[row.id] = row
             case PutLayout(name, document):
                 self.layouts[name] = document
+            case PutBindings(document):
+                self.bindings[1] = document
             case _:
                 self._make_in_draft(change)
         return True
@@ -142,5 +147,5 @@ class AuthoredTables:
     def stored(self) -> Stored:
         """The rows in order."""
         rows = {name: tuple(map(rows.__getitem__, sorted(rows))) for name, rows in vars(self).items()}
-        del rows["layouts"], rows["contents"]
-        return Stored(**rows, layouts=self.layouts)
+        del rows["layouts"], rows["contents"], rows["bindings"]
+        return Stored(**rows, layouts=self.layouts, bindings=self.bindings.get(1, b""))

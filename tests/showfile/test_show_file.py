@@ -1,6 +1,8 @@
 """The show file keeps the last state, and never loses or overwrites what it cannot read."""
 
+import shutil
 import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -67,6 +69,22 @@ def test_the_header_names_the_application_and_the_schema(tmp_path: Path) -> None
     assert connection.execute("PRAGMA user_version").fetchone() == (SCHEMA_VERSION,)
     assert connection.execute("PRAGMA journal_mode").fetchone() == ("wal",)
     connection.close()
+
+
+def test_a_show_is_known_again_and_told_from_every_other_one(tmp_path: Path) -> None:
+    path = tmp_path / "a.omote"
+    known = set[str]()
+    for _ in range(2):
+        with closing(open_show(path)) as show:
+            known.add(show.identity())
+    assert len(known) == 1
+    shutil.copy(path, tmp_path / "copy.omote")
+    with closing(open_show(tmp_path / "copy.omote")) as copied:
+        known.add(copied.identity())
+    path.unlink()
+    with closing(open_show(path)) as anew:
+        known.add(anew.identity())
+    assert len(known) == 3
 
 
 def test_a_file_of_a_newer_version_is_refused_untouched(tmp_path: Path) -> None:

@@ -30,7 +30,7 @@ def kept(cast: Cast) -> tuple[Stored, dict[str, bytes]]:
 
 def test_what_plays_is_in_the_cast_under_its_name() -> None:
     base = synthetic.cast()
-    cast = build_full_cast(base, *kept(base))
+    cast = build_full_cast(base, *kept(base), pytest.fail)
     assert cast.expressions.keys() - base.expressions.keys() == {"grin"}
     assert cast.titles["grin"].label == "Grin"
     np.testing.assert_array_equal(cast.expressions["grin"].dh, base.expressions["smile"].dh)
@@ -51,7 +51,9 @@ def test_a_show_file_is_read_from_python(tmp_path: Path, monkeypatch: pytest.Mon
     assert [each.name for each in tmp_path.iterdir()] == [path.name], "nothing is left beside it"
 
 
-def test_what_is_no_show_or_of_another_head_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_no_show_is_refused_and_what_is_of_another_head_left_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     small = synthetic.cast()
     with pytest.raises(ShowFileError, match="there is no show file"):
         read_show(tmp_path / "none.omote")
@@ -64,9 +66,11 @@ def test_what_is_no_show_or_of_another_head_is_refused(tmp_path: Path, monkeypat
     short = replace(larger, dtheta=larger.dtheta[1:], dh=larger.dh[1:], ratio=larger.ratio[1:])
     monkeypatch.setattr("omote.stage_data.full_cast.load_cast", lambda: small)
     with closing(open_show(tmp_path / "a.omote")) as show:
-        show.apply(changes_to_import(small, Stored(), [ImportedItem("Grin", short)], wall=0.0))
-    with pytest.raises(ShowFileError, match=r"the own expression grin cannot be played on the built-in head: .* has"):
-        read_show(tmp_path / "a.omote")
+        arrivals = [ImportedItem("Grin", short), ImportedItem("Glad", larger)]
+        show.apply(changes_to_import(small, Stored(), arrivals, wall=0.0))
+    with pytest.warns(UserWarning, match=r"the own expression grin cannot be played on the built-in head \(.* has"):
+        read = read_show(tmp_path / "a.omote")
+    assert read.expressions.keys() - small.expressions.keys() == {"glad"}, "the rest of the file can be used"
 
 
 def test_own_faces_are_found_by_their_labels() -> None:
@@ -74,24 +78,31 @@ def test_own_faces_are_found_by_their_labels() -> None:
     renamed = Stored(
         tuple(structs.replace(item, label=f"Frau {item.label}") for item in stored.items), stored.revisions
     )
-    cast = build_full_cast(synthetic.cast(), renamed, contents)
+    cast = build_full_cast(synthetic.cast(), renamed, contents, pytest.fail)
     assert find_face(cast, renamed, "frau aunt") == find_face(cast, renamed, "AUNT") == "aunt"
     assert find_face(cast, None, "Long") == "long"
     with pytest.raises(ValueError, match="there is no face 'Frau Grin' in this cast; near are"):
         find_face(cast, renamed, "Frau Grin")
 
 
-def test_a_face_of_another_head_is_refused_by_its_name() -> None:
+def test_a_face_of_another_head_is_left_out_and_named() -> None:
     small = synthetic.cast()
     cut = Face("cut", small.faces["long"].positions[1:])
-    changes = changes_to_import(small, Stored(), [ImportedItem("Cut", (cut, Look()))], wall=0.0)
+    whole = Face("long", small.faces["long"].positions)
+    arrivals = [ImportedItem("Cut", (cut, Look())), ImportedItem("Aunt", (whole, Look()))]
+    changes = changes_to_import(small, Stored(), arrivals, wall=0.0)
     stored = Stored(
         tuple(change.item for change in changes if isinstance(change, PutItem)),
         tuple(change.revision for change in changes if isinstance(change, PutRevision)),
     )
     contents = {change.key: change.data for change in changes if isinstance(change, PutContent)}
-    with pytest.raises(ShowFileError, match=r"the own face cut cannot be played on the built-in head: .*delete it"):
-        build_full_cast(small, stored, contents)
+    told: list[str] = []
+    cast = build_full_cast(small, stored, contents, told.append)
+    assert (cast.faces.keys() - small.faces.keys(), cast.looks.keys() - small.looks.keys()) == ({"aunt"}, {"aunt"})
+    (sentence,) = told
+    assert sentence.startswith("the own face cut cannot be played on the built-in head (")
+    assert "it is left out." in sentence
+    assert "delete it" in sentence
 
 
 def test_what_is_deleted_or_never_saved_does_not_play() -> None:
@@ -101,4 +112,6 @@ def test_what_is_deleted_or_never_saved_does_not_play() -> None:
     unsaved = Item(aunt.id, aunt.kind, aunt.name, aunt.label)
     changed = Stored((gone, unsaved), stored.revisions)
     assert playing_items(changed) == []
-    assert build_full_cast(synthetic.cast(), changed, contents).faces.keys() == synthetic.cast().faces.keys()
+    assert (
+        build_full_cast(synthetic.cast(), changed, contents, pytest.fail).faces.keys() == synthetic.cast().faces.keys()
+    )

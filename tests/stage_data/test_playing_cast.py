@@ -1,12 +1,16 @@
 """The cast that plays: own things beside the built-in cast, named by what they are."""
 
+from dataclasses import replace
+
 import msgspec
 import numpy as np
 import pytest
 
-from omote.model.cast import Cast, Look
+from omote.model.cast import Cast, Look, Title
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
+from omote.perform.layers.columns import columns_of
+from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE
 from omote.show.messages import Manifest
 from omote.showfile.changes import content_key
 from omote.showfile.contents import ContentError, pack_expression, pack_face
@@ -48,6 +52,16 @@ def test_own_things_stand_behind_the_built_in_cast(cast: Cast) -> None:
     assert np.array_equal(playing.expressions["grin"].dh, cast.expressions["smile"].dh)
 
 
+def test_layers_take_each_channel_for_the_part_of_the_face_where_it_acts(cast: Cast) -> None:
+    contents: Contents = {}
+    named = replace(cast, titles={"smile": Title("Smile", region="mouth")})
+    playing = build_playing_cast(named, (grin(cast, contents),), contents)
+    assert columns_of(named, ("smile",)).parts[0] == LAYER_PARTS.index("mouth")
+    names = tuple(named.expressions)
+    assert columns_of(playing, names).parts.tolist() == columns_of(named, names).parts.tolist()
+    assert columns_of(playing, ("grin",)).parts[0] == WHOLE
+
+
 def test_the_digest_names_exactly_this_cast(cast: Cast) -> None:
     contents: Contents = {}
     first, later = grin(cast, contents), grin(cast, contents, place=2.0)
@@ -87,6 +101,15 @@ def test_an_expression_of_another_head_is_refused(cast: Cast) -> None:
     face = Own("expression", "face", "Face", (), 1.0, cousin(cast, contents)[0].content)
     with pytest.raises(ContentError):
         build_playing_cast(cast, (face,), contents)
+
+
+def test_a_face_of_another_head_is_refused(cast: Cast) -> None:
+    contents: Contents = {}
+    cut = Face("cut", cast.faces["long"].positions[1:])
+    own = Own("face", "cut", "Cut", (), 1.0, kept(contents, pack_face(cut, Look())))
+    count = cast.space.vertex_count
+    with pytest.raises(ValueError, match=f"the face has {count - 1} vertices; expected the {count} of this cast"):
+        build_playing_cast(cast, (own,), contents)
 
 
 def test_nothing_is_unpacked_before_somebody_wants_it_and_what_is_none_plays_as_nothing(cast: Cast) -> None:

@@ -59,7 +59,7 @@ def test_a_reworded_refusal_shows_among_the_sentences_alone(monkeypatch: pytest.
     monkeypatch.setattr(
         ShowSession,
         "_refuse",
-        lambda session, who, refusal, message: refuse(session, who, type(refusal)(f"No: {refusal}"), message),
+        lambda session, who, refusal, *rest: refuse(session, who, type(refusal)(f"No: {refusal}"), *rest),
     )
     assert differing(before, show()) == ["wire: sentences"]
 

@@ -56,7 +56,7 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
     },
     "angry": {
         "browDown*": 1.25, "eyeSquint*": 0.45, "noseSneer*": 0.8, "mouthPress*": 0.3, "mouthFrown*": 0.7,
-        "mouthUpperUp*": 0.3, "mouthLowerDown*": 0.25, "mouthStretch*": 0.15, "jawForward": 0.25,
+        "mouthUpperUp*": 0.4, "mouthLowerDown*": 0.25, "mouthStretch*": 0.15, "jawForward": 0.25, "jawOpen": 0.05,
     },
     "shout": {
         "browDown*": 1.0, "eyeWide*": 0.3, "noseSneer*": 0.7, "jawOpen": 0.7, "mouthUpperUp*": 0.6,
@@ -103,7 +103,7 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
 
 # What they do to the pupils: 1 as wide as they go, -1 as narrow (method: fear, surprise and liking widen).
 PUPILS: Mapping[str, float] = {
-    "smile": 0.15, "joy": 0.3, "laugh": 0.15, "sad": 0.45, "cry": 0.1, "angry": -0.5, "shout": -0.2, "surprise": 0.7,
+    "smile": 0.15, "joy": 0.3, "laugh": 0.15, "sad": 0.8, "cry": 0.1, "angry": -0.9, "shout": -0.2, "surprise": 0.7,
     "fear": 1.0, "disgust": -0.6, "contempt": -0.35, "sleepy": -0.3, "kiss": 0.4, "doubt": -0.2, "pain": 0.4,
     "pout": -0.1, "cheeky": 0.2,
 }  # fmt: skip
@@ -117,8 +117,8 @@ OMOTE: Mapping[str, float] = {
 # not). Performed ones after what dogs and cats show: pricked with attention, laid back in fear and rage, let down in
 # sorrow. The units' are small, so that a tracked performer's brows and lids stir the ears too.
 EARS: Mapping[str, tuple[float, float, float]] = {
-    "smile": (4, 4, 4), "joy": (-4, 14, 4), "laugh": (8, 8, 10), "sad": (6, -22, 10), "cry": (12, -24, 6),
-    "angry": (26, -4, 14), "shout": (24, 0, 12), "surprise": (-14, 26, 0), "fear": (34, -14, 6),
+    "smile": (4, 4, 4), "joy": (-4, 14, 4), "laugh": (8, 8, 10), "sad": (10, -26, 6), "cry": (12, -24, 6),
+    "angry": (30, -4, 16), "shout": (24, 0, 12), "surprise": (-14, 26, 0), "fear": (40, -20, -4),
     "disgust": (16, -8, 16), "contempt": (6, 0, 6), "sleepy": (2, -12, 6), "asleep": (2, -16, 6), "kiss": (2, 4, 2),
     "wink": (0, 6, 4), "doubt": (-6, 10, 0), "pain": (30, -8, 6), "pout": (4, -14, 6), "puff": (0, 8, 0),
     "cheeky": (-4, 12, 4),
@@ -129,8 +129,8 @@ EARS: Mapping[str, tuple[float, float, float]] = {
 
 # Yaw, pitch and roll of the head, in degrees, on a face that answers with its head by a gain of 1 (people's do not).
 HEADS: Mapping[str, tuple[float, float, float]] = {
-    "joy": (0, 4, 3), "laugh": (0, 6, 4), "sad": (0, -9, 3), "cry": (0, -11, 0), "angry": (0, -6, 0),
-    "surprise": (0, 5, 0), "fear": (4, -5, -3), "disgust": (9, 3, 5), "contempt": (7, 5, 3), "doubt": (4, 0, 13),
+    "joy": (0, 4, 3), "laugh": (0, 6, 4), "sad": (0, -12, 6), "cry": (0, -11, 0), "angry": (0, -7, 0),
+    "surprise": (0, 5, 0), "fear": (8, 5, -5), "disgust": (9, 3, 5), "contempt": (7, 5, 3), "doubt": (4, 0, 13),
     "sleepy": (0, -7, 5), "asleep": (0, -12, 6), "wink": (0, 0, 6), "kiss": (0, 3, 3), "pout": (0, -6, 0),
     "cheeky": (0, 2, 7),
 }  # fmt: skip

@@ -14,9 +14,9 @@ from omote.builtin import load_cast
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.perform.easing import EASINGS
-from omote.perform.performer import Performer
 from omote.show import messages as wire
-from omote.show.session import Outgoing, ShowSession
+from omote.show.outgoing import Outgoing
+from omote.show.session import ShowSession
 from omote.show.wire import encode
 from omote.showfile.changes import content_key
 from omote.showfile.contents import pack_expression, pack_face
@@ -92,22 +92,22 @@ class Script:
 
 MESSAGES: dict[str, Callable[[Script], wire.Message]] = {
     "hello": lambda s: wire.Hello(s.one(*ROLES), s.one(1, 1, 1, 2)),
-    "call_face": lambda s: wire.CallFace(s.call(), s.face(), s.seconds(), s.easing()),
-    "call_expression": lambda s: wire.CallExpression(s.call(), s.expression(), s.seconds(), s.easing()),
+    "call_face": lambda s: wire.CallFace("one", s.call(), s.face(), s.seconds(), s.easing()),
+    "call_expression": lambda s: wire.CallExpression("one", s.call(), s.expression(), s.seconds(), s.easing()),
     "call_light": lambda s: wire.CallLight(
         s.call(), s.one("theatre", "portrait", "flat", "moon"), s.number(0.0, 3.0), s.easing()
     ),
-    "fade_face": lambda s: wire.FadeFace(s.number(0.0, 1.0)),
-    "release_face": lambda _: wire.ReleaseFace(),
-    "fade_expression": lambda s: wire.FadeExpression(s.number(0.0, 1.0)),
-    "release_expression": lambda _: wire.ReleaseExpression(),
-    "set_channel": lambda s: wire.SetChannel(s.expression(), s.one(0.0, s.number(-0.5, 1.5))),
-    "set_head": lambda s: wire.SetHead(s.number(-1.5, 1.5), s.number(-1.5, 1.5), s.number(-1.5, 1.5)),
-    "set_gaze": lambda s: wire.SetGaze(s.number(-1.5, 1.5), s.number(-1.5, 1.5)),
-    "panic": lambda _: wire.Panic(),
-    "set_home": lambda s: wire.SetHome(s.face(), s.number(0.0, 5.0)),
-    "keep_face": lambda s: wire.KeepFace(s.call()),
-    "keep_expression": lambda s: wire.KeepExpression(s.call()),
+    "fade_face": lambda s: wire.FadeFace("one", s.number(0.0, 1.0)),
+    "release_face": lambda _: wire.ReleaseFace("one"),
+    "fade_expression": lambda s: wire.FadeExpression("one", s.number(0.0, 1.0)),
+    "release_expression": lambda _: wire.ReleaseExpression("one"),
+    "set_channel": lambda s: wire.SetChannel("one", s.expression(), s.one(0.0, s.number(-0.5, 1.5))),
+    "set_head": lambda s: wire.SetHead("one", s.number(-1.5, 1.5), s.number(-1.5, 1.5), s.number(-1.5, 1.5)),
+    "set_gaze": lambda s: wire.SetGaze("one", s.number(-1.5, 1.5), s.number(-1.5, 1.5)),
+    "panic": lambda _: wire.Panic("one"),
+    "set_home": lambda s: wire.SetHome("one", s.face(), s.number(0.0, 5.0)),
+    "keep_face": lambda s: wire.KeepFace("one", s.call()),
+    "keep_expression": lambda s: wire.KeepExpression("one", s.call()),
     "set_layout": lambda s: wire.SetLayout("console", f'{{"columns": {s.rng.integers(9)}}}'),
     "ping": lambda s: wire.Ping(s.number(0.0, 1e6)),
     "drawing": lambda s: wire.Drawing(s.number(1.0, 120.0), s.one("lowest", "low", "medium", "high")),
@@ -121,7 +121,7 @@ WEIGHT = {
 def record_session(recording: Recording) -> None:
     """A whole show: commands, states, what is kept, another cast, and a restart in the middle."""
     cast = load_cast()
-    session, script, now = ShowSession(cast, Performer(cast), epoch=3), Script(cast, np.random.default_rng(SEED)), 100.0
+    session, script, now = ShowSession(cast, epoch=3), Script(cast, np.random.default_rng(SEED)), 100.0
     for place, client in enumerate(CLIENTS[:4]):
         hello = encode(wire.Hello("stage" if place < 2 else "console", wire.PROTOCOL_VERSION))
         _record_answers(recording, f"greeting {client}", session.receive_bytes(client, hello, now))

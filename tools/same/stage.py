@@ -16,8 +16,8 @@ from omote.server.headless.devtools import DevTools
 from omote.server.headless.picture_renderer import OPENED, OPENING, query, serve_pages
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.http.static_pages import read_pages
-from omote.show.state import state_of
 from omote.stage_data.picture_setting import Setting
+from omote.stage_data.pose_parser import pose_of as whole_pose_of
 from tools.browser import SENTENCE, find_browser
 from tools.same.compounds import SEED, pool, random_frame
 from tools.same.recording import Numbers, Recording
@@ -42,8 +42,8 @@ def record_stage(recording: Recording) -> None:
 
 def pose_of(cast: Cast, frame: Frame) -> dict[str, Any]:
     """What the server would tell a stage of this frame."""
-    state = msgspec.to_builtins(state_of(cast, frame, epoch=1, number=1, revision=1))
-    return {name: state[name] for name in POSE}
+    whole = whole_pose_of(cast, frame)
+    return {name: whole[name] for name in POSE}
 
 
 async def _drawn(poses: list[dict[str, Any]]) -> list[Numbers]:

@@ -15,6 +15,8 @@ PURPOSES = {
     "revision": "Every save, never changed and never removed.",
     "draft": "One editor's unsaved work at an item.",
     "edit": "Its steps, which undo and redo walk.",
+    "identity": "Which show this is: one row, made at random with the file.",
+    "binding_list": "What controls of devices play: one row.",
     "layout": "Documents of pages (a console's layout) by name.",
 }
 HEAD = f"""# The show file

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from omote.inputs.osc_addresses import ADDRESSES, BY_HAND, CALL_SECONDS, Address, Value
 from omote.inputs.osc_feedback import QUIET_SECONDS
-from omote.inputs.osc_input import ERROR, FIRST_CHARACTER, SUBSCRIBE, SURFACE_SECONDS, UNSUBSCRIBE
+from omote.inputs.osc_input import ERROR, SUBSCRIBE, SURFACE_SECONDS, UNSUBSCRIBE
+from omote.perform.scene.character_names import FIRST_CHARACTER
 
 HEAD = f"""# OSC
 
@@ -12,8 +13,9 @@ Written from `src/omote/inputs/osc_addresses.py` by `tools/website/osc_reference
 [the how-to](../howto/osc.md).
 
 `omote show` hears OSC 1.0 on port 9000 (UDP, and TCP with SLIP or lengths) of the address that it serves pages on;
-`--osc 9001` takes another port, `--osc off` none. A show has one character so far, `{FIRST_CHARACTER}`; in its place
-`*` means all, and the other patterns of OSC (`?`, `[a-c]`, `{{one,two}}`) work too.
+`--osc 9001` takes another port, `--osc off` none; `--allow` names who may send beside this machine. The first character
+of a new show is called `{FIRST_CHARACTER}`; in the place of a character `*` means all, and the other patterns of OSC
+(`?`, `[a-c]`, `{{one,two}}`) work too.
 
 | address | arguments | what it does |
 |---|---|---|
@@ -22,11 +24,15 @@ Written from `src/omote/inputs/osc_addresses.py` by `tools/website/osc_reference
 TAIL = f"""
 * A number comes as float, double, integer, boolean or as numeric text. Angles are in degrees: + is the character's
   left, up, tilt to its left. A value out of its range is rejected, never clipped.
+* A framing is `*`, all that are on the stage, or names of characters joined by `+` or spaces: `one+two`.
 * Names are found in any case, with spaces, hyphens or underscores: `Crooked Smile` is `crooked_smile`.
 * A call takes {CALL_SECONDS:g} second where no seconds are given; `"{BY_HAND}"` in their place makes a call by hand,
   which the T-bar moves.
 * Arguments in brackets may be left out. A `press` of 0 is a button that is let go: it does nothing.
 * The messages of a bundle are obeyed when they come, whatever time its tag says; each stands for itself.
+
+The same as a tree, with names, ranges and values, for surfaces that build themselves (OSCQuery):
+`http://127.0.0.1:8090/omote` while a show runs.
 
 ## Feedback
 
@@ -36,9 +42,10 @@ TAIL = f"""
 | `{UNSUBSCRIBE}` | [port] | ends that |
 
 A surface hears all of it once, then what changes, at most 30 times a second, at the addresses above: `face` and
-`expression` with the name that is called or weighs most, channels, `head`, `gaze`, both `fade`s, `light`. What it sends
-itself it hears {QUIET_SECONDS:g} seconds after its last message, so that no motor fights a hand. On TCP all this comes
-on the surface's own connection. Why a message of its own was rejected comes to `{ERROR}`.
+`expression` with the name that is called or weighs most, `expression/brows`, `eyes`, `mouth` and `rest` with what shows
+there, channels, `head`, `gaze`, both `fade`s, `light`, `framing`.
+What it sends itself it hears {QUIET_SECONDS:g} seconds after its last message, so that no motor fights a hand. On TCP
+all this comes on the surface's own connection. Why a message of its own was rejected comes to `{ERROR}`.
 A surface that has been silent for {SURFACE_SECONDS / 60:g} minutes is told no more until it subscribes again; so is
 every surface after the server has started anew.
 """
@@ -59,4 +66,6 @@ def _value(value: Value) -> str:
     if value.kind == "number":
         unit = f" {value.unit}" if value.unit else ""
         return f"{value.name} {value.low:g} to {value.high:g}{unit}"
+    if value.kind == "framing":
+        return value.name
     return f"[{value.name}]" if value.may_be_left_out else f"{value.name} of a {value.kind}"

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from tools.website.action_unit_reference import action_unit_page, action_unit_table
+from tools.website.binding_reference import binding_page
 from tools.website.command_reference import command_page
 from tools.website.file_reference import file_page
 from tools.website.osc_reference import osc_page
@@ -35,6 +36,7 @@ GENERATED: Mapping[str, Callable[[], str]] = {
     "reference/python.md": python_page,
     "reference/wire.md": wire_page,
     "reference/osc.md": osc_page,
+    "reference/bindings.md": binding_page,
     "reference/show-file.md": file_page,
     "reference/commands.md": command_page,
     "reference/action-units.md": action_unit_page,

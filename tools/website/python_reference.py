@@ -22,7 +22,7 @@ In the examples of this page `cast` is `omote.load_cast()` and `np` is NumPy.
 """
 GROUPS: Mapping[str, Sequence[str]] = {
     "The cast": ("load_cast", "read_show", "Cast", "Face", "Gain", "Expression", "ParameterSpace"),
-    "Playing": ("Performer", "parse_pose", "evaluate", "evaluate_parts"),
+    "Playing": ("Performer", "Scene", "connect", "connect_async", "parse_pose", "evaluate", "evaluate_parts"),
     "Pictures": ("render",),
     "Expressions": ("compound", "extract", "ExtractedExpression", "ControlNet", "action_units"),
     "Faces": ("Sculpt", "read_sculpt", "sculpted", "regional", "caricature"),

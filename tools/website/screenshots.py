@@ -58,12 +58,12 @@ def console(browser: Browser, address: str) -> Page:
     wait_for(page, f"{store}?.online && {store}.faces.length > 0")
     page.locator(".tile[data-name='smile']").click()
     page.locator(".tile[data-name='old']").click()
-    wait_for(page, f"{store}.state.faces.old === 1 && {store}.state.expressions.smile === 1")
+    wait_for(page, f"{store}.air.faces.old === 1 && {store}.air.expressions.smile === 1")
     page.locator(".faces omote-timing [data-seconds='4']").click()
     page.get_by_role("slider", name="face T-bar").scroll_into_view_if_needed()
     page.locator(".tile[data-name='child']").click()
     page.get_by_role("slider", name="face T-bar").focus()
-    wait_for(page, f"{store}.state.faces.child > 0.2")
+    wait_for(page, f"{store}.air.faces.child > 0.2")
     return page
 
 

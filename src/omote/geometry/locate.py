@@ -173,21 +173,23 @@ def _hit_by_ray(points: Values, corners: Indices, ray: Values, b: Values) -> boo
 
     ray: axis x, axis z, sine and cosine of theta, height.
     """
-    u, w, depth = np.empty(3), np.empty(3), np.empty(3)
-    for k in range(3):
-        dx, dz = points[corners[k], 0] - ray[0], points[corners[k], 2] - ray[1]
-        u[k] = dx * ray[3] - dz * ray[2]
-        w[k] = points[corners[k], 1] - ray[4]
-        depth[k] = dx * ray[2] + dz * ray[3]
-    b[0] = u[1] * w[2] - u[2] * w[1]
-    b[1] = u[2] * w[0] - u[0] * w[2]
-    b[2] = u[0] * w[1] - u[1] * w[0]
+    u0, w0, depth0 = _by_ray(points, corners[0], ray)
+    u1, w1, depth1 = _by_ray(points, corners[1], ray)
+    u2, w2, depth2 = _by_ray(points, corners[2], ray)
+    b[0], b[1], b[2] = u1 * w2 - u2 * w1, u2 * w0 - u0 * w2, u0 * w1 - u1 * w0
     total = b[0] + b[1] + b[2]
     if abs(total) < 1e-30:
         return False
     for k in range(3):
         b[k] /= total
-    return bool(b[0] * depth[0] + b[1] * depth[1] + b[2] * depth[2] > 0.0)
+    return bool(b[0] * depth0 + b[1] * depth1 + b[2] * depth2 > 0.0)
+
+
+@njit(cache=True, inline="always")
+def _by_ray(points: Values, corner: int, ray: Values) -> tuple[float, float, float]:
+    """A corner beside a ray, above it, and along it: numbers, for arrays would be allocated for each triangle."""
+    dx, dz = points[corner, 0] - ray[0], points[corner, 2] - ray[1]
+    return dx * ray[3] - dz * ray[2], points[corner, 1] - ray[4], dx * ray[2] + dz * ray[3]
 
 
 @njit(cache=True, inline="always")

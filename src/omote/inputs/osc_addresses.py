@@ -6,28 +6,33 @@ pressed and 0 when they are let go, a command without a value happens at a numbe
 
 from __future__ import annotations
 
+import difflib
 import math
-import re
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Literal
 
-from omote.inputs.osc_packet import Argument, OscError, OscMessage
+from omote.inputs.osc_packet import OscError
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.lights import LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL
-from omote.perform.name_lookup import find_name
-from omote.perform.snapshot import Playable
+from omote.perform.scene.character_names import ALL
+from omote.perform.scene.scene_frame import PLACE_LIMITS
 from omote.show import messages as wire
 
 ROOT = "omote"
 CALL_SECONDS = 1.0
 """How long a call takes that names no time."""
+CHANNEL = "channel/{name}"
 BY_HAND = "hand"
 """In the place of the seconds: the T-bar moves the call."""
-NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
-Kind = Literal["face", "expression", "channel", "light", "number", "seconds", "press"]
+REMEMBERED_LENGTH = 120
+"""Characters of an address that is remembered when it was found: a fader sends the same one again and again."""
+
+Kind = Literal[
+    "face", "expression", "region", "channel", "light", "framing", "layer", "part", "number", "seconds", "time", "press"
+]
 
 
 @dataclass(frozen=True)
@@ -43,7 +48,7 @@ class Value:
     @property
     def may_be_left_out(self) -> bool:
         """Whether a message may end before it."""
-        return self.kind in ("seconds", "press")
+        return self.kind in ("seconds", "time", "press")
 
 
 @dataclass(frozen=True)
@@ -65,17 +70,14 @@ class Address:
         return f"/{ROOT}/{self.path}" if self.of_show else f"/{ROOT}/{{character}}/{self.path}"
 
 
-@dataclass(frozen=True)
-class Order:
-    """What a message of OSC asks for: of a character ("*": of all), or of the whole show ("")."""
-
-    character: str
-    message: wire.FromClient
-
-
 SECONDS = Value("seconds", "seconds", 0.0, LONGEST_CALL, "s")
 PRESS = Value("press", "press")
 FADER = Value("position")
+INFLUENCE = Value("influence")
+WAY = replace(SECONDS, kind="time")
+_LIMITS = {**PLACE_LIMITS, "turn": (-180.0, 180.0)}
+_UNITS = {"x": "m", "depth": "m", "size": "", "turn": "degrees"}
+PLACE = *(Value(name, low=low, high=high, unit=_UNITS[name]) for name, (low, high) in _LIMITS.items()), WAY
 
 
 def _angles(limits: Mapping[str, float]) -> tuple[Value, ...]:
@@ -86,7 +88,7 @@ def _angles(limits: Mapping[str, float]) -> tuple[Value, ...]:
 
 
 def _turn(message: Callable[..., wire.FromClient]) -> Callable[..., wire.FromClient]:
-    return lambda _, *degrees: message(*map(math.radians, degrees))
+    return lambda who, _, *degrees: message(who, *map(math.radians, degrees))
 
 
 ADDRESSES: tuple[Address, ...] = (
@@ -94,64 +96,112 @@ ADDRESSES: tuple[Address, ...] = (
         "face",
         "brings a face on air",
         (Value("name", "face"), SECONDS),
-        lambda call, name, seconds: wire.CallFace(call, name, seconds, DEFAULT_EASING),
+        lambda who, call, name, seconds: wire.CallFace(who, call, name, seconds, DEFAULT_EASING),
     ),
     Address(
         "expression",
         "brings an expression on air",
         (Value("name", "expression"), SECONDS),
-        lambda call, name, seconds: wire.CallExpression(call, name, seconds, DEFAULT_EASING),
+        lambda who, call, name, seconds: wire.CallExpression(who, call, name, seconds, DEFAULT_EASING),
     ),
     Address(
-        "channel/{name}",
+        "expression/{region}",
+        "brings an expression on air in one region of the face alone: brows, eyes, mouth or rest",
+        (Value("region", "region"), Value("name", "expression"), WAY),
+        lambda who, call, region, name, seconds: wire.CallExpression(who, call, name, seconds, DEFAULT_EASING, region),
+    ),
+    Address(
+        CHANNEL,
         "sets the weight of a unit or of any expression, beside the calls",
         (Value("name", "channel"), Value("weight", low=CHANNEL_LOWEST, high=CHANNEL_HIGHEST)),
-        lambda _, name, weight: wire.SetChannel(name, weight),
+        lambda who, _, name, weight: wire.SetChannel(who, name, weight),
+    ),
+    Address(
+        "layer/{name}",
+        "sets how much of a layer shows, everywhere",
+        (Value("name", "layer"), INFLUENCE),
+        lambda who, _, layer, influence: wire.SetLayer(who, layer, None, influence),
+    ),
+    Address(
+        "layer/{name}/{region}",
+        "sets how much of a layer shows in brows, eyes, mouth, rest, head or gaze",
+        (Value("name", "layer"), Value("region", "part"), INFLUENCE),
+        lambda who, _, layer, region, influence: wire.SetLayer(who, layer, region, influence),
+    ),
+    Address(
+        "layer_on/{name}",
+        "switches a layer on (above 0) or off",
+        (Value("name", "layer"), Value("on")),
+        lambda who, _, layer, on: wire.SetLayer(who, layer, None, None, on > 0.0),
     ),
     Address("head", "turns the head", _angles(HEAD_LIMITS), _turn(wire.SetHead)),
     Address("gaze", "turns the eyes, relative to the head", _angles(GAZE_LIMITS), _turn(wire.SetGaze)),
-    Address("fade/face", "moves the T-bar of the faces", (FADER,), lambda _, x: wire.FadeFace(x)),
-    Address("fade/expression", "moves the T-bar of the expressions", (FADER,), lambda _, x: wire.FadeExpression(x)),
-    Address("release/face", "lets go of the T-bar of the faces", (PRESS,), lambda _: wire.ReleaseFace()),
+    Address("fade/face", "moves the T-bar of the faces", (FADER,), lambda who, _, x: wire.FadeFace(who, x)),
     Address(
-        "release/expression", "lets go of the T-bar of the expressions", (PRESS,), lambda _: wire.ReleaseExpression()
+        "fade/expression", "moves the T-bar of the expressions", (FADER,), lambda who, _, x: wire.FadeExpression(who, x)
+    ),
+    Address("release/face", "lets go of the T-bar of the faces", (PRESS,), lambda who, _: wire.ReleaseFace(who)),
+    Address(
+        "release/expression",
+        "lets go of the T-bar of the expressions",
+        (PRESS,),
+        lambda who, _: wire.ReleaseExpression(who),
+    ),
+    Address(
+        "panic", "holds it still and neutral; again, it brings its home face", (PRESS,), lambda who, _: wire.Panic(who)
+    ),
+    Address(
+        "enter",
+        "brings it onto the stage",
+        (WAY,),
+        lambda who, call, seconds: wire.EnterCharacter(call, who, seconds),
+    ),
+    Address(
+        "leave",
+        "takes it off the stage",
+        (WAY,),
+        lambda who, call, seconds: wire.LeaveCharacter(call, who, seconds),
+    ),
+    Address(
+        "place",
+        "moves it: to the picture's right, behind the front line, larger, turned",
+        PLACE,
+        lambda who, call, x, depth, size, turn, seconds: wire.PlaceCharacter(
+            who, x, depth, size, math.radians(turn), seconds, call
+        ),
     ),
     Address(
         "light",
         "brings a light on air",
         (Value("name", "light"), SECONDS),
-        lambda call, name, seconds: wire.CallLight(call, name, seconds, DEFAULT_EASING),
+        lambda _, call, name, seconds: wire.CallLight(call, name, seconds, DEFAULT_EASING),
+        of_show=True,
+    ),
+    Address(
+        "framing",
+        "brings a shot of these characters on air",
+        (Value("characters", "framing"), WAY),
+        lambda _, call, names, seconds: wire.CallFraming(call, names, seconds, DEFAULT_EASING),
         of_show=True,
     ),
     Address(
         "panic",
         "holds all faces still and neutral; again, it brings the home face",
         (PRESS,),
-        lambda _: wire.Panic(),
+        lambda _, __: wire.Panic(ALL),
         of_show=True,
     ),
 )
 
 
-def read_order(message: OscMessage, cast: Playable, call: str) -> Order | None:
-    """What a message of OSC asks for; None for a button that is let go. call: the id of a call that it makes.
-
-    Names are found as everywhere: in any case, with spaces, hyphens or underscores. OscError for an address that there
-    is not, for a name that there is not and for a value that is missing, too many or of a wrong kind; whether a number
-    is in its range the performer decides.
-    """
-    address, character, named = _find_address(message.address)
-    try:
-        values = _read_values(address.values, [*named, *message.arguments], cast)
-    except ValueError as error:
-        raise OscError(f"{message.address[:80]}: {error}") from error
-    if values is None:
-        return None
-    return Order(character, address.make(call, *values))
+def find_address(written: str) -> tuple[Address, str, list[str]]:
+    """The address, the character, and the values that stand in the address itself; OscError where there is none."""
+    find = _find_again if len(written) <= REMEMBERED_LENGTH else _find_address
+    address, character, named = find(written)
+    return address, character, list(named)
 
 
-def _find_address(written: str) -> tuple[Address, str, list[str]]:
-    """The address, the character, and the values that stand in the address itself."""
+def _find_address(written: str) -> tuple[Address, str, tuple[str, ...]]:
     root, *parts = written.strip("/").split("/")
     for address in ADDRESSES if root == ROOT else ():
         character, rest = ("", parts) if address.of_show else ("".join(parts[:1]), parts[1:])
@@ -159,54 +209,21 @@ def _find_address(written: str) -> tuple[Address, str, list[str]]:
         if len(rest) != len(wanted) or (not character and not address.of_show):
             continue
         if all(want == part or (want.startswith("{") and part) for want, part in zip(wanted, rest, strict=True)):
-            return address, character, [part for want, part in zip(wanted, rest, strict=True) if want.startswith("{")]
-    known = ", ".join(address.pattern for address in ADDRESSES)
-    raise OscError(f"there is no address {written[:80]!r}; there are {known}")
+            named = tuple(part for want, part in zip(wanted, rest, strict=True) if want.startswith("{"))
+            return address, character, named
+    raise OscError(_explain_unknown(written[:80]))
 
 
-def _read_values(values: Sequence[Value], given: Sequence[Argument], cast: Playable) -> list[Any] | None:
-    """What `make` takes; None where a button is let go."""
-    if len(given) > len(values):
-        raise ValueError(f"{len(given)} values came; expected at most {len(values)}: {_listed(values)}")
-    found: list[Any] = []
-    for value, argument in zip(values, [*given, *[None] * (len(values) - len(given))], strict=True):
-        if value.kind == "press":
-            if argument is not None and not _number(value, argument) > 0.0:
-                return None
-        else:
-            found.append(_read_value(value, argument, cast))
-    return found
+_find_again = lru_cache(maxsize=1024)(_find_address)
 
 
-def _read_value(value: Value, argument: Argument, cast: Playable) -> Any:
-    if argument is None and not value.may_be_left_out:
-        raise ValueError(f"the {value.name} is missing; expected {_listed([value])}")
-    if value.kind == "seconds":
-        return _seconds(value, argument)
-    return _number(value, argument) if value.kind == "number" else _name(value, argument, cast)
-
-
-def _seconds(value: Value, argument: Argument) -> float | None:
-    """A time of a call; None for one by hand, as on the wire."""
-    if argument == BY_HAND:
-        return None
-    return CALL_SECONDS if argument is None else _number(value, argument)
-
-
-def _number(value: Value, argument: Argument) -> float:
-    if isinstance(argument, str) and NUMBER.fullmatch(argument.strip()):
-        return float(argument)
-    if isinstance(argument, int | float):
-        return float(argument)
-    raise ValueError(f"the {value.name} is {str(argument)[:80]!r}; expected {_listed([value])}")
-
-
-def _name(value: Value, argument: Argument, cast: Playable) -> str:
-    if not isinstance(argument, str):
-        raise ValueError(f"the {value.name} is {str(argument)[:80]!r}; expected the name of a {value.kind}, as text")
-    names: Mapping[str, Any] = {"face": cast.faces, "light": LIGHTS}.get(value.kind, cast.expressions)
-    return find_name(argument, names, value.kind)
-
-
-def _listed(values: Sequence[Value]) -> str:
-    return ", ".join(f"a number from {v.low:g} to {v.high:g}" if v.kind == "number" else v.name for v in values)
+@lru_cache(maxsize=256)
+def _explain_unknown(written: str) -> str:
+    """Why an address is none, with the nearest that there are; remembered: what sends one wrong sends it again."""
+    character = "".join(written.strip("/").split("/")[1:2]) or "{character}"
+    known = [address.pattern.replace("{character}", character) for address in ADDRESSES]
+    near = difflib.get_close_matches(written, known, n=3, cutoff=0.7)
+    there = (
+        f"near are {', '.join(near)}" if near else f"they are like {known[0]}; /{ROOT} of the show's pages lists all"
+    )
+    return f"there is no address {written!r}; {there}"

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import lru_cache
 
-from omote.inputs.osc_addresses import ROOT
+from omote.inputs.character_patterns import matches
+from omote.inputs.osc_addresses import CHANNEL, ROOT, find_address
 from omote.inputs.osc_packet import Argument
-from omote.show.messages import CallState, State
+from omote.model.known_names import PLAY_REGIONS, PlayRegion
+from omote.perform.layers.layer_names import DEFAULT_SETTINGS, LAYER_PARTS
+from omote.show.messages import CallState, CharacterState, HeldState, Place, State
 
 Told = Mapping[str, tuple[Argument, ...]]
 
@@ -16,19 +20,57 @@ QUIET_SECONDS = 0.3
 REST = (0.0,)
 
 
-def tell_state(state: State, character: str) -> dict[str, tuple[Argument, ...]]:
+def tell_state(state: State) -> dict[str, tuple[Argument, ...]]:
     """Each address with the values that it has; a channel that has no weight is left out."""
-    own = f"/{ROOT}/{character}"
-    return {
-        f"{own}/face": (_named(state.faces, state.face_call),),
-        f"{own}/expression": (_named(state.expressions, state.expression_call),),
-        f"{own}/head": tuple(map(_degrees, state.head)),
-        f"{own}/gaze": tuple(map(_degrees, state.gaze)),
-        f"{own}/fade/face": (state.face_fader,),
-        f"{own}/fade/expression": (state.expression_fader,),
-        f"/{ROOT}/light": (_named(state.light, state.light_call),),
-        **{f"{own}/channel/{name}": (weight,) for name, weight in state.channels.items()},
-    }
+    told: dict[str, tuple[Argument, ...]] = {f"/{ROOT}/{path}": tell(state) for path, tell in OF_SHOW.items()}
+    for name, character in state.characters.items():
+        told |= tell_character(character, f"/{ROOT}/{name}")
+    return told
+
+
+def tell_character(state: CharacterState, own: str) -> dict[str, tuple[Argument, ...]]:
+    """Each address of a character, below `own`, with the values that it has: those of hands as hands hold them."""
+    told = {f"{own}/{path}": tell(state) for path, tell in OF_CHARACTER.items()}
+    told |= {f"{own}/expression/{region}": (name,) for region, name in _named_in_regions(state).items()}
+    told |= {f"{own}/layer/{layer}": (max(each.influence),) for layer, each in state.layers.items()}
+    return told | {f"{own}/channel/{name}": (weight,) for name, weight in _hands(state).channels.items()}
+
+
+class OnAir:
+    """The values of addresses in a state, each told when it is asked for; of a pattern of characters, the first's."""
+
+    def __init__(self, state: State | None = None) -> None:
+        self._state = state
+        self._told: dict[str, tuple[Argument, ...]] = {}
+
+    def get(self, path: str, default: tuple[Argument, ...] = ()) -> tuple[Argument, ...]:
+        """The values that an address has; the default where there is none, or nobody of that name."""
+        told = self._told.get(path)
+        if told is None:
+            told = self._told[path] = self._tell(path, default)
+        return told
+
+    def _tell(self, path: str, default: tuple[Argument, ...]) -> tuple[Argument, ...]:
+        if self._state is None:
+            return default
+        channel = _channel_at(path)
+        if channel is not None and channel[0] in self._state.characters:
+            return (_hands(self._state.characters[channel[0]]).channels.get(channel[1], 0.0),)
+        address, pattern, named = find_address(path)
+        if address.of_show:
+            return OF_SHOW[address.path](self._state) if address.path in OF_SHOW else default
+        characters = self._state.characters
+        who = pattern if pattern in characters else next((each for each in characters if matches(pattern, each)), None)
+        if who is None:
+            return default
+        if address.path == CHANNEL:  # of a pattern
+            return (_hands(characters[who]).channels.get(named[0], 0.0),)
+        if address.path.startswith("layer"):
+            return _of_layer(characters[who], *named)
+        if named:
+            shown = {str(region): name for region, name in _named_in_regions(characters[who]).items()}
+            return (shown[named[0]],) if named[0] in shown else default
+        return OF_CHARACTER[address.path](characters[who]) if address.path in OF_CHARACTER else default
 
 
 class Feedback:
@@ -52,10 +94,59 @@ class Feedback:
         return news
 
 
+@lru_cache(maxsize=1024)
+def _channel_at(path: str) -> tuple[str, str] | None:
+    """The character and the channel of an address; None of another address."""
+    address, pattern, named = find_address(path)
+    return (pattern, named[0]) if address.path == CHANNEL else None
+
+
 def _named(mix: Mapping[str, float], call: CallState | None) -> str:
     """The name that is called, else the one that weighs most."""
     return call.target if call is not None else max(mix, key=lambda name: mix[name])
 
 
+def _named_in_regions(state: CharacterState) -> dict[PlayRegion, str]:
+    """What each region shows or comes to show: its own, or that of the whole face."""
+    whole = _named(state.expressions, state.expression_call)
+    own = {region: _named(mix, state.region_calls.get(region)) for region, mix in state.regions.items()}
+    return {region: own.get(region, whole) for region in PLAY_REGIONS}
+
+
+def _hands(state: CharacterState) -> CharacterState | HeldState:
+    """What holds channels, head and gaze as hands do."""
+    return state if state.held is None else state.held
+
+
+def _of_layer(state: CharacterState, name: str, part: str = "") -> tuple[Argument, ...]:
+    """The influence of a layer, as set: of a part, or the largest."""
+    shown = {str(layer): each.influence for layer, each in state.layers.items()}
+    first = {str(layer): list(each.influence.values()) for layer, each in DEFAULT_SETTINGS.items()}
+    influence = shown.get(name, first.get(name, []))
+    parts = dict(zip(map(str, LAYER_PARTS), influence, strict=False))
+    return (parts[part] if part in parts else max(influence, default=0.0),)
+
+
+def _place(place: Place) -> tuple[Argument, ...]:
+    return place.x, place.depth, place.size, _degrees(place.turn)
+
+
 def _degrees(angle: float) -> float:
     return round(math.degrees(angle), 4)
+
+
+OF_SHOW: Mapping[str, Callable[[State], tuple[Argument, ...]]] = {
+    "light": lambda state: (_named(state.light, state.light_call),),
+    "framing": lambda state: (_named(state.framing, state.framing_call),),
+}
+"""What the whole show's addresses have on air."""
+OF_CHARACTER: Mapping[str, Callable[[CharacterState], tuple[Argument, ...]]] = {
+    "face": lambda state: (_named(state.faces, state.face_call),),
+    "expression": lambda state: (_named(state.expressions, state.expression_call),),
+    "head": lambda state: tuple(map(_degrees, _hands(state).head)),
+    "gaze": lambda state: tuple(map(_degrees, _hands(state).gaze)),
+    "place": lambda state: _place(state.place),
+    "fade/face": lambda state: (state.face_fader,),
+    "fade/expression": lambda state: (state.expression_fader,),
+}
+"""What a character's addresses have on air, but for its channels."""

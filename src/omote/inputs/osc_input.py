@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from fnmatch import fnmatchcase
 
-from omote.inputs.osc_addresses import ROOT, Order, read_order
+from omote.inputs.osc_addresses import ROOT
 from omote.inputs.osc_feedback import Feedback, tell_state
+from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscError, OscMessage, decode_packet, encode_message
+from omote.inputs.rejection import Rejection
 from omote.show.messages import Refused, State
 from omote.show.session import ShowSession
 
-FIRST_CHARACTER = "one"
-"""The name of the only character that a show has so far."""
 MOST_SENDERS = 64
 """Senders that are known at a time; the one that was silent longest makes room."""
 MOST_SURFACES = 32
@@ -37,41 +36,38 @@ class Surface:
     lasting: bool = False
 
 
-@dataclass(frozen=True)
-class Rejection:
-    """A message or packet that was not obeyed: when, whose it was, and why."""
-
-    time: float
-    sender: str
-    reason: str
-
-
 class OscInput:
     """Carries out on a session what packets ask for, and tells surfaces that subscribed what is on air.
 
-    heard, rejected: counts of messages; last_rejection: the newest of these.
+    heard, rejected: counts of messages; last_rejection: the newest of these; newest: the last message. kind: sets its
+    senders apart from others in the session; title: stands before a sender's host where consoles show it; seat_of: the
+    seat for which a host plays, "" for its own.
     """
 
-    def __init__(self, session: Callable[[], ShowSession]) -> None:
-        self._session = session
+    def __init__(self, session: Callable[[], ShowSession], *, kind: str = "osc", title: str = "OSC ") -> None:
+        self._session, self._kind, self._title = session, kind, title
         self._senders: dict[str, None] = {}
         self._surfaces: dict[Place, Surface] = {}
         self._numbers = itertools.count(1)
+        self.seat_of: Callable[[str], str] = lambda _: ""
+        self._reader: OrderReader | None = None
         self.heard = self.rejected = 0
         self.last_rejection: Rejection | None = None
+        self.newest: tuple[Place, OscMessage] | None = None
 
     def receive(self, place: Place, packet: bytes, now: float) -> list[tuple[Place, bytes]]:
-        """Obeys the messages of a packet; returns what is answered: the reasons of rejections, to surfaces alone.
+        """Obeys the messages of a packet; returns what is answered: the reasons of rejections, to surfaces alone."""
+        messages, answers = self.read(place, packet, now)
+        return answers + [answer for message in messages for answer in self.obey(place, message, now)]
 
-        A packet that is none is rejected whole, a message that cannot be obeyed by itself.
-        """
+    def read(self, place: Place, packet: bytes, now: float) -> tuple[list[OscMessage], list[tuple[Place, bytes]]]:
+        """The messages of a packet, and what is answered; a packet that is none is rejected whole."""
         for other in self._heard_by(place):
             self._surfaces[other].heard = now
         try:
-            messages = decode_packet(packet)
+            return decode_packet(packet), []
         except OscError as error:
-            return self._reject(place, str(error), now)
-        return [answer for message in messages for answer in self._obey(place, message, now)]
+            return [], self._reject(place, str(error), now)
 
     def news(self, state: State, now: float) -> list[tuple[Place, bytes]]:
         """What surfaces are to be told of a state, each what is new to it."""
@@ -80,7 +76,7 @@ class OscInput:
                 del self._surfaces[place]
         if not self._surfaces:
             return []
-        values = tell_state(state, FIRST_CHARACTER)
+        values = tell_state(state)
         return [
             (place, encode_message(address, *told))
             for place, surface in self._surfaces.items()
@@ -100,8 +96,10 @@ class OscInput:
         if place[1] == 0:
             self._forget_sender(place[0])
 
-    def _obey(self, place: Place, message: OscMessage, now: float) -> list[tuple[Place, bytes]]:
+    def obey(self, place: Place, message: OscMessage, now: float) -> list[tuple[Place, bytes]]:
+        """Obeys a message; returns what is answered. One that cannot be obeyed is rejected by itself."""
         self.heard += 1
+        self.newest = place, message
         try:
             if message.address in (SUBSCRIBE, UNSUBSCRIBE):
                 self._follow(place, message, now)
@@ -110,20 +108,62 @@ class OscInput:
         except OscError as error:
             return self._reject(place, str(error), now)
 
+    def obey_all(self, place: Place, messages: Iterable[OscMessage], now: float) -> list[tuple[Place, bytes]]:
+        """Obeys messages of one place in their order, as `obey` each. Of channels that are set between two others the
+        newest weight of each is set alone, and all at once: what no tick would show is not played."""
+        answers, waiting = list[tuple[Place, bytes]](), list[OscMessage]()
+        reader, found = self._reader_of(self._session()), dict[str, dict[str, float]]()
+        for message in messages:
+            level = reader.channel_set(message)
+            if level is not None:
+                waiting.append(message)
+                for who in level.meant:
+                    found.setdefault(who, {})[level.channel] = message.arguments[0]  # type: ignore[assignment]
+                continue
+            answers += self._set_channels(place, found, waiting, now)
+            waiting, found = [], {}
+            answers += self.obey(place, message, now)
+            reader = self._reader_of(self._session())
+        return answers + self._set_channels(place, found, waiting, now)
+
+    def _set_channels(
+        self, place: Place, found: dict[str, dict[str, float]], messages: list[OscMessage], now: float
+    ) -> list[tuple[Place, bytes]]:
+        """Sets channels by character; if that is rejected the messages are obeyed one by one, each with an answer."""
+        if len(messages) < 2:
+            return [answer for message in messages for answer in self.obey(place, message, now)]
+        who = self._sender(place[0])
+        if not all(self._session().set_channels(who, name, values, now) for name, values in found.items()):
+            return [answer for message in messages for answer in self.obey(place, message, now)]
+        self.heard += len(messages)
+        self.newest = place, messages[-1]
+        self._note_heard(place, messages, now)
+        return []
+
+    def _note_heard(self, place: Place, messages: Iterable[OscMessage], now: float) -> None:
+        """A surface is not told for a moment what it has just sent itself."""
+        for other in self._heard_by(place) if self._surfaces else ():
+            for message in messages:
+                self._surfaces[other].feedback.note(message.address, now)
+
     def _order(self, place: Place, message: OscMessage, now: float) -> list[tuple[Place, bytes]]:
         session = self._session()
-        order = read_order(message, session.cast, f"osc {session.epoch} {next(self._numbers)}")
-        if order is None:
+        call = f"{self._kind} {session.epoch} {next(self._numbers)}"
+        orders = self._reader_of(session).read(message, call)
+        if not orders:
             return []
-        check_character(order)
-        reasons = [
-            answer.message.reason
-            for answer in session.receive(self._sender(place[0]), order.message, now)
-            if isinstance(answer.message, Refused)
-        ]
-        for other in self._heard_by(place) if not reasons else ():
-            self._surfaces[other].feedback.note(message.address, now)
+        who = self._sender(place[0])
+        answers = [answer.message for order in orders for answer in session.receive(who, order, now)]
+        reasons = [answer.reason for answer in answers if isinstance(answer, Refused)] if answers else []
+        if not reasons:
+            self._note_heard(place, [message], now)
         return [answer for reason in reasons for answer in self._reject(place, reason, now)]
+
+    def _reader_of(self, session: ShowSession) -> OrderReader:
+        characters = tuple(session.scene)
+        if self._reader is None or not self._reader.fits(session.cast, characters):
+            self._reader = OrderReader(session.cast, characters)
+        return self._reader
 
     def _follow(self, place: Place, message: OscMessage, now: float) -> None:
         """Subscribes or unsubscribes the sender, at the port that it names, else at the one it sends from."""
@@ -143,11 +183,11 @@ class OscInput:
 
     def _sender(self, host: str) -> str:
         """The sender's name in the session, which it joins at its first message."""
-        who = f"osc {host}"
+        who = f"{self._kind} {host}"
         if host in self._senders:
             del self._senders[host]  # to the end: who was silent longest stands first
         else:
-            self._session().join(who, f"OSC {host}"[:24])
+            self._session().join(who, f"{self._title}{host}"[:24], self.seat_of(host))
         self._senders[host] = None
         if len(self._senders) > MOST_SENDERS:
             self._forget_sender(next(iter(self._senders)))
@@ -156,25 +196,11 @@ class OscInput:
     def _forget_sender(self, host: str) -> None:
         if host in self._senders:
             del self._senders[host]
-            self._session().leave(f"osc {host}")
+            self._session().leave(f"{self._kind} {host}")
 
     def _reject(self, place: Place, reason: str, now: float) -> list[tuple[Place, bytes]]:
         self.rejected += 1
         self.last_rejection = Rejection(now, place[0], reason)
-        answer = encode_message(ERROR, reason[:400].replace("\0", " "))
-        return [(other, answer) for other in self._heard_by(place)]
-
-
-def check_character(order: Order, names: Mapping[str, object] | tuple[str, ...] = (FIRST_CHARACTER,)) -> None:
-    """Raises OscError where no character has the name that an order is for; "*" and the like are patterns of OSC."""
-    if order.character and not any(matches(order.character, name) for name in names):
-        raise OscError(f"there is no character {order.character[:80]!r}; there is {', '.join(names)}, and * for all")
-
-
-def matches(pattern: str, name: str) -> bool:
-    """Whether a name is one that a pattern of OSC means: `*`, `?`, `[a-c]`, `[!a]`, `{one,two}`."""
-    head, brace, rest = pattern.partition("{")
-    choices, closed, tail = rest.partition("}")
-    if not (brace and closed):
-        return fnmatchcase(name, pattern)
-    return any(fnmatchcase(name, f"{head}{choice}{tail}") for choice in choices.split(","))
+        hearing = self._heard_by(place)
+        answer = encode_message(ERROR, reason[:400].replace("\0", " ")) if hearing else b""
+        return [(other, answer) for other in hearing]

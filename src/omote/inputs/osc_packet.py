@@ -10,10 +10,12 @@ import struct
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
+from omote.inputs.rejection import PacketError
+
 LONGEST_PACKET = 65507
 """Bytes of a packet: the most that UDP carries."""
-MOST_MESSAGES = 1024
-"""Messages of one packet, all its bundles together."""
+MOST_MESSAGES = 256
+"""Messages of one packet, all its bundles together: they are decoded at once, within a tick."""
 MOST_BUNDLES = 64
 """Bundles of one packet: nobody nests more, and each is read anew."""
 BUNDLE = b"#bundle\0"
@@ -23,7 +25,7 @@ IMMEDIATELY = b"\0\0\0\0\0\0\0\1"
 Argument = int | float | str | bool | bytes | None
 
 
-class OscError(ValueError):
+class OscError(PacketError):
     """What came is no packet of OSC, and why."""
 
 

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Mapping
-from typing import NoReturn, TypeVar
+from typing import Literal, NoReturn, TypeVar, get_args
 
 from omote.model.action_units import explain_action_unit
 
+PlayRegion = Literal["brows", "eyes", "mouth", "rest"]
+PLAY_REGIONS: tuple[PlayRegion, ...] = get_args(PlayRegion)
+"""The groups of regions of a face in which an expression can be called alone."""
 GENERIC, NEUTRAL = "generic", "neutral"
 """The face and the expression that every cast has."""
 UNIT_NOUNS = ("expression", "channel")
@@ -35,9 +38,17 @@ class KnownNames(dict[str, Value]):
 
 def explain_unknown(name: object, names: Iterable[str], what: str) -> str:
     """A clause that says that a name is not one of `names`, and which of them are near."""
-    choices = list(names)
+    choices, where = list(names), "scene" if what == "character" else "cast"
     if what in UNIT_NOUNS and (told := explain_action_unit(str(name)[:80], choices)):
-        return f"there is no {what} {str(name)[:80]!r} in this cast; {told}"
+        return f"there is no {what} {str(name)[:80]!r} in this {where}; {told}"
     near = difflib.get_close_matches(str(name)[:80], choices, n=3, cutoff=0.4) or sorted(choices)[:3]
     there = f"near are {', '.join(near)}" if near else "there are none"
-    return f"there is no {what} {str(name)[:80]!r} in this cast; {there}"
+    return f"there is no {what} {str(name)[:80]!r} in this {where}; {there}"
+
+
+def check_play_region(name: str, /) -> PlayRegion:
+    """The play region of this name; ValueError where there is none."""
+    for region in PLAY_REGIONS:
+        if region == name:
+            return region
+    raise ValueError(f"there is no region {name!r} to play in; expected one of {', '.join(PLAY_REGIONS)}")

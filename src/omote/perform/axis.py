@@ -23,7 +23,7 @@ from omote.perform.easing import (
     is_over,
     plan_glide,
 )
-from omote.perform.frame import CallStatus
+from omote.perform.frame import CallStatus, with_fields
 from omote.perform.mix import combine, mix_of_one, normalise, share_in_range
 
 LEAST_STANDING = 1e-3
@@ -177,9 +177,9 @@ def advanced(axis: Axis, dt: float) -> Axis:
     if axis.call is None:
         return axis
     way = None if axis.call.way is None else glide_after(axis.call.way, dt)
-    call = replace(axis.call, elapsed=axis.call.elapsed + dt, way=way)
+    call = with_fields(axis.call, elapsed=axis.call.elapsed + dt, way=way)
     if not _has_arrived(call):
-        return replace(axis, call=call)
+        return with_fields(axis, call=call)
     stands = call.goal if call.goal is not None and len(call.goal) > 1 else None
     return replace(axis, on_air=call.target, call=None, stands=stands)
 

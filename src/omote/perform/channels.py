@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.known_names import NEUTRAL
-from omote.model.space.expression import Expression
-from omote.perform.frame import Gaze
+from omote.model.space.expression import STILL_EYES, Expression
+from omote.perform.frame import Frame, Gaze
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 
 LEFT, RIGHT = 0, 1
@@ -33,14 +33,30 @@ def with_channel(
 ) -> dict[str, float]:
     """Sets one channel (a blendshape weight); 0 removes it. Rejects unknown names, `neutral` and values out of
     range."""
-    check_known(name, (unit for unit in expressions if unit != NEUTRAL), "channel")
-    value = check_within(value, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {name}")
-    kept = {**channels, name: value}
+    return with_channels(channels, expressions, {name: value})
+
+
+def with_channels(
+    channels: Mapping[str, float], expressions: Mapping[str, Expression], values: Mapping[str, float]
+) -> dict[str, float]:
+    """Sets some channels, as `with_channel` one after the other, or none where one is rejected."""
+    kept, in_order = dict(channels), True
+    for name, value in values.items():
+        if name == NEUTRAL or name not in expressions:
+            check_known(name, (unit for unit in expressions if unit != NEUTRAL), "channel")
+        if not (type(value) is float and CHANNEL_LOWEST <= value <= CHANNEL_HIGHEST):
+            value = check_within(value, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {name}")
+        in_order = in_order and value != 0.0 and name in channels
+        kept[name] = value
+    if in_order:
+        return kept
     return {unit: kept[unit] for unit in sorted(kept) if kept[unit]}
 
 
 def gaze_channels(expressions: Mapping[str, Expression], gaze: Gaze) -> dict[str, float]:
     """The `eyeLook*` weights that turn both eyeballs by the gaze: its angle over the unit's own."""
+    if not gaze.yaw and not gaze.pitch:
+        return {}
     angles = {YAW: gaze.yaw, PITCH: gaze.pitch}
     turned: dict[str, float] = {}
     for name, (eye, direction) in GAZE_UNITS.items():
@@ -62,12 +78,25 @@ def effective_channels(
     return merged
 
 
+def channels_of(expressions: Mapping[str, Expression], frame: Frame) -> dict[str, float]:
+    """The blendshape weights that a frame adds to the mix, its gaze among them."""
+    if frame.held is not None:  # layers have mixed each one's gaze with its channels
+        return dict(frame.channels)
+    return effective_channels(expressions, frame.channels, frame.gaze)
+
+
 def eye_angles(
     expressions: Mapping[str, Expression], mix: Mapping[str, float], channels: Mapping[str, float]
 ) -> NDArray[np.float64]:
     """Yaw and pitch (radians) of the left and the right eyeball, (2, 2): those of the mix and of the channels added."""
-    total = np.zeros((2, 2))
+    left_yaw = left_pitch = right_yaw = right_pitch = 0.0
     for weights in (mix, channels):
         for name, weight in weights.items():
-            total += weight * expressions[name].eyes
-    return total
+            turns = expressions[name].eye_turns
+            if turns is STILL_EYES:
+                continue  # nearly all
+            left_yaw += weight * turns[0]
+            left_pitch += weight * turns[1]
+            right_yaw += weight * turns[2]
+            right_pitch += weight * turns[3]
+    return np.array([[left_yaw, left_pitch], [right_yaw, right_pitch]])

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any, TypeVar
 
-from omote.model.known_names import GENERIC
+from omote.model.known_names import GENERIC, PlayRegion
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_within
+
+Frozen = TypeVar("Frozen")
 
 
 @dataclass(frozen=True)
@@ -70,11 +73,37 @@ class CallStatus:
 
 
 @dataclass(frozen=True)
+class Held:
+    """What hands hold: channels, head and gaze, each at rest where no hand does."""
+
+    channels: Mapping[str, float] = field(default_factory=dict)
+    head: Head = field(default_factory=Head)
+    gaze: Gaze = field(default_factory=Gaze)
+
+
+@dataclass(frozen=True)
+class LayerStatus:
+    """A layer now: its influence by `LAYER_PARTS` and whether it is on, as set; its source and how far that is trusted;
+    share: how much of it is on air where it plays most, 0 to 1; strongest: what it does now, by channel."""
+
+    influence: tuple[float, ...]
+    on: bool
+    trust: float
+    source: str
+    share: float
+    strongest: Mapping[str, float]
+
+
+@dataclass(frozen=True)
 class Frame:
     """The mixes of faces, expressions and lights (each sums to one), the channels, head and gaze, at `time` seconds.
 
     Names that weigh nothing are absent. `face_fader`, `expression_fader`: where the T-bars stand, 0..1. `panics` counts
-    them; `home_next`: the next one brings the face of `home`.
+    them; `home_next`: the next one brings the face of `home`. `regions`: the mixes of expressions of the regions that
+    show another than the rest of the face does, each sums to one; `region_calls`: their own calls. `held`: what hands
+    hold where layers mix it with what sources send, None where `channels`, `head` and `gaze` are theirs alone; layers
+    mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
+    at first.
     """
 
     faces: Mapping[str, float]
@@ -92,3 +121,15 @@ class Frame:
     home: Home = field(default_factory=Home)
     home_next: bool = False
     panics: int = 0
+    regions: Mapping[PlayRegion, Mapping[str, float]] = field(default_factory=dict)
+    region_calls: Mapping[PlayRegion, CallStatus] = field(default_factory=dict)
+    layers: Mapping[str, LayerStatus] = field(default_factory=dict)
+    held: Held | None = None
+
+
+def with_fields(frozen: Frozen, **changes: Any) -> Frozen:
+    """A frozen dataclass that checks nothing when it is made, with some fields changed: what `dataclasses.replace`
+    gives, which asks each field about itself and takes ten times as long; frames are made sixty times a second."""
+    made: Frozen = object.__new__(type(frozen))
+    made.__dict__.update(frozen.__dict__, **changes)
+    return made

@@ -24,12 +24,20 @@ FOREVER = 1e9
 
 def check_within(value: object, low: float, high: float, what: str) -> float:
     """Returns `value` as a float where it is a real number from `low` to `high`; else raises with a message."""
+    if type(value) is float and low <= value <= high:
+        return value  # what nearly all are
     if isinstance(value, bool) or not isinstance(value, Real):
         raise TypeError(f"{what} must be a number, not {value!r}; give {low:g} to {high:g}")
     number: Any = value  # typeshed gives Real no comparison with float
     if not low <= number <= high:  # also catches NaN
         raise ValueError(f"{what} is {_format(value)}; give a number from {low:.4g} to {high:.4g}")
     return float(number)
+
+
+def check_call_seconds(seconds: object) -> float:
+    """Returns the seconds of a call, 0 for one that is so short that it is a cut; else raises with a message."""
+    number = check_within(seconds, 0.0, LONGEST_CALL, "the time of a call (seconds)")
+    return number if number >= SHORTEST_CALL else 0.0
 
 
 def check_known(name: object, names: Iterable[str], what: str) -> str:

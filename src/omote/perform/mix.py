@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 
+from omote.model.known_names import PlayRegion
+
 Weights = Mapping[str, float]
 
 LOWEST, HIGHEST = -0.1, 1.1
@@ -24,6 +26,11 @@ def combine(terms: Iterable[tuple[float, Weights]]) -> dict[str, float]:
             for name, weight in weights.items():
                 total[name] = total.get(name, 0.0) + factor * weight
     return {name: weight for name, weight in total.items() if weight}
+
+
+def mix_in(region: PlayRegion, whole: Weights, regions: Mapping[PlayRegion, Weights]) -> Weights:
+    """The mix that shows in a region: its own, or that of the whole face where it has none."""
+    return regions.get(region, whole)
 
 
 def normalise(weights: Weights) -> dict[str, float]:

@@ -5,7 +5,7 @@ A press within `SAME_PRESS` seconds of the last one is the same press: people ha
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass, field, replace
 
 from omote.perform.easing import find_easing, is_over
@@ -35,11 +35,11 @@ def settled_later(settling: Settling | None, dt: float) -> Settling | None:
     return replace(settling, elapsed=settling.elapsed + dt)
 
 
-def without_channel(settling: Settling | None, name: str) -> Settling | None:
-    """The same without a channel that a hand has taken again."""
+def without_channels(settling: Settling | None, names: Container[str]) -> Settling | None:
+    """The same without channels that a hand has taken again."""
     if settling is None:
         return None
-    return replace(settling, channels={one: value for one, value in settling.channels.items() if one != name})
+    return replace(settling, channels={one: value for one, value in settling.channels.items() if one not in names})
 
 
 def with_settling_channels(channels: Mapping[str, float], settling: Settling | None) -> Mapping[str, float]:

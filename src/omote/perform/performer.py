@@ -6,14 +6,29 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 
-from omote.model.known_names import GENERIC, NEUTRAL
+from omote.model.known_names import GENERIC, NEUTRAL, check_play_region
 from omote.perform import axis
 from omote.perform.axis import Axis
-from omote.perform.channels import with_channel
+from omote.perform.channels import with_channels
 from omote.perform.easing import DEFAULT_EASING, find_easing
-from omote.perform.frame import Frame, Gaze, Head, Home
+from omote.perform.frame import Frame, Gaze, Head, Held, Home, with_fields
+from omote.perform.layers.layer_mix import influences, kept_of_mix, with_layers
+from omote.perform.layers.layer_names import LayerName, check_driven, check_layer, check_part
+from omote.perform.layers.layers import (
+    Layers,
+    advance,
+    begin,
+    drive,
+    is_at_rest,
+    leave,
+    recalibrate,
+    set_layer,
+    switch_off,
+)
+from omote.perform.layers.layers_snapshot import restored, snapshot_of
+from omote.perform.layers.source_frame import SourceFrame, check_frame, source_frame
 from omote.perform.lights import check_light
-from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, check_known, check_within
+from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_within
 from omote.perform.panic import (
     PANIC_EASING,
     PANIC_SECONDS,
@@ -22,8 +37,9 @@ from omote.perform.panic import (
     with_settling_channels,
     with_settling_gaze,
     with_settling_head,
-    without_channel,
+    without_channels,
 )
+from omote.perform.region_axes import advance_regions, call_regions, move_with_face
 from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
 
 
@@ -60,6 +76,7 @@ class Performer:
         check_known(GENERIC, cast.faces, "face")
         self._cast = cast
         self._now = Snapshot(Axis(GENERIC), Axis(NEUTRAL))
+        self._layers: Layers | None = None
 
     @classmethod
     def restored(cls, cast: Playable, snapshot: Snapshot) -> Performer:
@@ -91,8 +108,11 @@ class Performer:
         True
         """
         performer = cls(cast)
-        performer._now = check_snapshot(snapshot, cast)
+        performer._go_on(check_snapshot(snapshot, cast))
         return performer
+
+    def _go_on(self, snapshot: Snapshot) -> None:
+        self._now, self._layers = replace(snapshot, layers=None), restored(self._cast, snapshot.layers)
 
     def snapshot(self) -> Snapshot:
         """Everything needed to continue later, or elsewhere.
@@ -107,7 +127,7 @@ class Performer:
         >>> omote.Performer(cast).snapshot().face.on_air
         'generic'
         """
-        return self._now
+        return replace(self._now, layers=snapshot_of(self._layers))
 
     def recast(self, cast: Playable) -> None:
         """Plays another cast from now on; what is on air stays.
@@ -128,8 +148,9 @@ class Performer:
         >>> performer.recast(cast.with_expressions(beam=cast.expressions["joy"]))
         >>> performer.call_expression("beam")
         """
-        self._now = check_snapshot(self._now, cast)
+        now = check_snapshot(self.snapshot(), cast)
         self._cast = cast
+        self._go_on(now)
 
     def call_face(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings a face on air from whatever is showing.
@@ -159,8 +180,12 @@ class Performer:
         """
         self._play(face=_start_call(self._now.face, self._cast.faces, name, "face", seconds, easing))
 
-    def call_expression(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
-        """Brings an expression on air from whatever is showing.
+    def call_expression(
+        self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING, region: str | None = None
+    ) -> None:
+        """Brings an expression on air from whatever is showing, on the whole face or in one region of it.
+
+        A region that has been called alone keeps its own until the whole face is called again.
 
         Parameters
         ----------
@@ -170,11 +195,13 @@ class Performer:
             How long it takes, 0 to 3600; 0 cuts, `math.inf` waits for `fade_expression`.
         easing : {"smooth", "gentle", "sharp", "early", "late"}
             The curve of the way.
+        region : {"brows", "eyes", "mouth", "rest"}, optional
+            Where alone it is called, in its own time: no T-bar moves it, so `math.inf` is none for it.
 
         Raises
         ------
         ValueError
-            On a name or an easing that there is not, and on seconds out of range.
+            On a name, an easing or a region that there is not, and on seconds out of range.
         TypeError
             On seconds that are no number.
 
@@ -184,9 +211,25 @@ class Performer:
         >>> performer.call_expression("smile", seconds=0)
         >>> dict(performer.advance(0.0).expressions)
         {'smile': 1.0}
+        >>> performer.call_expression("surprise", seconds=0.2, region="brows")
+        >>> dict(performer.advance(0.2).regions["brows"])
+        {'surprise': 1.0}
+
+        References
+        ----------
+        docs/method.md, "Regions of a call".
         """
-        called = _start_call(self._now.expression, self._cast.expressions, name, "expression", seconds, easing)
-        self._play(expression=called)
+
+        def call(on: Axis) -> Axis:
+            return _start_call(on, self._cast.expressions, name, "expression", seconds, easing)
+
+        now = self._now
+        if region is None:
+            self._play(expression=call(now.expression), regions=call_regions(now.regions, now.expression, call))
+            return
+        where = check_play_region(region)
+        check_call_seconds(seconds)  # no T-bar moves a region
+        self._play(regions={**now.regions, where: call(now.regions.get(where, now.expression))})
 
     def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings a light on air from whatever light shows.
@@ -216,7 +259,7 @@ class Performer:
         """
         check_light(name)
         find_easing(easing)
-        self._play(light=axis.called(self._now.light, name, _length(seconds), easing))
+        self._play(light=axis.called(self._now.light, name, check_call_seconds(seconds), easing))
 
     def fade_face(self, x: float) -> None:
         """Moves the T-bar of the faces; it takes over the call once it has passed its progress (pick-up).
@@ -266,8 +309,9 @@ class Performer:
         >>> round(performer.advance(1.0).expressions["smile"], 3)
         0.5
         """
-        hand = check_within(x, 0.0, 1.0, "the expression T-bar")
-        self._play(expression=axis.faded(self._now.expression, hand))
+        hand, now = check_within(x, 0.0, 1.0, "the expression T-bar"), self._now
+        regions = move_with_face(now.regions, now.expression, lambda on: axis.faded(on, hand))
+        self._play(expression=axis.faded(now.expression, hand), regions=regions)
 
     def release_face(self) -> None:
         """Lets go of the T-bar of the faces: a timed call goes on from where it is, a call by hand stays.
@@ -293,7 +337,9 @@ class Performer:
         >>> performer.advance(1.0).expressions["smile"]
         1.0
         """
-        self._play(expression=axis.released(self._now.expression))
+        now = self._now
+        regions = move_with_face(now.regions, now.expression, axis.released)
+        self._play(expression=axis.released(now.expression), regions=regions)
 
     def set_channel(self, name: str, value: float) -> None:
         """Adds an expression to the mix at once, beside the calls.
@@ -319,8 +365,32 @@ class Performer:
         >>> dict(performer.advance(0.0).channels)
         {'jawOpen': 0.4}
         """
-        channels = with_channel(self._now.channels, self._cast.expressions, name, value)
-        self._play(channels=channels, settling=without_channel(self._now.settling, name))
+        self.set_channels({name: value})
+
+    def set_channels(self, values: Mapping[str, float]) -> None:
+        """Adds expressions to the mix at once, as `set_channel` one after the other; none where one is rejected.
+
+        Parameters
+        ----------
+        values : mapping of float
+            Weights by expression, -0.5 to 1.5; 0 takes one out.
+
+        Raises
+        ------
+        ValueError
+            On a name that there is not and on a weight out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.set_channels({"jawOpen": 0.4})
+        >>> dict(performer.advance(0.0).channels)
+        {'jawOpen': 0.4}
+        """
+        channels = with_channels(self._now.channels, self._cast.expressions, values)
+        self._play(channels=channels, settling=without_channels(self._now.settling, values))
 
     def set_head(self, yaw: float, pitch: float, roll: float) -> None:
         """Turns the head.
@@ -373,6 +443,91 @@ class Performer:
         gaze, settling = Gaze(yaw, pitch), self._now.settling
         self._play(gaze=gaze, settling=None if settling is None else replace(settling, gaze=Gaze()))
 
+    def drive(
+        self,
+        channels: Mapping[str, float],
+        *,
+        layer: str = "playback",
+        head: tuple[float, float, float] | None = None,
+        gaze: tuple[float, float] | None = None,
+        found: bool = True,
+    ) -> None:
+        """One frame of a source: the newest wins, and the layer follows it without a jump.
+
+        Where a layer replaces, the parts of the face in which these channels act show the source instead of what lies
+        below. A source that is silent, or not found, for half a second fades out, and in again when it is back.
+
+        Parameters
+        ----------
+        channels : mapping of float
+            Weights by expression, -0.5 to 1.5 (breath -0.05 to 0.05, blink 0 to 1); the same names in each frame.
+        layer : {"breath", "gaze", "blink", "tracker", "lips", "playback"}
+            The layer that it drives.
+        head : tuple of float, optional
+            Yaw, pitch and roll as of `set_head`; without it the head is left to other layers.
+        gaze : tuple of float, optional
+            Yaw and pitch as of `set_gaze`; without it the eyes are left to the channels.
+        found : bool
+            False while the source does not see its performer.
+
+        Raises
+        ------
+        ValueError
+            On a name or a layer that there is not, and on numbers out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.drive({"jawOpen": 0.4})
+        >>> for _ in range(120):
+        ...     performer.drive({"jawOpen": 0.4})
+        ...     frame = performer.advance(1 / 60)
+        >>> round(frame.channels["jawOpen"], 2)
+        0.4
+
+        References
+        ----------
+        docs/method.md, "Layers".
+        """
+        which, frame = check_driven(layer), source_frame(self._cast.expressions, channels, head, gaze, found=found)
+        self.drive_layer(which, check_frame(frame, which))
+
+    def set_layer(
+        self, layer: str, *, region: str | None = None, influence: float | None = None, on: bool | None = None
+    ) -> None:
+        """Sets how much of a layer shows, or switches it: what is on air follows within half a second.
+
+        Parameters
+        ----------
+        layer : {"breath", "gaze", "emotion", "blink", "tracker", "lips", "playback", "hands"}
+            The layer.
+        region : {"brows", "eyes", "mouth", "rest", "head", "gaze"}, optional
+            Where the influence is meant; everywhere where it is left out.
+        influence : float, optional
+            0 (nothing of it) to 1.
+        on : bool, optional
+            Whether it plays at all.
+
+        Raises
+        ------
+        ValueError
+            On a layer or a region that there is not, and on an influence out of range.
+        TypeError
+            On an influence that is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.set_layer("emotion", region="mouth", influence=0.5)
+        >>> performer.advance(0.0).layers["emotion"].influence
+        (1.0, 1.0, 0.5, 1.0, 1.0, 1.0)
+        """
+        part = None if region is None else check_part(region)
+        self._layers = set_layer(self._begun_layers(), check_layer(layer), part, influence, on)
+        self._play()
+
     def set_home(self, face: str, *, seconds: float = 2.0) -> None:
         """Chooses the face that a second panic brings on air.
 
@@ -421,9 +576,11 @@ class Performer:
         """
         now = self._now
         if now.panicked is None:
-            now = _at_rest(now)
+            now = self._without_layers(_at_rest(now))
         elif is_home_next(now):
-            now = replace(now, face=axis.called(now.face, now.home.face, _length(now.home.seconds), DEFAULT_EASING))
+            now = replace(
+                now, face=axis.called(now.face, now.home.face, check_call_seconds(now.home.seconds), DEFAULT_EASING)
+            )
         self._now = replace(now, panicked=now.time, panics=now.panics + 1)
 
     def advance(self, dt: float) -> Frame:
@@ -453,19 +610,108 @@ class Performer:
         """
         dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
         now = self._now
-        self._now = replace(
+        expression = axis.advanced(now.expression, dt)
+        self._now = with_fields(
             now,
             face=axis.advanced(now.face, dt),
-            expression=axis.advanced(now.expression, dt),
+            expression=expression,
+            regions=advance_regions(now.regions, expression, dt) if now.regions else now.regions,
             light=axis.advanced(now.light, dt),
             settling=settled_later(now.settling, dt),
             time=now.time + dt,
         )
-        return _frame(self._now)
+        self._layers = self._advance_layers(self._layers, dt)
+        return self._frame()
+
+    def drive_layer(self, layer: LayerName, frame: SourceFrame) -> None:
+        """One frame of a source that is checked already, as of `drive`.
+
+        Parameters
+        ----------
+        layer : str
+            The layer.
+        frame : SourceFrame
+            What `source_frame` and `check_frame` gave.
+
+        Examples
+        --------
+        >>> from omote.perform.layers.source_frame import source_frame
+        >>> performer = omote.Performer(cast)
+        >>> performer.drive_layer("lips", source_frame(cast.expressions, {"jawOpen": 0.4}, None, None))
+        >>> list(performer.advance(0.0).layers)
+        ['lips']
+        """
+        self._layers = drive(self._cast, self._begun_layers(), layer, frame)
+
+    def leave_layer(self, layer: LayerName, source: str) -> None:
+        """A source has gone: its layer fades out.
+
+        Parameters
+        ----------
+        layer : str
+            The layer that it drives.
+        source : str
+            Its name; another's layer stays.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.drive({"jawOpen": 0.4})
+        >>> performer.leave_layer("playback", "")
+        >>> performer.advance(8.0).layers
+        {}
+        """
+        self._layers = None if self._layers is None else leave(self._layers, layer, source)
+
+    def recalibrate_layer(self, layer: LayerName, source: str) -> None:
+        """A source sends by another measure from now on: its layer fades out before it follows again.
+
+        Parameters
+        ----------
+        layer : str
+            The layer that it drives.
+        source : str
+            Its name; another's layer stays.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.drive({"jawOpen": 0.4})
+        >>> performer.recalibrate_layer("playback", "")
+        """
+        self._layers = None if self._layers is None else recalibrate(self._layers, layer, source)
+
+    def _begun_layers(self) -> Layers:
+        return begin(self._cast, self._held()) if self._layers is None else self._layers
+
+    def _held(self) -> Held:
+        return Held(self._now.channels, self._now.head, self._now.gaze)
+
+    def _advance_layers(self, before: Layers | None, dt: float) -> Layers | None:
+        if before is None:
+            return None
+        layers = advance(self._cast, before, self._held(), dt, still=self._now.settling is None)
+        return None if is_at_rest(layers) else layers
+
+    def _frame(self) -> Frame:
+        frame = _frame(self._now)
+        if self._layers is None:
+            return frame
+        return with_layers(frame, self._layers, self._cast.expressions, self._held(), self._now.settling)
+
+    def _without_layers(self, rested: Snapshot) -> Snapshot:
+        """A panic where layers play: all that they had on air eases to rest, and sources are off."""
+        layers = self._advance_layers(self._layers, 0.0)
+        if layers is None:
+            self._layers = None
+            return rested
+        self._layers, frame = layers, self._frame()
+        self._layers = switch_off(layers, 1.0 - kept_of_mix(layers, influences(layers)))
+        return replace(rested, settling=Settling(frame.channels, frame.head, frame.gaze))
 
     def _play(self, **changes: object) -> None:
         """What an operator does: the next panic is a first one again."""
-        self._now = replace(self._now, panicked=None, **changes)  # type: ignore[arg-type]
+        self._now = with_fields(self._now, panicked=None, **changes)
 
 
 def _start_call(on: Axis, names: Mapping[str, object], name: str, what: str, seconds: float, easing: str) -> Axis:
@@ -473,12 +719,7 @@ def _start_call(on: Axis, names: Mapping[str, object], name: str, what: str, sec
     find_easing(easing)
     if isinstance(seconds, float) and seconds == math.inf:
         return axis.called(on, name, None, easing)
-    return axis.called(on, name, _length(seconds), easing)
-
-
-def _length(seconds: float) -> float:
-    seconds = check_within(seconds, 0.0, LONGEST_CALL, "the time of a call (seconds)")
-    return seconds if seconds >= SHORTEST_CALL else 0.0
+    return axis.called(on, name, check_call_seconds(seconds), easing)
 
 
 def _at_rest(now: Snapshot) -> Snapshot:
@@ -487,10 +728,15 @@ def _at_rest(now: Snapshot) -> Snapshot:
         with_settling_head(now.head, now.settling),
         with_settling_gaze(now.gaze, now.settling),
     )
+
+    def rest(on: Axis) -> Axis:
+        return axis.called(replace(on, hand=0.0), NEUTRAL, PANIC_SECONDS, PANIC_EASING)
+
     return replace(
         now,
         face=axis.halted(now.face, PANIC_SECONDS),
-        expression=axis.called(replace(now.expression, hand=0.0), NEUTRAL, PANIC_SECONDS, PANIC_EASING),
+        expression=rest(now.expression),
+        regions=call_regions(now.regions, now.expression, rest),
         channels={},
         head=Head(),
         gaze=Gaze(),
@@ -515,4 +761,6 @@ def _frame(now: Snapshot) -> Frame:
         home=now.home,
         home_next=is_home_next(now),
         panics=now.panics,
+        regions={region: axis.weights(on) for region, on in now.regions.items()},
+        region_calls={region: found for region, on in now.regions.items() if (found := axis.status(on)) is not None},
     )

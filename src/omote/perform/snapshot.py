@@ -7,11 +7,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from omote.model.cast import Title
+from omote.model.known_names import PlayRegion, check_play_region
 from omote.model.space.expression import Expression
 from omote.perform.axis import Axis, Call
 from omote.perform.channels import with_channel
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
 from omote.perform.frame import Gaze, Head, Home
+from omote.perform.layers.layers_snapshot import LayersSnapshot, names_driven, restored
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import FOREVER, GAZE_LIMITS, LONGEST_CALL, SHORTEST_CALL, check_known, check_within
 from omote.perform.mix import HIGHEST, LOWEST, Weights
@@ -30,6 +33,10 @@ class Playable(Protocol):
         """The expressions: the engine itself needs their eyes."""
 
     @property
+    def titles(self) -> Mapping[str, Title]:
+        """What expressions are called and where they act."""
+
+    @property
     def digest(self) -> str:
         """The digest of exactly these."""
 
@@ -43,6 +50,8 @@ class Snapshot:
     """The state of a performer: plain values, so msgspec writes and reads it exactly.
 
     `panicked`: the time of the last panic, None once something has been played after it; `panics` counts all of them.
+    `regions`: the expressions of the regions that go their own way; all others go with `expression`. `layers`: None
+    while nothing but calls and hands plays.
     """
 
     face: Axis
@@ -56,6 +65,8 @@ class Snapshot:
     home: Home = field(default_factory=Home)
     panicked: float | None = None
     panics: int = 0
+    regions: Mapping[PlayRegion, Axis] = field(default_factory=dict)
+    layers: LayersSnapshot | None = None
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -81,12 +92,15 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     refuse_no_cast(cast)
     if not isinstance(snapshot, Snapshot):
         raise TypeError(f"the snapshot is a {type(snapshot).__name__}; expected what Performer.snapshot() gives")
-    _check_axis(snapshot.face, cast.faces, "face")
-    _check_axis(snapshot.expression, cast.expressions, "expression")
-    _check_axis(snapshot.light, LIGHTS, "light")
+    check_axis(snapshot.face, cast.faces, "face")
+    check_axis(snapshot.expression, cast.expressions, "expression")
+    check_axis(snapshot.light, LIGHTS, "light")
+    for region, axis in snapshot.regions.items():
+        check_axis(axis, cast.expressions, f"expression ({check_play_region(region)})")
     settling = {} if snapshot.settling is None else snapshot.settling.channels
     for name, value in (*snapshot.channels.items(), *settling.items()):
         with_channel({}, cast.expressions, name, value)
+    restored(cast, snapshot.layers)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.settling is not None:
@@ -115,20 +129,23 @@ def _is_beyond(angle: object, limit: float) -> bool:
 
 def names_held(snapshot: Snapshot) -> tuple[frozenset[str], frozenset[str]]:
     """The faces and the expressions (channels are expressions too) that a snapshot cannot be played without."""
-    channels = frozenset(snapshot.channels)
+    channels = frozenset(snapshot.channels) | names_driven(snapshot.layers)
     if snapshot.settling is not None:
         channels |= frozenset(snapshot.settling.channels)
-    return _names_of(snapshot.face) | {snapshot.home.face}, _names_of(snapshot.expression) | channels
+    expressions = frozenset[str]().union(*map(axis_names, (snapshot.expression, *snapshot.regions.values())))
+    return axis_names(snapshot.face) | {snapshot.home.face}, expressions | channels
 
 
-def _names_of(axis: Axis) -> frozenset[str]:
+def axis_names(axis: Axis) -> frozenset[str]:
+    """All names that an axis has on air, called or going."""
     call, stands = axis.call, axis.stands or ()
     if call is None:
         return frozenset((axis.on_air, *stands))
     return frozenset((axis.on_air, *stands, call.target, *call.start, *call.velocity, *(call.goal or ())))
 
 
-def _check_axis(axis: Axis, names: Mapping[str, object], what: str) -> None:
+def check_axis(axis: Axis, names: Mapping[str, object], what: str) -> None:
+    """Rejects an axis that was read and that none can be, or that has a name that is not among `names`."""
     check_known(axis.on_air, names, what)
     check_within(axis.hand, 0.0, 1.0, f"the {what} T-bar")
     if axis.stands is not None:

@@ -11,7 +11,19 @@ from typing import Annotated, Literal, get_args
 
 import msgspec
 
-PROTOCOL_VERSION = 4
+from omote.model.known_names import PlayRegion
+from omote.perform.layers.layer_names import LayerName, LayerPart
+from omote.perform.scene.character_names import MOST_CHARACTERS
+from omote.show.access.access_documents import (  # noqa: F401  (the mirror has all)
+    ACCESS_DOCUMENTS,
+    AccessDocument,
+    CodeDocument,
+    NewPerson,
+    PeopleDocument,
+    PersonDocument,
+)
+
+PROTOCOL_VERSION = 6
 LINK_PATH = "/link"
 MESSAGE_LIMIT = 4096
 """Bytes; no message of a client is longer."""
@@ -19,6 +31,7 @@ STATE_RATE = 60.0
 """States per second."""
 
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
+CharacterName = Annotated[str, msgspec.Meta(min_length=1, max_length=24)]
 CallId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
 RequestId = Annotated[str, msgspec.Meta(max_length=64)]
 Role = Literal["stage", "console"]
@@ -28,6 +41,17 @@ LayoutText = Annotated[str, msgspec.Meta(max_length=3600)]
 Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
 Kind = Literal["neutral", "performed", "arkit", "makehuman", "omote", "own"]
 ItemKind = Literal["face", "expression"]
+LeasePart = Literal[
+    "face", "expression", "brows", "eyes", "mouth", "channels", "head", "gaze", "place", "light", "framing", "*"
+]
+DeviceName = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
+ControlName = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
+DeviceKind = Literal["midi", "gamepad", "space_mouse"]
+SourceKind = Literal["midi", "gamepad", "space_mouse", "osc", "sacn", "artnet"]
+StreamKind = Literal["tracker", "lips", "playback", "program", "breath", "gaze", "blink"]
+CalibrationStep = Literal["neutral", "range", "done", "reset"]
+MOST_NAMES = 200
+"""Channels of a source."""
 
 
 def snake_case(name: str) -> str:
@@ -40,22 +64,26 @@ class Message(msgspec.Struct, frozen=True, tag_field="type", tag=snake_case):
 
 
 # --- client to server -------------------------------------------------------------------------------------------------
+# `character`: whom a message is for, "*" for all of them where it plays; one that is unknown is rejected.
 
 
 class Hello(Message, frozen=True):
     """Opens a link; other messages are rejected before it. `name`: what a console's operator calls it, or what it was
     called the last time; a second hello changes it. `page`: the same for each link of one page, another for each page.
+    `seat`: of the operator, whom a reload and a lost link do not change; without one it is the page's.
     """
 
     role: Role
     version: int
     name: ConsoleName = ""
     page: Annotated[str, msgspec.Meta(max_length=64)] = ""
+    seat: Annotated[str, msgspec.Meta(max_length=64)] = ""
 
 
 class CallFace(Message, frozen=True):
     """Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once."""
 
+    character: CharacterName
     id: CallId
     name: Name
     seconds: float | None
@@ -63,12 +91,17 @@ class CallFace(Message, frozen=True):
 
 
 class CallExpression(Message, frozen=True):
-    """Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once."""
+    """Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once.
 
+    `region`: where alone it is called, in its own time, which no T-bar moves; `None`: on the whole face.
+    """
+
+    character: CharacterName
     id: CallId
     name: Name
     seconds: float | None
     easing: Name
+    region: PlayRegion | None = None
 
 
 class CallLight(Message, frozen=True):
@@ -83,26 +116,33 @@ class CallLight(Message, frozen=True):
 class FadeFace(Message, frozen=True):
     """The position of the face T-bar, 0..1."""
 
+    character: CharacterName
     value: float
 
 
 class ReleaseFace(Message, frozen=True):
     """The operator lets go of the face T-bar."""
 
+    character: CharacterName
+
 
 class FadeExpression(Message, frozen=True):
     """The position of the expression T-bar, 0..1."""
 
+    character: CharacterName
     value: float
 
 
 class ReleaseExpression(Message, frozen=True):
     """The operator lets go of the expression T-bar."""
 
+    character: CharacterName
+
 
 class SetChannel(Message, frozen=True):
     """The weight of one channel (a blendshape weight; any expression's name), -0.5..1.5."""
 
+    character: CharacterName
     name: Name
     value: float
 
@@ -110,6 +150,7 @@ class SetChannel(Message, frozen=True):
 class SetHead(Message, frozen=True):
     """The head's direction in radians: + is the character's left, up, tilt to its left."""
 
+    character: CharacterName
     yaw: float
     pitch: float
     roll: float
@@ -121,17 +162,22 @@ class SetGaze(Message, frozen=True):
     At most 0.698 sideways, 0.524 up or down: beyond, the iris would go out of sight.
     """
 
+    character: CharacterName
     yaw: float
     pitch: float
 
 
 class Panic(Message, frozen=True):
-    """The face on air goes neutral and holds still, now; while `State.home_next` is true it brings the home face."""
+    """The face on air goes neutral and holds still, now; while `CharacterState.home_next` is true it brings the home
+    face."""
+
+    character: CharacterName
 
 
 class SetHome(Message, frozen=True):
     """The face that a second panic brings on air, and the seconds that it takes; it stays with the show."""
 
+    character: CharacterName
     face: Name
     seconds: float
 
@@ -139,6 +185,7 @@ class SetHome(Message, frozen=True):
 class KeepFace(Message, frozen=True):
     """Keeps the mix of faces on air as a new own face. An `id` executes once; answered with `kept`."""
 
+    character: CharacterName
     id: CallId
 
 
@@ -146,7 +193,84 @@ class KeepExpression(Message, frozen=True):
     """Keeps expressions, channels and gaze on air as a new own expression. An `id` executes once; answered with
     `kept`."""
 
+    character: CharacterName
     id: CallId
+
+
+class AddCharacter(Message, frozen=True):
+    """Adds a character, which waits off stage at a free place until it enters. `character`: its name for ever, lower
+    case letters, digits, `_` and `-`; `label`: what people call it. `face` is its home face too. An `id` executes once,
+    as of the messages below."""
+
+    id: CallId
+    character: CharacterName
+    label: Name
+    face: Name
+
+
+class RemoveCharacter(Message, frozen=True):
+    """Takes a character out of the scene: it leaves the stage first, and no shot holds it any more; until it is gone an
+    `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for its name."""
+
+    id: CallId
+    character: CharacterName
+    key: RequestId = ""
+
+
+class RestoreCharacter(Message, frozen=True):
+    """Brings back a character that was removed, one of the last sixteen: all that it had on air, its place, rank and
+    shot, unless another was called since. It enters in `seconds`, if it was on the stage."""
+
+    id: CallId
+    key: CallId
+    seconds: float
+
+
+class RenameCharacter(Message, frozen=True):
+    """Gives a character another label."""
+
+    id: CallId
+    character: CharacterName
+    label: Name
+
+
+class PlaceCharacter(Message, frozen=True):
+    """Moves a character to a place in `seconds`, from wherever it is: the fields are those of `Place`. A hand that
+    drags sends many, the newest wins."""
+
+    character: CharacterName
+    x: float
+    depth: float
+    size: float
+    turn: float
+    seconds: float
+    id: RequestId = ""
+
+
+class EnterCharacter(Message, frozen=True):
+    """Brings a character onto the stage in `seconds`."""
+
+    id: CallId
+    character: CharacterName
+    seconds: float
+
+
+class LeaveCharacter(Message, frozen=True):
+    """Takes a character off the stage in `seconds`; it stays in the scene."""
+
+    id: CallId
+    character: CharacterName
+    seconds: float
+
+
+class CallFraming(Message, frozen=True):
+    """Brings a framing on air in `seconds`, from whatever the picture shows: a shot of these characters, or of all that
+    are on the stage where none is named."""
+
+    id: CallId
+    characters: Annotated[list[CharacterName], msgspec.Meta(max_length=MOST_CHARACTERS)]
+    seconds: float
+    easing: Name
 
 
 class RenameItem(Message, frozen=True):
@@ -210,6 +334,85 @@ class DropLayout(Message, frozen=True):
     id: RequestId = ""
 
 
+# --- layers and sources ---
+
+
+class SetLayer(Message, frozen=True):
+    """How much of a layer of a character shows, 0..1, in a region of it (`None`: everywhere), and whether it is on;
+    `None` leaves either as it is. What is on air follows."""
+
+    character: CharacterName
+    layer: LayerName
+    region: LayerPart | None = None
+    influence: float | None = None
+    on: bool | None = None
+    id: RequestId = ""
+
+
+class Source(Message, frozen=True):
+    """Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
+    that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
+    made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
+    own. Answered with `source_is`; the end of its link is its end."""
+
+    name: Name
+    kind: StreamKind
+    names: Annotated[list[Name], msgspec.Meta(max_length=MOST_NAMES)]
+    characters: Annotated[list[CharacterName], msgspec.Meta(max_length=MOST_CHARACTERS)] = []
+    performer: Annotated[str, msgspec.Meta(max_length=80)] = ""
+    id: RequestId = ""
+
+
+class Drive(Message, frozen=True):
+    """One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
+    `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
+    performer. Half a second without one that is found, and its layers fade out."""
+
+    index: int
+    values: Annotated[bytes, msgspec.Meta(max_length=4 * MOST_NAMES)]
+    head: tuple[float, float, float] | None = None
+    gaze: tuple[float, float] | None = None
+    found: bool = True
+
+
+class LeaveSource(Message, frozen=True):
+    """A source of this link ends; its layers fade out."""
+
+    index: int
+
+
+class RouteSource(Message, frozen=True):
+    """Which characters a source drives, on which layer, in which regions (none named: all). It stays with the show
+    under the source's name. An `id` executes once, as of the two below."""
+
+    id: CallId
+    source: Name
+    characters: Annotated[list[CharacterName], msgspec.Meta(max_length=MOST_CHARACTERS)]
+    layer: LayerName
+    regions: Annotated[list[LayerPart], msgspec.Meta(max_length=6)] = []
+
+
+class CalibrateSource(Message, frozen=True):
+    """Measures the performer before a source: `neutral` takes what it sends now as the face at rest, `range` listens to
+    the performer's largest moves until `done`, `reset` forgets both. It stays with the show under the performer."""
+
+    id: CallId
+    source: Name
+    step: CalibrationStep
+
+
+class TuneSource(Message, frozen=True):
+    """How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
+    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels."""
+
+    id: CallId
+    source: Name
+    mirror: bool
+    dead_zone: float
+    curve: float
+    gain: float
+
+
 class Cancel(Message, frozen=True):
     """Ends a long request, which then changes nothing: an import or export sent over HTTP with `?request=` and an id of
     the page's own. One that has ended is left as it is."""
@@ -230,18 +433,172 @@ class Drawing(Message, frozen=True):
     level: Level
 
 
+# --- leases -----------------------------------------------------------------------------------------------------------
+# `part`: of a character, or `light` and `framing` of the scene, whose character is "*"; "*" for all parts.
+
+
+class Lease(Message, frozen=True):
+    """Holds a part of a character: nobody else may play it until it is released. Rejected where another seat holds it,
+    but for `take_over`; all parts of others are the stage manager's to take over. An `id` executes once, as of the
+    messages below."""
+
+    id: CallId
+    character: CharacterName
+    part: LeasePart
+    take_over: bool = False
+
+
+class ReleaseLease(Message, frozen=True):
+    """Releases a part; "*" all that the seat holds of a character, or of all."""
+
+    id: CallId
+    character: CharacterName
+    part: LeasePart
+
+
+class SetLeases(Message, frozen=True):
+    """Switches leases on, which makes the sender's seat the stage manager, or off, which releases all; on again, while
+    no stage manager is there, makes the sender the stage manager."""
+
+    id: CallId
+    on: bool
+
+
+class AppointManager(Message, frozen=True):
+    """Makes another seat the stage manager, by its number; the stage manager alone may."""
+
+    id: CallId
+    seat: int
+
+
+# --- devices ---
+# Devices at a page, and what their controls play. A device belongs to one page at a time, the first that plugs it in.
+
+
+class BindingDocument(msgspec.Struct, frozen=True):
+    """A control of a device, and what it plays (`inputs/bindings`).
+
+    `control`: as a reading names it (`1/cc7`, `1/note60`, `axis0`); `to`: an address of OSC with its character, or
+    `bank:NAME`. `axis`: `yaw` of a head; `arguments`: of a call. `low`, `high`: values at both ends of the control
+    (nil: the target's own); `curve`: exponent between them; `pick_up`: a fader acts once it has crossed the value on
+    air. `button`: how a key moves a level, `relative`: how an encoder counts, "" for neither; `step`: the part of the
+    range that one step moves. `bank`: where it plays, "" in all.
+    """
+
+    device: DeviceName
+    control: ControlName
+    to: Annotated[str, msgspec.Meta(min_length=1, max_length=160)]
+    axis: Annotated[str, msgspec.Meta(max_length=24)] = ""
+    arguments: Annotated[list[float | str], msgspec.Meta(max_length=8)] = []
+    low: float | None = None
+    high: float | None = None
+    curve: float = 1.0
+    pick_up: bool = True
+    button: Literal["", "momentary", "toggle"] = ""
+    relative: Literal["", "twos_complement", "binary_offset", "sign_magnitude"] = ""
+    step: float = 1.0 / 128.0
+    bank: Annotated[str, msgspec.Meta(max_length=80)] = ""
+
+
+class Plug(Message, frozen=True):
+    """A device is at this page from now on, until `unplug` or the end of the link. Rejected while another page has one
+    of that name: two of a kind need two names."""
+
+    device: DeviceName
+    kind: DeviceKind
+    id: RequestId = ""
+
+
+class Unplug(Message, frozen=True):
+    """A device is gone; its bindings wait for it."""
+
+    device: DeviceName
+
+
+class MidiBytes(Message, frozen=True):
+    """What a MIDI device has sent, as it came."""
+
+    device: DeviceName
+    data: Annotated[bytes, msgspec.Meta(max_length=1024)]
+
+
+class Controls(Message, frozen=True):
+    """Where controls of a gamepad or a space mouse stand now, those that have moved: 0..1, an axis rests at .5; one
+    whose name begins with `button` is a key."""
+
+    device: DeviceName
+    values: Annotated[dict[ControlName, float], msgspec.Meta(max_length=64)]
+
+
+class Bind(Message, frozen=True):
+    """Binds a control, in the place of the same one with the same target, and of `replaces`. An `id` executes once;
+    answered, as the messages below that have one, with `bindings_changed`."""
+
+    id: CallId
+    binding: BindingDocument
+    replaces: BindingDocument | None = None
+
+
+class Unbind(Message, frozen=True):
+    """Takes a binding away."""
+
+    id: CallId
+    binding: BindingDocument
+
+
+class Learn(Message, frozen=True):
+    """Binds the next control that moves to an address, in the place of nothing; `to` "" stops. Ends by itself after
+    half a minute."""
+
+    id: CallId
+    to: Annotated[str, msgspec.Meta(max_length=160)]
+    axis: Annotated[str, msgspec.Meta(max_length=24)] = ""
+    arguments: Annotated[list[float | str], msgspec.Meta(max_length=8)] = []
+    bank: Annotated[str, msgspec.Meta(max_length=80)] = ""
+
+
+class LoadPreset(Message, frozen=True):
+    """Binds a device as a preset has it, in the place of all its bindings; `character`: whom it plays, `*` all."""
+
+    id: CallId
+    device: DeviceName
+    preset: Name
+    character: CharacterName = "*"
+
+
+class RestoreBindings(Message, frozen=True):
+    """Takes back what the message of the id `change` did to the bindings; that can be taken back itself."""
+
+    id: CallId
+    change: CallId
+
+
+class ChooseBank(Message, frozen=True):
+    """Turns a device to one of its banks, "" to none."""
+
+    device: DeviceName
+    bank: Annotated[str, msgspec.Meta(max_length=80)]
+
+
+class WatchDevices(Message, frozen=True):
+    """This page shows devices from now on, or no more: while it does it hears of them ten times a second."""
+
+    on: bool
+
+
 # --- server to client -------------------------------------------------------------------------------------------------
 
 
 class Welcome(Message, frozen=True):
     """Answers hello: `epoch` rises with each server start, `revision` with each change of the documents. `name`: what
-    the others call this console."""
+    the others call this console. `show`: which show file is played, "" for none; another one has another."""
 
     version: int
     epoch: int
     revision: int
     digest: str
     name: str = ""
+    show: str = ""
 
 
 class CastChanged(Message, frozen=True, tag="cast"):
@@ -276,10 +633,80 @@ class Layouts(Message, frozen=True):
 
 class Hands(Message, frozen=True):
     """What hands at other consoles have moved within the last second, and the name of the console: complete, to each
-    console when it changes, and once a second. Keys are tags of messages (`fade_face`, `set_head`), of a channel with
-    its name (`set_channel:jawOpen`)."""
+    console when it changes, and once a second. Keys are a character and the tag of a message
+    (`one/fade_face`, `one/set_head`), of a channel with its name (`one/set_channel:jawOpen`), of a layer with its name
+    and its region (`one/set_layer:tracker:mouth`)."""
 
     hands: dict[str, str]
+
+
+# --- leases, server to client -----------------------------------------------------------------------------------------
+
+
+class SeatState(msgspec.Struct, frozen=True):
+    """An operator, or a source that holds something: its number, its name and its colour, `#rrggbb`. `manager`: the
+    stage manager; `here`: a link of it is there."""
+
+    number: int
+    name: str
+    colour: str
+    manager: bool = False
+    here: bool = True
+
+
+class Leases(Message, frozen=True):
+    """Who holds what, complete, to consoles once leases have been switched on: when it changes and once a second.
+    `held`: by character and part (`one/face`; the character of light and framing is `*`); `seats`: all operators, and
+    what else holds something; `you`: the number of this console's own. While leases are not `on` the last touch wins.
+    """
+
+    on: bool
+    held: dict[str, SeatState]
+    seats: list[SeatState]
+    you: int
+
+
+class LeaseClaim(Message, frozen=True):
+    """To the consoles of a seat: another touched parts that it holds, or has `taken` them over. `parts`: as in
+    `Leases.held`."""
+
+    parts: list[str]
+    by: SeatState
+    taken: bool
+
+
+class SourceIs(Message, frozen=True):
+    """Answers source: the index by which this link's frames name it."""
+
+    index: int
+    name: str
+
+
+class SourceState(msgspec.Struct, frozen=True):
+    """A source that sends: `console` is the name of the link that it comes by; its route; `rate`: frames in the last
+    second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves."""
+
+    name: str
+    kind: StreamKind
+    console: str
+    characters: list[str]
+    layer: LayerName
+    regions: list[LayerPart]
+    performer: str
+    rate: int
+    found: bool
+    calibrated: bool
+    ranging: bool
+    mirror: bool
+    dead_zone: float
+    curve: float
+    gain: float
+
+
+class Sources(Message, frozen=True):
+    """All sources that send: complete, to consoles once a second and with each change."""
+
+    sources: list[SourceState]
 
 
 class CallState(msgspec.Struct, frozen=True):
@@ -297,19 +724,49 @@ class CallState(msgspec.Struct, frozen=True):
     start: dict[str, float]
 
 
-class State(Message, frozen=True):
-    """All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
+class Place(msgspec.Struct, frozen=True):
+    """Where a character is, in the eyes of the audience: `x` metres to the picture's right, `depth` metres behind the
+    front line, `size` a factor, `turn` radians about the vertical, + to the character's own left, as the head's yaw."""
 
-    `time`: the show's clock, seconds. `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw,
-    pitch (radians), as the eyeballs stand. `lids`: what the gaze adds to the channels.
-    `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call. `light`: sums to one.
-    `panics` counts them: when it rises, hands are off. `home_next`: the next one brings `home_face` in `home_seconds`.
+    x: float = 0.0
+    depth: float = 0.0
+    size: float = 1.0
+    turn: float = 0.0
+
+
+class LayerState(msgspec.Struct, frozen=True):
+    """A layer: its influence on brows, eyes, mouth, rest, head and gaze, and its switch, as set. `source`: what drives
+    it, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is on air where it shows most, 0..1;
+    `strongest`: the few channels that it moves most now."""
+
+    influence: list[float]
+    on: bool
+    trust: float
+    source: str
+    share: float
+    strongest: dict[str, float]
+
+
+class HeldState(msgspec.Struct, frozen=True):
+    """What hands hold, where layers mix it with what sources send: channels, head and gaze as faders stand."""
+
+    channels: dict[str, float]
+    head: tuple[float, float, float]
+    gaze: tuple[float, float]
+
+
+class CharacterState(msgspec.Struct, frozen=True):
+    """All that a character has on air.
+
+    `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
+    stand. `lids`: what the gaze adds to the channels. `face_fader`, `expression_fader`: where the T-bars stand, 0..1,
+    with or without a call. `panics` counts them: when it rises, hands are off. `home_next`: the next one brings
+    `home_face` in `home_seconds`. `place`: as it is now, on its way; `presence`: 0 off stage, 1 on it. `leaves`: it has
+    been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
+    `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
+    lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
     """
 
-    epoch: int
-    number: int
-    time: float
-    revision: int
     faces: dict[str, float]
     expressions: dict[str, float]
     channels: dict[str, float]
@@ -321,12 +778,36 @@ class State(Message, frozen=True):
     expression_call: CallState | None
     face_fader: float
     expression_fader: float
-    light: dict[str, float]
-    light_call: CallState | None
     panics: int
     home_face: str
     home_seconds: float
     home_next: bool
+    label: str
+    place: Place
+    presence: float
+    leaves: bool = False
+    regions: dict[PlayRegion, dict[str, float]] = {}
+    region_calls: dict[PlayRegion, CallState] = {}
+    layers: dict[LayerName, LayerState] = {}
+    held: HeldState | None = None
+
+
+class State(Message, frozen=True):
+    """All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
+
+    `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
+    to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
+    """
+
+    epoch: int
+    number: int
+    time: float
+    revision: int
+    characters: dict[str, CharacterState]
+    light: dict[str, float]
+    light_call: CallState | None
+    framing: dict[str, float]
+    framing_call: CallState | None
 
 
 class Pong(Message, frozen=True):
@@ -338,10 +819,11 @@ class Pong(Message, frozen=True):
 
 class Refused(Message, frozen=True):
     """A message was rejected, and why, in one sentence for the operator. `id`: of the message, where it had one, also
-    where nothing else of it could be read."""
+    where nothing else of it could be read. `held`: the parts that others hold, where that was the reason."""
 
     reason: str
     id: str = ""
+    held: list[str] = []
 
 
 class Notice(msgspec.Struct, frozen=True):
@@ -387,10 +869,112 @@ class Crew(Message, frozen=True):
     lost: int = 0
 
 
+# --- devices ---
+
+
+class DeviceState(msgspec.Struct, frozen=True):
+    """A device, or another source of a show: where it is (a console's name, a host), whether it is there now.
+
+    `rate`: readings or packets a second; `heard`, `rejected`: counts since the server began. `values`: where its
+    controls stood last, 0..1, the newest sixty-four; `waiting`: controls that wait to be picked up, and the position
+    at which they will be. `bank`: the one that it is turned to, of its `banks`; `preset`: the one it was given.
+    """
+
+    name: str
+    kind: SourceKind
+    where: str
+    plugged: bool
+    rate: float
+    heard: int
+    rejected: int
+    values: dict[str, float]
+    waiting: dict[str, float] = {}
+    bank: str = ""
+    banks: list[str] = []
+    preset: str = ""
+
+
+class PresetDocument(msgspec.Struct, frozen=True):
+    """A preset: its name, what people call the device, and whether it is made for it (`matches`: device names, as
+    regular expressions in any case)."""
+
+    name: str
+    label: str
+    kind: SourceKind
+    matches: list[str]
+
+
+class Devices(Message, frozen=True):
+    """All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
+    second."""
+
+    devices: list[DeviceState]
+
+
+class LearningState(msgspec.Struct, frozen=True):
+    """What the next control that moves will be bound to, and who asked for it (a console's name)."""
+
+    id: str
+    to: str
+    axis: str
+    arguments: list[float | str]
+    who: str
+
+
+class BindingList(Message, frozen=True):
+    """All bindings in their order: complete, to consoles after the welcome and with each change. `fixed`: those of
+    these that a file of the command line has made, which no page changes."""
+
+    bindings: list[BindingDocument]
+    fixed: list[BindingDocument]
+    learning: LearningState | None
+    presets: list[PresetDocument]
+
+
+class BindingsChanged(Message, frozen=True):
+    """Answers bind, unbind, learn (when a control has been bound), load_preset and restore_bindings: what is new and
+    what is gone; `restore_bindings` takes it back."""
+
+    id: str
+    added: list[BindingDocument]
+    removed: list[BindingDocument]
+
+
+class InputLine(msgspec.Struct, frozen=True):
+    """What came from a source, or why it was rejected; `count`: how often the same within a second; `time`: seconds
+    since 1970."""
+
+    number: int
+    time: float
+    source: str
+    text: str
+    rejected: bool
+    count: int = 1
+
+
+class InputLog(Message, frozen=True):
+    """What came in last, the oldest first, at most two hundred lines: complete, to pages that watch devices."""
+
+    lines: list[InputLine]
+
+
+class DeviceBytes(Message, frozen=True):
+    """What a device is to be sent (MIDI): to the page that has it."""
+
+    device: str
+    data: bytes
+
+
 KeepMessage = (
     KeepFace | KeepExpression | RenameItem | DeleteItem | RestoreItem | CopyItem | SetLayout | RenameLayout | DropLayout
 )
 """What a console asks of the show file."""
+LeaseMessage = Lease | ReleaseLease | SetLeases | AppointManager
+"""What a console or a program asks of leases."""
+BindingMessage = Bind | Unbind | Learn | LoadPreset | RestoreBindings
+"""What a page asks of bindings; each executes once."""
+DeviceMessage = Plug | Unplug | MidiBytes | Controls | BindingMessage | ChooseBank | WatchDevices
+"""What pages say of devices; `inputs/` plays them."""
 FromClient = (
     Hello
     | CallFace
@@ -407,6 +991,14 @@ FromClient = (
     | SetHome
     | KeepFace
     | KeepExpression
+    | AddCharacter
+    | RemoveCharacter
+    | RestoreCharacter
+    | RenameCharacter
+    | PlaceCharacter
+    | EnterCharacter
+    | LeaveCharacter
+    | CallFraming
     | RenameItem
     | DeleteItem
     | RestoreItem
@@ -414,12 +1006,54 @@ FromClient = (
     | SetLayout
     | RenameLayout
     | DropLayout
+    | Plug
+    | Unplug
+    | MidiBytes
+    | Controls
+    | Bind
+    | Unbind
+    | Learn
+    | LoadPreset
+    | RestoreBindings
+    | ChooseBank
+    | WatchDevices
+    | SetLayer
+    | Source
+    | Drive
+    | LeaveSource
+    | RouteSource
+    | CalibrateSource
+    | TuneSource
     | Cancel
     | Ping
     | Drawing
+    | Lease
+    | ReleaseLease
+    | SetLeases
+    | AppointManager
 )
 FromServer = (
-    Welcome | CastChanged | State | Pong | Kept | ItemChanged | Refused | Notices | Layouts | Hands | Progress | Crew
+    Welcome
+    | CastChanged
+    | State
+    | Pong
+    | Kept
+    | ItemChanged
+    | Refused
+    | Notices
+    | Layouts
+    | Hands
+    | SourceIs
+    | Sources
+    | Progress
+    | Crew
+    | Leases
+    | LeaseClaim
+    | Devices
+    | BindingList
+    | BindingsChanged
+    | InputLog
+    | DeviceBytes
 )
 
 
@@ -568,6 +1202,15 @@ class SettlingDocument(msgspec.Struct, frozen=True):
     weights: bytes
 
 
+class RegionDocument(msgspec.Struct, frozen=True):
+    """How much of everything belongs to each region in which an expression can be called alone, brows, eyes, mouth,
+    rest; 65535 is all. Little-endian: `rows` (n, 4) u16 of the positions, `allowances` (m, 4) u16 of the numbers of an
+    allowance."""
+
+    rows: bytes
+    allowances: bytes
+
+
 class LightDocument(msgspec.Struct, frozen=True):
     """A light that can be called."""
 
@@ -593,6 +1236,7 @@ class Manifest(msgspec.Struct, frozen=True):
     lights: list[LightDocument]
     hair: list[HairDocument]
     settling: SettlingDocument | None = None
+    regions: RegionDocument | None = None
 
 
 class FaceAsset(msgspec.Struct, frozen=True):
@@ -648,4 +1292,7 @@ class CompoundAsset(msgspec.Struct, frozen=True):
 
 CLIENT_MESSAGES: tuple[type[Message], ...] = get_args(FromClient)
 SERVER_MESSAGES: tuple[type[Message], ...] = get_args(FromServer)
-DOCUMENTS: tuple[type[msgspec.Struct], ...] = (Manifest, FaceAsset, ContentAsset, HairAsset, CompoundAsset)
+DOCUMENTS: tuple[type[msgspec.Struct], ...] = (
+    *(Manifest, FaceAsset, ContentAsset, HairAsset, CompoundAsset),
+    *ACCESS_DOCUMENTS,
+)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
-from omote.perform.channels import effective_channels, eye_angles
+from omote.perform.channels import channels_of, eye_angles
 from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.perform.frame import CallStatus, Frame
-from omote.show.messages import CallState, State
+from omote.perform.frame import CallStatus, Frame, Held, LayerStatus
+from omote.perform.mix import mix_in
+from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
+from omote.show.messages import CallState, CharacterState, HeldState, LayerState, Place, State
 
 if TYPE_CHECKING:
     from omote.perform.snapshot import Playable
@@ -40,45 +43,83 @@ class EyeOffset:
         return left_yaw, left_pitch, right_yaw, right_pitch
 
 
+NO_OFFSET = EyeOffset()
+
+
 def offset_between(shown: Angles, wanted: Angles, time: float) -> EyeOffset:
     """What keeps the eyes where they show, from `time` (seconds of the show) on."""
     left_yaw, left_pitch, right_yaw, right_pitch = (before - after for before, after in zip(shown, wanted, strict=True))
     return EyeOffset((left_yaw, left_pitch, right_yaw, right_pitch), time)
 
 
-def state_of(cast: Playable, frame: Frame, *, epoch: int, number: int, revision: int) -> State:
-    """The complete state of a frame; `eyes` and `gaze_lids` are what the gaze makes of it."""
-    channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
-    eyes = eye_angles(cast.expressions, frame.expressions, channels).ravel().tolist()
+def state_of(
+    cast: Playable,
+    frame: SceneFrame,
+    eye_offsets: Mapping[str, EyeOffset] = MappingProxyType({}),
+    *,
+    epoch: int,
+    number: int,
+    revision: int,
+) -> State:
+    """The complete state of a frame; eye_offsets: by character, what is added to the eyes that its frame has."""
     return State(
         epoch=epoch,
         number=number,
         time=frame.time,
         revision=revision,
+        characters={
+            name: character_state(cast, character, eye_offsets.get(name, NO_OFFSET))
+            for name, character in frame.characters.items()
+        },
+        light=dict(frame.light),
+        light_call=call_state(frame.light_call),
+        framing=dict(frame.framing),
+        framing_call=call_state(frame.framing_call),
+    )
+
+
+def character_state(cast: Playable, character: CharacterFrame, eye_offset: EyeOffset) -> CharacterState:
+    """The complete state of a character; `eyes` and `gaze_lids` are what the gaze makes of it."""
+    frame, place = character.frame, character.place
+    channels = channels_of(cast.expressions, frame)
+    return CharacterState(
         faces=dict(frame.faces),
         expressions=dict(frame.expressions),
         channels=dict(frame.channels),
         head=(frame.head.yaw, frame.head.pitch, frame.head.roll),
         gaze=(frame.gaze.yaw, frame.gaze.pitch),
-        eyes=(eyes[0], eyes[1], eyes[2], eyes[3]),
-        lids=gaze_lids(frame.channels, channels),
+        eyes=eye_offset.add_to(_eyes(cast, frame, channels), frame.time),
+        lids={} if frame.held is not None else gaze_lids(frame.channels, channels),
         face_call=call_state(frame.face_call),
         expression_call=call_state(frame.expression_call),
         face_fader=frame.face_fader,
         expression_fader=frame.expression_fader,
-        light=dict(frame.light),
-        light_call=call_state(frame.light_call),
         panics=frame.panics,
-        home_face=frame.home.face,
-        home_seconds=frame.home.seconds,
-        home_next=frame.home_next,
+        **_home(frame),
+        **_layers(frame),
+        label=character.label,
+        place=Place(place.x, place.depth, place.size, place.turn),
+        presence=character.presence,
+        leaves=character.leaves,
+        regions={region: dict(mix) for region, mix in frame.regions.items()},
+        region_calls={region: call_state_of(status) for region, status in frame.region_calls.items()},
     )
+
+
+def _eyes(cast: Playable, frame: Frame, channels: Mapping[str, float]) -> Angles:
+    """As the eyeballs stand: what shows around the eyes turns them, and channels do."""
+    around = mix_in("eyes", frame.expressions, frame.regions)
+    left, right = eye_angles(cast.expressions, around, channels).tolist()
+    return left[0], left[1], right[0], right[1]
 
 
 def call_state(status: CallStatus | None) -> CallState | None:
     """The call on the wire; None when none runs."""
-    if status is None:
-        return None
+    return None if status is None else call_state_of(status)
+
+
+def call_state_of(status: CallStatus) -> CallState:
+    """A running call on the wire."""
     return CallState(
         target=status.target,
         progress=status.progress,
@@ -90,6 +131,27 @@ def call_state(status: CallStatus | None) -> CallState | None:
     )
 
 
+def _home(frame: Frame) -> dict[str, Any]:
+    """What a state tells of the home face, by field."""
+    return {"home_face": frame.home.face, "home_seconds": frame.home.seconds, "home_next": frame.home_next}
+
+
+def _layers(frame: Frame) -> dict[str, Any]:
+    """What a state tells of layers, by field."""
+    layers = {layer: _layer_state(status) for layer, status in frame.layers.items()}
+    return {"layers": layers, "held": None if frame.held is None else _held_state(frame.held)}
+
+
+def _layer_state(status: LayerStatus) -> LayerState:
+    strongest = dict(status.strongest)
+    return LayerState(list(status.influence), status.on, status.trust, status.source, status.share, strongest)
+
+
+def _held_state(held: Held) -> HeldState:
+    head, gaze = held.head, held.gaze
+    return HeldState(dict(held.channels), (head.yaw, head.pitch, head.roll), (gaze.yaw, gaze.pitch))
+
+
 def gaze_lids(channels: Mapping[str, float], effective: Mapping[str, float]) -> dict[str, float]:
     """What the gaze adds to the channels, name by name."""
     added = {name: weight - channels.get(name, 0.0) for name, weight in effective.items()}
@@ -97,7 +159,16 @@ def gaze_lids(channels: Mapping[str, float], effective: Mapping[str, float]) -> 
 
 
 def names_on_air(state: State) -> tuple[frozenset[str], frozenset[str]]:
-    """The faces and the expressions (channels are expressions too) that are on air or called."""
-    faces = state.faces.keys() | ({state.face_call.target} if state.face_call else set())
-    called = {state.expression_call.target} if state.expression_call else set()
-    return frozenset(faces), frozenset(state.expressions.keys() | state.channels.keys() | state.lids.keys() | called)
+    """The faces and the expressions (channels are expressions too) that any character has on air or called."""
+    faces, expressions = set[str](), set[str]()
+    for character in state.characters.values():
+        faces.update(character.faces)
+        expressions.update(character.expressions, character.channels, character.lids, *character.regions.values())
+        faces.update(_called(character.face_call))
+        expressions.update(_called(character.expression_call))
+        expressions.update(call.target for call in character.region_calls.values())
+    return frozenset(faces), frozenset(expressions)
+
+
+def _called(call: CallState | None) -> tuple[str, ...]:
+    return () if call is None else (call.target,)

@@ -37,7 +37,8 @@ def message_in(data: bytes, decoder: msgspec.msgpack.Decoder[Said], limit: int) 
         return decoder.decode(data)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError, OverflowError) as error:
         raise Refusal(
-            f"the message cannot be read: {explain_error(error)[:200]}. Reload the page that sent it."
+            f"the message cannot be read: {explain_error(error)[:200]}. "
+            "Reload the page or mend the program that sent it."
         ) from error
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import sqlite3
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,6 +22,7 @@ from omote.showfile.changes import (
     DropLayout,
     Edit,
     Item,
+    PutBindings,
     PutContent,
     PutDraft,
     PutEdit,
@@ -39,6 +40,13 @@ class Layout(msgspec.Struct, frozen=True):
     """A page's document by name."""
 
     name: str
+    document: bytes
+
+
+class BindingDocuments(msgspec.Struct, frozen=True):
+    """What controls of devices play: one row."""
+
+    slot: int
     document: bytes
 
 
@@ -61,7 +69,8 @@ REVISIONS = Table("revision", Revision, ("item", "number"))
 DRAFTS = Table("draft", Draft, ("item", "editor"))
 EDITS = Table("edit", Edit, ("item", "editor", "number"))
 LAYOUTS = Table("layout", Layout, ("name",))
-TABLES = (ITEMS, REVISIONS, DRAFTS, EDITS, LAYOUTS)
+BINDINGS = Table("binding_list", BindingDocuments, ("slot",))
+TABLES = (ITEMS, REVISIONS, DRAFTS, EDITS, LAYOUTS, BINDINGS)
 
 
 def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> None:
@@ -83,13 +92,15 @@ def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> 
 
 def read_all(connection: sqlite3.Connection) -> Stored:
     """All authored rows, each proved by its sum; sqlite3.DatabaseError names the first that is not what was written."""
-    rows = {table.name: [_prove_row(table, row) for row in _rows(connection, table)] for table in TABLES}
+    there = {name for (name,) in connection.execute("SELECT name FROM sqlite_schema WHERE type = 'table'")}
+    rows = {table.name: [_prove_row(table, row) for row in _rows_of(connection, table, there)] for table in TABLES}
     return Stored(
         items=tuple(rows["item"]),
         revisions=tuple(rows["revision"]),
         drafts=tuple(rows["draft"]),
         edits=tuple(rows["edit"]),
         layouts={layout.name: layout.document for layout in rows["layout"]},
+        bindings=b"".join(each.document for each in rows["binding_list"]),
     )
 
 
@@ -119,6 +130,11 @@ def row_checksum(values: Sequence[Any]) -> str:
 def _rows(connection: sqlite3.Connection, table: Table, where: str = "", *values: int) -> sqlite3.Cursor:
     columns, key = ", ".join((*table.columns, "sum")), ", ".join(table.key)
     return connection.execute(f"SELECT {columns} FROM {table.name} {where} ORDER BY {key}", values)
+
+
+def _rows_of(connection: sqlite3.Connection, table: Table, there: Collection[str]) -> Iterable[Sequence[Any]]:
+    """All rows of a table; none where a file of an older Omote, which is read as it is, has no bindings yet."""
+    return () if table is BINDINGS and table.name not in there else _rows(connection, table)
 
 
 def _prove_row(table: Table, columns: Sequence[Any]) -> Any:
@@ -154,10 +170,17 @@ def _make(connection: sqlite3.Connection, change: Change) -> None:
             after = "DELETE FROM edit WHERE item = ? AND editor = ? AND number >= ?"
             connection.execute(after, (edit.item, edit.editor, edit.number))
             _put(connection, EDITS, edit)
-        case PutLayout(name, document):
-            _put(connection, LAYOUTS, Layout(name, document))
+        case PutLayout() | PutBindings():
+            _put_document(connection, change)
         case DropDraft() | DropLayout():
             _drop(connection, change)
+
+
+def _put_document(connection: sqlite3.Connection, change: PutLayout | PutBindings) -> None:
+    if isinstance(change, PutLayout):
+        _put(connection, LAYOUTS, Layout(change.name, change.document))
+    else:
+        _put(connection, BINDINGS, BindingDocuments(1, change.document))
 
 
 def _drop(connection: sqlite3.Connection, change: DropDraft | DropLayout) -> None:

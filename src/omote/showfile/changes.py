@@ -121,7 +121,13 @@ class DropLayout(msgspec.Struct, frozen=True, tag=True):
     name: str
 
 
-Change = PutContent | PutItem | PutRevision | PutDraft | PutEdit | DropDraft | PutLayout | DropLayout
+class PutBindings(msgspec.Struct, frozen=True, tag=True):
+    """Stores what controls of devices play, as a document (JSON)."""
+
+    document: bytes
+
+
+Change = PutContent | PutItem | PutRevision | PutDraft | PutEdit | DropDraft | PutLayout | DropLayout | PutBindings
 
 
 class Stored(msgspec.Struct, frozen=True):
@@ -132,6 +138,7 @@ class Stored(msgspec.Struct, frozen=True):
     drafts: tuple[Draft, ...] = ()
     edits: tuple[Edit, ...] = ()
     layouts: dict[str, bytes] = {}
+    bindings: bytes = b""
 
 
 def content_key(data: bytes, /) -> str:

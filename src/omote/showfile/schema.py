@@ -89,7 +89,23 @@ CREATE TRIGGER items_keep_their_name BEFORE UPDATE ON item WHEN new.name != old.
 # The same tables: from here on recipes and contents of faces may carry gains, and expressions turns of ears and head,
 # which an older Omote could not read.
 _GAINS = ""
-MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS)
+# Which show this is, from its beginning: pages that kept something of another one at the same address are told apart.
+_IDENTITY = """
+CREATE TABLE identity (
+    slot INTEGER PRIMARY KEY CHECK (slot = 1),
+    id TEXT NOT NULL
+) STRICT;
+INSERT INTO identity VALUES (1, lower(hex(randomblob(16))));
+"""
+# What controls of devices play, as JSON: one document, for it changes as a whole.
+_BINDINGS = """
+CREATE TABLE binding_list (
+    slot INTEGER PRIMARY KEY CHECK (slot = 1),
+    document BLOB NOT NULL,
+    sum TEXT NOT NULL
+) STRICT;
+"""
+MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS, _IDENTITY, _BINDINGS)
 """Statements that migrate version n to n + 1; never changed once released."""
 SCHEMA_VERSION = len(MIGRATIONS)
 

@@ -7,6 +7,7 @@ process; authored work survives a loss of power at once, the journal from the ne
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import os
 import sqlite3
 from collections.abc import Iterable, Mapping
@@ -112,6 +113,15 @@ class ShowFile:
         finally:
             with contextlib.suppress(sqlite3.Error):
                 self._connection.execute("PRAGMA synchronous = NORMAL")
+
+    def identity(self) -> str:
+        """Which show this is, hexadecimal: another one has another, a copy of the file elsewhere too.
+
+        sqlite3.Error where it cannot be read.
+        """
+        (own,) = self._connection.execute("SELECT id FROM identity").fetchone() or ("",)
+        where = os.fsencode(os.path.realpath(self.path))
+        return hashlib.blake2b(f"{own} ".encode() + where, digest_size=8).hexdigest()
 
     def journal(self) -> JournalEntry:
         """The last state; epoch 0 and no snapshot in a new file. sqlite3.Error where it cannot be read."""

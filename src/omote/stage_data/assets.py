@@ -39,6 +39,7 @@ from omote.show.messages import (
 )
 from omote.show.wire import le_bytes
 from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
+from omote.stage_data.region_document import region_document
 
 FINEST_STEP = 1e-6
 """Smallest quantisation step, metres per count: smaller displacements round to zero, so that compounds are sparse."""
@@ -66,7 +67,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
     urls = {name: f"/assets/{content_name(rest.tobytes())}" for name, rest in rests.items()}
     hair = {name: hair_asset(style) for name, style in cast.hair.items()}
     combed = {name: f"/assets/{content_name(asset.points + asset.rows + asset.light)}" for name, asset in hair.items()}
-    starts, names = first_rows(cast), list(cast.expressions)
+    starts = first_rows(cast)
     manifest = Manifest(
         version=PROTOCOL_VERSION,
         base=cast.digest,
@@ -77,16 +78,14 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         lines=[LineDocument(line.name, le_bytes(line.loop, "<u4")) for line in cast.space.lines],
         mask=mask,
         faces=[_built_in_face(cast, name, url) for name, url in urls.items()],
-        expressions=[expression_document(name, cast.expressions[name], cast.titles[name], name) for name in names],
+        expressions=_built_in_expressions(cast),
         lights=[LightDocument(name, label) for name, label in LIGHTS.items()],
         hair=[HairDocument(name, url) for name, url in combed.items()],
         settling=settling_document(cast, starts),
+        regions=region_document(cast.space),
     )
-    return Documents(
-        manifest,
-        faces={urls[name]: FaceAsset(le_bytes(rest, "<f4")) for name, rest in rests.items()},
-        hair={combed[name]: asset for name, asset in hair.items()},
-    )
+    faces = {urls[name]: FaceAsset(le_bytes(rest, "<f4")) for name, rest in rests.items()}
+    return Documents(manifest, faces, hair={combed[name]: asset for name, asset in hair.items()})
 
 
 def content_name(data: bytes) -> str:
@@ -198,6 +197,10 @@ def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, s
 
 def _built_in_face(cast: Cast, name: str, url: str) -> FaceDocument:
     return face_document(cast, cast.faces[name], cast.looks[name], label=face_label(name), url=url, source=name)
+
+
+def _built_in_expressions(cast: Cast) -> list[ExpressionDocument]:
+    return [expression_document(name, own, cast.titles[name], name) for name, own in cast.expressions.items()]
 
 
 def face_label(name: str) -> str:

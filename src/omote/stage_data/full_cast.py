@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import warnings
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from omote.builtin import load_cast
+from omote.interchange.formats.error_reasons import explain_error
 from omote.model.cast import Cast, Title
 from omote.model.known_names import NEUTRAL
 from omote.model.space.face_fit import fit
@@ -15,7 +18,6 @@ from omote.showfile.changes import Item, Stored
 from omote.showfile.contents import unpack_expression, unpack_face
 from omote.showfile.inspection import inspect_show
 from omote.showfile.recovery import name_show
-from omote.showfile.schema import ShowFileError
 from omote.stage_data.playing_cast import Own, check_fit
 
 
@@ -31,11 +33,12 @@ def read_show(path: str | Path) -> Cast:
     -------
     Cast
         Built-in and own ones by their names (`omote file list` prints them), each own one in the revision that plays.
+        One that does not fit this head is left out, with a warning that names it.
 
     Raises
     ------
     RuntimeError
-        Where there is no show file, it is damaged, of a newer Omote or of another head; the message says what to do.
+        Where there is no show file, it is damaged or of a newer Omote; the message says what to do.
     TypeError
         For what is no path.
 
@@ -51,28 +54,37 @@ def read_show(path: str | Path) -> Cast:
     if not isinstance(path, str | Path):
         raise TypeError(f"a show file is named by its path, not by {path!r}; write 'my.omote'")
     found = inspect_show(name_show(Path(path)))
-    return build_full_cast(load_cast(), found.stored, found.contents)
+    return build_full_cast(load_cast(), found.stored, found.contents, partial(warnings.warn, stacklevel=3))
 
 
-def build_full_cast(base: Cast, stored: Stored, contents: Mapping[str, bytes], /) -> Cast:
-    """Adds every item that plays to the base, by name; ShowFileError where one does not fit the base's head, KeyError
-    where a content is missing."""
-    faces, looks, expressions, titles = dict(base.faces), dict(base.looks), dict(base.expressions), dict(base.titles)
+def build_full_cast(
+    base: Cast, stored: Stored, contents: Mapping[str, bytes], /, report: Callable[[str], None]
+) -> Cast:
+    """Adds every item that plays and fits the base's head, by name; each other one is left out and reported."""
+    cast = base
     for item, content in playing_items(stored):
         try:
-            if item.kind == "face":
-                faces[item.name], looks[item.name] = unpack_face(contents[content], item.name)
-                fit(base.space, faces[item.name])
-            else:
-                expression = unpack_expression(contents[content])
-                expressions[item.name] = check_fit(base.expressions[NEUTRAL], expression)
-                titles[item.name] = Title(item.label)
-        except ValueError as error:
-            raise ShowFileError(
-                f"the own {item.kind} {item.name} cannot be played on the built-in head: {error}. Use the Omote that "
-                "it was made with, or delete it from the show on a console."
-            ) from error
-    return replace(base, faces=faces, looks=looks, expressions=expressions, titles=titles)
+            cast = _with_item(cast, item, contents[content])
+        except (ValueError, KeyError) as error:
+            report(
+                f"the own {item.kind} {item.name} cannot be played on the built-in head ({explain_error(error)}); it "
+                "is left out. Use the Omote that it was made with, or delete it from the show on a console."
+            )
+    return cast
+
+
+def _with_item(cast: Cast, item: Item, content: bytes) -> Cast:
+    """The cast with one item more; ValueError where that does not fit the cast's head."""
+    if item.kind == "face":
+        face, look = unpack_face(content, item.name)
+        fit(cast.space, face)
+        return replace(cast, faces={**cast.faces, item.name: face}, looks={**cast.looks, item.name: look})
+    expression = check_fit(cast.expressions[NEUTRAL], unpack_expression(content))
+    return replace(
+        cast,
+        expressions={**cast.expressions, item.name: expression},
+        titles={**cast.titles, item.name: Title(item.label)},
+    )
 
 
 def find_face(cast: Cast, stored: Stored | None, typed: str, /) -> str:

@@ -18,7 +18,7 @@ from omote.model.space.expression import Expression
 from omote.perform.name_lookup import OWN
 from omote.show.messages import ExpressionDocument, FaceDocument, Manifest
 from omote.showfile.changes import Kind
-from omote.showfile.contents import unpack_expression
+from omote.showfile.contents import unpack_expression, unpack_face
 from omote.stage_data.assets import expression_document
 
 
@@ -95,6 +95,12 @@ class PlayingCast:
     expression_sources: Mapping[str, str]
 
     @cached_property
+    def titles(self) -> Mapping[str, Title]:
+        """What each expression is called and where it acts: own ones on the whole face."""
+        own = {each.name: Title(each.label, OWN) for each in self.own if each.kind == "expression"}
+        return MappingProxyType({**self.base.titles, **own})
+
+    @cached_property
     def digest(self) -> str:
         """The digest of this cast: the built-in cast's where there are no own items."""
         return digest_of(self.base.digest, self.own)
@@ -133,9 +139,9 @@ def build_playing_cast(
     played = frozenset() if before is None else frozenset(each.content for each in before.own)
     if before is not None:
         playing_expressions.learn(before.expressions)
-    for key in keys.values():
-        if check and key not in played:
-            playing_expressions.unpack(key)
+    for each in own:
+        if check and each.content not in played:
+            _check_content(base, each, contents, playing_expressions)
     return PlayingCast(base, own, MappingProxyType(faces), playing_expressions, MappingProxyType(expressions))
 
 
@@ -152,8 +158,7 @@ def labels_of(cast: Cast | PlayingCast) -> dict[Kind, dict[str, str]]:
 
 def kinds_of(cast: PlayingCast) -> dict[str, str]:
     """The kind of every expression, by name."""
-    built_in = {name: title.kind for name, title in cast.base.titles.items()}
-    return built_in | {each.name: OWN for each in cast.own if each.kind == "expression"}
+    return {name: title.kind for name, title in cast.titles.items()}
 
 
 def manifest_of(playing: PlayingCast, built_in: Manifest, faces: Mapping[str, FaceDocument]) -> Manifest:
@@ -176,11 +181,21 @@ def check_fit(neutral: Expression, expression: Expression) -> Expression:
     return expression
 
 
+def _check_content(base: Cast, own: Own, contents: Mapping[str, bytes], expressions: PlayingExpressions) -> None:
+    """Unpacks an item's content; ValueError where it does not fit the cast, KeyError where it is missing."""
+    if own.kind == "expression":
+        expressions.unpack(own.content)
+        return
+    count = len(unpack_face(contents[own.content], own.name)[0].positions)
+    if count != base.space.vertex_count:
+        raise ValueError(f"the face has {count} vertices; expected the {base.space.vertex_count} of this cast")
+
+
 def _face_document(own: Own, document: FaceDocument) -> FaceDocument:
     return msgspec.structs.replace(document, name=own.name, label=own.label, tags=list(own.tags), place=own.place)
 
 
 def _document(playing: PlayingCast, own: Own) -> ExpressionDocument:
-    title = Title(own.label, OWN)
-    document = expression_document(own.name, playing.expressions[own.name], title, own.source)
+    expression, title = playing.expressions[own.name], playing.titles[own.name]
+    document = expression_document(own.name, expression, title, own.source)
     return msgspec.structs.replace(document, tags=list(own.tags), place=own.place)

@@ -9,8 +9,10 @@ import msgspec
 from omote.model.known_names import NEUTRAL
 from omote.perform.frame import Frame
 from omote.perform.lights import FIRST_LIGHT
+from omote.perform.scene.scene import FIRST_LABEL
+from omote.perform.scene.scene_frame import CharacterFrame, Place
 from omote.perform.snapshot import refuse_no_cast
-from omote.show.state import state_of
+from omote.show.state import NO_OFFSET, character_state
 from omote.stage_data.playing_cast import PlayingCast, labels_of
 from omote.stage_data.pose_words import EVEN, PoseWords, merge_names, read_pose
 
@@ -94,5 +96,5 @@ def find_pose(cast: Cast | PlayingCast, words: PoseWords) -> Frame:
 
 def pose_of(cast: Cast | PlayingCast, frame: Frame) -> Pose:
     """The pose of a frame for a stage, as plain values."""
-    pose: Pose = msgspec.to_builtins(state_of(cast, frame, epoch=0, number=0, revision=0))
-    return pose
+    character = character_state(cast, CharacterFrame(frame, Place(), 1.0, FIRST_LABEL), NO_OFFSET)
+    return {**msgspec.to_builtins(character), "light": dict(frame.light)}

@@ -12,7 +12,7 @@ from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import FaceRecipe
 from omote.show import messages as wire
-from omote.show.session import KeepRequest
+from omote.show.outgoing import KeepRequest
 from omote.show.validation import Refusal
 from omote.showfile.changes import DropLayout, PutLayout
 from tests.authoring import WALL, EditHarness
@@ -37,7 +37,7 @@ def ask(harness: EditHarness, message: wire.KeepMessage, on_air: OnAir | None = 
 
 
 def keep_face(harness: EditHarness) -> KeepOutcome:
-    kept = ask(harness, wire.KeepFace("k"))
+    kept = ask(harness, wire.KeepFace("one", "k"))
     assert kept is not None
     assert not kept.trouble
     return kept
@@ -75,7 +75,7 @@ def test_what_was_kept_is_taken_back_and_brought_again_as_often_as_one_likes(har
     [
         (lambda name: OnAir({name: 0.1}), "on air or coming: call another first"),
         (lambda name: OnAir(coming=frozenset({name})), "on air or coming: call another first"),
-        (lambda name: OnAir(coming=frozenset({name}), home=name), "is the home face, which panic brings"),
+        (lambda name: OnAir(coming=frozenset({name}), homes=frozenset({name})), "is the home face, which panic brings"),
     ],
     ids=["on air", "coming", "home"],
 )

@@ -50,6 +50,23 @@ def test_greet_is_answered_with_everything_there_is(cast: Cast) -> None:
     assert [item.label for item in harness.greet("bob").items] == ["Grin"]
 
 
+def test_greet_tells_which_show_this_is_and_what_the_editor_has_not_saved(cast: Cast) -> None:
+    harness = EditHarness(cast)
+    harness.session.show = "a5"
+    assert (harness.greet("ann").show, harness.greet("ann").unsaved) == ("a5", [])
+    item = harness.ask("ann", wire.CreateExpression, "Grin", {}, False).item
+    assert (harness.greet("ann").unsaved, harness.greet("bob").unsaved) == ([item], [])  # drafts are one's own
+    harness.ask("ann", wire.Save, item, "")
+    assert harness.greet("ann").unsaved == []
+    harness.ask("ann", wire.SetEyes, item, [0.1, 0.0, 0.1, 0.0], 0.0)
+    assert harness.greet("ann").unsaved == [item]
+    harness.ask("ann", wire.Undo, item)
+    assert harness.greet("ann").unsaved == []
+    harness.ask("ann", wire.Redo, item)
+    harness.ask("ann", wire.Delete, item)
+    assert harness.greet("ann").unsaved == []
+
+
 @pytest.mark.parametrize(
     ("data", "sentence"),
     [

@@ -14,7 +14,7 @@ from omote.edit.store.on_air_recipes import (
 )
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
-from omote.perform.performer import Performer
+from omote.perform.scene.scene import Scene
 from omote.show.session import ShowSession
 from omote.show.validation import Refusal
 from tests import synthetic
@@ -22,20 +22,38 @@ from tests.authoring import EditHarness, net_of
 
 
 def test_a_state_says_what_is_seen_and_what_is_coming(cast: Cast) -> None:
-    performer = Performer(cast)
+    scene = Scene.begun(cast)
+    performer = scene["one"]
     performer.call_face("broad", seconds=10.0)
     performer.call_expression("smile", seconds=0.0)
     performer.set_channel("jawOpen", 0.5)
     performer.set_gaze(0.3, 0.0)
-    show = ShowSession(cast, performer)
+    show = ShowSession(cast, scene)
     show.tick(0.0)
     state = show.tick(1.0)
     on_air = read_on_air(state)
-    assert (on_air.faces, on_air.expressions) == (state.faces, state.expressions)
+    assert (on_air.faces, on_air.expressions) == (state.characters["one"].faces, state.characters["one"].expressions)
     assert on_air.channels["jawOpen"] == 0.5
     looks = {name for name, weight in on_air.channels.items() if weight and name in synthetic.LOOKS}
     assert looks == {"eyeLookOutLeft", "eyeLookInRight"}, "the gaze is seen too"
     assert {"broad", "generic", "smile", "jawOpen"} <= on_air.names
+
+
+def test_of_several_characters_one_is_meant_and_all_are_in_use(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    for name, face in (("two", "broad"), ("three", "long")):
+        scene.add(name, face=face)
+    scene["two"].set_channel("jawOpen", 0.5)
+    scene.leave("one", seconds=0.0)
+    scene.enter("three", seconds=0.0)
+    state = ShowSession(cast, scene).tick(0.0)
+    assert read_on_air(state).faces == {"long": 1.0}, "the first that is on the stage"
+    assert (read_on_air(state, "two").faces, read_on_air(state, "two").channels) == ({"broad": 1.0}, {"jawOpen": 0.5})
+    assert read_on_air(state, "gone").faces == {"long": 1.0}
+    for character in ("", "two"):
+        on_air = read_on_air(state, character)
+        assert on_air.names == {"generic", "broad", "long", "neutral", "jawOpen"}
+        assert on_air.homes == {"generic", "broad", "long"}
 
 
 def test_what_weighs_nothing_is_not_on_air() -> None:
@@ -52,6 +70,30 @@ def test_the_expression_on_air_is_a_layer_for_each_weight(cast: Cast) -> None:
         neutral_recipe(net), layers=(Layer("smile", "smile", 0.7), Layer("jawOpen", "jawOpen", 0.5))
     )
     assert expression_recipe([("neutral", 1.0)], net, sources) == neutral_recipe(net)
+
+
+def test_what_regions_show_beyond_the_face_is_layers_on_the_parts_of_the_head_that_they_are(cast: Cast) -> None:
+    harness = EditHarness(cast)
+    sources, net = harness.session.authored.sources, net_of(cast)
+    regions = {"mouth": {"smile": 1.0}, "brows": {"jawOpen": 0.25, "neutral": 0.75}}
+    on_air = OnAir({"generic": 1.0}, {"neutral": 0.75, "jawOpen": 0.25}, {}, regions=regions)  # type: ignore[arg-type]
+    assert on_air.names == {"generic", "neutral", "jawOpen", "smile"}
+    recipe = recipe_on_air("expression", on_air, net, sources)
+    assert isinstance(recipe, Recipe)
+    assert recipe.layers[0] == Layer("jawOpen", "jawOpen", 0.25), "the whole face"
+    assert set(recipe.layers[1:]) == {
+        Layer(name, name, weight, part)
+        for part in ("mouth", "jaw", "cheeks")
+        for name, weight in (("smile", 1.0), ("jawOpen", -0.25))
+    }, "and the mouth beyond it; the brows show what the face does"
+
+
+def test_what_is_called_in_a_region_is_coming(cast: Cast) -> None:
+    show = ShowSession(cast)
+    show.scene["one"].call_expression("smile", seconds=5.0, region="brows")
+    on_air = read_on_air(show.tick(0.0))
+    assert "smile" in on_air.names
+    assert "smile" not in on_air.expressions
 
 
 def test_the_face_on_air_is_a_mix(cast: Cast) -> None:

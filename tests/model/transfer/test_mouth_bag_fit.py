@@ -7,11 +7,13 @@ import pytest
 from numpy.typing import NDArray
 
 import omote
+from omote.geometry.proximity import nearest_triangles, winding_numbers
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound
 from omote.model.transfer.mouth_bag import find_mouth_bag
 from omote.model.transfer.mouth_bag_fit import (
     EXACT,
+    OUT,
     fit_mouth_bag,
     keep_bag_inside,
     limit_depths,
@@ -44,6 +46,21 @@ def test_an_open_mouth_keeps_its_bag_behind_the_cheeks(name: str) -> None:
     inside = fit_mouth_bag(space, face, loose)
     assert lacking(space, face, loose) > 10 * lacking(space, face, inside)
     assert np.array_equal(inside[space.on_sheet], loose[space.on_sheet])
+
+
+@pytest.mark.parametrize(("name", "unit"), [("dog", "mouthFunnel"), ("dog", "jawLeft"), ("man", "mouthFunnel")])
+def test_no_bag_comes_out_where_rays_run_along_the_skin(name: str, unit: str) -> None:
+    space, face = built().space, built().faces[name]
+    bag = find_mouth_bag(space)
+    assert bag is not None
+    compiled = compile_expression(space, built().expressions[unit])
+    worn = transfer_expression(space, face, compiled).astype(np.float64)
+    corners, points = worn[space.location_triangles], worn[bag.vertices]
+    away, nearest = nearest_triangles(corners, points)
+    deep = (nearest < len(space.sheet_triangles)) & (
+        bag.distance > 0.001
+    )  # neither seen through the mouth nor of the lips
+    assert away[deep & (winding_numbers(corners, points) < 0.5)].max(initial=0.0) < 2 * OUT
 
 
 def test_at_rest_nothing_moves() -> None:

@@ -5,14 +5,17 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import omote
 from omote.model.cast import Cast
+from omote.model.known_names import PLAY_REGIONS
 from omote.model.space.face_fit import fit
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.compound import compound, compound_parts
 from omote.perform.blending.evaluate import MODES, Mode, evaluate, evaluate_parts, warm
+from omote.perform.blending.region_masks import play_masks
 from omote.perform.frame import Frame, Gaze, Head
 from tests.synthetic import EXPRESSIONS, FACES
 
@@ -173,3 +176,68 @@ def test_a_warm_cast_compiles_nothing_more(cast: Cast) -> None:
         evaluate_parts(cast, frame, mode)
     assert [len(kernel.signatures) for kernel in kernels] == before
     assert all(before)
+
+
+# ---- regions of a call
+
+BUILT_IN = omote.load_cast()
+PAPER = BUILT_IN.under("paper")
+WORN = ("joy", "angry", "surprise", "asleep", "kiss", "neutral")
+built_in_mixes = mixes(("kaori", "dog", "old"))
+regional = st.dictionaries(st.sampled_from(PLAY_REGIONS), mixes(WORN), min_size=1)
+few = settings(max_examples=12)
+
+
+@few
+@given(built_in_mixes, mixes(WORN), regional)
+def test_a_vertex_shows_the_mean_of_its_regions(faces: Any, whole: Any, regions: Any) -> None:
+    """Under the paper's map nothing is corrected, and the sum of masks times mixes is exact."""
+    masks = play_masks(PAPER.space)
+    found = evaluate(PAPER, Frame(faces, whole, regions=regions))
+    parts = evaluate_parts(PAPER, Frame(faces, whole, regions=regions))
+    wanted = np.zeros(found.shape)
+    wanted_parts = {name: np.zeros(part.shape) for name, part in parts.items()}
+    for region, mask in masks.items():
+        frame = Frame(faces, regions.get(region, whole))
+        wanted += mask.skin * evaluate(PAPER, frame).astype(np.float64)
+        for name, part in evaluate_parts(PAPER, frame).items():
+            wanted_parts[name] += mask.parts[name] * part
+    assert np.abs(found - wanted).max() < 2e-6
+    assert all(np.abs(parts[name] - part).max() < 2e-6 for name, part in wanted_parts.items())
+
+
+@few
+@given(built_in_mixes, mixes(WORN), mixes(WORN), st.sampled_from(MODES))
+def test_four_regions_alike_are_the_whole_face(faces: Any, whole: Any, other: Any, mode: Mode) -> None:
+    everywhere = dict.fromkeys(PLAY_REGIONS, other)
+    found, wanted = Frame(faces, whole, regions=everywhere), Frame(faces, other)
+    assert np.abs(evaluate(BUILT_IN, found, mode) - evaluate(BUILT_IN, wanted, mode)).max() < 2e-6
+    parts, whole_parts = evaluate_parts(BUILT_IN, found, mode), evaluate_parts(BUILT_IN, wanted, mode)
+    assert all(np.abs(parts[name] - whole_parts[name]).max() < 2e-6 for name in parts)
+    same = Frame(faces, other, regions=everywhere)
+    assert np.array_equal(evaluate(BUILT_IN, same, mode), evaluate(BUILT_IN, wanted, mode))
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_an_eye_alone_closes_as_far_as_with_the_whole_face(mode: Mode) -> None:
+    whole = evaluate(BUILT_IN, Frame({"kaori": 1.0}, {"asleep": 1.0}), mode)
+    alone = evaluate(BUILT_IN, Frame({"kaori": 1.0}, {"angry": 1.0}, regions={"eyes": {"asleep": 1.0}}), mode)
+    for line in BUILT_IN.space.lines[:2]:
+        reach = np.abs(whole[line.loop] - alone[line.loop]).max()
+        assert reach < (1e-4 if mode == "bilinear" else 5e-4), line.name
+
+
+@pytest.mark.parametrize(
+    ("regions", "error", "said"),
+    [
+        ({"tail": {"joy": 1.0}}, ValueError, "no region 'tail' to play in"),
+        ({"mouth": {"joy": 0.5}}, ValueError, "weights of the frame's mouth expressions sum to 0.5"),
+        ({"mouth": {"nobody": 1.0}}, ValueError, "nobody"),
+        ({"mouth": 1.0}, TypeError, "expected weights by name"),
+        (3, TypeError, "expected mixes by region"),
+    ],
+    ids=["no region", "no average", "no name", "no mix", "no regions"],
+)
+def test_regions_that_cannot_be_played_are_refused(regions: Any, error: type[Exception], said: str) -> None:
+    with pytest.raises(error, match=said):
+        evaluate(BUILT_IN, Frame({"kaori": 1.0}, {"joy": 1.0}, regions=regions))

@@ -6,6 +6,7 @@ import shutil
 import socket
 import subprocess
 from collections.abc import AsyncIterator, Iterable
+from pathlib import Path
 
 import pytest
 import pytest_asyncio
@@ -14,14 +15,18 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 from pythonosc.tcp_client import SimpleTCPClient
 from pythonosc.udp_client import SimpleUDPClient
 
+from omote.inputs.allowed_senders import AllowedSenders
 from omote.inputs.osc_input import OscInput
-from omote.inputs.osc_packet import decode_packet, encode_message
-from omote.server.devices.osc_listener import MOST_CONNECTIONS, MOST_WAITING, OscListener
+from omote.inputs.osc_packet import decode_packet, encode_bundle, encode_message
+from omote.server.devices.osc_listener import MOST_CONNECTIONS, MOST_WAITING, OBEY_SECONDS, OscListener
+from omote.server.devices.rejection_log import RejectionLog
 from omote.server.supervision.listening_socket import listen_for_osc
 from tests.server.conftest import ShowHarness
+from tools.node import find_node
 
 pytestmark = pytest.mark.asyncio
 HOST = "127.0.0.1"
+WEB = Path(__file__).parents[3] / "web"
 
 
 @pytest.fixture
@@ -33,7 +38,7 @@ def said() -> list[str]:
 @pytest_asyncio.fixture
 async def listener(show_harness: ShowHarness, said: list[str]) -> AsyncIterator[OscListener]:
     sockets = listen_for_osc(HOST, 0)
-    made = OscListener(OscInput(lambda: show_harness.show.session), sockets, said.append)
+    made = OscListener(OscInput(lambda: show_harness.show.session), sockets, RejectionLog(said.append))
     await made.start()
     show_harness.show.sources.append(made)
     yield made
@@ -74,8 +79,8 @@ async def test_python_osc_plays_over_udp(show_harness: ShowHarness, listener: Os
     await tick_until_heard(show_harness, listener, 4)
     session = show_harness.show.session
     state = session.tick(show_harness.clock())
-    assert (state.faces, state.channels) == ({"broad": 1.0}, {"jawOpen": 0.5})
-    assert state.head == pytest.approx((0.349066, 0.0, 0.0), abs=1e-5)
+    assert (state.characters["one"].faces, state.characters["one"].channels) == ({"broad": 1.0}, {"jawOpen": 0.5})
+    assert state.characters["one"].head == pytest.approx((0.349066, 0.0, 0.0), abs=1e-5)
     client._sock.close()
 
 
@@ -97,6 +102,31 @@ async def test_python_osc_plays_over_tcp_and_hears_the_state(
     while show_harness.show.session.crew:
         show_harness.tick()
         await asyncio.sleep(0.001)
+
+
+NPM_OSC = """
+const osc = require("osc");
+const port = new osc.TCPSocketPort({ address: "127.0.0.1", port: Number(process.argv[1]) });
+port.on("ready", () => {
+  port.send({ address: "/omote/subscribe", args: [] });
+  port.send({ address: "/omote/one/face", args: [{ type: "s", value: "broad" }, { type: "f", value: 0 }] });
+});
+port.on("message", (heard) => {
+  if (heard.address === "/omote/one/face" && heard.args[0] === "broad") process.exit(0);
+});
+port.open();
+"""
+
+
+async def test_npm_osc_plays_over_tcp_and_hears(show_harness: ShowHarness, listener: OscListener, port: int) -> None:
+    path = find_node()
+    assert path is not None
+    node = await asyncio.create_subprocess_exec("node", "-e", NPM_OSC, str(port), cwd=WEB, env={"PATH": path})
+    ended = asyncio.ensure_future(node.wait())
+    while not ended.done():
+        show_harness.tick()
+        await asyncio.sleep(0.005)
+    assert await ended == 0
 
 
 @pytest.mark.skipif(shutil.which("oscsend") is None, reason="liblo-tools is not installed")
@@ -130,8 +160,41 @@ async def test_a_flood_is_bounded_and_the_newest_wins(
     assert listener.dropped == 9 * MOST_WAITING
     while listener._waiting:
         show_harness.tick()
-    weight = show_harness.show.session.tick(show_harness.clock()).channels["jawOpen"]
+    weight = show_harness.show.session.tick(show_harness.clock()).characters["one"].channels["jawOpen"]
     assert weight == pytest.approx(1.0 - 1.0 / (10 * MOST_WAITING), abs=1e-6)
+
+
+async def test_a_packet_of_many_messages_is_obeyed_over_several_ticks(
+    show_harness: ShowHarness, listener: OscListener, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    steps = iter(range(1000))
+    monkeypatch.setattr("omote.server.devices.osc_listener.time.perf_counter", lambda: 0.6 * OBEY_SECONDS * next(steps))
+    listener.wait((HOST, 5), encode_bundle([encode_message("/omote/one/channel/jawOpen", n / 4) for n in range(4)]))
+    heard = []
+    for _ in range(6):
+        listener.hear(show_harness.clock())
+        heard.append(listener.osc.heard)
+    assert heard == [0, 1, 2, 3, 4, 4]
+
+
+class Nobody(AllowedSenders):
+    """As a foreign host meets it."""
+
+    def allows(self, host: str) -> bool:  # noqa: ARG002
+        return False
+
+
+async def test_who_may_not_play_gets_no_connection_and_is_named(show_harness: ShowHarness, said: list[str]) -> None:
+    sockets = listen_for_osc(HOST, 0)
+    listener = OscListener(OscInput(lambda: show_harness.show.session), sockets, RejectionLog(said.append), Nobody())
+    await listener.start()
+    reader, writer = await asyncio.open_connection(HOST, sockets.datagrams.getsockname()[1])
+    with pytest.raises((ConnectionError, asyncio.IncompleteReadError)):
+        await reader.readexactly(1)
+    writer.close()
+    listener.hear(0.0)
+    await listener.close()
+    assert said == ["OSC from 127.0.0.1 is not heard: --allow 127.0.0.1 lets it play."]
 
 
 async def test_the_terminal_hears_of_rejections_once_a_second(

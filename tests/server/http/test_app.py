@@ -2,61 +2,58 @@
 
 import asyncio
 
-import msgspec
 import pytest
 
-from omote.model.cast import Cast
-from omote.server.http.app import CACHE_FOREVER
-from omote.server.http.cast_documents import CastDocuments
-from omote.server.http.security import HEADERS
-from omote.server.workers.workshop import FailedOrderError
+from omote.server.access.security import HEADERS
 from omote.show import messages as wire
-from omote.show.messages import LINK_PATH, CompoundAsset, FaceAsset, Manifest
+from omote.show.messages import LINK_PATH
 from omote.show.wire import encode
-from omote.stage_data.assets import compound_asset, rest_positions
 from tests.server.conftest import ShowHarness, answer, send_and_wait, state
-from tests.server.synthetic_server import MASK
 
 pytestmark = pytest.mark.asyncio
 
 
 async def test_all_consoles_get_the_same_states(show_harness: ShowHarness) -> None:
     links = [await show_harness.link("console"), await show_harness.link("console"), await show_harness.link("stage")]
-    await send_and_wait(links[0], wire.CallFace("1", "broad", 1.0, "smooth"))
-    await send_and_wait(links[1], wire.SetChannel("jawOpen", 0.5))
+    await send_and_wait(links[0], wire.CallFace("one", "1", "broad", 1.0, "smooth"))
+    await send_and_wait(links[1], wire.SetChannel("one", "jawOpen", 0.5))
     for _ in range(30):
         show_harness.tick()
         states = [await state(link) for link in links]
         assert states[0] == states[1] == states[2]
     assert states[0].epoch == 7
     assert states[0].number == 30
-    assert states[0].faces == pytest.approx({"generic": 0.5, "broad": 0.5}, abs=0.05)
-    assert states[0].channels == {"jawOpen": 0.5}
+    assert states[0].characters["one"].faces == pytest.approx({"generic": 0.5, "broad": 0.5}, abs=0.05)
+    assert states[0].characters["one"].channels == {"jawOpen": 0.5}
 
 
 async def test_a_latecomer_needs_one_state(show_harness: ShowHarness) -> None:
     first = await show_harness.link()
-    await send_and_wait(first, wire.SetChannel("smile", 1.5), wire.SetGaze(0.2, 0.1))
+    await send_and_wait(first, wire.SetChannel("one", "smile", 1.5), wire.SetGaze("one", 0.2, 0.1))
     for _ in range(10):
         show_harness.tick()
     late = await show_harness.link("stage")
     show_harness.tick()
     seen = await state(late)
-    assert (seen.number, seen.channels, seen.gaze) == (11, {"smile": 1.5}, (0.2, 0.1))
+    assert (seen.number, seen.characters["one"].channels, seen.characters["one"].gaze) == (
+        11,
+        {"smile": 1.5},
+        (0.2, 0.1),
+    )
 
 
 async def test_a_link_survives_everything_it_says_wrong(show_harness: ShowHarness) -> None:
     link = await show_harness.link()
-    for data in (b"", b"\xc1", b"\x91" * 1000, encode(wire.SetChannel("jawOpen", float("nan")))):
+    for data in (b"", b"\xc1", b"\x91" * 1000, encode(wire.SetChannel("one", "jawOpen", float("nan")))):
         await link.send_bytes(data)
         assert isinstance(await answer(link), wire.Refused)
     await link.send_str("panic")
     refused = await answer(link)
     assert isinstance(refused, wire.Refused)
     assert "MessagePack" in refused.reason
-    await send_and_wait(link, wire.SetChannel("jawOpen", 1.0))
+    await send_and_wait(link, wire.SetChannel("one", "jawOpen", 1.0))
     show_harness.tick()
-    assert (await state(link)).channels == {"jawOpen": 1.0}
+    assert (await state(link)).characters["one"].channels == {"jawOpen": 1.0}
 
 
 async def test_a_message_too_long_closes_its_link_and_no_other(show_harness: ShowHarness) -> None:
@@ -139,68 +136,6 @@ async def test_pages_are_found_by_name_only(show_harness: ShowHarness) -> None:
     assert await (await show_harness.client.get("/console")).text() == "page /console"
     for path in ("/consol", "/console/", "/..%2f..%2fetc%2fpasswd", "/%00", "/stage.html", "/CON", "/" + "x" * 300):
         assert (await show_harness.client.get(path)).status == 404
-
-
-async def test_the_documents_lead_to_one_another(show_harness: ShowHarness, cast: Cast) -> None:
-    response = await show_harness.client.get("/manifest")
-    manifest = msgspec.msgpack.decode(await response.read(), type=Manifest)
-    assert manifest.digest == cast.digest
-    again = await show_harness.client.get("/manifest", headers={"If-None-Match": response.headers["ETag"]})
-    assert again.status == 304
-    for face in manifest.faces:
-        asset = await show_harness.client.get(face.url)
-        assert asset.headers["Cache-Control"] == CACHE_FOREVER
-        packed = msgspec.msgpack.decode(await asset.read(), type=FaceAsset)
-        assert packed.positions == rest_positions(cast, cast.faces[face.name]).tobytes()
-    mask = await show_harness.client.get(manifest.mask)
-    assert (mask.content_type, await mask.read()) == ("image/png", MASK)
-
-
-async def test_a_compound_comes_from_its_address(show_harness: ShowHarness, cast: Cast) -> None:
-    response = await show_harness.client.get(f"/compounds/{cast.digest}/broad/smile")
-    assert response.headers["Cache-Control"] == CACHE_FOREVER
-    asset = msgspec.msgpack.decode(await response.read(), type=CompoundAsset)
-    assert asset == compound_asset(cast, cast.faces["broad"], "smile")
-
-
-@pytest.mark.parametrize(
-    "path", ["/compounds/{}/nobody/smile", "/compounds/{}/broad/nothing", "/compounds/00/broad/smile"]
-)
-async def test_what_the_cast_has_not_is_not_found(show_harness: ShowHarness, cast: Cast, path: str) -> None:
-    response = await show_harness.client.get(path.format(cast.digest))
-    assert response.status == 404
-    assert "load /manifest again" in await response.text()
-
-
-async def test_a_compound_that_cannot_be_computed_now_may_be_asked_for_again(
-    show_harness: ShowHarness, cast: Cast, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    async def failing(self: CastDocuments, face: str, expression: str) -> bytes:
-        raise FailedOrderError("broad wearing smile cannot be computed")
-
-    monkeypatch.setattr(CastDocuments, "compound", failing)
-    response = await show_harness.client.get(f"/compounds/{cast.digest}/broad/smile")
-    assert response.status == 503
-    assert "cannot be computed" in await response.text()
-
-
-async def test_a_compound_that_is_being_computed_holds_up_no_state(
-    show_harness: ShowHarness, cast: Cast, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    link, documents = await show_harness.link(), show_harness.show.documents
-    waiting: list[str] = []
-
-    async def slow(self: CastDocuments, face: str, expression: str) -> bytes:
-        waiting.append(face)
-        show_harness.tick()
-        assert (await state(link)).number == len(waiting)
-        return expression.encode()
-
-    monkeypatch.setattr(CastDocuments, "compound", slow)
-    assert isinstance(documents, CastDocuments)
-    response = await show_harness.client.get(f"/compounds/{cast.digest}/broad/smile")
-    assert await response.read() == b"smile"
-    assert waiting == ["broad"]
 
 
 async def test_bad_requests_fill_no_terminal(show_harness: ShowHarness, caplog: pytest.LogCaptureFixture) -> None:

@@ -8,7 +8,6 @@ import msgspec
 import pytest
 
 from omote.model.cast import Cast
-from omote.perform.performer import Performer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.workers import order_worker as worker
 from omote.server.workers.order_worker import CompoundOrder
@@ -49,8 +48,8 @@ def test_a_compound_is_computed_once(documents: CastDocuments, monkeypatch: pyte
 
 
 def test_a_face_that_is_called_is_computed_in_full(documents: CastDocuments, monkeypatch: pytest.MonkeyPatch) -> None:
-    session = ShowSession(documents.cast, Performer(documents.cast), epoch=1)
-    session.performer.call_face("broad")
+    session = ShowSession(documents.cast, epoch=1)
+    session.scene["one"].call_face("broad")
     state = session.tick(0.0)
 
     async def all_of_it() -> list[bytes]:

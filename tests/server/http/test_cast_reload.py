@@ -10,7 +10,6 @@ import pytest
 from omote.model.cast import Cast, Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
-from omote.perform.performer import Performer
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload, gather_cast
 from omote.show import messages as wire
@@ -32,7 +31,7 @@ class Show:
         self.documents = CastDocuments(cast, meshes(cast), MASK)
         self.documents.use_workshop(None, self.said.append)
         self.documents.contents = self.contents
-        self.session = ShowSession(self.documents.playing, Performer(self.documents.playing))
+        self.session = ShowSession(self.documents.playing)
         self.cast_reload = CastReload(self.session, self.documents, self.said.append)
 
     def own(self, data: bytes, kind: str, name: str) -> Own:
@@ -74,25 +73,29 @@ def test_own_things_can_be_called_and_every_recast_is_told(show: Show, grin: Own
     second = show.recast(grin, cousin)
     assert second.revision == 3
     assert second.digest == show.manifest().digest != first.digest
-    show.session.performer.call_face("cousin", seconds=0.0)
-    show.session.performer.set_channel("grin", 0.5)
+    show.session.scene["one"].call_face("cousin", seconds=0.0)
+    show.session.scene["one"].set_channel("grin", 0.5)
     state = show.session.tick(0.0)
-    assert (state.faces, state.channels, state.revision) == ({"cousin": 1.0}, {"grin": 0.5}, 3)
+    assert (state.characters["one"].faces, state.characters["one"].channels, state.revision) == (
+        {"cousin": 1.0},
+        {"grin": 0.5},
+        3,
+    )
     show.documents.close()
 
 
 def test_what_is_on_air_stays_until_it_is_not(show: Show, grin: Own, cousin: Own) -> None:
     show.recast(grin, cousin)
-    show.session.performer.call_face("cousin", seconds=2.0)
-    show.session.performer.set_channel("grin", 0.5)
+    show.session.scene["one"].call_face("cousin", seconds=2.0)
+    show.session.scene["one"].set_channel("grin", 0.5)
     show.recast()
     assert {face.name for face in show.manifest().faces} >= {"cousin"}
-    assert show.session.tick(5.0).channels == {"grin": 0.5}
-    show.session.performer.set_channel("grin", 0.0)
-    show.session.performer.call_face("broad", seconds=0.0)
+    assert show.session.tick(5.0).characters["one"].channels == {"grin": 0.5}
+    show.session.scene["one"].set_channel("grin", 0.0)
+    show.session.scene["one"].call_face("broad", seconds=0.0)
     assert show.recast().digest == show.documents.cast.digest
     with pytest.raises(ValueError, match="there is no face 'cousin'"):
-        show.session.performer.call_face("cousin")
+        show.session.scene["one"].call_face("cousin")
     show.documents.close()
 
 
@@ -103,7 +106,7 @@ def test_what_is_called_while_documents_are_made_stays_too(show: Show, grin: Own
 
     async def meanwhile(playing: PlayingCast) -> bytes:
         for name in calls:
-            show.session.performer.call_expression(name, seconds=1.0)
+            show.session.scene["one"].call_expression(name, seconds=1.0)
         return await prepare(playing)
 
     show.documents.prepare = meanwhile  # type: ignore[method-assign]

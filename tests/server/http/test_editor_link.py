@@ -76,10 +76,10 @@ async def test_a_dragged_point_lies_where_it_was_put_and_plays_once_it_is_saved(
     assert (now.base, now.digest) == (cast.digest, changed.digest)
     own = now.expressions[-1]
     assert (own.name, own.label, own.kind, own.source) == ("crooked_smile", "Crooked smile", "own", moved.content)
-    await send_and_wait(console, wire.CallExpression("1", own.name, 0.0, "smooth"))
+    await send_and_wait(console, wire.CallExpression("one", "1", own.name, 0.0, "smooth"))
     edit_harness.tick()
     seen = await state(console)
-    assert (seen.expressions, seen.revision) == ({own.name: 1.0}, changed.revision)
+    assert (seen.characters["one"].expressions, seen.revision) == ({own.name: 1.0}, changed.revision)
 
 
 async def test_what_is_acknowledged_is_in_the_file(edit_harness: EditHarness) -> None:
@@ -100,14 +100,16 @@ async def test_a_show_that_starts_again_has_own_things_on_air(cast: Cast, tmp_pa
         await saved(page)
         face = await page.ask(editing.CreateFace, "Cousin", {"broad": 0.5, "long": 0.5}, False)
         await page.ask(editing.Save, face.item, "")
-        await wait_until_obeyed(console, wire.CallFace("1", "cousin", 0.0, "smooth"), wire.SetChannel("grin", 0.5))
+        await wait_until_obeyed(
+            console, wire.CallFace("one", "1", "cousin", 0.0, "smooth"), wire.SetChannel("one", "grin", 0.5)
+        )
         first.tick()
         digest = (await manifest(first)).digest
     async with open_edit_harness(cast, path) as second:
         console = await second.link()
         second.tick()
         seen = await state(console)
-        assert (seen.faces, seen.channels) == ({"cousin": 1.0}, {"grin": 0.5})
+        assert (seen.characters["one"].faces, seen.characters["one"].channels) == ({"cousin": 1.0}, {"grin": 0.5})
         assert (await manifest(second)).digest == digest
         assert second.said == []
 
@@ -140,12 +142,14 @@ async def test_an_own_face_is_served_by_its_content_and_is_in_the_cast_once_save
 
 async def test_a_console_keeps_what_is_on_air(edit_harness: EditHarness) -> None:
     console = await edit_harness.link()
-    await send_and_wait(console, wire.CallFace("1", "broad", 2.0, "smooth"), wire.SetChannel("jawOpen", 0.25))
+    await send_and_wait(
+        console, wire.CallFace("one", "1", "broad", 2.0, "smooth"), wire.SetChannel("one", "jawOpen", 0.25)
+    )
     for _ in range(60):
         edit_harness.tick()
-    await console.send_bytes(encode(wire.KeepFace("k")))
-    await console.send_bytes(encode(wire.KeepFace("k")))  # a bouncing key
-    await console.send_bytes(encode(wire.KeepExpression("l")))
+    await console.send_bytes(encode(wire.KeepFace("one", "k")))
+    await console.send_bytes(encode(wire.KeepFace("one", "k")))  # a bouncing key
+    await console.send_bytes(encode(wire.KeepExpression("one", "l")))
     kept: list[wire.Kept] = []
     while len(kept) < 2:
         said = await answer(console)
@@ -219,7 +223,7 @@ async def test_only_our_own_pages_may_edit(edit_harness: EditHarness, origin: st
 async def test_without_a_file_an_editor_is_told_that_nothing_can_be_kept(show_harness: ShowHarness) -> None:
     assert (await show_harness.client.get("/layouts/desk")).status == 204
     console = await show_harness.link()
-    await console.send_bytes(encode(wire.KeepFace("k")))
+    await console.send_bytes(encode(wire.KeepFace("one", "k")))
     said = await answer(console)
     assert isinstance(said, wire.Refused)
     assert "no show file that can be written" in said.reason
@@ -316,7 +320,7 @@ async def test_what_was_called_since_the_last_tick_cannot_be_deleted(edit_harnes
     draft = await saved(page)
     console = await edit_harness.link()
     edit_harness.tick()
-    await wait_until_obeyed(console, wire.CallExpression("1", "grin", 1.0, "smooth"))
+    await wait_until_obeyed(console, wire.CallExpression("one", "1", "grin", 1.0, "smooth"))
     refused = await page.ask(editing.Delete, draft.item)
     assert isinstance(refused, editing.EditRefused)
     assert "is on air or coming" in refused.reason

@@ -83,6 +83,15 @@ def test_who_is_behind_gets_the_newest_state_and_nothing_in_between() -> None:
     assert [link.skipped for link in links] == [0, 6]
 
 
+def test_a_link_that_has_one_large_state_unsent_is_not_behind() -> None:
+    links, state = Links(), bytes(4 * UNSENT_LIMIT)
+    _, transport = opened(links)
+    for unsent, skipped in ((len(state), 0), (len(state) + 1, 1)):
+        transport.unsent = unsent
+        links.broadcast(state, now=0.0)
+        assert [link.skipped for link in links] == [skipped]
+
+
 def test_who_is_behind_for_too_long_is_cut() -> None:
     links = Links()
     (_, healthy), (_, stalled) = opened(links), opened(links)
@@ -179,15 +188,15 @@ async def test_a_flood_is_heard_in_order_and_in_time(show_harness: ShowHarness) 
     flooding, calm = await show_harness.link(), await show_harness.link()
     count = int(HEARD_BURST) + 200
     for number in range(count):
-        await flooding.send_bytes(encode(wire.SetChannel("jawOpen", number / count)))
-    await send_and_wait(calm, wire.SetChannel("smile", 1.0))
+        await flooding.send_bytes(encode(wire.SetChannel("one", "jawOpen", number / count)))
+    await send_and_wait(calm, wire.SetChannel("one", "smile", 1.0))
     assert (
         show_harness.show.session.commands <= HEARD_BURST + 1
     )  # the clock stands still, so no more than the burst was heard
     show_harness.clock.now += 10.0
     await send_and_wait(flooding)
     show_harness.tick()
-    assert (await state(calm)).channels == {"jawOpen": (count - 1) / count, "smile": 1.0}
+    assert (await state(calm)).characters["one"].channels == {"jawOpen": (count - 1) / count, "smile": 1.0}
 
 
 @pytest.mark.asyncio

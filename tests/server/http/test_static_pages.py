@@ -47,5 +47,5 @@ def test_a_missing_page_says_how_to_build_it(tmp_path: Path, name: str) -> None:
 
 
 def test_no_bundle_at_all_says_the_same(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match=r"index\.html, stage\.html, console\.html, editor\.html missing"):
+    with pytest.raises(FileNotFoundError, match=r"console\.html, devices\.html, editor\.html missing"):
         read_pages(tmp_path / "nowhere")

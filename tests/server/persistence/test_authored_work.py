@@ -36,6 +36,7 @@ def test_the_authored_work_is_what_the_file_has(cast: Cast, tmp_path: Path) -> N
     ]
     assert authored_work.session.contents[content_key(data)] == data
     assert (authored_work.layouts, said) == ({"desk": b"1"}, [])
+    assert authored_work.session.show == show.identity()
     show.close()
 
 

@@ -16,7 +16,6 @@ from hypothesis import strategies as st
 from omote.model.cast import Cast
 from omote.perform.frame import Gaze
 from omote.perform.limits import GAZE_LIMITS
-from omote.perform.performer import Performer
 from omote.server.persistence.restore import journal_entry, next_epoch, open_journal, open_newest, ordinal, restore
 from omote.server.process.process_messages import Failover, Order
 from omote.show import messages as wire
@@ -48,9 +47,9 @@ def report() -> Terminal:
 
 def kept(path: Path, cast: Cast) -> ShowFile:
     """A show file whose journal says that the mouth is open."""
-    session = ShowSession(cast, Performer(cast), epoch=5)
+    session = ShowSession(cast, epoch=5)
     session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
-    session.receive("a", wire.SetChannel("jawOpen", 0.5), 0.0)
+    session.receive("a", wire.SetChannel("one", "jawOpen", 0.5), 0.0)
     show = open_show(path)
     show.write_journal(journal_entry(session))
     return show
@@ -59,7 +58,7 @@ def kept(path: Path, cast: Cast) -> ShowFile:
 def test_a_show_goes_on_under_a_higher_epoch(tmp_path: Path, cast: Cast, report: Terminal) -> None:
     show = kept(tmp_path / "a.omote", cast)
     session = restore(cast, show, ORDER, report)
-    assert session.tick(0.0).channels == {"jawOpen": 0.5}
+    assert session.tick(0.0).characters["one"].channels == {"jawOpen": 0.5}
     assert session.epoch > 5
     assert show.journal().epoch == session.epoch
     assert restore(cast, show, ORDER, report).epoch > session.epoch
@@ -67,10 +66,26 @@ def test_a_show_goes_on_under_a_higher_epoch(tmp_path: Path, cast: Cast, report:
     show.close()
 
 
+def test_consoles_are_told_which_show_it_is(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    def told(show: ShowFile | None) -> str:
+        session = restore(cast, show, ORDER, report)
+        (welcome,) = session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
+        assert isinstance(welcome.message, wire.Welcome)
+        return welcome.message.show
+
+    first, second = (open_show(tmp_path / name) for name in ("a.omote", "b.omote"))
+    assert told(first) == told(first) == first.identity() != second.identity() == told(second)
+    assert told(None) == ""
+    second._connection.execute("DROP TABLE identity")
+    assert told(second) == ""
+    first.close()
+    second.close()
+
+
 def test_a_new_file_starts_neutral(tmp_path: Path, cast: Cast, report: Terminal) -> None:
     show = open_show(tmp_path / "a.omote")
     session = restore(cast, show, ORDER, report)
-    assert session.tick(0.0).faces == {"generic": 1.0}
+    assert session.tick(0.0).characters["one"].faces == {"generic": 1.0}
     assert show.journal().epoch == session.epoch
     assert report.said == []
     show.close()
@@ -80,7 +95,7 @@ def test_a_suspected_state_is_kept_aside(tmp_path: Path, cast: Cast, report: Ter
     show = kept(tmp_path / "a.omote", cast)
     snapshot = show.journal().snapshot
     session = restore(cast, show, Order(epoch=1, neutral=True), report)
-    assert session.tick(0.0).channels == {}
+    assert session.tick(0.0).characters["one"].channels == {}
     assert aside(tmp_path / "a.omote") == [(5, snapshot)]
     show.close()
 
@@ -92,7 +107,7 @@ def test_a_state_that_is_none_is_kept_aside_and_said(tmp_path: Path, cast: Cast,
     report, show = Terminal(), open_show(tmp_path / "a.omote")
     show.write_journal(JournalEntry(9, 0.0, snapshot))
     session = restore(cast, show, ORDER, report)
-    assert session.tick(0.0).faces == {"generic": 1.0}
+    assert session.tick(0.0).characters["one"].faces == {"generic": 1.0}
     assert session.epoch > 9
     assert len(report.said) == 1
     assert "starts neutral" in report.said[0]
@@ -101,13 +116,13 @@ def test_a_state_that_is_none_is_kept_aside_and_said(tmp_path: Path, cast: Cast,
 
 
 def test_a_face_that_is_gone_from_the_cast_does_not_stop_the_show(tmp_path: Path, cast: Cast, report: Terminal) -> None:
-    session = ShowSession(cast, Performer(cast))
-    session.performer.call_face("broad", seconds=1.0)
+    session = ShowSession(cast)
+    session.scene["one"].call_face("broad", seconds=1.0)
     session.tick(0.0)
     data = msgspec.msgpack.encode(session.snapshot()).replace(b"broad", b"cause")
     show = open_show(tmp_path / "a.omote")
     show.write_journal(JournalEntry(1, 0.0, data))
-    assert restore(cast, show, ORDER, report).tick(0.0).faces == {"generic": 1.0}
+    assert restore(cast, show, ORDER, report).tick(0.0).characters["one"].faces == {"generic": 1.0}
     assert "'cause'" in report.said[0]
     show.close()
 
@@ -115,11 +130,12 @@ def test_a_face_that_is_gone_from_the_cast_does_not_stop_the_show(tmp_path: Path
 def test_a_gaze_of_before_its_range_opens_and_is_told(tmp_path: Path, cast: Cast, report: Terminal) -> None:
     show = kept(tmp_path / "a.omote", cast)
     saved = msgspec.msgpack.decode(show.journal().snapshot or b"")
+    saved = {"performer": saved["scene"]["characters"]["one"]["performer"], "calls": saved["calls"]}
     saved["performer"]["gaze"] = {"yaw": -1.2, "pitch": 0.1}
     show.write_journal(JournalEntry(5, 0.0, msgspec.msgpack.encode(saved)))
     session = restore(cast, show, ORDER, report)
-    assert session.tick(0.0).channels == {"jawOpen": 0.5}
-    assert session.performer.snapshot().gaze == Gaze(-GAZE_LIMITS["yaw"], 0.1)
+    assert session.tick(0.0).characters["one"].channels == {"jawOpen": 0.5}
+    assert session.scene["one"].snapshot().gaze == Gaze(-GAZE_LIMITS["yaw"], 0.1)
     assert report.said == ["the gaze was farther than eyes turn: it is brought to 40 degrees sideways, 30 up or down."]
     assert aside(tmp_path / "a.omote") == []
     show.close()
@@ -277,7 +293,7 @@ def test_an_epoch_out_of_range_does_not_stop_the_show(tmp_path: Path, cast: Cast
 def test_a_disk_that_fails_at_the_start_does_not_stop_the_show(tmp_path: Path, cast: Cast, report: Terminal) -> None:
     show = kept(tmp_path / "a.omote", cast)
     show.close()  # every use of it fails from here on
-    assert restore(cast, show, ORDER, report).tick(0.0).faces == {"generic": 1.0}
+    assert restore(cast, show, ORDER, report).tick(0.0).characters["one"].faces == {"generic": 1.0}
     assert [word in said for word, said in zip(("read", "written"), report.said, strict=True)] == [True, True]
 
 

@@ -26,10 +26,10 @@ async def visit(port: int, pulse: int) -> wire.State:
     url = f"http://127.0.0.1:{port}{wire.LINK_PATH}"
     async with aiohttp.ClientSession() as http, http.ws_connect(url) as link:
         await link.send_bytes(encode(wire.Hello("console", wire.PROTOCOL_VERSION)))
-        await link.send_bytes(encode(wire.SetChannel("jawOpen", 0.5)))
+        await link.send_bytes(encode(wire.SetChannel("one", "jawOpen", 0.5)))
         while True:
             seen = await answer(link)
-            if isinstance(seen, wire.State) and seen.channels:
+            if isinstance(seen, wire.State) and seen.characters["one"].channels:
                 break
     assert os.read(pulse, 1) == TICK
     return seen
@@ -52,7 +52,7 @@ def test_a_server_plays_and_leaves_its_last_state(tmp_path: Path) -> None:
         return seen
 
     seen = asyncio.run(show())
-    assert seen.channels == {"jawOpen": 0.5}
+    assert seen.characters["one"].channels == {"jawOpen": 0.5}
     left = open_show(tmp_path / "a.omote")
     assert left.journal().epoch == seen.epoch
     assert b"jawOpen" in (left.journal().snapshot or b"")

@@ -2,6 +2,8 @@
 
 import asyncio
 import contextlib
+import datetime
+import json
 import os
 import re
 import select
@@ -17,8 +19,12 @@ import aiohttp
 import msgspec
 import pytest
 
+import omote
 from omote.edit.protocol import messages as editing
 from omote.edit.protocol.messages import EDITING_PATH
+from omote.server.access.access_setup import AccessOptions
+from omote.server.access.certificates import make_certificate
+from omote.server.access.people_file import open_people
 from omote.server.persistence.lock import lock_show
 from omote.server.process.process_messages import REJECTED
 from omote.server.supervision import supervisor
@@ -26,6 +32,7 @@ from omote.server.supervision.listening_socket import listen_on
 from omote.server.supervision.start_limit import FAILURES
 from omote.server.supervision.supervisor import Server, Supervisor
 from omote.show import messages as wire
+from omote.show.access.people_list import token_of
 from omote.show.wire import decode_answer, encode
 from omote.showfile.show_file import JournalEntry, open_show
 from tests.server.conftest import Editor
@@ -118,18 +125,39 @@ def ask(show: Show, *say: wire.FromClient, above: int = 0) -> wire.State:
 
 
 def test_a_killed_server_is_replaced_and_the_fade_goes_on(show: Show) -> None:
-    before = ask(show, wire.CallFace("1", "broad", 600.0, "smooth"), wire.SetChannel("jawOpen", 0.5))
+    before = ask(show, wire.CallFace("one", "1", "broad", 600.0, "smooth"), wire.SetChannel("one", "jawOpen", 0.5))
     before = ask(show, above=before.epoch - 1)  # by now the journal has it, or the next one would not
     while not journalled(show, b"jawOpen"):
         before = ask(show)
     for _ in range(3):
         os.kill(show.server(), signal.SIGKILL)
         after = ask(show, above=before.epoch)
-        assert after.channels == {"jawOpen": 0.5}
-        assert after.face_call is not None
-        assert after.face_call.target == "broad"
+        assert after.characters["one"].channels == {"jawOpen": 0.5}
+        assert after.characters["one"].face_call is not None
+        assert after.characters["one"].face_call.target == "broad"
         assert after.time >= before.time - 1.0
         before = after
+
+
+def test_https_and_tokens_outlive_a_killed_server_and_their_own_files(tmp_path: Path) -> None:
+    made = make_certificate(["127.0.0.1"], now=datetime.datetime.now(datetime.UTC), folder=tmp_path / "https")
+    people = open_people(tmp_path / "a.people")
+    options = AccessOptions(str(tmp_path / "a.people"), str(made.certificate), str(made.key), str(made.authority))
+    for show in played(Show(tmp_path / "a.omote", SYNTHETIC_ACCESS=json.dumps(vars(options)))):
+        url, token = show.url.replace("http:", "https:"), token_of(people, people.people[1])
+        with omote.connect(url, token=token, authority=made.authority, timeout=LIMIT) as playing:
+            playing["one"].set_channel("jawOpen", 0.5)
+            before = playing.state
+            for path in (tmp_path / "a.people", made.certificate, made.key):
+                path.unlink()
+            os.kill(show.server(), signal.SIGKILL)
+            while playing.state.epoch == before.epoch:
+                playing.wait()
+            playing["one"].set_channel("smile", 0.25)
+        with pytest.raises(ConnectionError, match="asks for a token, and this one is not valid"):
+            omote.connect(url, authority=made.authority, timeout=LIMIT)
+        with pytest.raises(ConnectionError, match="is not trusted by this machine"):
+            omote.connect(url, token=token, timeout=1.0)
 
 
 def notices(show: Show, count: int) -> list[wire.Notice]:
@@ -182,13 +210,13 @@ def test_a_killed_server_goes_on_although_its_file_was_moved_or_replaced(show: S
     else:
         path.rename(path.with_name("moved.omote"))
         show.heard("It was made anew there")
-    before = ask(show, wire.SetChannel("jawOpen", 0.5))
+    before = ask(show, wire.SetChannel("one", "jawOpen", 0.5))
     while not journalled(show, b"jawOpen", "a-2.omote" if beside else "a.omote"):
         before = ask(show)
     for _ in range(2):
         os.kill(show.server(), signal.SIGKILL)
         after = ask(show, above=before.epoch)
-        assert after.channels == {"jawOpen": 0.5}
+        assert after.characters["one"].channels == {"jawOpen": 0.5}
         before = after
     told = notices(show, 3)
     assert "during the show" in told[0].text
@@ -205,11 +233,11 @@ def test_a_killed_server_is_replaced_by_one_that_has_the_own_face_on_air(show: S
             assert isinstance(await page.ask(editing.Save, draft.item, ""), editing.Saved)
 
     asyncio.run(asyncio.wait_for(authored(), LIMIT))
-    before = ask(show, wire.CallFace("1", "cousin", 0.0, "smooth"))
+    before = ask(show, wire.CallFace("one", "1", "cousin", 0.0, "smooth"))
     while not journalled(show, b"cousin"):
         before = ask(show)
     os.kill(show.server(), signal.SIGKILL)
-    assert ask(show, above=before.epoch).faces == {"cousin": 1.0}
+    assert ask(show, above=before.epoch).characters["one"].faces == {"cousin": 1.0}
 
 
 def journalled(show: Show, word: bytes, name: str = "a.omote") -> bool:
@@ -275,7 +303,7 @@ def test_a_state_that_kills_servers_is_left_behind(tmp_path: Path) -> None:
     file.write_journal(JournalEntry(1, 0.0, msgspec.msgpack.encode({"poison": True})))
     file.close()
     poisoned = Show(path, SYNTHETIC_POISON="1")
-    assert ask(poisoned).faces == {"generic": 1.0}
+    assert ask(poisoned).characters["one"].faces == {"generic": 1.0}
     poisoned.process.terminate()
     assert poisoned.process.wait(LIMIT) == 0
     assert poisoned.process.stdout is not None

@@ -7,7 +7,6 @@ import os
 import pytest
 
 from omote.model.cast import Cast
-from omote.perform.performer import Performer
 from omote.server.http.app import ShowServer
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import PULSE_TICKS, TICK, read_pulse
@@ -81,7 +80,7 @@ class Kept:
 @pytest.fixture
 def played(cast: Cast) -> tuple[ShowServer, Kept, ShowTick, int]:
     """A server at rest, its journal, its ticks, and the far end of its pulse."""
-    session = ShowSession(cast, Performer(cast))
+    session = ShowSession(cast)
     session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
     steps = iter(range(100_000))
     show = ShowServer(session, material().documents, PAGES, clock=lambda: next(steps) / 60)
@@ -95,7 +94,7 @@ def played(cast: Cast) -> tuple[ShowServer, Kept, ShowTick, int]:
 @pytest.mark.asyncio
 async def test_a_moving_show_is_kept_thirty_times_a_second(played: tuple[ShowServer, Kept, ShowTick, int]) -> None:
     show, journal, playing, _ = played
-    show.session.receive("a", wire.CallFace("1", "broad", 10.0, "smooth"), 0.0)
+    show.session.receive("a", wire.CallFace("one", "1", "broad", 10.0, "smooth"), 0.0)
     for number in range(300):
         playing.tick(number)
     assert len(journal.entries) == 150
@@ -115,7 +114,7 @@ async def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, 
     for number in range(30):
         playing.tick(number)
     before = len(journal.entries)
-    show.session.receive("a", wire.SetChannel("jawOpen", 0.5), 0.5)
+    show.session.receive("a", wire.SetChannel("one", "jawOpen", 0.5), 0.5)
     for number in range(30, 36):
         playing.tick(number)
     assert len(journal.entries) == before + 1
@@ -141,7 +140,7 @@ def test_a_supervisor_that_does_not_listen_holds_up_no_tick() -> None:
 
 @pytest.mark.asyncio
 async def test_a_show_without_a_journal_plays(cast: Cast) -> None:
-    session = ShowSession(cast, Performer(cast))
+    session = ShowSession(cast)
     far, near = os.pipe()
     show = ShowServer(session, material().documents, PAGES)
     for number in range(5):
@@ -155,7 +154,7 @@ async def test_a_show_without_a_journal_plays(cast: Cast) -> None:
 async def test_notices_go_to_the_session_and_to_the_supervisor(cast: Cast) -> None:
     board = NoticeBoard()
     far, near = os.pipe()
-    show = ShowServer(ShowSession(cast, Performer(cast)), material().documents, PAGES)
+    show = ShowServer(ShowSession(cast), material().documents, PAGES)
     playing = ShowTick(show, None, near, board)
     playing.tick(1)
     board.post("the disk is full.")

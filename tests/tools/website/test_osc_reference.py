@@ -8,7 +8,7 @@ from tools.website.osc_reference import osc_page
 ROWS = {row.split("|")[1].strip(): row for row in osc_page().splitlines() if row.startswith("| `/")}
 
 
-@pytest.mark.parametrize("address", ADDRESSES, ids=lambda address: address.path)
+@pytest.mark.parametrize("address", ADDRESSES, ids=lambda address: address.pattern)
 def test_each_address_has_a_row_with_what_it_does(address: Address) -> None:
     row = ROWS[f"`{address.pattern}`"]
     assert address.tells in row

@@ -21,6 +21,8 @@ LINES_OF_THE_CHEEK: Sequence[Line] = (
     ((0.044, -0.019), (0.054, -0.029), (0.064, -0.034)),
     ((0.042, -0.037), (0.052, -0.048), (0.058, -0.052)),
 )
+BROW_OF_THE_HOUND: Line = ((0.0125, 0.0225), (0.021, 0.0255), (0.033, 0.0265))
+BROW_OF_THE_TABBY: Line = ((0.0140, 0.0290), (0.023, 0.0265), (0.033, 0.0205))
 LINE_OF_TEARS: Line = ((0.0185, -0.005), (0.0155, -0.013), (0.0165, -0.022))
 # Whiskers: from the pad out over the cheek.
 WHISKERS: Sequence[Line] = (
@@ -50,7 +52,7 @@ def hound_pale(texels: Texels) -> Floats:
     throat = blob(places, (0.0, -0.118, 0.10), (0.035, 0.03, 0.06))
     blaze = blob(places, (0.0, 0.022, 0.15), (0.0075, 0.058, 0.07))
     torn = _torn(places)
-    spots = 0.45 * ramp(blob(places, (0.0205, 0.0235, 0.145), (0.0085, 0.0048, 0.03)) + 0.5 * torn, 0.25, 0.75)
+    spots = 0.65 * ramp(_strokes(places, (BROW_OF_THE_HOUND,), 0.0042) + 0.5 * torn, 0.25, 0.75)
     return np.asarray(np.maximum(ramp(np.maximum.reduce([muzzle, throat, blaze]) + torn, 0.3, 0.5), spots))
 
 
@@ -71,7 +73,8 @@ def tabby_pale(texels: Texels) -> Floats:
     ear = 0.85 * _ears(places) * ramp(_facing_out(texels), 0.1, 0.5)
     soft = ramp(np.maximum.reduce([pads, chin, throat]) + _torn(places), 0.25, 0.55)
     whiskers = 0.9 * _strokes(places, WHISKERS, 0.0006, taper=True)
-    return np.asarray(np.maximum.reduce([soft, ring, ear, whiskers]))
+    brow = 0.6 * ramp(_strokes(places, (BROW_OF_THE_TABBY,), 0.0040) + 0.5 * _torn(places), 0.25, 0.75)
+    return np.asarray(np.maximum.reduce([soft, ring, ear, whiskers, brow]))
 
 
 def tabby_dark(texels: Texels) -> Floats:

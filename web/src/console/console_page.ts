@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
+import { showAccess } from "../access/access_banner";
 import type { Library } from "../link/assets";
 import { onFileDrop } from "../ui/file_import";
 import { listenToKeys } from "../ui/key_presses";
@@ -15,12 +16,24 @@ import { LOW, NARROW } from "./controls/screen_sizes";
 import type { TBar } from "./controls/t_bar";
 import type { Palette } from "./palette/palette";
 import type { Monitor } from "./panels/monitor";
+import { nextPlace } from "./regions/region_calls";
+import type { CharacterRow } from "./scene/character_row";
 import { VIEWS, type View } from "./store/console_layout";
-import { type Command, commandOf, isPanic } from "./store/keys";
+import { type Command, commandOf, isPanic, stepOf } from "./store/keys";
 import type { Topic } from "./store/page_store";
 import { neighbour } from "./store/timing";
+import "./scene/character_row";
+import "./scene/head_frames";
+import "./scene/scene_panel";
+import "./layer_panel/layer_panel";
+import "./lease_panel/lease_dialog";
+import "./lease_panel/lease_marks";
+import "./lease_panel/seat_key";
 import "./panels/bank";
+import "./device_panel/devices_dialog";
 import "./help";
+import "./learn/binding_marks";
+import "./learn/learn_mode";
 import "./message_log";
 import "./setup";
 import "./controls/light_row";
@@ -33,7 +46,7 @@ import type { MenuRequest } from "./palette/tile_menu";
 import "./palette/tile_menu";
 import "./controls/t_bar";
 
-type Dialog = "help" | "log" | "setup";
+type Dialog = "devices" | "help" | "leases" | "log" | "setup";
 
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")
@@ -43,6 +56,8 @@ export class ConsolePage extends ConsoleElement {
   @state() private dialog: Dialog | null = null;
   /** The own tile whose menu is open. */
   @state() private menu: MenuRequest | null = null;
+  /** What is touched is bound, not played. */
+  @state() private learning = false;
   #deaf: () => void = () => undefined;
   #closed: () => void = () => undefined;
   @query("omote-monitor") private monitor!: Monitor;
@@ -55,7 +70,7 @@ export class ConsolePage extends ConsoleElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#deaf = listenToKeys({ everywhere: this.#panicKey, page: this.#key });
+    this.#deaf = listenToKeys({ everywhere: this.#keyEverywhere, page: this.#key });
     this.#closed = onFileDrop((files) => void this.context.imports.add(files, "expression"));
     IN_TURN.addEventListener("change", this.#resized);
   }
@@ -73,8 +88,15 @@ export class ConsolePage extends ConsoleElement {
     await this.monitor.open(library);
   }
 
+  /** Lets hands off everything, where this page may only look; `sentence` says why. */
+  restrict(sentence: string | null): void {
+    showAccess(sentence);
+    this.classList.toggle("view-only", sentence !== null);
+  }
+
   override render() {
     this.classList.toggle("lost", !this.store.online);
+    this.classList.toggle("alone", this.store.layout.alone);
     const context = this.context;
     const shown = this.#view;
     this.dataset.view = shown;
@@ -85,12 +107,15 @@ export class ConsolePage extends ConsoleElement {
         @help=${() => this.show("help")}
         @setup=${() => this.show("setup")}
         @log=${() => this.show("log")}
-        >${this.notices}</omote-status
+        @learn=${this.#learn}
+        >${this.notices}<omote-seat slot="seat" .context=${context} @leases=${this.#openLeases}></omote-seat></omote-status
       >
       <omote-palette class="panel faces live" .context=${context} .axis=${"face"} @menu=${this.#openMenu}></omote-palette>
       <omote-tbar class="panel facebar live" .context=${context} .axis=${"face"}></omote-tbar>
       <section class="panel air live" aria-label="On air and coming">
         <omote-monitor .context=${context}></omote-monitor>
+        <omote-head-frames .context=${context} .boxes=${this.#heads}></omote-head-frames>
+        <omote-characters .context=${context} @scene=${() => this.#toggle("scene")} @layers=${() => this.#toggle("layers")}></omote-characters>
         <div class="mixes">
           <omote-mix .context=${context} .axis=${"face"}></omote-mix>
           <omote-mix .context=${context} .axis=${"expression"}></omote-mix>
@@ -104,6 +129,8 @@ export class ConsolePage extends ConsoleElement {
         <omote-pad class="panel" .context=${context} .what=${"gaze"}></omote-pad>
       </section>
       <omote-bank class="panel live" .context=${context}></omote-bank>
+      ${shown === "scene" ? html`<omote-scene-panel class="panel live" .context=${context} @close=${() => this.#toggle("scene")}></omote-scene-panel>` : nothing}
+      ${shown === "layers" ? html`<omote-layer-panel class="panel live" .context=${context} @close=${() => this.#toggle("layers")}></omote-layer-panel>` : nothing}
       <nav class="views live" role="tablist" aria-label="What is shown below">
         ${VIEWS.map(
           (view) => html`<button role="tab" data-view=${view} aria-selected=${view === shown}
@@ -117,10 +144,15 @@ export class ConsolePage extends ConsoleElement {
   #overlays() {
     const { context, dialog, menu } = this;
     return html`
+      <omote-lease-marks .context=${context} .page=${this.renderRoot}></omote-lease-marks>
       ${menu === null ? nothing : html`<omote-tile-menu .items=${context.items} .asked=${menu} @close=${this.#closeMenu}></omote-tile-menu>`}
+      <omote-binding-marks .context=${context} .page=${this.renderRoot}></omote-binding-marks>
+      ${this.learning ? html`<omote-learn-mode .context=${context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}
+      ${dialog === "devices" ? html`<omote-devices-dialog .context=${context} @close=${this.#close}></omote-devices-dialog>` : nothing}
       ${dialog === "help" ? html`<omote-help .context=${context} @close=${this.#close}></omote-help>` : nothing}
+      ${dialog === "leases" ? html`<omote-lease-dialog .context=${context} @close=${this.#close}></omote-lease-dialog>` : nothing}
       ${dialog === "log" ? html`<omote-message-log .context=${context} .notices=${this.notices.notices} @close=${this.#close}></omote-message-log>` : nothing}
-      ${dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.show("help")}></omote-setup>` : nothing}
+      ${dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.show("help")} @devices=${() => this.show("devices")} @learn=${this.#learn} @leases=${this.#openLeases}></omote-setup>` : nothing}
     `;
   }
 
@@ -132,10 +164,33 @@ export class ConsolePage extends ConsoleElement {
 
   readonly #resized = (): void => this.requestUpdate();
 
+  readonly #heads = (): Monitor["heads"] => this.monitor.heads;
+
+  /** What is shown below while neither scene nor layers are. */
+  #below: View = "palettes";
+
+  /** Opens scene or layers in the place of what is below, and closes them. */
+  #toggle(wanted: "scene" | "layers"): void {
+    const { view } = this.store.layout;
+    if (view !== "scene" && view !== "layers") this.#below = view;
+    this.store.arrange({ view: view === wanted ? this.#below : wanted });
+  }
+
   /** Opens a dialog. */
   show(dialog: Dialog): void {
     this.dialog = dialog;
   }
+
+  /** Begins to learn, or ends it. */
+  readonly #learn = (): void => {
+    this.learning = !this.learning;
+    this.dialog = null;
+  };
+
+  readonly #openDevices = (): void => {
+    this.learning = false;
+    this.show("devices");
+  };
 
   readonly #openMenu = (event: CustomEvent<MenuRequest>): void => {
     this.menu = event.detail;
@@ -145,17 +200,25 @@ export class ConsolePage extends ConsoleElement {
     this.menu = null;
   };
 
+  readonly #openLeases = (): void => this.show("leases");
+
   readonly #close = (): void => {
     this.dialog = null;
   };
 
-  readonly #panicKey = (event: KeyboardEvent): boolean => {
-    if (!isPanic(event)) return false;
-    if (!event.repeat) this.store.panic(); // held down it is one press
-    return true;
+  /** Panic: also over what is open, but not in a field. */
+  readonly #keyEverywhere = (event: KeyboardEvent): boolean => {
+    if (isPanic(event) && !event.repeat) this.store.panic(event.ctrlKey); // held down it is one press
+    return isPanic(event);
   };
 
   readonly #key = (event: KeyboardEvent, typing: boolean): void => {
+    const step = typing ? null : stepOf(event);
+    if (step !== null) {
+      event.preventDefault();
+      if (!event.repeat) this.store[step]();
+      return;
+    }
     const command = commandOf(event, typing);
     if (command === null) return;
     event.preventDefault();
@@ -164,11 +227,15 @@ export class ConsolePage extends ConsoleElement {
 
   #obey(command: Command): void {
     if (command.do === "help") this.show("help");
+    else if (command.do === "learn") this.#learn();
     else if (command.do === "centre") this.store.centre();
-    else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.state?.channels ?? {}));
-    else if (command.do === "undo") this.store.undo();
-    else if (command.do === "redo") this.store.redo();
-    else if (command.do === "focus") this.#at<LightRow | Palette | Pad | TBar>(PLACES[command.place])?.focus();
+    else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.air?.channels ?? {}));
+    else if (command.do === "leases") this.show("leases");
+    else if (command.do === "take_over") this.context.leases.takeOverWanted();
+    else if (command.do === "scene" || command.do === "layers") this.#toggle(command.do);
+    else if (command.do === "region") this.store.chooseRegion(nextPlace(this.store.region, command.direction));
+    else if (command.do === "focus")
+      this.#at<CharacterRow | LightRow | Palette | Pad | TBar>(PLACES[command.place])?.focus();
     else this.#obeyAxis(command);
   }
 
@@ -197,6 +264,7 @@ const PLACES = {
   gaze: ".hands omote-pad + omote-pad",
   search: ".expressions",
   light: "omote-lights",
+  characters: "omote-characters",
 } as const;
 
 /** What a button reads, and what it adds where there is room. */
@@ -204,4 +272,6 @@ const VIEW_LABELS: Readonly<Record<View, readonly [string, string]>> = {
   palettes: ["Faces", ", expressions"],
   faders: ["Faders", ""],
   pads: ["Head", ", gaze"],
+  scene: ["Scene", ""],
+  layers: ["Layers", ""],
 };

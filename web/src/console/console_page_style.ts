@@ -35,9 +35,27 @@ export const style = css`
   }
   .air {
     grid-area: air;
+    position: relative;
     display: grid;
     grid-template-rows: minmax(0, 1fr) auto;
     overflow: hidden;
+  }
+  .air omote-monitor,
+  .air omote-head-frames,
+  .air omote-characters {
+    grid-area: 1 / 1;
+  }
+  .air omote-characters {
+    align-self: start;
+    margin-left: 84px; /* beside the tally */
+  }
+  @media (pointer: coarse) and (min-width: 900px) {
+    .air omote-characters {
+      align-self: stretch;
+    }
+  }
+  :host(.alone) .air omote-characters {
+    margin-left: 150px; /* which says who it is */
   }
   omote-lights {
     grid-area: lights;
@@ -66,6 +84,13 @@ export const style = css`
   omote-bank {
     grid-area: bank;
   }
+  omote-scene-panel,
+  omote-layer-panel {
+    grid-area: hands-start / hands-start / bank-end / bank-end;
+  }
+  :host(:is([data-view="scene"], [data-view="layers"])) :is(.hands, omote-bank) {
+    display: none;
+  }
   .views {
     grid-area: views;
     display: none;
@@ -75,6 +100,13 @@ export const style = css`
     flex: 1 1 auto;
     min-height: 44px;
     padding: 0 4px;
+  }
+  :host(.view-only) .live:not(.air) {
+    opacity: 0.6;
+    pointer-events: none;
+  }
+  :host(.view-only) .air {
+    pointer-events: none;
   }
   :host(.lost) {
     box-shadow: inset 0 0 0 4px #d21f10;
@@ -131,8 +163,14 @@ export const style = css`
     .air {
       grid-template: minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1.8fr) minmax(0, 1fr);
     }
-    .air omote-monitor {
+    .air omote-monitor,
+    .air omote-head-frames,
+    .air omote-characters {
       grid-area: 1 / 2;
+    }
+    .air omote-characters {
+      align-self: end; /* on the collar: the face stays in sight */
+      margin-left: 0;
     }
     .mixes {
       display: contents;
@@ -144,7 +182,9 @@ export const style = css`
       grid-area: 1 / 3;
     }
     .hands,
-    omote-bank {
+    omote-bank,
+    omote-scene-panel,
+    omote-layer-panel {
       grid-area: below;
     }
     .views {
@@ -155,7 +195,7 @@ export const style = css`
       --tile: 62px;
     }
     .views [data-view="palettes"],
-    :host([data-view="pads"]) omote-bank,
+    :host(:not([data-view="faders"])) omote-bank,
     :host(:not([data-view="pads"])) .hands {
       display: none;
     }
@@ -165,8 +205,14 @@ export const style = css`
     .air {
       grid-template: minmax(0, 1fr) auto / repeat(2, minmax(0, 1fr));
     }
-    .air omote-monitor {
+    .air omote-monitor,
+    .air omote-head-frames,
+    .air omote-characters {
       grid-area: 1 / 1 / 2 / 3;
+    }
+    .air omote-characters {
+      align-self: end;
+      margin-left: 0;
     }
     .mixes {
       display: contents;
@@ -178,7 +224,9 @@ export const style = css`
       grid-area: 2 / 2;
     }
     .hands,
-    omote-bank {
+    omote-bank,
+    omote-scene-panel,
+    omote-layer-panel {
       grid-area: faces / faces-start / expressions / expressions-end;
     }
     .views {
@@ -227,6 +275,19 @@ export const style = css`
     .views button {
       flex: 1 1 0;
       min-height: 40px;
+      padding: 0;
+      font-size: 12px;
+    }
+    .views span,
+    .views :is([data-view="scene"], [data-view="layers"]) {
+      display: none; /* their keys stand with the characters */
+    }
+  }
+  @media (max-width: 359px) {
+    .views {
+      gap: 3px;
+    }
+    .views button {
       padding: 0;
       font-size: 12px;
     }

@@ -1,11 +1,12 @@
 /** The console page: connects the show to the store, and the store to the page. */
 
+import { missingRole, readAccess } from "../access/page_access";
 import { capture } from "../face/capture";
 import { FaceView } from "../face/face_view";
 import { THUMBNAIL } from "../face/framing";
 import { restPose } from "../face/pose/pose";
 import { Library } from "../link/assets";
-import { ShowLink } from "../link/show_link";
+import { type LinkHandlers, ShowLink } from "../link/show_link";
 import { FramePainter } from "../ui/frame_painter";
 import { LongRequests } from "../ui/long_requests";
 import { ShowNoticesView } from "../ui/show_notices_view";
@@ -13,14 +14,20 @@ import { type DrawThumbnail, THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails
 import { ConsoleName } from "./console_name";
 import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
+import { ConsoleDevices } from "./devices/console_devices";
+import { ConsoleLeases } from "./leases/console_leases";
+import { randomToken, seatToken } from "./leases/seat_token";
+import { keepChoice } from "./scene/choice_storage";
 import { FileImports } from "./show_file/file_imports";
 import { LayoutStorage, layoutName } from "./show_file/layout_storage";
 import { OwnItems } from "./show_file/own_items";
 import { keepUndo } from "./show_file/undo_storage";
 import { ConsoleStore } from "./store/console_store";
 
-/** A name for this console, so that its calls have their own ids; `randomUUID` is not there on a LAN without https. */
-const PAGE = [...crypto.getRandomValues(new Uint32Array(2))].map((part) => part.toString(36)).join("");
+/** A name for this console, so that its calls have their own ids. */
+const PAGE = randomToken();
+/** Who sits here: the same through a reload of the tab. */
+const SEAT = seatToken(() => sessionStorage, randomToken);
 
 /** A screen's keyboard would cover what is played: it comes where somebody asks for it. */
 const FINGERS = matchMedia("(pointer: coarse)");
@@ -43,31 +50,40 @@ async function recast(store: ConsoleStore): Promise<void> {
 }
 
 function connect(context: () => ConsoleContext, shown: ShowNoticesView): ShowLink {
+  return new ShowLink("console", handlersOf(context, shown), ownName.read, PAGE, SEAT);
+}
+
+/** Who hears what of the show's messages. */
+function handlersOf(context: () => ConsoleContext, shown: ShowNoticesView): LinkHandlers {
   const store = (): ConsoleStore => context().store;
-  return new ShowLink(
-    "console",
-    {
-      welcome: ({ digest, name }) => {
-        ownName.receive(name);
-        store().receiveName(name);
-        if (store().manifest !== null && store().manifest?.digest !== digest) void recast(store());
-      },
-      cast: () => void recast(store()),
-      state: (state) => store().receiveState(state),
-      crew: (crew) => store().receiveCrew(crew),
-      kept: (kept) => store().receiveKept(kept),
-      itemChanged: (changed) => store().receiveChanged(changed),
-      layouts: (names) => store().receiveLayouts(names),
-      hands: (hands) => store().receiveHands(hands),
-      progress: (progress) => context().imports.requests.receive(progress),
-      refused: (reason, id) => store().receiveRefused(reason, id),
-      notices: (all) => shown.notices.receive(all),
-      connected: (up) => store().setOnline(up),
-      trip: (seconds) => store().receiveTrip(seconds * 1000),
+  return {
+    welcome: ({ digest, name, show }) => {
+      store().receiveShow(show);
+      ownName.receive(name);
+      store().receiveName(name);
+      if (store().manifest !== null && store().manifest?.digest !== digest) void recast(store());
     },
-    ownName.read,
-    PAGE,
-  );
+    cast: () => void recast(store()),
+    state: (state) => store().receiveState(state),
+    crew: (crew) => store().receiveCrew(crew),
+    kept: (kept) => store().receiveKept(kept),
+    itemChanged: (changed) => store().receiveChanged(changed),
+    layouts: (names) => store().receiveLayouts(names),
+    sources: (sources) => store().receiveSources(sources),
+    hands: (hands) => store().receiveHands(hands),
+    progress: (progress) => context().imports.requests.receive(progress),
+    refused: (...rejection) => hearRejection(context(), ...rejection),
+    leases: (message) => context().leases.receive(message),
+    devices: (message) => context().devices.receive(message),
+    notices: (all) => shown.notices.receive(all),
+    connected: (up) => store().setOnline(up),
+    revoked: () => location.reload(), // the server then asks for another token
+    trip: (seconds) => store().receiveTrip(seconds * 1000),
+  };
+}
+
+function hearRejection({ devices, leases }: ConsoleContext, reason: string, id: string, held: readonly string[]): void {
+  if (!devices.receiveRefused(reason, id)) leases.receiveRefused(reason, id, held);
 }
 
 /** Thumbnails by one view on a canvas of its own: one graphics context for all of them. */
@@ -94,6 +110,7 @@ function contextOf(link: () => ShowLink): ConsoleContext {
   const clock = (): number => performance.now();
   const store = new ConsoleStore((message) => link().send(message), clock, PAGE);
   keepUndo(store, () => sessionStorage);
+  keepChoice(store, () => sessionStorage);
   const rename = (name: string): void => {
     ownName.write(name);
     link().introduce();
@@ -103,7 +120,9 @@ function contextOf(link: () => ShowLink): ConsoleContext {
   const requests = new LongRequests();
   requests.send = (message) => link().send(message);
   const imports = new FileImports(store, items, requests);
-  return { store, painter: new FramePainter(), thumbnails: new Thumbnails(), layouts, items, imports, rename };
+  const devices = new ConsoleDevices(store, (message) => link().send(message), PAGE);
+  const [painter, thumbnails, leases] = [new FramePainter(), new Thumbnails(), new ConsoleLeases(store)];
+  return { store, painter, thumbnails, layouts, items, imports, devices, leases, rename };
 }
 
 async function start(): Promise<void> {
@@ -119,7 +138,9 @@ async function start(): Promise<void> {
   page.notices = shown;
   shown.openLog = () => page.show("log");
   document.body.append(page);
+  void readAccess().then((access) => page.restrict(missingRole(access, "operate", "playing")));
   context.painter.start();
+  context.devices.start(context.painter);
   stayAwake();
   library = await Library.open();
   await context.layouts.open();

@@ -14,6 +14,7 @@ import type { Axis } from "./store/axis";
 import type { Topic } from "./store/page_store";
 import { MANY_CHOICES, secondsLabel } from "./store/timing";
 import "./setup_layouts";
+import "./setup_people";
 
 const AXES: readonly Axis[] = ["face", "expression"];
 
@@ -77,7 +78,7 @@ export class Setup extends ConsoleElement {
   }
 
   protected override topics(): readonly Topic[] {
-    return ["panic", "cast", "timing", "layouts", "notice"];
+    return ["panic", "cast", "timing", "layouts", "notice", "leases"];
   }
 
   override firstUpdated(): void {
@@ -97,7 +98,19 @@ export class Setup extends ConsoleElement {
       <div class="row">
         <input aria-label="Name of this console" maxlength=${LONGEST_CONSOLE_NAME} .value=${this.store.name} @change=${this.#rename} />
       </div>
+      <h2>Leases</h2>
+      <p>With several operators: whoever touches a part first has it, another is told who and may take it over.</p>
+      <div class="row">
+        <button data-open="leases" @click=${() => this.dispatchEvent(new CustomEvent("leases"))}>Leases: ${this.context.leases.told.on ? "on" : "off"} ...</button>
+      </div>
       <omote-layouts .context=${this.context}></omote-layouts>
+      <omote-people></omote-people>
+      <h2>Devices</h2>
+      <p>Dials, keys, pads and sticks play what they are bound to.</p>
+      <div class="row">
+        <button data-open="learn" @click=${() => this.dispatchEvent(new CustomEvent("learn"))}>Learn</button>
+        <button data-open="devices" @click=${() => this.dispatchEvent(new CustomEvent("devices"))}>Devices and bindings</button>
+      </div>
       <h2>Bring in files</h2>
       <p>Expressions (.json, .glb, .obj) and heads of our topology (.glb, .obj) come under Own; the show goes on meanwhile.</p>
       <div class="row">${(["expression", "face"] as const).map((kind) => this.#files(kind))}</div>
@@ -115,8 +128,8 @@ export class Setup extends ConsoleElement {
   }
 
   #home() {
-    const face = this.store.state?.home_face ?? "";
-    const seconds = this.store.state?.home_seconds ?? 0;
+    const face = this.store.air?.home_face ?? "";
+    const seconds = this.store.air?.home_seconds ?? 0;
     const times = MANY_CHOICES.includes(seconds) ? MANY_CHOICES : [...MANY_CHOICES, seconds];
     return html`<div class="row">
       <select aria-label="Home face" @change=${(event: Event) => this.store.setHome(chosenIn(event), seconds)}>

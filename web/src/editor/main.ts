@@ -1,5 +1,7 @@
 /** The editor page: authored once, played on every face. */
 
+import { showAccess } from "../access/access_banner";
+import { missingRole, readAccess } from "../access/page_access";
 import { Library } from "../link/assets";
 import { askedItem, editorAddress } from "../link/editor_address";
 import { LongRequestsView } from "../ui/long_requests_view";
@@ -86,9 +88,10 @@ function connect(shown: ShowNoticesView): { store: DraftStore; link: EditorLink;
     message: (message) => {
       if (message.type === "notices") shown.notices.receive(message.notices);
       else if (message.type === "progress") store.longRequests.receive(message);
-      else store.receive(message);
+      else if (message.type !== "draft" || message.item === store.draft?.item) store.receive(message); // of what is open
     },
     connected: (up) => store.setOnline(up),
+    revoked: () => location.reload(), // the server then asks for another token
   });
   store.longRequests.send = (message) => link.cancel(message);
   const rename = link.rename.bind(link);
@@ -121,6 +124,7 @@ async function start(): Promise<void> {
   page.notices = shown;
   document.getElementById("loading")?.remove();
   document.body.append(page, new LongRequestsView(store.longRequests));
+  void readAccess().then((access) => showAccess(missingRole(access, "edit", "editing")));
   store.setCast(await Library.open());
   thumbnailRenderer = await ThumbnailRenderer.open(store.library as Library);
   thumbnails.open((sitting) => (thumbnailRenderer as ThumbnailRenderer).picture(sitting, SMALL.width, SMALL.height));

@@ -1,28 +1,27 @@
-/** Draws one face on a canvas: pose in, picture out. */
+/** Draws a scene of characters on a canvas: poses in, picture out. */
 
 import * as THREE from "three";
 import type { Library } from "../link/assets";
 import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
-import { AssetResidency, namesOf } from "./blend/asset_residency";
-import { Blender, type Eyeballs } from "./blend/blender";
-import { frameHead, PORTRAIT, portraitCamera, type Shot, type Tile, tileView } from "./framing";
+import { AssetResidency } from "./blend/asset_residency";
+import { Blender } from "./blend/blender";
+import { type Coming, DrawnCharacter, type SharedParts } from "./drawn_character";
+import { type Box, PORTRAIT, portraitCamera, type Shot, type Tile, tileView } from "./framing";
 import { EdgeSmoothing } from "./gpu/edge_smoothing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
 import { createRenderer, NO_WEBGL2 } from "./gpu/renderer";
-import { Hair } from "./hair/hair";
-import { eyeTraitsOf, writeEyeTraits } from "./head/eye_traits";
+import { createHairStock } from "./hair/hair_assignment";
 import { FaceLooks } from "./head/face_looks";
-import { buildHead, type EyeUniforms, eyeUniforms, type HeadUniforms, headUniforms } from "./head/head";
+import { type HeadUniforms, headUniforms } from "./head/head";
+import { type HeadTemplate, headTemplate } from "./head/head_template";
 import { Backdrop } from "./light/backdrop";
-import { writeLight } from "./light/light_uniforms";
 import { before, mixLights } from "./light/lights";
-import { Shadow } from "./light/shadow";
 import type { Triple } from "./light/tone";
-import { headOf } from "./pose/head_answer";
-import { type Pose, restPose, writeTurn } from "./pose/pose";
-import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
-import { FEATURES, featuresOf, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
+import { type Pose, restPose } from "./pose/pose";
+import { alone, lightOf, type ScenePose } from "./pose/scene_pose";
+import { FEATURES, type Features, featuresOf, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
 import { drawsInSoftware, hasWebGL2 } from "./quality/software_rendering";
+import { frameScene, headBoxes } from "./scene_framing";
 import { applyLayers } from "./skin/skin_layers";
 
 /** How a view draws; everything may be left out. */
@@ -42,33 +41,35 @@ export interface FaceViewOptions {
   shot?: Shot;
 }
 
-/** Nothing is coming. */
-const NOBODY: { faces: readonly string[]; expressions: readonly string[] } = { faces: [], expressions: [] };
+const NOTHING: Coming = { faces: [], expressions: [] };
 
-/** A drawn face on a canvas: shows any pose of the cast, blended on the GPU; survives a lost context. */
+const featuresHere = (level: Level): Features => featuresOf(level, drawsInSoftware());
+
+/** A level of quality that will be drawn, once its shaders are ready. */
+interface NextLevel {
+  level: Level;
+  template: HeadTemplate;
+  heads: ReadonlyMap<DrawnCharacter, THREE.Group>;
+}
+
+/** A scene on a canvas, or one face: shows any poses of the cast, blended on the GPU; survives a lost context. */
 export class FaceView {
   private readonly renderer: THREE.WebGLRenderer;
   private readonly camera = portraitCamera();
-  private readonly eyes: Eyeballs;
-  private readonly eyeUniforms: [EyeUniforms, EyeUniforms] = [eyeUniforms(), eyeUniforms()];
-  private readonly looks: FaceLooks;
-  private readonly hair: Hair;
-  private readonly sourceCrossfade: SourceCrossfade;
+  private readonly parts: SharedParts;
   private readonly size = new THREE.Vector2();
+  private readonly characters = new Map<string, DrawnCharacter>();
   private scene = new THREE.Scene();
   private backdrop = new Backdrop();
-  private shared!: HeadUniforms;
+  private common!: HeadUniforms;
   private blender!: Blender;
-  private residency!: AssetResidency;
-  private shadow!: Shadow;
-  private called: Pose; // by the names of the cast
-  private pose: Pose; // by source, as it is drawn
-  private blended = "";
+  private template!: HeadTemplate;
+  private called: ScenePose;
+  private light: Pose["light"];
   private drawnAt: number | undefined;
   private readonly crossfade: PictureCrossfade;
   private readonly smoothing: EdgeSmoothing;
-  private head = new THREE.Group();
-  private nextHead: { level: Level; head: THREE.Group } | undefined;
+  private next: NextLevel | undefined;
   private wanted: Level;
   /** The level of quality that is drawn. */
   level: Level;
@@ -76,13 +77,11 @@ export class FaceView {
   alive = true;
   /** Keeps a head that turns in the middle of the picture; an audience sees it move. */
   centred = false;
-  /** Whether everything of a head has been here once; before, no part of it is drawn. */
-  private whole = false;
 
   private constructor(
     readonly canvas: HTMLCanvasElement | OffscreenCanvas,
     readonly library: Library,
-    private readonly anatomy: Anatomy,
+    anatomy: Anatomy,
     private readonly layers: readonly ImageBitmap[],
     private readonly options: FaceViewOptions,
   ) {
@@ -90,16 +89,15 @@ export class FaceView {
     this.renderer = createRenderer(canvas);
     this.crossfade = new PictureCrossfade(this.renderer);
     this.smoothing = new EdgeSmoothing(this.renderer);
-    this.eyes = {
-      rows: anatomy.eyeRows,
-      centres: new Float32Array(6),
-      radii: new Float32Array(2),
-      turns: new Float32Array(18),
+    this.parts = {
+      library,
+      anatomy,
+      looks: new FaceLooks(library.faces),
+      hairStock: createHairStock(library, anatomy.positions, (row) => anatomy.traits[4 * row + 2] ?? 0),
+      residency: new AssetResidency(library, anatomy.regions?.allowances),
     };
-    this.looks = new FaceLooks(library.faces);
-    this.hair = new Hair(library, anatomy);
-    this.sourceCrossfade = new SourceCrossfade(library);
-    this.called = this.pose = restPose(library.manifest.faces[0]?.name ?? "generic");
+    this.called = alone(restPose(library.manifest.faces[0]?.name ?? "generic"));
+    this.light = lightOf(this.called) as Pose["light"];
     this.build();
     canvas.addEventListener("webglcontextlost", this.contextLost);
     canvas.addEventListener("webglcontextrestored", this.contextRestored);
@@ -116,24 +114,39 @@ export class FaceView {
     return new FaceView(canvas, library, anatomy, layers, options);
   }
 
-  /** What the next `render` draws; `coming`: names that will be needed soon and are fetched ahead. */
-  show(pose: Pose, coming = NOBODY): void {
-    this.called = pose;
-    const names = namesOf(pose);
-    const faces = this.sourceCrossfade.wanted("faces", [...names.faces, ...coming.faces]);
-    const expressions = this.sourceCrossfade.wanted("expressions", [...names.expressions, ...coming.expressions]);
-    this.residency.want(faces, expressions);
-    this.hair.want(faces);
+  /** One character alone in the next `render`; `coming`: names that will be needed soon and are fetched ahead. */
+  show(pose: Pose, coming = NOTHING): void {
+    this.showScene(alone(pose), () => coming);
+  }
+
+  /** What the next `render` draws; `coming`: names that a character will need soon. */
+  showScene(scene: ScenePose, coming: (name: string) => Coming = () => NOTHING): void {
+    this.called = scene;
+    this.light = lightOf(scene) ?? this.light;
+    for (const [name, character] of this.characters)
+      if (scene.characters[name] === undefined) {
+        character.dispose(this.blender);
+        this.characters.delete(name);
+      }
+    for (const [name, pose] of Object.entries(scene.characters)) {
+      const character =
+        this.characters.get(name) ?? this.add(name, new DrawnCharacter(this.parts, pose, this.drawnAt === undefined));
+      character.show(pose, coming(name));
+    }
   }
 
   /** Draws at another level from when its shaders are ready on, fading over to it. */
   async change(level: Level): Promise<void> {
     if (level === this.wanted) return;
     this.wanted = level;
-    const [head, { shared }] = [this.buildHead(level), this];
-    await this.renderer.compileAsync(head, this.camera, this.scene);
-    if (this.wanted === level && this.shared === shared) this.nextHead = { level, head };
-    else this.hair.drop(head); // another level was wished for meanwhile, or the context was lost
+    const { common } = this;
+    const [template, heads] = [this.templateOf(level), new Map<DrawnCharacter, THREE.Group>()];
+    for (const character of this.characters.values())
+      heads.set(character, character.prepare(template, featuresHere(level)));
+    const [first] = heads.values();
+    if (first !== undefined) await this.renderer.compileAsync(first, this.camera, this.scene);
+    if (this.wanted === level && this.common === common) this.next = { level, template, heads };
+    else for (const [character, head] of heads) character.forget(head); // another was wished for, or the context was lost
   }
 
   /** Sets the size in CSS pixels. */
@@ -148,30 +161,43 @@ export class FaceView {
     if (!this.alive) return false;
     const seconds = Math.min(0.1, Math.max(0, time - (this.drawnAt ?? time)));
     this.drawnAt = time;
-    const arrival: Arrival = (faces, worn) => this.residency.arrival(faces, worn, this.blender);
-    this.pose = this.sourceCrossfade.pose(this.called, seconds, arrival, atOnce);
-    this.blend(seconds, atOnce);
-    this.hair.dress(this.residency.faces(this.pose, this.blender), seconds, atOnce || !this.whole);
-    this.whole ||= this.blended !== "" && (atOnce || this.hair.here); // at once: what is wanted for later may be on its way
-    if (this.nextHead !== undefined) this.exchange(this.nextHead);
-    this.head.visible = this.whole;
-    this.paint();
+    const characters = [...this.characters.values()];
+    const poses = characters.map((character) => character.advance(seconds, this.blender, atOnce));
+    this.parts.residency.advance(poses, this.blender, seconds, atOnce);
+    const columns = this.frame();
+    const blended = characters.map((character) => character.blend(this.blender, seconds, atOnce));
+    if (blended.includes(true)) {
+      this.blender.finish();
+      this.renderer.resetState();
+    }
+    if (this.next !== undefined) this.exchange(this.next, columns);
+    this.paint(columns);
     this.crossfade.paint(seconds);
     return true;
   }
 
   /** Fetches all that a pose needs, then draws it in full, as at `time` in seconds; fetches for `next` meanwhile. */
   async present(pose: Pose, time?: number, next?: Pose): Promise<void> {
-    this.show(pose);
-    await Promise.all([this.residency.complete(), this.hair.complete()]);
-    for (const shown of [next ?? pose, pose]) this.show(shown); // others may have shown something meanwhile
+    await this.presentScene(alone(pose), time, next && alone(next));
+  }
+
+  /** Fetches all that a scene needs, then draws it in full, as at `time` in seconds; fetches for `next` meanwhile. */
+  async presentScene(scene: ScenePose, time?: number, next?: ScenePose): Promise<void> {
+    this.showScene(scene);
+    const hair = [...this.characters.values()].map((character) => character.complete());
+    await Promise.all([this.parts.residency.complete(), ...hair]);
+    for (const shown of [next ?? scene, scene]) this.showScene(shown); // others may have shown something meanwhile
     this.render(time, true);
   }
 
-  /** Whether all of the present pose shows in full. */
+  /** Whether all of the present scene shows in full. */
   get settled(): boolean {
-    const { alive, sourceCrossfade, residency, hair } = this;
-    return alive && sourceCrossfade.settled(this.called) && residency.settled(this.pose, this.blender) && hair.settled;
+    return this.alive && [...this.characters.values()].every((character) => character.settled(this.blender));
+  }
+
+  /** Where heads lie in the picture last drawn, by name. */
+  get heads(): Map<string, Box> {
+    return headBoxes(this.camera, this.characters);
   }
 
   /** The graphics context that the view draws with. */
@@ -179,9 +205,9 @@ export class FaceView {
     return this.renderer.getContext() as WebGL2RenderingContext;
   }
 
-  /** The blended positions, (vertices, 3) metres, read back from the GPU (slow: for tests). */
-  readPositions(): Float32Array {
-    return this.blender.readPositions();
+  /** The blended positions of a character, by default the first, (vertices, 3) metres, read back from the GPU (slow: for tests). */
+  readPositions(name = [...this.characters.keys()][0] ?? ""): Float32Array {
+    return this.characters.get(name)?.readPositions(this.blender) ?? new Float32Array();
   }
 
   /** Frees the GPU; the canvas keeps its context. */
@@ -189,45 +215,52 @@ export class FaceView {
     this.alive = false;
     this.canvas.removeEventListener("webglcontextlost", this.contextLost);
     this.canvas.removeEventListener("webglcontextrestored", this.contextRestored);
-    for (const part of [this.blender, this.shadow, this.smoothing, this.renderer]) part.dispose();
+    for (const character of this.characters.values()) character.dispose(this.blender);
+    for (const part of [this.blender, this.smoothing, this.renderer]) part.dispose();
+  }
+
+  private templateOf(level: Level): HeadTemplate {
+    const { library, anatomy } = this.parts;
+    return headTemplate({ meshes: library.meshes, anatomy, features: featuresHere(level) }, this.common);
   }
 
   private build(): void {
-    const { fans, correctives } = this.anatomy;
-    this.blender = new Blender(this.context, this.library.manifest.vertices, fans, correctives);
-    this.residency ??= new AssetResidency(this.library, correctives?.size);
-    this.shared = headUniforms(this.blender.positions, this.blender.normals);
-    this.shadow = new Shadow(this.shared);
-    applyLayers(this.shared, this.layers, featuresOf(this.wanted, drawsInSoftware()));
+    const { fans, correctives, regions } = this.parts.anatomy;
+    this.blender = new Blender(this.context, this.library.manifest.vertices, fans, correctives, regions?.rows);
+    this.common = headUniforms(null, null);
+    applyLayers(this.common, this.layers, featuresHere(this.wanted));
     this.scene = new THREE.Scene();
     this.backdrop = new Backdrop();
     if (!this.options.transparent) this.scene.add(this.backdrop.mesh);
     this.level = this.wanted;
-    this.hair.drop(this.head);
-    this.head = this.buildHead(this.level);
-    this.scene.add(this.head);
-    this.nextHead = undefined;
-    this.blended = "";
+    this.template = this.templateOf(this.level);
+    this.next = undefined;
+    for (const [name, character] of this.characters) this.add(name, character);
     this.renderer.resetState();
   }
 
-  private buildHead(level: Level, features = featuresOf(level, drawsInSoftware())): THREE.Group {
-    const { library, anatomy, shared, eyeUniforms: eyes } = this;
-    const head = buildHead({ meshes: library.meshes, anatomy, shared, eyes, features });
-    this.hair.on(head, shared, features);
-    return head;
+  /** Takes a character onto the stage, or onto a new graphics context. */
+  private add(name: string, character: DrawnCharacter): DrawnCharacter {
+    character.build(this.blender, this.common);
+    character.exchange(character.prepare(this.template, featuresHere(this.level)));
+    this.scene.add(character.head);
+    this.characters.set(name, character);
+    this.renderer.resetState();
+    return character;
   }
 
-  /** Keeps the picture of the old level to fade from, and puts the head of the new one on the stage. */
-  private exchange({ level, head }: { level: Level; head: THREE.Group }): void {
-    this.nextHead = undefined;
-    this.paint();
+  /** Keeps the picture of the old level to fade from, and puts the heads of the new one on the stage. */
+  private exchange({ level, template, heads }: NextLevel, columns: [number, number]): void {
+    this.next = undefined;
+    this.paint(columns);
     this.crossfade.begin();
-    this.scene.remove(this.head);
-    this.hair.drop(this.head);
-    for (const child of this.head.children) if (child instanceof THREE.Mesh) child.geometry.dispose();
-    this.scene.add(head);
-    [this.level, this.head] = [level, head];
+    for (const part of this.template.head.children) if (part instanceof THREE.Mesh) part.geometry.dispose();
+    [this.level, this.template] = [level, template];
+    for (const character of this.characters.values()) {
+      const head = heads.get(character) ?? character.prepare(template, featuresHere(level));
+      character.exchange(head);
+      this.scene.add(head);
+    }
     this.renderer.getSize(this.size);
     this.resize(this.size.x, this.size.y);
   }
@@ -243,58 +276,25 @@ export class FaceView {
     this.render(undefined, true); // all is in memory: nothing is eased
   };
 
-  private blend(seconds: number, atOnce: boolean): void {
-    const mix = this.residency.mix(this.pose, this.blender, seconds, atOnce);
-    if (mix.entries.length === 0) return; // nothing loaded yet: what shows stays
-    const key = JSON.stringify([mix.entries, this.pose.eyes]);
-    if (key === this.blended) return;
-    this.blended = key;
-    this.looks.writeCentres(this.pose, this.eyes.centres);
-    this.looks.writeRadii(this.pose, this.eyes.radii);
-    writeTurn(this.pose.eyes[0], this.pose.eyes[1], this.eyes.turns, 0);
-    writeTurn(this.pose.eyes[2], this.pose.eyes[3], this.eyes.turns, 9);
-    this.blender.blend(mix, this.eyes);
-    this.renderer.resetState();
-  }
-
-  private paint(): void {
+  /** Points the camera, and puts everybody in their places before it; the part of the picture's columns that heads lie in. */
+  private frame(): [number, number] {
+    const { camera, characters, options, centred } = this;
     this.renderer.getSize(this.size);
+    const { tile, shot = PORTRAIT } = options;
+    const picture = { size: [this.size.x, this.size.y] as const, tile, shot, centred };
+    return frameScene(camera, characters, this.called.framing, picture);
+  }
+
+  private paint(columns: [number, number]): void {
     const { x: width, y: height } = this.size;
-    const { tile } = this.options;
-    this.turnHead();
-    const head = { ...this.shared, straight: this.looks.extremes(this.pose), centred: this.centred };
-    const columns = frameHead(this.camera, this.options.shot ?? PORTRAIT, head, [width, height], tile);
+    const { tile, light: own, background } = this.options;
     this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
-    this.looks.dress(this.pose, this.shared, this.eyeUniforms);
-    writeEyeTraits(eyeTraitsOf(this.pose, this.library), this.shared);
-    this.lightUp();
-    this.backdrop.first = FEATURES[this.level].multisample;
-    this.smoothing.render(this.scene, this.camera, this.backdrop.first, columns);
-  }
-
-  /** The light on air, or that of this stage alone. */
-  private lightUp(): void {
-    const { light: own, background } = this.options;
-    const mixed = mixLights(own === undefined ? this.pose.light : { [own]: 1 });
+    const mixed = mixLights(own === undefined ? this.light : { [own]: 1 }); // on air, or of this stage alone
     const light = background === undefined ? mixed : before(mixed, background);
-    writeLight(light, this.shared);
+    for (const character of this.characters.values())
+      if (character.head.visible) character.dress(this.renderer, light, FEATURES[this.level].shadow);
+    this.backdrop.first = FEATURES[this.level].multisample;
     this.backdrop.light(light);
-    this.shadow.draw(this.renderer, light, this.head, FEATURES[this.level].shadow);
-  }
-
-  /** Head: yaw, then pitch, then roll; + is the character's left, up, tilt to its left. */
-  private turnHead(): void {
-    const [yaw, pitch, roll] = headOf(this.pose, this.library);
-    const turn = new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(-pitch, yaw, -roll, "YXZ"));
-    this.shared.headTurn.value.setFromMatrix4(turn);
-    const pivot = this.shared.pivot.value;
-    this.eyeUniforms.forEach((eye, side) => {
-      eye.centre.value
-        .fromArray(this.eyes.centres, 3 * side)
-        .sub(pivot)
-        .applyMatrix3(this.shared.headTurn.value)
-        .add(pivot);
-      eye.eyeTurn.value.fromArray(this.eyes.turns, 9 * side).premultiply(this.shared.headTurn.value);
-    });
+    this.smoothing.render(this.scene, this.camera, this.backdrop.first, columns);
   }
 }

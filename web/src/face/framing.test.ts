@@ -1,5 +1,16 @@
 import { describe, expect, it } from "vitest";
-import { cameraPosition, following, frame, headColumns, type Point, portraitCamera, type Shot } from "./framing";
+import {
+  type Box,
+  boxOf,
+  cameraPosition,
+  following,
+  frame,
+  headColumns,
+  PORTRAIT,
+  type Point,
+  portraitCamera,
+  type Shot,
+} from "./framing";
 
 const shot: Shot = { centre: [0, -0.01, 0.05], height: 0.3, width: 0.23 };
 const half = Math.tan((portraitCamera().fov * Math.PI) / 360);
@@ -104,5 +115,21 @@ describe("the columns of a picture that a head lies in", () => {
     expect(left).toBe(0);
     expect(right).toBeLessThanOrEqual(1);
     expect(headColumns(camera, [[9, 0, 0]])).toEqual([1, 1]);
+  });
+});
+
+describe("the box of a head", () => {
+  it("holds its points as the picture shows them, and is none beside the picture", () => {
+    const camera = portraitCamera();
+    frame(camera, PORTRAIT, [], 200, 100);
+    const box = boxOf(camera, [
+      [-0.05, -0.1, 0.05],
+      [0.1, 0.08, 0.05],
+    ]) as Box;
+    const [left, top, right, bottom] = box;
+    expect((right - left) / (bottom - top)).toBeCloseTo(0.15 / 0.18 / 2, 9); // of a picture twice as wide as high
+    expect(left + right).toBeGreaterThan(1);
+    expect([left, top, 1 - right, 1 - bottom].every((part) => part > 0)).toBe(true);
+    for (const points of [[], [[2, 0, 0]], [[0, -2, 0]]] as Point[][]) expect(boxOf(camera, points)).toBeNull();
   });
 });

@@ -36,7 +36,7 @@ export function tileView(tile: Tile, width: number, height: number): [number, nu
 }
 
 /** Hair, and air around what a picture has to hold, metres. */
-const AIR = 0.012;
+export const AIR = 0.012;
 
 /** Points of a head that turns about a pivot. */
 export function turnedAbout(points: readonly Point[], pivot: Vector3, turn: Matrix3): Point[] {
@@ -77,9 +77,25 @@ export function cameraPosition(
 }
 
 /**
- * Points the camera so that the shot, and the points of the head, fill a picture of `width` x `height` pixels, or this
- * tile's part of the wall's.
+ * Points the camera from where it stands for a picture of `width` x `height` pixels, or this tile's part of the wall's.
+ * `stand`: where that is, by half the height and width of what the camera sees a metre away.
  */
+export function aim(
+  camera: PerspectiveCamera,
+  [width, height]: readonly [number, number],
+  tile: Tile | undefined,
+  stand: (half: number, aspect: number) => [number, number, number],
+): void {
+  const [fullWidth, fullHeight] = tile === undefined ? [width, height] : tileView(tile, width, height);
+  camera.aspect = fullWidth / fullHeight;
+  camera.position.set(...stand(Math.tan((camera.fov * Math.PI) / 360), camera.aspect));
+  if (tile === undefined) camera.clearViewOffset();
+  else camera.setViewOffset(...tileView(tile, width, height));
+  camera.updateProjectionMatrix();
+  camera.updateMatrixWorld();
+}
+
+/** Points the camera so that the shot, and the points of the head, fill the picture. */
 export function frame(
   camera: PerspectiveCamera,
   shot: Shot,
@@ -88,13 +104,7 @@ export function frame(
   height: number,
   tile?: Tile,
 ): void {
-  const [fullWidth, fullHeight] = tile === undefined ? [width, height] : tileView(tile, width, height);
-  camera.aspect = fullWidth / fullHeight;
-  camera.position.set(...cameraPosition(shot, points, Math.tan((camera.fov * Math.PI) / 360), camera.aspect));
-  if (tile === undefined) camera.clearViewOffset();
-  else camera.setViewOffset(...tileView(tile, width, height));
-  camera.updateProjectionMatrix();
-  camera.updateMatrixWorld();
+  aim(camera, [width, height], tile, (half, aspect) => cameraPosition(shot, points, half, aspect));
 }
 
 /** How far hair and collar may stand out from the farthest points of a head at its sides, metres. */
@@ -108,6 +118,18 @@ export function headColumns(camera: PerspectiveCamera, points: readonly Point[])
   return [Math.max(0, Math.min(1, ...at)), Math.min(1, Math.max(0, ...at))];
 }
 
+/** Left, top, right and bottom as parts of a picture. */
+export type Box = readonly [number, number, number, number];
+
+/** The part of the picture that points lie in; null where that is none. */
+export function boxOf(camera: PerspectiveCamera, points: readonly Point[]): Box | null {
+  const seen = points.map((point) => new Vector3(...point).project(camera));
+  const [across, down] = [seen.map(({ x }) => (1 + x) / 2), seen.map(({ y }) => (1 - y) / 2)];
+  const box: Box = [Math.min(...across), Math.min(...down), Math.max(...across), Math.max(...down)];
+  const [left, top, right, bottom] = box;
+  return left < 1 && right > 0 && top < 1 && bottom > 0 ? box : null;
+}
+
 /** A head to be framed: its farthest points while it is straight, and how it is turned about a pivot. */
 export interface FramedHead {
   straight: readonly Point[];
@@ -117,17 +139,13 @@ export interface FramedHead {
   centred: boolean;
 }
 
-/** Points the camera at a head, as `frame` does; returns the part of the picture's columns that the head lies in. */
-export function frameHead(
-  camera: PerspectiveCamera,
+/** The shot of a head, and its farthest points as it is turned. */
+export function shotOfHead(
   shot: Shot,
   { straight, pivot, headTurn, centred }: FramedHead,
-  [width, height]: readonly [number, number],
-  tile?: Tile,
-): [number, number] {
-  const turned = turnedAbout(straight, pivot.value, headTurn.value);
-  frame(camera, centred ? following(shot, straight, turned) : shot, turned, width, height, tile);
-  return headColumns(camera, turned);
+): { shot: Shot; points: Point[] } {
+  const points = turnedAbout(straight, pivot.value, headTurn.value);
+  return { shot: centred ? following(shot, straight, points) : shot, points };
 }
 
 /** A camera with the long lens of a portrait. */

@@ -1,11 +1,33 @@
 // Written by tools/messages.py from the Python tables that it imports. Do not edit: run `python tools/messages.py`.
 
+/** The name of the first character of a new show. */
+export const FIRST_CHARACTER = "one";
+/** In the place of a character: all of them; a framing: of all that are on the stage. */
+export const ALL = "*";
+/** Between the names of the characters of a framing. */
+export const FRAMING_JOINT = "+";
+/** Characters that a scene holds at most. */
+export const MOST_CHARACTERS = 8;
+/** What people may do: each role all that those before it may. */
+export const ACCESS_ROLES = ["view", "operate", "edit", "admin"] as const;
+/** How a link is closed whose token is not valid any more. */
+export const REVOKED_CODE = 4401;
 /** The lights that a show can call, in the order of the console. */
 export const LIGHT_NAMES = ["theatre", "portrait", "flat"] as const;
 /** The light that a show begins with. */
 export const FIRST_LIGHT = "theatre";
 /** The backgrounds that have a name. */
 export const BACKGROUNDS = {"green": "#00b140", "blue": "#0047bb", "black": "#000000", "grey": "#808080", "white": "#ffffff"} as const;
+/** The regions of a face in which an expression can be called alone. */
+export const PLAY_REGIONS = ["brows", "eyes", "mouth", "rest"] as const;
+/** The layers of a character, lowest first. */
+export const LAYERS = ["breath", "gaze", "emotion", "blink", "tracker", "lips", "playback", "hands"] as const;
+/** What an influence of a layer is of. */
+export const LAYER_PARTS = ["brows", "eyes", "mouth", "rest", "head", "gaze"] as const;
+/** The layers that sources drive. */
+export const DRIVEN_LAYERS = ["breath", "gaze", "blink", "tracker", "lips", "playback"] as const;
+/** The influence of lips at first, by part; all others have 1 on all. */
+export const LIPS_INFLUENCE = [0.0, 0.0, 0.7, 0.0, 0.0, 0.0] as const;
 /** The easings of a call. */
 export const EASING_NAMES = ["smooth", "gentle", "sharp", "early", "late"] as const;
 /** The easing of a call that names none. */

@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const EDITING_VERSION = 4;
+export const EDITING_VERSION = 5;
 export const EDITING_PATH = "/editing";
 /** Bytes; no message of an editor is longer. */
 export const EDITING_LIMIT = 65536;
@@ -368,12 +368,15 @@ export interface NetDocument {
 /**
  * Answers greet: the muscles, the regions, `masks`: how much each region owns of each vertex of the skin,
  * (regions, V) u8 little-endian, 255 all; `followers`, `anchors`, `shares`: the rows (skin, then parts, as in the
- * manifest) that follow the sheet, (f,) u32, (f, k) u32, (f, k) f32; all items.
+ * manifest) that follow the sheet, (f,) u32, (f, k) u32, (f, k) f32; all items; `show`: which show this is, as in
+ * `Welcome`: requests that wait for answers of another one are not sent again; `unsaved`: the items of which this
+ * editor has a draft that is not saved.
  */
 export interface Greeted {
   type: "greeted";
   version: number;
   digest: string;
+  show: string;
   muscles: MuscleDocument[];
   regions: string[];
   masks: Uint8Array;
@@ -381,6 +384,7 @@ export interface Greeted {
   anchors: Uint8Array;
   shares: Uint8Array;
   items: ItemDocument[];
+  unsaved: number[];
 }
 
 /** All items, whenever one has changed, and the digest of the cast that pages may load now. */

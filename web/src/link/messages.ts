@@ -1,13 +1,57 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 4;
+export const PROTOCOL_VERSION = 6;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
 
 /**
+ * Who a page is to the show: a role, and a name where the token is somebody's own. `asked`: whether the show asks
+ * for tokens at all.
+ */
+export interface AccessDocument {
+  role: "view" | "operate" | "edit" | "admin";
+  name: string;
+  asked: boolean;
+}
+
+/** The address by which somebody enters, with their token, and a QR code of it: a picture in a `data:` address. */
+export interface CodeDocument {
+  id: string;
+  address: string;
+  picture: string;
+}
+
+/** Asks for a token: for a name, with a role, and for how many hours (`None`: for ever). */
+export interface NewPerson {
+  name: string;
+  role: "view" | "operate" | "edit" | "admin";
+  hours: number | null;
+}
+
+/** Everybody who has a token. */
+export interface PeopleDocument {
+  people: PersonDocument[];
+}
+
+/**
+ * Somebody who has a token: `made` and `until` in seconds since 1970, `until` `None` for ever. `links`: how many of
+ * their pages and programs are connected; `own`: it is who asks.
+ */
+export interface PersonDocument {
+  id: string;
+  name: string;
+  role: "view" | "operate" | "edit" | "admin";
+  made: number;
+  until: number | null;
+  links: number;
+  own: boolean;
+}
+
+/**
  * Opens a link; other messages are rejected before it. `name`: what a console's operator calls it, or what it was
  * called the last time; a second hello changes it. `page`: the same for each link of one page, another for each page.
+ * `seat`: of the operator, whom a reload and a lost link do not change; without one it is the page's.
  */
 export interface Hello {
   type: "hello";
@@ -15,24 +59,31 @@ export interface Hello {
   version: number;
   name: string;
   page: string;
+  seat: string;
 }
 
 /** Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once. */
 export interface CallFace {
   type: "call_face";
+  character: string;
   id: string;
   name: string;
   seconds: number | null;
   easing: string;
 }
 
-/** Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once. */
+/**
+ * Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once.
+ * `region`: where alone it is called, in its own time, which no T-bar moves; `None`: on the whole face.
+ */
 export interface CallExpression {
   type: "call_expression";
+  character: string;
   id: string;
   name: string;
   seconds: number | null;
   easing: string;
+  region: "brows" | "eyes" | "mouth" | "rest" | null;
 }
 
 /** Brings a light on air in `seconds`, from whatever light shows. An `id` executes once. */
@@ -47,28 +98,33 @@ export interface CallLight {
 /** The position of the face T-bar, 0..1. */
 export interface FadeFace {
   type: "fade_face";
+  character: string;
   value: number;
 }
 
 /** The operator lets go of the face T-bar. */
 export interface ReleaseFace {
   type: "release_face";
+  character: string;
 }
 
 /** The position of the expression T-bar, 0..1. */
 export interface FadeExpression {
   type: "fade_expression";
+  character: string;
   value: number;
 }
 
 /** The operator lets go of the expression T-bar. */
 export interface ReleaseExpression {
   type: "release_expression";
+  character: string;
 }
 
 /** The weight of one channel (a blendshape weight; any expression's name), -0.5..1.5. */
 export interface SetChannel {
   type: "set_channel";
+  character: string;
   name: string;
   value: number;
 }
@@ -76,6 +132,7 @@ export interface SetChannel {
 /** The head's direction in radians: + is the character's left, up, tilt to its left. */
 export interface SetHead {
   type: "set_head";
+  character: string;
   yaw: number;
   pitch: number;
   roll: number;
@@ -87,18 +144,24 @@ export interface SetHead {
  */
 export interface SetGaze {
   type: "set_gaze";
+  character: string;
   yaw: number;
   pitch: number;
 }
 
-/** The face on air goes neutral and holds still, now; while `State.home_next` is true it brings the home face. */
+/**
+ * The face on air goes neutral and holds still, now; while `CharacterState.home_next` is true it brings the home
+ * face.
+ */
 export interface Panic {
   type: "panic";
+  character: string;
 }
 
 /** The face that a second panic brings on air, and the seconds that it takes; it stays with the show. */
 export interface SetHome {
   type: "set_home";
+  character: string;
   face: string;
   seconds: number;
 }
@@ -106,6 +169,7 @@ export interface SetHome {
 /** Keeps the mix of faces on air as a new own face. An `id` executes once; answered with `kept`. */
 export interface KeepFace {
   type: "keep_face";
+  character: string;
   id: string;
 }
 
@@ -115,7 +179,94 @@ export interface KeepFace {
  */
 export interface KeepExpression {
   type: "keep_expression";
+  character: string;
   id: string;
+}
+
+/**
+ * Adds a character, which waits off stage at a free place until it enters. `character`: its name for ever, lower
+ * case letters, digits, `_` and `-`; `label`: what people call it. `face` is its home face too. An `id` executes once,
+ * as of the messages below.
+ */
+export interface AddCharacter {
+  type: "add_character";
+  id: string;
+  character: string;
+  label: string;
+  face: string;
+}
+
+/**
+ * Takes a character out of the scene: it leaves the stage first, and no shot holds it any more; until it is gone an
+ * `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for its name.
+ */
+export interface RemoveCharacter {
+  type: "remove_character";
+  id: string;
+  character: string;
+  key: string;
+}
+
+/**
+ * Brings back a character that was removed, one of the last sixteen: all that it had on air, its place, rank and
+ * shot, unless another was called since. It enters in `seconds`, if it was on the stage.
+ */
+export interface RestoreCharacter {
+  type: "restore_character";
+  id: string;
+  key: string;
+  seconds: number;
+}
+
+/** Gives a character another label. */
+export interface RenameCharacter {
+  type: "rename_character";
+  id: string;
+  character: string;
+  label: string;
+}
+
+/**
+ * Moves a character to a place in `seconds`, from wherever it is: the fields are those of `Place`. A hand that
+ * drags sends many, the newest wins.
+ */
+export interface PlaceCharacter {
+  type: "place_character";
+  character: string;
+  x: number;
+  depth: number;
+  size: number;
+  turn: number;
+  seconds: number;
+  id: string;
+}
+
+/** Brings a character onto the stage in `seconds`. */
+export interface EnterCharacter {
+  type: "enter_character";
+  id: string;
+  character: string;
+  seconds: number;
+}
+
+/** Takes a character off the stage in `seconds`; it stays in the scene. */
+export interface LeaveCharacter {
+  type: "leave_character";
+  id: string;
+  character: string;
+  seconds: number;
+}
+
+/**
+ * Brings a framing on air in `seconds`, from whatever the picture shows: a shot of these characters, or of all that
+ * are on the stage where none is named.
+ */
+export interface CallFraming {
+  type: "call_framing";
+  id: string;
+  characters: string[];
+  seconds: number;
+  easing: string;
 }
 
 /**
@@ -188,6 +339,94 @@ export interface DropLayout {
 }
 
 /**
+ * How much of a layer of a character shows, 0..1, in a region of it (`None`: everywhere), and whether it is on;
+ * `None` leaves either as it is. What is on air follows.
+ */
+export interface SetLayer {
+  type: "set_layer";
+  character: string;
+  layer: "breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands";
+  region: "brows" | "eyes" | "mouth" | "rest" | "head" | "gaze" | null;
+  influence: number | null;
+  on: boolean | null;
+  id: string;
+}
+
+/**
+ * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
+ * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
+ * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
+ * own. Answered with `source_is`; the end of its link is its end.
+ */
+export interface Source {
+  type: "source";
+  name: string;
+  kind: "tracker" | "lips" | "playback" | "program" | "breath" | "gaze" | "blink";
+  names: string[];
+  characters: string[];
+  performer: string;
+  id: string;
+}
+
+/**
+ * One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
+ * `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
+ * performer. Half a second without one that is found, and its layers fade out.
+ */
+export interface Drive {
+  type: "drive";
+  index: number;
+  values: Uint8Array;
+  head: [number, number, number] | null;
+  gaze: [number, number] | null;
+  found: boolean;
+}
+
+/** A source of this link ends; its layers fade out. */
+export interface LeaveSource {
+  type: "leave_source";
+  index: number;
+}
+
+/**
+ * Which characters a source drives, on which layer, in which regions (none named: all). It stays with the show
+ * under the source's name. An `id` executes once, as of the two below.
+ */
+export interface RouteSource {
+  type: "route_source";
+  id: string;
+  source: string;
+  characters: string[];
+  layer: "breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands";
+  regions: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+}
+
+/**
+ * Measures the performer before a source: `neutral` takes what it sends now as the face at rest, `range` listens to
+ * the performer's largest moves until `done`, `reset` forgets both. It stays with the show under the performer.
+ */
+export interface CalibrateSource {
+  type: "calibrate_source";
+  id: string;
+  source: string;
+  step: "neutral" | "range" | "done" | "reset";
+}
+
+/**
+ * How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
+ * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels.
+ */
+export interface TuneSource {
+  type: "tune_source";
+  id: string;
+  source: string;
+  mirror: boolean;
+  dead_zone: number;
+  curve: number;
+  gain: number;
+}
+
+/**
  * Ends a long request, which then changes nothing: an import or export sent over HTTP with `?request=` and an id of
  * the page's own. One that has ended is left as it is.
  */
@@ -210,8 +449,164 @@ export interface Drawing {
 }
 
 /**
+ * Holds a part of a character: nobody else may play it until it is released. Rejected where another seat holds it,
+ * but for `take_over`; all parts of others are the stage manager's to take over. An `id` executes once, as of the
+ * messages below.
+ */
+export interface Lease {
+  type: "lease";
+  id: string;
+  character: string;
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "*";
+  take_over: boolean;
+}
+
+/** Releases a part; "*" all that the seat holds of a character, or of all. */
+export interface ReleaseLease {
+  type: "release_lease";
+  id: string;
+  character: string;
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "*";
+}
+
+/**
+ * Switches leases on, which makes the sender's seat the stage manager, or off, which releases all; on again, while
+ * no stage manager is there, makes the sender the stage manager.
+ */
+export interface SetLeases {
+  type: "set_leases";
+  id: string;
+  on: boolean;
+}
+
+/** Makes another seat the stage manager, by its number; the stage manager alone may. */
+export interface AppointManager {
+  type: "appoint_manager";
+  id: string;
+  seat: number;
+}
+
+/**
+ * A control of a device, and what it plays (`inputs/bindings`).
+ * `control`: as a reading names it (`1/cc7`, `1/note60`, `axis0`); `to`: an address of OSC with its character, or
+ * `bank:NAME`. `axis`: `yaw` of a head; `arguments`: of a call. `low`, `high`: values at both ends of the control
+ * (nil: the target's own); `curve`: exponent between them; `pick_up`: a fader acts once it has crossed the value on
+ * air. `button`: how a key moves a level, `relative`: how an encoder counts, "" for neither; `step`: the part of the
+ * range that one step moves. `bank`: where it plays, "" in all.
+ */
+export interface BindingDocument {
+  device: string;
+  control: string;
+  to: string;
+  axis: string;
+  arguments: (number | string)[];
+  low: number | null;
+  high: number | null;
+  curve: number;
+  pick_up: boolean;
+  button: "" | "momentary" | "toggle";
+  relative: "" | "twos_complement" | "binary_offset" | "sign_magnitude";
+  step: number;
+  bank: string;
+}
+
+/**
+ * A device is at this page from now on, until `unplug` or the end of the link. Rejected while another page has one
+ * of that name: two of a kind need two names.
+ */
+export interface Plug {
+  type: "plug";
+  device: string;
+  kind: "midi" | "gamepad" | "space_mouse";
+  id: string;
+}
+
+/** A device is gone; its bindings wait for it. */
+export interface Unplug {
+  type: "unplug";
+  device: string;
+}
+
+/** What a MIDI device has sent, as it came. */
+export interface MidiBytes {
+  type: "midi_bytes";
+  device: string;
+  data: Uint8Array;
+}
+
+/**
+ * Where controls of a gamepad or a space mouse stand now, those that have moved: 0..1, an axis rests at .5; one
+ * whose name begins with `button` is a key.
+ */
+export interface Controls {
+  type: "controls";
+  device: string;
+  values: Record<string, number>;
+}
+
+/**
+ * Binds a control, in the place of the same one with the same target, and of `replaces`. An `id` executes once;
+ * answered, as the messages below that have one, with `bindings_changed`.
+ */
+export interface Bind {
+  type: "bind";
+  id: string;
+  binding: BindingDocument;
+  replaces: BindingDocument | null;
+}
+
+/** Takes a binding away. */
+export interface Unbind {
+  type: "unbind";
+  id: string;
+  binding: BindingDocument;
+}
+
+/**
+ * Binds the next control that moves to an address, in the place of nothing; `to` "" stops. Ends by itself after
+ * half a minute.
+ */
+export interface Learn {
+  type: "learn";
+  id: string;
+  to: string;
+  axis: string;
+  arguments: (number | string)[];
+  bank: string;
+}
+
+/** Binds a device as a preset has it, in the place of all its bindings; `character`: whom it plays, `*` all. */
+export interface LoadPreset {
+  type: "load_preset";
+  id: string;
+  device: string;
+  preset: string;
+  character: string;
+}
+
+/** Takes back what the message of the id `change` did to the bindings; that can be taken back itself. */
+export interface RestoreBindings {
+  type: "restore_bindings";
+  id: string;
+  change: string;
+}
+
+/** Turns a device to one of its banks, "" to none. */
+export interface ChooseBank {
+  type: "choose_bank";
+  device: string;
+  bank: string;
+}
+
+/** This page shows devices from now on, or no more: while it does it hears of them ten times a second. */
+export interface WatchDevices {
+  type: "watch_devices";
+  on: boolean;
+}
+
+/**
  * Answers hello: `epoch` rises with each server start, `revision` with each change of the documents. `name`: what
- * the others call this console.
+ * the others call this console. `show`: which show file is played, "" for none; another one has another.
  */
 export interface Welcome {
   type: "welcome";
@@ -220,6 +615,7 @@ export interface Welcome {
   revision: number;
   digest: string;
   name: string;
+  show: string;
 }
 
 /** The cast has changed: pages fetch the manifest again and go on. */
@@ -256,12 +652,84 @@ export interface Layouts {
 
 /**
  * What hands at other consoles have moved within the last second, and the name of the console: complete, to each
- * console when it changes, and once a second. Keys are tags of messages (`fade_face`, `set_head`), of a channel with
- * its name (`set_channel:jawOpen`).
+ * console when it changes, and once a second. Keys are a character and the tag of a message
+ * (`one/fade_face`, `one/set_head`), of a channel with its name (`one/set_channel:jawOpen`), of a layer with its name
+ * and its region (`one/set_layer:tracker:mouth`).
  */
 export interface Hands {
   type: "hands";
   hands: Record<string, string>;
+}
+
+/**
+ * An operator, or a source that holds something: its number, its name and its colour, `#rrggbb`. `manager`: the
+ * stage manager; `here`: a link of it is there.
+ */
+export interface SeatState {
+  number: number;
+  name: string;
+  colour: string;
+  manager: boolean;
+  here: boolean;
+}
+
+/**
+ * Who holds what, complete, to consoles once leases have been switched on: when it changes and once a second.
+ * `held`: by character and part (`one/face`; the character of light and framing is `*`); `seats`: all operators, and
+ * what else holds something; `you`: the number of this console's own. While leases are not `on` the last touch wins.
+ */
+export interface Leases {
+  type: "leases";
+  on: boolean;
+  held: Record<string, SeatState>;
+  seats: SeatState[];
+  you: number;
+}
+
+/**
+ * To the consoles of a seat: another touched parts that it holds, or has `taken` them over. `parts`: as in
+ * `Leases.held`.
+ */
+export interface LeaseClaim {
+  type: "lease_claim";
+  parts: string[];
+  by: SeatState;
+  taken: boolean;
+}
+
+/** Answers source: the index by which this link's frames name it. */
+export interface SourceIs {
+  type: "source_is";
+  index: number;
+  name: string;
+}
+
+/**
+ * A source that sends: `console` is the name of the link that it comes by; its route; `rate`: frames in the last
+ * second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves.
+ */
+export interface SourceState {
+  name: string;
+  kind: "tracker" | "lips" | "playback" | "program" | "breath" | "gaze" | "blink";
+  console: string;
+  characters: string[];
+  layer: "breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands";
+  regions: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  performer: string;
+  rate: number;
+  found: boolean;
+  calibrated: boolean;
+  ranging: boolean;
+  mirror: boolean;
+  dead_zone: number;
+  curve: number;
+  gain: number;
+}
+
+/** All sources that send: complete, to consoles once a second and with each change. */
+export interface Sources {
+  type: "sources";
+  sources: SourceState[];
 }
 
 /**
@@ -279,18 +747,48 @@ export interface CallState {
 }
 
 /**
- * All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
- * `time`: the show's clock, seconds. `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw,
- * pitch (radians), as the eyeballs stand. `lids`: what the gaze adds to the channels.
- * `face_fader`, `expression_fader`: where the T-bars stand, 0..1, with or without a call. `light`: sums to one.
- * `panics` counts them: when it rises, hands are off. `home_next`: the next one brings `home_face` in `home_seconds`.
+ * Where a character is, in the eyes of the audience: `x` metres to the picture's right, `depth` metres behind the
+ * front line, `size` a factor, `turn` radians about the vertical, + to the character's own left, as the head's yaw.
  */
-export interface State {
-  type: "state";
-  epoch: number;
-  number: number;
-  time: number;
-  revision: number;
+export interface Place {
+  x: number;
+  depth: number;
+  size: number;
+  turn: number;
+}
+
+/**
+ * A layer: its influence on brows, eyes, mouth, rest, head and gaze, and its switch, as set. `source`: what drives
+ * it, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is on air where it shows most, 0..1;
+ * `strongest`: the few channels that it moves most now.
+ */
+export interface LayerState {
+  influence: number[];
+  on: boolean;
+  trust: number;
+  source: string;
+  share: number;
+  strongest: Record<string, number>;
+}
+
+/** What hands hold, where layers mix it with what sources send: channels, head and gaze as faders stand. */
+export interface HeldState {
+  channels: Record<string, number>;
+  head: [number, number, number];
+  gaze: [number, number];
+}
+
+/**
+ * All that a character has on air.
+ * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
+ * stand. `lids`: what the gaze adds to the channels. `face_fader`, `expression_fader`: where the T-bars stand, 0..1,
+ * with or without a call. `panics` counts them: when it rises, hands are off. `home_next`: the next one brings
+ * `home_face` in `home_seconds`. `place`: as it is now, on its way; `presence`: 0 off stage, 1 on it. `leaves`: it has
+ * been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
+ * `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
+ * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
+ */
+export interface CharacterState {
   faces: Record<string, number>;
   expressions: Record<string, number>;
   channels: Record<string, number>;
@@ -302,12 +800,36 @@ export interface State {
   expression_call: CallState | null;
   face_fader: number;
   expression_fader: number;
-  light: Record<string, number>;
-  light_call: CallState | null;
   panics: number;
   home_face: string;
   home_seconds: number;
   home_next: boolean;
+  label: string;
+  place: Place;
+  presence: number;
+  leaves: boolean;
+  regions: Partial<Record<"brows" | "eyes" | "mouth" | "rest", Record<string, number>>>;
+  region_calls: Partial<Record<"brows" | "eyes" | "mouth" | "rest", CallState>>;
+  layers: Partial<Record<"breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands", LayerState>>;
+  held: HeldState | null;
+}
+
+/**
+ * All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
+ * `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
+ * to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
+ */
+export interface State {
+  type: "state";
+  epoch: number;
+  number: number;
+  time: number;
+  revision: number;
+  characters: Record<string, CharacterState>;
+  light: Record<string, number>;
+  light_call: CallState | null;
+  framing: Record<string, number>;
+  framing_call: CallState | null;
 }
 
 /** Answers ping: `time` is the show's clock at that moment, as in `State.time`. */
@@ -319,12 +841,13 @@ export interface Pong {
 
 /**
  * A message was rejected, and why, in one sentence for the operator. `id`: of the message, where it had one, also
- * where nothing else of it could be read.
+ * where nothing else of it could be read. `held`: the parts that others hold, where that was the reason.
  */
 export interface Refused {
   type: "refused";
   reason: string;
   id: string;
+  held: string[];
 }
 
 /** What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970. */
@@ -370,6 +893,105 @@ export interface Crew {
   stages: (StageReport | null)[];
   consoles: number;
   lost: number;
+}
+
+/**
+ * A device, or another source of a show: where it is (a console's name, a host), whether it is there now.
+ * `rate`: readings or packets a second; `heard`, `rejected`: counts since the server began. `values`: where its
+ * controls stood last, 0..1, the newest sixty-four; `waiting`: controls that wait to be picked up, and the position
+ * at which they will be. `bank`: the one that it is turned to, of its `banks`; `preset`: the one it was given.
+ */
+export interface DeviceState {
+  name: string;
+  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet";
+  where: string;
+  plugged: boolean;
+  rate: number;
+  heard: number;
+  rejected: number;
+  values: Record<string, number>;
+  waiting: Record<string, number>;
+  bank: string;
+  banks: string[];
+  preset: string;
+}
+
+/**
+ * A preset: its name, what people call the device, and whether it is made for it (`matches`: device names, as
+ * regular expressions in any case).
+ */
+export interface PresetDocument {
+  name: string;
+  label: string;
+  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet";
+  matches: string[];
+}
+
+/**
+ * All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
+ * second.
+ */
+export interface Devices {
+  type: "devices";
+  devices: DeviceState[];
+}
+
+/** What the next control that moves will be bound to, and who asked for it (a console's name). */
+export interface LearningState {
+  id: string;
+  to: string;
+  axis: string;
+  arguments: (number | string)[];
+  who: string;
+}
+
+/**
+ * All bindings in their order: complete, to consoles after the welcome and with each change. `fixed`: those of
+ * these that a file of the command line has made, which no page changes.
+ */
+export interface BindingList {
+  type: "binding_list";
+  bindings: BindingDocument[];
+  fixed: BindingDocument[];
+  learning: LearningState | null;
+  presets: PresetDocument[];
+}
+
+/**
+ * Answers bind, unbind, learn (when a control has been bound), load_preset and restore_bindings: what is new and
+ * what is gone; `restore_bindings` takes it back.
+ */
+export interface BindingsChanged {
+  type: "bindings_changed";
+  id: string;
+  added: BindingDocument[];
+  removed: BindingDocument[];
+}
+
+/**
+ * What came from a source, or why it was rejected; `count`: how often the same within a second; `time`: seconds
+ * since 1970.
+ */
+export interface InputLine {
+  number: number;
+  time: number;
+  source: string;
+  text: string;
+  rejected: boolean;
+  count: number;
+}
+
+/** What came in last, the oldest first, at most two hundred lines: complete, to pages that watch devices. */
+export interface InputLog {
+  type: "input_log";
+  lines: InputLine[];
+}
+
+/** What a device is to be sent (MIDI): to the page that has it. */
+export interface DeviceBytes {
+  type: "device_bytes";
+  device: string;
+  data: Uint8Array;
 }
 
 /** Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`). */
@@ -510,6 +1132,16 @@ export interface SettlingDocument {
   weights: Uint8Array;
 }
 
+/**
+ * How much of everything belongs to each region in which an expression can be called alone, brows, eyes, mouth,
+ * rest; 65535 is all. Little-endian: `rows` (n, 4) u16 of the positions, `allowances` (m, 4) u16 of the numbers of an
+ * allowance.
+ */
+export interface RegionDocument {
+  rows: Uint8Array;
+  allowances: Uint8Array;
+}
+
 /** A light that can be called. */
 export interface LightDocument {
   name: string;
@@ -534,6 +1166,7 @@ export interface Manifest {
   lights: LightDocument[];
   hair: HairDocument[];
   settling: SettlingDocument | null;
+  regions: RegionDocument | null;
 }
 
 /** The positions of a face, (vertices, 3) f32 little-endian, metres. */
@@ -602,6 +1235,14 @@ export type FromClient =
   | SetHome
   | KeepFace
   | KeepExpression
+  | AddCharacter
+  | RemoveCharacter
+  | RestoreCharacter
+  | RenameCharacter
+  | PlaceCharacter
+  | EnterCharacter
+  | LeaveCharacter
+  | CallFraming
   | RenameItem
   | DeleteItem
   | RestoreItem
@@ -609,9 +1250,31 @@ export type FromClient =
   | SetLayout
   | RenameLayout
   | DropLayout
+  | Plug
+  | Unplug
+  | MidiBytes
+  | Controls
+  | Bind
+  | Unbind
+  | Learn
+  | LoadPreset
+  | RestoreBindings
+  | ChooseBank
+  | WatchDevices
+  | SetLayer
+  | Source
+  | Drive
+  | LeaveSource
+  | RouteSource
+  | CalibrateSource
+  | TuneSource
   | Cancel
   | Ping
-  | Drawing;
+  | Drawing
+  | Lease
+  | ReleaseLease
+  | SetLeases
+  | AppointManager;
 
 export type FromServer =
   | Welcome
@@ -624,5 +1287,14 @@ export type FromServer =
   | Notices
   | Layouts
   | Hands
+  | SourceIs
+  | Sources
   | Progress
-  | Crew;
+  | Crew
+  | Leases
+  | LeaseClaim
+  | Devices
+  | BindingList
+  | BindingsChanged
+  | InputLog
+  | DeviceBytes;

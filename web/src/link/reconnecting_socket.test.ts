@@ -1,5 +1,6 @@
 import { decode, encode } from "@msgpack/msgpack";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { REVOKED_CODE } from "./constants";
 import { ReconnectingSocket, type SocketOwner } from "./reconnecting_socket";
 
 /** A WebSocket that the test opens, feeds and closes. */
@@ -10,7 +11,7 @@ class FakeSocket {
   readonly sent: unknown[] = [];
   onopen: (() => void) | null = null;
   onmessage: ((event: { data: Uint8Array }) => void) | null = null;
-  onclose: (() => void) | null = null;
+  onclose: ((event: { code: number }) => void) | null = null;
 
   constructor(readonly address: string) {
     FakeSocket.made.push(this);
@@ -50,6 +51,7 @@ describe("a reconnecting socket", () => {
     vi.spyOn(performance, "now").mockImplementation(() => clock() + busy);
     vi.stubGlobal("WebSocket", FakeSocket);
     vi.stubGlobal("location", { protocol: "https:", host: "show.example" });
+    vi.stubGlobal("fetch", () => Promise.reject(new Error("the show is not there")));
     FakeSocket.made.length = 0;
     [told, expects] = [[], true];
     const owner: SocketOwner<string> = {
@@ -58,6 +60,7 @@ describe("a reconnecting socket", () => {
       opened: () => told.push("opened"),
       received: (message) => told.push(message),
       lost: (wasUp) => told.push(wasUp ? "lost" : "failed"),
+      revoked: () => told.push("revoked"),
       expects: () => expects,
     };
     socket = new ReconnectingSocket("/link", owner);
@@ -84,18 +87,44 @@ describe("a reconnecting socket", () => {
     expect(socket.up).toBe(false);
     socket.accept();
     expect(socket.up).toBe(true);
-    last().onclose?.();
+    last().onclose?.({ code: 1006 });
     expect(socket.up).toBe(false);
     expect(told).toEqual(["opened", "lost"]);
   });
 
   it("opens another connection for every one that is lost, for ever", () => {
     for (let times = 1; times <= 20; times++) {
-      last().onclose?.();
+      last().onclose?.({ code: 1006 });
       vi.advanceTimersByTime(LONGEST_PAUSE);
       expect(FakeSocket.made.length).toBe(times + 1);
     }
     expect(told).toEqual(Array(20).fill("failed"));
+  });
+
+  it("tells once that the token of its page is not valid any more", () => {
+    last().open();
+    last().onclose?.({ code: 1006 });
+    vi.advanceTimersByTime(LONGEST_PAUSE);
+    expect(told).not.toContain("revoked");
+    last().onclose?.({ code: REVOKED_CODE });
+    expect(told.filter((each) => each === "revoked")).toEqual(["revoked"]);
+  });
+
+  it("finds out that its token has ended while the page was away, and that the show alone was away", async () => {
+    const settle = async (): Promise<void> => {
+      for (let turns = 0; turns < 10; turns++) await Promise.resolve();
+    };
+    for (const [status, expected] of [
+      [200, []],
+      [503, []],
+      [401, ["revoked"]],
+    ] as const) {
+      vi.stubGlobal("fetch", () => Promise.resolve({ status }));
+      last().onclose?.({ code: 1006 });
+      await settle();
+      expect(told.filter((each) => each === "revoked")).toEqual(expected);
+      vi.advanceTimersByTime(LONGEST_PAUSE);
+    }
   });
 
   it("gives up a connection that is silent while a message is due, and hears nothing more of it", () => {

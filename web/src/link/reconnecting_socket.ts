@@ -2,6 +2,10 @@
 
 import { decode, encode } from "@msgpack/msgpack";
 import { now } from "./clock";
+import { REVOKED_CODE } from "./constants";
+
+/** What the server answers to a token that is not valid, or to none. */
+const UNAUTHORIZED = 401;
 
 /** What a link does with its socket. */
 export interface SocketOwner<Incoming> {
@@ -15,6 +19,8 @@ export interface SocketOwner<Incoming> {
   received(message: Incoming): void;
   /** The connection is gone; `wasUp`: the server had accepted it. Another one is opened after a pause. */
   lost(wasUp: boolean): void;
+  /** The token of this page is not valid any more; without this the connection is tried again. */
+  revoked?(): void;
   /** Whether a message is due, so that silence means death. */
   expects(): boolean;
   /** Called at every look, after the silence was judged. */
@@ -32,6 +38,7 @@ export class ReconnectingSocket<Incoming, Outgoing> {
   #socket: WebSocket | null = null;
   #up = false;
   #closed = false;
+  #asking = false;
   #silent = 0; // seconds
   #looked = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
@@ -91,9 +98,26 @@ export class ReconnectingSocket<Incoming, Outgoing> {
     this.#socket = socket;
     this.heard = now();
     this.awaitMessage();
-    socket.onopen = () => this.owner.opened();
+    let opened = false;
+    socket.onopen = () => {
+      opened = true;
+      this.owner.opened();
+    };
     socket.onmessage = (event: MessageEvent<ArrayBuffer>) => this.#receive(event.data);
-    socket.onclose = () => this.reconnect();
+    socket.onclose = (event: CloseEvent) => {
+      this.reconnect();
+      if (event.code === REVOKED_CODE) this.owner.revoked?.();
+      else if (!opened) void this.#askWhetherRevoked();
+    };
+  }
+
+  /** A browser does not say why a connection was not made: it may be that the token has ended while the page was away. */
+  async #askWhetherRevoked(): Promise<void> {
+    if (this.#asking || this.owner.revoked === undefined) return;
+    this.#asking = true;
+    const answer = await fetch("/access", { cache: "no-store" }).catch(() => null); // null: the show is not there
+    this.#asking = false;
+    if (answer?.status === UNAUTHORIZED && !this.#closed) this.owner.revoked();
   }
 
   #drop(): void {

@@ -2,16 +2,24 @@
 
 import { now, ServerClock } from "./clock";
 import type {
+  BindingList,
+  BindingsChanged,
   Crew,
+  DeviceBytes,
+  Devices,
   FromClient,
   FromServer,
   Hands,
   Hello,
+  InputLog,
   ItemChanged,
   Kept,
+  LeaseClaim,
+  Leases,
   Notice,
   Pong,
   Progress,
+  SourceState,
   State,
   Welcome,
 } from "./messages";
@@ -39,6 +47,19 @@ export class Newest {
   }
 }
 
+/** What the show says of who holds what. */
+export type LeaseMessage = Leases | LeaseClaim;
+/** What the show says of devices and of what they play. */
+export type DeviceMessage = Devices | BindingList | BindingsChanged | InputLog | DeviceBytes;
+const DEVICE_MESSAGES: ReadonlySet<string> = new Set<DeviceMessage["type"]>([
+  "devices",
+  "binding_list",
+  "bindings_changed",
+  "input_log",
+  "device_bytes",
+]);
+const isOfDevices = (message: FromServer): message is DeviceMessage => DEVICE_MESSAGES.has(message.type);
+
 /** What a page wants to hear; every handler may be left out. */
 export interface LinkHandlers {
   /** A newer state than any before; older ones never arrive here. */
@@ -55,14 +76,22 @@ export interface LinkHandlers {
   layouts?: (names: readonly string[]) => void;
   /** What hands at other consoles move, by control, and the names of those consoles. */
   hands?: (hands: Hands["hands"]) => void;
+  /** All sources that send. */
+  sources?: (sources: readonly SourceState[]) => void;
+  /** News of devices. */
+  devices?: (message: DeviceMessage) => void;
   /** How far a long request (an import, an export) is; those of other pages too. */
   progress?: (progress: Progress) => void;
   /** Everything that the crew must know: all of it, each time. */
   notices?: (notices: readonly Notice[]) => void;
   /** A message of ours was not obeyed; the sentence is for the operator; `id`: which, where it had one. */
-  refused?: (reason: string, id: string) => void;
+  refused?: (reason: string, id: string, held: readonly string[]) => void;
+  /** Who holds what; or another seat touched what this one holds, or has taken it over. */
+  leases?: (message: LeaseMessage) => void;
   /** A ping came back after so many seconds. */
   trip?: (seconds: number) => void;
+  /** The token of this page is not valid any more. */
+  revoked?: () => void;
   /** The link came up (true) or went down (false). */
   connected?: (up: boolean) => void;
 }
@@ -84,6 +113,7 @@ export class ShowLink {
     private readonly handlers: LinkHandlers = {},
     private readonly name: () => string = () => "",
     private readonly page = "",
+    private readonly seat = "",
   ) {
     this.socket = new ReconnectingSocket(LINK_PATH, {
       silence: SILENCE,
@@ -91,6 +121,7 @@ export class ShowLink {
       opened: () => this.introduce(),
       received: (message) => this.obey(message),
       lost: (wasUp) => wasUp && this.handlers.connected?.(false),
+      revoked: () => this.handlers.revoked?.(),
       expects: () => true,
       looked: () => this.socket.up && now() - this.pinged > PING_EVERY && this.ping(),
     });
@@ -108,7 +139,8 @@ export class ShowLink {
 
   /** Says who this is: when the link opens, and again under another name. */
   introduce(): void {
-    this.send({ type: "hello", role: this.role, version: PROTOCOL_VERSION, name: this.name(), page: this.page });
+    const { role, page, seat } = this;
+    this.send({ type: "hello", role, version: PROTOCOL_VERSION, name: this.name(), page, seat });
   }
 
   /** Ends the link for good. */
@@ -135,13 +167,26 @@ export class ShowLink {
       case "cast":
         this.recast(message.revision);
         break;
+      case "sources":
+        this.handlers.sources?.(message.sources);
+        break;
+      case "leases":
+      case "lease_claim":
+        this.handlers.leases?.(message);
+        break;
       default:
-        this.tell(message);
+        if (isOfDevices(message)) this.handlers.devices?.(message);
+        else this.tell(message);
     }
   }
 
   /** What only the page itself has a use for. */
-  private tell(message: Exclude<FromServer, { type: "welcome" | "state" | "pong" | "cast" }>): void {
+  private tell(
+    message: Exclude<
+      FromServer,
+      DeviceMessage | LeaseMessage | { type: "welcome" | "state" | "pong" | "cast" | "sources" }
+    >,
+  ): void {
     switch (message.type) {
       case "crew":
         this.handlers.crew?.(message);
@@ -165,7 +210,7 @@ export class ShowLink {
         this.handlers.notices?.(message.notices);
         break;
       case "refused":
-        this.handlers.refused?.(message.reason, message.id);
+        this.handlers.refused?.(message.reason, message.id, message.held);
         break;
     }
   }

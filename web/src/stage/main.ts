@@ -15,10 +15,18 @@ async function open(parameters: StageParameters): Promise<void> {
   exposeProbe(stage);
   const tick = (): void => {
     stage.frame(now());
+    const told = missingNotice(stage);
+    if (notice.textContent !== told) notice.textContent = told;
     requestAnimationFrame(tick);
   };
   requestAnimationFrame(tick);
   if (parameters.hud) showCounters(stage);
+}
+
+/** Why the picture is empty, where the character that it is to show is not in the show; it waits until that one comes. */
+function missingNotice({ missing, characters }: Stage): string {
+  if (missing === undefined) return "";
+  return `There is no character "${missing}" in this show; it has ${characters.join(", ")}. This stage waits until one of that name comes.`;
 }
 
 /** What a technician wants to see in a corner of the picture. */
@@ -27,7 +35,9 @@ function showCounters(stage: Stage): void {
   hud.id = "hud";
   setInterval(() => {
     const { fps, level, received, ignored, number, connected } = stage.counters();
-    const faces = Object.keys(stage.shown?.faces ?? {}).join(" + ");
+    const faces = Object.values(stage.shown?.characters ?? {})
+      .map((each) => Object.keys(each.faces).join(" + "))
+      .join(", ");
     hud.textContent = `${connected ? "on air" : "no server"}  ${fps} fps  ${level}  state ${number} (${received}, late ${ignored})\n${faces}`;
   }, 500);
 }

@@ -12,6 +12,7 @@ describe("a stage's address", () => {
       hud: false,
       quality: "auto",
       tile: undefined,
+      character: undefined,
     });
   });
 
@@ -45,7 +46,13 @@ describe("a stage's address", () => {
     });
   });
 
+  it("shows one character of the scene", () => {
+    expect(readParameters("?character=kaori_2").character).toBe("kaori_2");
+  });
+
   it.each([
+    ["?character=", "is no name of a character"],
+    ["?character=One", "character=One"],
     ["?colour=red", "colour"],
     ["?hud=maybe", "hud=maybe"],
     ["?background=gren", "background=gren is no colour; write green, blue"],

@@ -17,9 +17,11 @@ export interface StageParameters {
   /** What the picture may cost; "auto": as much as the machine draws in time. */
   quality: Level | "auto";
   tile: Tile | undefined;
+  /** The one character that is shown, alone; undefined: the scene. */
+  character: string | undefined;
 }
 
-const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud"];
+const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud", "character"];
 const QUALITIES: readonly string[] = ["auto", ...LEVELS];
 
 /** A parameter that cannot be obeyed; its message is a sentence for the page. */
@@ -38,6 +40,7 @@ export function readParameters(query: string): StageParameters {
     hud: readSwitch(given, "hud"),
     quality: readQuality(given.get("quality")),
     tile: readTile(given),
+    character: readCharacter(given.get("character")),
   };
 }
 
@@ -46,6 +49,13 @@ function readSwitch(given: URLSearchParams, name: string): boolean {
   if (value === null || value === "0") return false;
   if (value === "" || value === "1") return true;
   throw new ParameterError(`${name}=${value} is neither on nor off; write ${name}=1 or leave it out.`);
+}
+
+function readCharacter(value: string | null): string | undefined {
+  if (value === null || /^[a-z0-9_-]{1,24}$/.test(value)) return value ?? undefined;
+  throw new ParameterError(
+    `character=${value} is no name of a character: 1 to 24 of a to z, 0 to 9, "_" and "-", as in character=one.`,
+  );
 }
 
 /** A colour's name, or `#rrggbb`; an address may write it with its "#" as it is, or leave that out. */

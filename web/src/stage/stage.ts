@@ -3,14 +3,15 @@
 import { FaceView } from "../face/face_view";
 import { Breath } from "../face/pose/breath";
 import { JitterBuffer } from "../face/pose/jitter_buffer";
-import { type Pose, poseKey } from "../face/pose/pose";
+import type { Pose } from "../face/pose/pose";
+import { mixScenes, type ScenePose, sceneIn, sceneKey } from "../face/pose/scene_pose";
 import { Timeline } from "../face/pose/timeline";
 import { FrameHeadroom } from "../face/quality/frame_headroom";
 import { QualityController } from "../face/quality/quality_controller";
 import type { Level } from "../face/quality/quality_levels";
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
-import { STATE_RATE, type State } from "../link/messages";
+import { type CallState, STATE_RATE, type State } from "../link/messages";
 import { ShowLink } from "../link/show_link";
 import type { StageParameters } from "./parameters";
 
@@ -18,7 +19,7 @@ import type { StageParameters } from "./parameters";
 const LONGEST_DELAY = 0.06;
 /** On a wall every tile draws the state of one common instant; the slowest of them must have it by then. */
 const WALL_DELAY = 0.06;
-/** Seconds of silence after which the face breathes by itself. */
+/** Seconds of silence after which the faces breathe by themselves. */
 const ALONE = 1.0;
 
 /** Seconds without a change on air after which the stage is calm. */
@@ -36,9 +37,9 @@ export interface Counters {
   connected: boolean;
 }
 
-/** A page that shows the face: states in, frames out; holds the face when the server is gone. */
+/** A page that shows the scene, or one character of it: states in, frames out; holds the faces when the server is gone. */
 export class Stage {
-  private readonly timeline = new Timeline();
+  private readonly timeline = new Timeline<ScenePose>(mixScenes);
   private readonly breath = new Breath();
   private readonly jitterBuffer = new JitterBuffer(1 / STATE_RATE, LONGEST_DELAY);
   private readonly rate = new FrameRate();
@@ -53,10 +54,10 @@ export class Stage {
   private frameHeadroom: FrameHeadroom;
   private air = "";
   private movedAt = 0;
-  /** The pose last drawn. */
-  shown: Pose | undefined;
-  /** A pose that is drawn instead of the server's, in full; for tests. */
-  held: Pose | undefined;
+  /** The scene last drawn. */
+  shown: ScenePose | undefined;
+  /** A scene that is drawn instead of the server's, in full; for tests. */
+  held: ScenePose | undefined;
   /** No frame is drawn; somebody else draws with the view. */
   resting = false;
 
@@ -89,7 +90,7 @@ export class Stage {
     if (this.held === undefined) this.choose(time - this.last, time);
     this.shown = this.held ?? this.live(time);
     this.last = time;
-    if (this.shown !== undefined) this.view.show(this.shown, coming(this.state));
+    if (this.shown !== undefined) this.view.showScene(this.shown, (name) => coming(this.state, name));
     if (this.view.render(time) && this.shown !== undefined) {
       this.drawn += 1;
       this.rate.tick(time);
@@ -111,29 +112,58 @@ export class Stage {
     };
   }
 
+  /** The pose last drawn, of the first character. */
+  get pose(): Pose | undefined {
+    return Object.values(this.shown?.characters ?? {})[0];
+  }
+
+  /** The character that this stage was asked to show and that the show has not, or not yet. */
+  get missing(): string | undefined {
+    const { character } = this.parameters;
+    if (character === undefined || this.state === undefined) return undefined;
+    return this.state.characters[character] === undefined ? character : undefined;
+  }
+
+  /** The names of the characters of the show. */
+  get characters(): string[] {
+    return Object.keys(this.state?.characters ?? {});
+  }
+
   /** As good as the machine can: judged by how long the last frame took, `interval` seconds. */
   private choose(interval: number, time: number): void {
-    const calling = this.state !== undefined && (this.state.face_call !== null || this.state.expression_call !== null);
-    const calm = !calling && time - this.movedAt > CALM;
+    const calm = !this.calling && time - this.movedAt > CALM;
     const level = this.qualityController?.after({ interval, early: this.frameHeadroom.take(), calm });
     if (level !== undefined) void this.view.change(level);
   }
 
-  private live(time: number): Pose | undefined {
+  /** Whether any character is on its way to another face or expression, or the picture to another framing. */
+  private get calling(): boolean {
+    const { state } = this;
+    if (state === undefined) return false;
+    const calls = Object.values(state.characters).flatMap((each) => [
+      each.face_call,
+      each.expression_call,
+      ...Object.values(each.region_calls),
+    ]);
+    return [state.framing_call, ...calls].some((call) => call !== null);
+  }
+
+  private live(time: number): ScenePose | undefined {
     const delay = this.parameters.tile === undefined ? this.jitterBuffer.after(time - this.last) : WALL_DELAY;
-    const pose = this.timeline.at((this.link.clock.at(time) ?? 0) - delay, time);
+    const scene = this.timeline.at((this.link.clock.at(time) ?? 0) - delay, time);
     const alone = this.timeline.silence(time) > ALONE;
-    return pose && this.breath.on(pose, alone, time - this.last);
+    return scene && this.breath.on(scene, alone, time - this.last);
   }
 
   private receive(state: State): void {
     this.received += 1;
     this.state = state;
     const time = now();
-    const air = poseKey(state);
+    const scene = sceneIn(state, this.parameters.character);
+    const air = sceneKey(scene);
     if (air !== this.air) this.movedAt = time;
     this.air = air;
-    this.timeline.push(state, time);
+    this.timeline.push(scene, time);
     this.jitterBuffer.arrived((this.link.clock.at(time) ?? state.time) - state.time);
   }
 
@@ -178,10 +208,12 @@ const loadView = (
     level: parameters.quality === "auto" ? level : parameters.quality,
   });
 
-/** What the running calls will need. */
-function coming(state: State | undefined): { faces: string[]; expressions: string[] } {
-  const names = (call: State["face_call"] | undefined) => (call ? [call.target] : []);
-  return { faces: names(state?.face_call), expressions: names(state?.expression_call) };
+/** What the running calls of a character will need. */
+function coming(state: State | undefined, name: string): { faces: string[]; expressions: string[] } {
+  const names = (call: CallState | null | undefined) => (call ? [call.target] : []);
+  const character = state?.characters[name];
+  const regional = Object.values(character?.region_calls ?? {}).flatMap(names);
+  return { faces: names(character?.face_call), expressions: [...names(character?.expression_call), ...regional] };
 }
 
 /** Counts frames: how many in the last second, and how long the last ones took. */

@@ -2,9 +2,17 @@
 
 import type { Pose } from "../face/pose/pose";
 import { restPose } from "../face/pose/pose";
+import { alone, type CharacterPose, FRONT, type ScenePose } from "../face/pose/scene_pose";
 import type { Level } from "../face/quality/quality_levels";
+import { ALL } from "../link/constants";
 import { drawPictureGrid, type PictureGrid, SheetComposer } from "./picture_grid";
 import type { Counters, Stage } from "./stage";
+
+/** A scene of which parts may be left out. */
+export interface PartialScene {
+  characters: Record<string, Partial<CharacterPose>>;
+  framing?: ScenePose["framing"];
+}
 
 /** What tests and curious operators may ask of a stage: `window.omoteStage`. */
 export interface StageProbe {
@@ -12,6 +20,10 @@ export interface StageProbe {
   hold(pose: Partial<Pose> | null): Promise<void>;
   /** Like `hold`, for an animation: does not wait, and holds back what is not loaded. */
   set(pose: Partial<Pose>): void;
+  /** Like `hold`, for several characters: what they leave out is at rest, in front, present. */
+  holdScene(scene: PartialScene | null): Promise<void>;
+  /** Like `set`, for several characters. */
+  setScene(scene: PartialScene): void;
   /** Draws nothing of its own from now on: every frame would delay a picture. */
   rest(): void;
   /**
@@ -27,11 +39,13 @@ export interface StageProbe {
   finishSheet(): Promise<string>;
   /** Draws at a level of quality, from when its shaders are ready on; with `?quality=auto` the stage may choose again. */
   change(level: Level): Promise<void>;
-  /** The blended positions (vertices x 3, metres), read back from the GPU. */
-  readPositions(): number[];
+  /** The blended positions (vertices x 3, metres) of a character, by default the first, read back from the GPU. */
+  readPositions(character?: string): number[];
   counters(): Counters;
-  /** The pose last drawn. */
+  /** The pose last drawn, of the first character. */
   pose(): Pose | undefined;
+  /** The scene last drawn. */
+  scene(): ScenePose | undefined;
   /** Whether all of the pose shows in full: nothing is being fetched or caught up with. */
   settled(): boolean;
 }
@@ -46,11 +60,18 @@ declare global {
 export function exposeProbe(stage: Stage): void {
   window.omoteStage = {
     hold: async (pose) => {
-      stage.held = pose === null ? undefined : { ...restPose("generic"), ...pose };
-      if (stage.held !== undefined) await stage.view.present(stage.held);
+      stage.held = pose === null ? undefined : alone({ ...restPose("generic"), ...pose });
+      if (stage.held !== undefined) await stage.view.presentScene(stage.held);
     },
     set: (pose) => {
-      stage.held = { ...restPose("generic"), ...pose };
+      stage.held = alone({ ...restPose("generic"), ...pose });
+    },
+    holdScene: async (scene) => {
+      stage.held = scene === null ? undefined : wholeScene(scene);
+      if (stage.held !== undefined) await stage.view.presentScene(stage.held);
+    },
+    setScene: (scene) => {
+      stage.held = wholeScene(scene);
     },
     rest: () => {
       stage.resting = true;
@@ -61,11 +82,20 @@ export function exposeProbe(stage: Stage): void {
     },
     ...sheetProbe(),
     change: (level) => stage.view.change(level),
-    readPositions: () => Array.from(stage.view.readPositions()),
+    readPositions: (character) => Array.from(stage.view.readPositions(character)),
     counters: () => stage.counters(),
-    pose: () => stage.shown,
+    pose: () => stage.pose,
+    scene: () => stage.shown,
     settled: () => stage.view.settled,
   };
+}
+
+/** A scene with all that it leaves out: characters at rest, in front, present; a framing of all. */
+function wholeScene({ characters, framing = { [ALL]: 1 } }: PartialScene): ScenePose {
+  const whole = Object.entries(characters).map(([name, given]) => {
+    return [name, { ...restPose("generic"), presence: 1, ...given, place: { ...FRONT, ...given.place } }] as const;
+  });
+  return { characters: Object.fromEntries(whole), framing };
 }
 
 /** Composes a sheet from files of pictures. */

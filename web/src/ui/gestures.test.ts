@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { placeIn } from "./gestures";
+import { placeIn, strayClickStopper } from "./gestures";
 
 describe("the place of a pointer", () => {
   it("is 0 to 1 from the left and from the bottom", () => {
@@ -21,4 +21,19 @@ describe("the place of a pointer", () => {
       if (size.width === 0) expect(new Set(places.map(([x]) => x))).toEqual(new Set([0.3]));
     }
   });
+});
+
+it("a double click's second click is heard where the first was, and nowhere else", () => {
+  const [create, row] = [new EventTarget(), new EventTarget()];
+  const hear = strayClickStopper();
+  const stopped = (target: EventTarget, detail: number): boolean => {
+    let calls = 0;
+    const stop = (): void => {
+      calls += 1;
+    };
+    hear({ detail, composedPath: () => [target], stopPropagation: stop, preventDefault: stop });
+    return calls === 2;
+  };
+  expect([stopped(create, 1), stopped(row, 2)]).toEqual([false, true]);
+  expect([stopped(row, 1), stopped(row, 2), stopped(row, 3)]).toEqual([false, false, false]);
 });

@@ -17,12 +17,13 @@ Rows = NDArray[np.int64]
 
 
 def build_welcome(cast: Cast, /) -> Greeted:
-    """Builds the answer to `greet`, still without the items; ValueError where the head has no two eyes."""
+    """Builds the answer to `greet`, still without show, items and drafts; ValueError where the head has no two eyes."""
     rows, anchors, shares = followers(cast.space)
     weights = region_weights(cast.space)
     return Greeted(
         version=EDITING_VERSION,
         digest=cast.digest,
+        show="",
         muscles=muscle_documents(cast.space),
         regions=list(REGIONS),
         masks=b"".join(le_bytes(np.rint(255 * weights[region]), "u1") for region in REGIONS),
@@ -30,6 +31,7 @@ def build_welcome(cast: Cast, /) -> Greeted:
         anchors=le_bytes(anchors, "<u4"),
         shares=le_bytes(shares, "<f4"),
         items=[],
+        unsaved=[],
     )
 
 

@@ -16,7 +16,7 @@ from omote.model.recipes.recipe import FaceRecipe, GainRow, Layer, Pull, Recipe,
 from omote.show.messages import Cancel, Message, Name, Notice, Notices, Progress  # noqa: F401  (the mirror has all)
 from omote.showfile.changes import Kind
 
-EDITING_VERSION = 4
+EDITING_VERSION = 5
 EDITING_PATH = "/editing"
 EDITING_LIMIT = 65536
 """Bytes; no message of an editor is longer."""
@@ -284,10 +284,13 @@ class NetDocument(msgspec.Struct, frozen=True):
 class Greeted(Message, frozen=True):
     """Answers greet: the muscles, the regions, `masks`: how much each region owns of each vertex of the skin,
     (regions, V) u8 little-endian, 255 all; `followers`, `anchors`, `shares`: the rows (skin, then parts, as in the
-    manifest) that follow the sheet, (f,) u32, (f, k) u32, (f, k) f32; all items."""
+    manifest) that follow the sheet, (f,) u32, (f, k) u32, (f, k) f32; all items; `show`: which show this is, as in
+    `Welcome`: requests that wait for answers of another one are not sent again; `unsaved`: the items of which this
+    editor has a draft that is not saved."""
 
     version: int
     digest: str
+    show: str
     muscles: list[MuscleDocument]
     regions: list[str]
     masks: bytes
@@ -295,6 +298,7 @@ class Greeted(Message, frozen=True):
     anchors: bytes
     shares: bytes
     items: list[ItemDocument]
+    unsaved: list[int]
 
 
 class Items(Message, frozen=True):

@@ -8,6 +8,8 @@ from omote.edit.protocol.messages import EDITING_LIMIT, FromEditor, HandlesAsset
 from omote.edit.protocol.orders import Baked
 from omote.interchange.formats.error_reasons import explain_error
 from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.show.access.access_role import HIGHEST, AccessRole
+from omote.show.access.message_roles import EDITOR_MESSAGES, check_message
 from omote.show.validation import Refusal
 from omote.show.wire import message_in
 
@@ -24,9 +26,9 @@ def encode(message: FromEditor | ToEditor | TangentsAsset | HandlesAsset | Baked
     return _encoder.encode(message)
 
 
-def decode(data: bytes) -> FromEditor:
-    """Decodes an editor's message; Refusal for invalid bytes."""
-    return message_in(data, _from_editor, EDITING_LIMIT)
+def decode(data: bytes, role: AccessRole = HIGHEST) -> FromEditor:
+    """Decodes an editor's message; Refusal for invalid bytes, and for what the role of its sender does not allow."""
+    return check_message(EDITOR_MESSAGES, role, message_in(data, _from_editor, EDITING_LIMIT))
 
 
 class _Numbered(msgspec.Struct):

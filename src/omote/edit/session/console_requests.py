@@ -16,7 +16,7 @@ from omote.edit.session.saving import Author
 from omote.edit.store.on_air_recipes import OnAir, recipe_on_air
 from omote.interchange.formats.error_reasons import explain_error
 from omote.show import messages as wire
-from omote.show.session import KeepRequest
+from omote.show.outgoing import KeepRequest
 from omote.show.validation import Refusal
 from omote.showfile.changes import Change, DropLayout, Item, Kind, PutItem, PutLayout
 

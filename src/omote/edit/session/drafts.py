@@ -105,6 +105,12 @@ def is_dirty(state: AuthoredState, key: DraftKey) -> bool:
         return True
 
 
+def find_unsaved(state: AuthoredState, editor: str) -> list[int]:
+    """The items, not deleted, of which an editor has a draft that is not saved."""
+    keys = sorted(key for key in state.drafts if key[1] == editor)
+    return [key[0] for key in keys if not state.items[key[0]].deleted and is_dirty(state, key)]
+
+
 def _is_outdated(state: AuthoredState, key: DraftKey) -> bool:
     """Whether a draft holds no unsaved changes and another revision plays by now."""
     draft = state.drafts[key]

@@ -28,6 +28,7 @@ from omote.edit.store.on_air_recipes import OnAir
 from omote.edit.store.sources import Sources
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY
+from omote.show.access.access_role import HIGHEST, AccessRole
 from omote.show.messages import Cancel, Message
 from omote.show.validation import Refusal
 from omote.showfile.changes import Change, Stored
@@ -81,7 +82,7 @@ class EditSession:
     """All authored work, and who is editing what.
 
     contents: what the show file has, by key; net: the control points of a new expression; welcome: the constant part of
-    the answer to greet.
+    the answer to greet; show: which show this is, "" where no file says so.
     """
 
     def __init__(
@@ -100,6 +101,7 @@ class EditSession:
         bounds = Bounds(base.space.on_sheet, frozenset(muscle.name for muscle in welcome.muscles))
         self.authored = Authored(base, state, store, Sources(base, state, store), bounds, net)
         self._welcome = welcome
+        self.show = ""
         self.refused = 0
         self.crew: dict[str, Member] = {}
         self._queues = DraftQueues()
@@ -124,11 +126,11 @@ class EditSession:
         """All authored work."""
         return self.authored.state.stored()
 
-    def receive_bytes(self, who: str, data: bytes, *, wall: float, on_air: OnAir) -> Outcome:
-        """Handles the bytes of an editor; wall: seconds since 1970, shown in histories."""
+    def receive_bytes(self, who: str, data: bytes, wall: float, on_air: OnAir, role: AccessRole = HIGHEST) -> Outcome:
+        """Handles the bytes of an editor; wall: seconds since 1970, shown in histories; role: of who sends them."""
         answer = _Answer()
         try:
-            message = decode(data)
+            message = decode(data, role)
             if isinstance(message, wire.Greet):
                 self._greet(answer, who, message)
             elif isinstance(message, Cancel):
@@ -179,8 +181,7 @@ class EditSession:
         if member is None:
             raise Refusal("nothing is heard before greet: send greet with editor, name and version first.")
         context = RequestContext(self.authored, message, Author(member.name, member.editor, wall), on_air)
-        request: int = context.message.request
-        return Task(queue_key(message, member.editor), lambda: respond(context), who, request)
+        return Task(queue_key(message, member.editor), lambda: respond(context), who, context.message.request)
 
     # --- carrying out -------------------------------------------------------------------------------------------------
 
@@ -286,8 +287,9 @@ class EditSession:
             self._digest = digest_of(self.authored.base.digest, self.own())
         listed = items.list_items(self.authored.state, self._digest, self._editors) if answer.listed else self._sent
         if answer.greeted is not None:
-            welcome = replace(self._welcome, version=wire.EDITING_VERSION, digest=self._digest, items=listed.items)
-            answer.replies.append(Outgoing(answer.greeted, welcome))
+            unsaved = drafts.find_unsaved(self.authored.state, self.crew[answer.greeted].editor)
+            welcome = replace(self._welcome, version=wire.EDITING_VERSION, digest=self._digest, show=self.show)
+            answer.replies.append(Outgoing(answer.greeted, replace(welcome, items=listed.items, unsaved=unsaved)))
         if listed != self._sent:
             answer.replies += [Outgoing(who, listed) for who in self.crew if who != answer.greeted]
             self._sent = listed

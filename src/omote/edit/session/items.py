@@ -66,7 +66,7 @@ def delete(item: Item, on_air: OnAir, request: int) -> Result:
 
 def mark_deleted(item: Item, on_air: OnAir) -> Item:
     """An item as it is out of the cast; Refusal while it is on air, coming or the home face."""
-    if item.name == on_air.home:
+    if item.name in on_air.homes:
         raise Refusal(
             f"{item.label!r} is the home face, which panic brings: choose another in a console's Set-up first."
         )

@@ -13,6 +13,7 @@ from omote.showfile.changes import (
     DropLayout,
     Edit,
     Item,
+    PutBindings,
     PutContent,
     PutDraft,
     PutEdit,
@@ -42,6 +43,7 @@ class AuthoredState:
             if (key := (draft.item, draft.editor)) in self.edits
         }
         self.layouts = dict(stored.layouts)
+        self.bindings = stored.bindings
 
     def apply(self, changes: Iterable[Change]) -> None:
         """Applies changes, in order."""
@@ -56,6 +58,7 @@ class AuthoredState:
             drafts=tuple(self.drafts[key] for key in sorted(self.drafts)),
             edits=tuple(edit for key in sorted(self.edits) for edit in self.edits[key]),
             layouts=self.layouts,
+            bindings=self.bindings,
         )
 
     def head(self, item: Item) -> Revision | None:
@@ -125,6 +128,10 @@ class AuthoredState:
     @_apply.register
     def _(self, change: DropLayout) -> None:
         self.layouts.pop(change.name, None)
+
+    @_apply.register
+    def _(self, change: PutBindings) -> None:
+        self.bindings = change.document
 
 
 def _complete_steps(edits: Iterable[Edit]) -> dict[DraftKey, list[Edit]]:

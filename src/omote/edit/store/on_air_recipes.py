@@ -2,41 +2,68 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from msgspec import structs
 
 from omote.edit.store.sources import Sources
-from omote.model.known_names import NEUTRAL
+from omote.model.known_names import NEUTRAL, PlayRegion
 from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
-from omote.show.messages import State
+from omote.model.space.head_regions import REGIONS_OF, Region
+from omote.perform.mix import combine
+from omote.show.messages import CallState, CharacterState, State
 from omote.show.validation import Refusal
 from omote.showfile.changes import Kind
 
 
 @dataclass(frozen=True)
 class OnAir:
-    """Weights by name of what is on air, the names of what is coming (called, or held by a T-bar), the home face."""
+    """Weights by name of what a character has on air, and of the regions that show another mix of expressions; over all
+    characters, the home faces and the names of what else is on air or coming (called, or held by a T-bar)."""
 
     faces: Mapping[str, float] = field(default_factory=dict)
     expressions: Mapping[str, float] = field(default_factory=dict)
     channels: Mapping[str, float] = field(default_factory=dict)
     coming: frozenset[str] = frozenset()
-    home: str = ""
+    homes: frozenset[str] = frozenset()
+    regions: Mapping[PlayRegion, Mapping[str, float]] = field(default_factory=dict)
 
     @property
     def names(self) -> frozenset[str]:
         """All names in use, which must not be removed now."""
-        weights = (self.faces, self.expressions, self.channels)
+        weights = (self.faces, self.expressions, self.channels, *self.regions.values())
         return self.coming | {name for each in weights for name, weight in each.items() if weight}
 
 
-def read_on_air(state: State) -> OnAir:
-    """What a show's state has on air; channels as they act, the gaze's part included."""
-    calls = (call for call in (state.face_call, state.expression_call) if call is not None)
-    names = (*state.channels, *(name for name in state.lids if name not in state.channels))
-    channels = {name: state.channels.get(name, 0.0) + state.lids.get(name, 0.0) for name in names}
-    coming = frozenset(call.target for call in calls)
-    return OnAir(state.faces, state.expressions, channels, coming, state.home_face)
+def read_on_air(state: State, character: str = "") -> OnAir:
+    """What a character has on air in a show's state: the one named, else the first that is on the stage; channels as
+    they act, the gaze's part included."""
+    all_of_them = state.characters
+    on_stage = (name for name, each in all_of_them.items() if each.presence > 0.0)
+    shown = all_of_them[character if character in all_of_them else next(on_stage, next(iter(all_of_them)))]
+    coming = {call.target for each in all_of_them.values() for call in calls_of(each)}
+    coming.update(*(_seen(each).names for each in all_of_them.values()))
+    homes = frozenset(each.home_face for each in all_of_them.values())
+    return replace(_seen(shown), coming=frozenset(coming), homes=homes)
+
+
+def _seen(character: CharacterState) -> OnAir:
+    """What one character alone shows."""
+    regions = character.regions
+    return OnAir(character.faces, character.expressions, channels_of(character), regions=regions)
+
+
+def calls_of(character: CharacterState) -> list[CallState]:
+    """All calls that run: of faces, of expressions, and of those in regions."""
+    calls = (character.face_call, character.expression_call, *character.region_calls.values())
+    return [call for call in calls if call is not None]
+
+
+def channels_of(character: CharacterState) -> dict[str, float]:
+    """The channels of a character as they act, the gaze's part included."""
+    names = (*character.channels, *(name for name in character.lids if name not in character.channels))
+    return {name: character.channels.get(name, 0.0) + character.lids.get(name, 0.0) for name in names}
 
 
 def neutral_recipe(net: tuple[int, ...]) -> Recipe:
@@ -49,7 +76,19 @@ def recipe_on_air(kind: Kind, on_air: OnAir, net: tuple[int, ...], sources: Sour
     if kind == "face":
         return face_recipe(on_air.faces, sources)
     together = (*on_air.expressions.items(), *on_air.channels.items())
-    return expression_recipe([(name, weight) for name, weight in together if weight], net, sources)
+    whole = expression_recipe([(name, weight) for name, weight in together if weight], net, sources)
+    return structs.replace(whole, layers=(*whole.layers, *_regional_layers(on_air, sources)))
+
+
+def _regional_layers(on_air: OnAir, sources: Sources) -> list[Layer]:
+    """What regions show beyond the whole face, as layers on the regions of the head that each consists of."""
+    more = {region: combine(((1.0, mix), (-1.0, on_air.expressions))) for region, mix in sorted(on_air.regions.items())}
+    return [
+        layer
+        for region, weights in more.items()
+        for part in REGIONS_OF[region]
+        for layer in _layers([*weights.items()], sources, part)
+    ]
 
 
 def face_recipe(weights: Mapping[str, float], sources: Sources) -> FaceRecipe:
@@ -66,9 +105,12 @@ def face_recipe(weights: Mapping[str, float], sources: Sources) -> FaceRecipe:
 
 def expression_recipe(weights: list[tuple[str, float]], net: tuple[int, ...], sources: Sources) -> Recipe:
     """The recipe of weighted expressions as layers; neutral needs none."""
-    layers = tuple(
-        Layer(sources.resolve("expression", name), sources.label("expression", name), weight)
+    return Recipe(net=net, vectors=neutral_recipe(net).vectors, layers=_layers(weights, sources))
+
+
+def _layers(weights: Sequence[tuple[str, float]], sources: Sources, region: Region | None = None) -> tuple[Layer, ...]:
+    return tuple(
+        Layer(sources.resolve("expression", name), sources.label("expression", name), weight, region)
         for name, weight in weights
         if name != NEUTRAL and weight
     )
-    return Recipe(net=net, vectors=neutral_recipe(net).vectors, layers=layers)

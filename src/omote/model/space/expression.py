@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import MappingProxyType
 
 import numpy as np
@@ -13,6 +14,8 @@ from omote.geometry import mesh
 
 Values = NDArray[np.float64]
 
+STILL_EYES = (0.0, 0.0, 0.0, 0.0)
+"""The turns of eyes by an expression that leaves them alone."""
 LONGEST_NAME = 80
 """Characters; what a message of a console may hold (`show/messages.py`)."""
 
@@ -101,6 +104,14 @@ class Expression:
             name: _validate(value, f"part {name!r}", (*np.shape(value)[:1], 3)) for name, value in self.parts.items()
         }
         object.__setattr__(self, "parts", MappingProxyType(parts))
+
+    @cached_property
+    def eye_turns(self) -> tuple[float, float, float, float]:
+        """Yaw and pitch of the left and of the right eyeball, radians, as plain numbers: they are added sixty times a
+        second."""
+        left_yaw, left_pitch, right_yaw, right_pitch = self.eyes.ravel().tolist()
+        turns = left_yaw, left_pitch, right_yaw, right_pitch
+        return turns if any(turns) else STILL_EYES
 
 
 def refuse_name(name: object, what: str, /) -> None:

@@ -4,17 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Literal, get_args
 from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.known_names import PlayRegion
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
 Region = Literal["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "ears", "skull"]
 REGIONS: tuple[Region, ...] = get_args(Region)
+REGIONS_OF: Mapping[PlayRegion, tuple[Region, ...]] = MappingProxyType(
+    {"brows": ("brows", "skull"), "eyes": ("eyes",), "mouth": ("mouth", "jaw", "cheeks"), "rest": ("nose", "ears")}
+)
+"""The regions of the head that each owns: the forehead moves with the brows, cheeks and throat with the mouth."""
 
 
 @dataclass(frozen=True)

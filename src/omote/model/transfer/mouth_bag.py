@@ -25,7 +25,7 @@ class MouthBag:
     vertices (m,); triangles (t, 3) of the mesh that touch it; rows (n,): the row in `vertices` of each inner vertex, or
     -1; distance (m,): metres along the mesh to the sheet; neighbours (m, k): rows, a vertex's own where it has fewer;
     starts (m,): sheet vertices at which a walk to the skin outside begins; region (k,): the bag and the skin within
-    REACH of it.
+    REACH of it; skin (s, 3), membranes (o, 3): the triangles of the sheet there, and what closes its openings.
     """
 
     vertices: Indices
@@ -35,6 +35,8 @@ class MouthBag:
     neighbours: NDArray[np.int64]
     starts: Indices
     region: Indices
+    skin: Indices
+    membranes: Indices
 
 
 # The bag is behind skin that is no farther from it than this, metres.
@@ -66,7 +68,9 @@ def _search(space: ParameterSpace) -> Sequence[MouthBag]:
     )
     near, _ = cKDTree(space.points[vertices]).query(space.points)
     region = np.flatnonzero(near < REACH).astype(np.int32)
-    return (MouthBag(vertices, triangles, rows, distance, neighbours, _nearest_on_sheet(space, vertices), region),)
+    starts = _nearest_on_sheet(space, vertices)
+    skin, membranes = (part[(near < REACH)[part].all(axis=1)] for part in (space.sheet_triangles, space.membranes))
+    return (MouthBag(vertices, triangles, rows, distance, neighbours, starts, region, skin, membranes),)
 
 
 def _behind(corners: Indices, inner: NDArray[np.bool_], lips: Indices) -> Indices:

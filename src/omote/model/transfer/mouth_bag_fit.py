@@ -1,7 +1,8 @@
 """Pushes the mouth bag behind the skin of a compound (docs/method.md, "Mouth bag").
 
 Rays from the cylinder's axis find how deep each vertex lies; what is not deep enough is projected along the skin's
-normal, its neighbours with it. The depth that is required does not depend on the expression, so a compound stays linear
+normal, its neighbours with it. Rays along the skin say little: there the winding number says what is out, and the
+nearest triangle how far. The depth that is required does not depend on the expression, so a compound stays linear
 in its residual where nothing comes out.
 """
 
@@ -13,6 +14,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.geometry.proximity import nearest_triangles, winding_numbers
 from omote.geometry.ramp import smooth_ramp
 from omote.model.space.eye_socket import fall_off
 from omote.model.space.face import Face
@@ -22,7 +24,9 @@ from omote.model.transfer.paper_map import project_to_surface
 
 Floats = NDArray[np.float32]
 Values = NDArray[np.float64]
+Rows = NDArray[np.intp] | slice
 
+ALL = slice(None)
 _limits: WeakKeyDictionary[Face, tuple[ParameterSpace, Values]] = WeakKeyDictionary()
 
 # How far behind the skin the bag stays, where it is as far behind it on the generic face at rest, metres; less toward
@@ -40,31 +44,37 @@ STILL = 1e-5
 # Skin that the ray from the axis only grazes, cosines below MET, says little of what lies behind it: the bag may lie
 # SLACK metres in front of it where it is parallel to the ray, less toward MET.
 MET, SLACK = 0.2, 0.02
+# What is outside by less than the first, metres, is so at rest too; what is by more than the second is between lips
+# that have passed each other, which no bag mends.
+OUT, PASSED = 0.0003, 0.004
 
 
 @dataclass(frozen=True, eq=False)
 class Depths:
     """How far behind the skin each vertex of a bag lies: depth (m,) metres along the skin's normal, less than zero in
-    front; more where the skin is only grazed; inward (m, 3): the way to go deeper."""
+    front; more where the skin is only grazed; inward (m, 3): the way to go deeper; doubtful (m,): in front of the plane
+    of skin that is only grazed."""
 
     depth: Values
     inward: Values
+    doubtful: NDArray[np.bool_]
 
 
-def measure_depths(space: ParameterSpace, bag: MouthBag, positions: Values, /) -> Depths:
-    """The depths of a bag behind the sheet of positions (V, 3), seen from the cylinder's axis."""
-    points = positions[bag.vertices]
-    landing = project_to_surface(space, positions, points, bag.starts)
+def measure_depths(space: ParameterSpace, bag: MouthBag, positions: Values, /, rows: Rows = ALL) -> Depths:
+    """The depths of a bag behind the sheet of positions (V, 3), seen from the cylinder's axis; rows (r,): of these of
+    its vertices alone."""
+    points = positions[bag.vertices[rows]]
+    landing = project_to_surface(space, positions, points, bag.starts[rows])
     corners = positions[space.location_triangles[landing.triangles]]
     surface = (landing.weights[..., None] * corners).sum(axis=1)
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
+    normal = _face_normals(corners)
     ahead = points - [space.cylinder.x, 0.0, space.cylinder.z]
     ahead[:, 1] = 0.0
     ahead /= np.maximum(np.linalg.norm(ahead, axis=1, keepdims=True), 1e-9)
     grazed = np.maximum(MET - (ahead * normal).sum(axis=1), 0.0) / MET
-    depth = ((surface - points) * normal).sum(axis=1) + SLACK * grazed
-    return Depths(np.where(landing.inside, depth, np.inf), -normal)
+    depth = ((surface - points) * normal).sum(axis=1)
+    doubtful = landing.inside & (grazed > 0) & (depth < 0)
+    return Depths(np.where(landing.inside, depth + SLACK * grazed, np.inf), -normal, doubtful)
 
 
 def require_depths(space: ParameterSpace, bag: MouthBag, /) -> Values:
@@ -97,18 +107,48 @@ def push_inside(space: ParameterSpace, bag: MouthBag, wanted: Values, positions:
     Each round projects what is not deep enough along the skin's normal, its neighbours with it as far as they have no
     depth to spare, so no dent is left.
     """
-    result = positions.copy()
+    result, here = positions.copy(), measure_depths(space, bag, positions)
     for _ in range(ROUNDS):
-        here = measure_depths(space, bag, result)
-        push = missing_depths(wanted, here)
+        push, inward = _push_doubtful(bag, result, here, missing_depths(wanted, here))
         if push.max() < EXACT:
             break
         spare = np.maximum(here.depth - wanted, 0.0)
         for _ in range(RINGS):
             push = np.maximum(push, SHARE * push[bag.neighbours].max(axis=1) - spare)
-        result[bag.vertices] += push[:, None] * here.inward
+        result[bag.vertices] += push[:, None] * inward
+        moved = np.flatnonzero(push)  # the skin stays, so does what was found of all others
+        _put(here, moved, measure_depths(space, bag, result, moved))
     placed: Values = result[bag.vertices]
     return placed
+
+
+def _put(here: Depths, rows: Rows, found: Depths) -> None:
+    """Puts what was found of some vertices in place of what was known of them."""
+    here.depth[rows], here.inward[rows], here.doubtful[rows] = found.depth, found.inward, found.doubtful
+
+
+def _push_doubtful(bag: MouthBag, positions: Values, here: Depths, push: Values) -> tuple[Values, Values]:
+    """Pushes (m,) and their ways (m, 3), with those of doubtful vertices that are outside: to the nearest skin, no
+    deeper, so that none jumps as it comes out."""
+    rows = np.flatnonzero(here.doubtful & (push <= 0))
+    if len(rows) == 0:
+        return push, here.inward
+    corners, points = positions[np.concatenate([bag.skin, bag.membranes])], positions[bag.vertices[rows]]
+    outside = winding_numbers(corners, points) < 0  # the skin around alone: a half behind it, less by one before it
+    rows, points = rows[outside], points[outside]
+    away, nearest = nearest_triangles(corners, points)
+    out = (nearest < len(bag.skin)) & (away > OUT) & (away < PASSED)
+    push, inward = push.copy(), here.inward.copy()
+    push[rows[out]] = away[out] - OUT
+    inward[rows[out]] = -_face_normals(corners[nearest[out]])
+    return push, inward
+
+
+def _face_normals(corners: Values) -> Values:
+    """The unit normals (n, 3) of triangles (n, 3, 3)."""
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    result: Values = normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
+    return result
 
 
 def fit_mouth_bag(space: ParameterSpace, face: Face, positions: Floats, /) -> Floats:

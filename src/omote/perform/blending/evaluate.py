@@ -10,20 +10,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.cast import Cast
-from omote.model.known_names import NEUTRAL
+from omote.model.known_names import NEUTRAL, PlayRegion, check_play_region
 from omote.model.space.ears import turn_ears
 from omote.model.space.face_fit import FittedFace, fit, generic_face
-from omote.model.transfer.compound import move_parts, predict_part, turn_eyes
-from omote.model.transfer.corrective_regions import find_corrective_regions
+from omote.model.transfer.compound import move_parts, turn_eyes
 from omote.model.transfer.paper_map import apply_paper_map
-from omote.perform.blending.answered_mix import AnsweredMix, answered_mix
+from omote.perform.blending.answered_mix import AnsweredMix, RegionalMix, answered_mix
 from omote.perform.blending.compound_cache import compound_cache
-from omote.perform.blending.correctives import Eyeballs, correct_combination
+from omote.perform.blending.frame_correctives import angles_of_eyes, correct_frame, correct_parts, sum_points
+from omote.perform.blending.region_masks import PlayMask, play_masks
 from omote.perform.blending.weighted_sum import weighted_sum
-from omote.perform.channels import effective_channels, eye_angles
+from omote.perform.channels import channels_of
 from omote.perform.frame import Frame
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
-from omote.perform.mix import combine
+from omote.perform.mix import Weights, combine
 
 Floats = NDArray[np.float32]
 Mode = Literal["bilinear", "exact"]
@@ -36,7 +36,8 @@ ROUNDING = 1e-4
 def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
     """The skin and inner skin of a frame.
 
-    bilinear (eq. 3, with channels): sum_i s_i [sum_j t_j P_ij + sum_k c_k (P_ik - M_i)];
+    bilinear (eq. 3, with channels): sum_i s_i [sum_j t_j P_ij + sum_k c_k (P_ik - M_i)], where t_j of a vertex is the
+    mean of the regions' own by how much of it belongs to each (`Frame.regions`);
     exact: the face sum_i s_i M_i wears the expression sum_j t_j D_j + sum_k c_k D_k, located anew (transfer="paper");
     with transfer="smooth" the generic face wears it so, and the faces follow by their own compounds.
 
@@ -74,8 +75,8 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
     K. Arai (1993), equation 3; docs/method.md, "The mix".
     """
     _refuse_unplayable(cast, frame, mode)
-    channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
-    return _correct(cast, frame, channels, _mix(cast, frame, channels, mode))
+    channels = channels_of(cast.expressions, frame)
+    return correct_frame(cast, frame, channels, _mix(cast, frame, channels, mode))
 
 
 def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
@@ -112,14 +113,14 @@ def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[st
     docs/method.md, "The mix".
     """
     _refuse_unplayable(cast, frame, mode)
-    channels = effective_channels(cast.expressions, frame.channels, frame.gaze)
+    channels = channels_of(cast.expressions, frame)
     mixed = _mix(cast, frame, channels, mode)
     exact = mode == "exact"
     moved = _exact_parts(cast, frame, channels, mixed) if exact else _bilinear_parts(cast, frame, channels)
-    moved |= _correct_parts(cast, frame, channels, mixed, moved)
+    moved |= correct_parts(cast, frame, channels, mixed, moved)
     fitted = [(weight, fit(cast.space, cast.faces[face])) for face, weight in frame.faces.items()]
-    centres = {part: _sum((weight, face.centres[part]) for weight, face in fitted) for part in cast.space.parts}
-    return turn_eyes(cast.space, moved, centres, eye_angles(cast.expressions, frame.expressions, channels))
+    centres = {part: sum_points((weight, face.centres[part]) for weight, face in fitted) for part in cast.space.parts}
+    return turn_eyes(cast.space, moved, centres, angles_of_eyes(cast, frame, channels))
 
 
 def _mix(cast: Cast, frame: Frame, channels: Mapping[str, float], mode: Mode) -> Floats:
@@ -146,55 +147,46 @@ def _rests(frame: Frame, channels: Mapping[str, float]) -> dict[str, float]:
     return {face: -s * doubled for face, s in frame.faces.items()} if doubled else {}
 
 
+def _regional(cast: Cast, frame: Frame) -> list[tuple[PlayRegion, PlayMask, Weights]]:
+    """Each region that shows another mix than the face, its mask, and by how much its weights differ from the face's;
+    they sum to nothing."""
+    differ = {region: combine(((1.0, mix), (-1.0, frame.expressions))) for region, mix in sorted(frame.regions.items())}
+    return [(region, play_masks(cast.space)[region], more) for region, more in differ.items() if more]
+
+
+def _pairs_more(frame: Frame, more: Weights) -> dict[tuple[str, str], float]:
+    """The weights s_i t_j of a region's difference."""
+    return {(face, name): s * weight for face, s in frame.faces.items() for name, weight in more.items()}
+
+
 def _bilinear(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
     compounds = compound_cache(cast)
     terms = [(cast.faces[face].positions, weight) for face, weight in _rests(frame, channels).items()]
     terms += [(compounds.skin(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
-    return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
-
-
-def _correct(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
-    """The mix with its correctives, where compounds together fold or pierce what none does alone."""
-    regions = find_corrective_regions(cast.space)
-    pairs = {key: abs(weight) for key, weight in _pairs(frame, channels).items() if key[1] != NEUTRAL and weight}
-    if regions is None or not pairs:
-        return mixed
-    compounds, fitted = compound_cache(cast), [fit(cast.space, cast.faces[face]) for face in frame.faces]
-    factors = list(frame.faces.values())
-    angles = eye_angles(cast.expressions, frame.expressions, channels)
-    balls = [Eyeballs.of(face, regions.eyes, angles) for face in fitted]
-    whole = Eyeballs(
-        np.asarray(_sum((s, ball.centres) for s, ball in zip(factors, balls, strict=True))),
-        np.asarray(sum(s * ball.radii for s, ball in zip(factors, balls, strict=True))), angles,
-    )  # fmt: skip
-    rest = weighted_sum([face.positions for face in fitted], factors)
-    allowed = weighted_sum([compounds.allowance(*key) for key in pairs], list(pairs.values()))
-    return correct_combination(regions, rest, mixed, allowed, whole)
-
-
-def _correct_parts(
-    cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats, moved: Mapping[str, Floats]
-) -> dict[str, Floats]:  # fmt: skip
-    """The parts that are attached to the skin, moved with it where it is corrected."""
-    regions = find_corrective_regions(cast.space)
-    if regions is None:
-        return {}
-    corrected = _correct(cast, frame, channels, mixed)
-    if corrected is mixed:
-        return {}
-    move = corrected.astype(np.float64) - mixed
-    return {
-        part: (moved[part] + predict_part(cast.space, part, move)).astype(np.float32) for part in regions.attached_parts
-    }
+    total = weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
+    for _, mask, more in _regional(cast, frame):
+        pairs = _pairs_more(frame, more)
+        total += mask.skin * weighted_sum([compounds.skin(*key) for key in pairs], list(pairs.values()))
+    return total
 
 
 def _exact(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
-    worn = answered_mix(cast, frame.faces, combine(((1.0, frame.expressions), (1.0, channels))))
+    worn = _worn(cast, frame, channels)
     if cast.space.transfer == "smooth":
         return _bilinear(cast, frame, channels) + _nonlinear_part(cast, worn)
     face = _mix_faces(cast, frame.faces)
     skin = apply_paper_map(cast.space, face, worn.compile())
     return turn_ears(cast.space, face.positions, skin, worn.ears) if worn.ears.any() else skin
+
+
+def _worn(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> AnsweredMix:
+    """What the faces make of the whole face's mix and channels, and of what regions show beyond it."""
+    worn = answered_mix(cast, frame.faces, combine(((1.0, frame.expressions), (1.0, channels))))
+    regions = [
+        RegionalMix(region, mask, answered_mix(cast, frame.faces, more))
+        for region, mask, more in _regional(cast, frame)
+    ]
+    return worn.with_regions(regions) if regions else worn
 
 
 def _nonlinear_part(cast: Cast, worn: AnsweredMix) -> Floats:
@@ -231,11 +223,8 @@ def _mix_faces(cast: Cast, weights: Mapping[str, float]) -> FittedFace:
 
 
 def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> dict[str, Floats]:
-    worn = answered_mix(cast, frame.faces, combine(((1.0, frame.expressions), (1.0, channels)))).expressions()
-    rest = {
-        part: _sum((weight, expression.parts[part]) for expression, weight in worn if part in expression.parts)
-        for part in cast.space.parts
-    }
+    worn = _worn(cast, frame, channels)
+    rest = {part: worn.part_residual(part) for part in cast.space.parts}
     return move_parts(cast.space, _mix_faces(cast, frame.faces), mixed, rest)
 
 
@@ -244,12 +233,14 @@ def _bilinear_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> 
     terms = [(fit(cast.space, cast.faces[face]).parts, weight) for face, weight in _rests(frame, channels).items()]
     terms += [(compounds.parts(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
     factors = [weight for _, weight in terms]
-    return {part: weighted_sum([parts[part] for parts, _ in terms], factors) for part in cast.space.parts}
-
-
-def _sum(terms: Iterable[tuple[float, NDArray[np.float64]]]) -> NDArray[np.float64]:
-    """The sum of weight times points, each (3,) or (n, 3)."""
-    return sum((weight * points for weight, points in terms), start=np.zeros(3))
+    total = {part: weighted_sum([parts[part] for parts, _ in terms], factors) for part in cast.space.parts}
+    for _, mask, more in _regional(cast, frame):
+        pairs = _pairs_more(frame, more)
+        for part, moved in total.items():
+            moved += mask.parts[part] * weighted_sum(
+                [compounds.parts(*key)[part] for key in pairs], list(pairs.values())
+            )
+    return total
 
 
 def _refuse_unplayable(cast: Cast, frame: Frame, mode: str) -> None:
@@ -264,6 +255,10 @@ def check_playable(cast: Cast, frame: Frame) -> None:
         raise TypeError(f"got {type(cast).__name__} and {type(frame).__name__}; expected a Cast and a Frame")
     _refuse_no_average(frame.faces, cast.faces, "face")
     _refuse_no_average(frame.expressions, cast.expressions, "expression")
+    if not isinstance(frame.regions, Mapping):
+        raise TypeError(f"the frame's regions are {type(frame.regions).__name__}; expected mixes by region")
+    for region, mix in frame.regions.items():
+        _refuse_no_average(mix, cast.expressions, f"{check_play_region(region)} expression")
     for name, weight in _pairs_of(frame.channels, "channel"):
         check_within(
             weight, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {check_known(name, cast.expressions, 'channel')}"

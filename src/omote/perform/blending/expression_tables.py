@@ -36,6 +36,15 @@ class TableRow:
         return TableRow(field.astype(np.float32), expression.residual.ravel().astype(np.float32))
 
 
+@dataclass(frozen=True, eq=False)
+class RegionalField:
+    """Expressions by weight that are worn as far as a mask (V,) says: names of the tables, and rows of their own."""
+
+    mask: Floats
+    weights: Mapping[str, float]
+    own: Sequence[tuple[TableRow, float]] = ()
+
+
 class ExpressionTables:
     """Tables of the expressions on one space: sheet fields and residuals, one row per expression.
 
@@ -53,18 +62,33 @@ class ExpressionTables:
         self._table = _table([_sheet_row(expression, self._sheet) for expression in expressions.values()])
         self._residuals = _table([expression.residual.ravel() for expression in expressions.values()])
 
-    def mix(self, weights: Mapping[str, float], own: Sequence[tuple[TableRow, float]] = ()) -> Compiled:
+    def mix(
+        self,
+        weights: Mapping[str, float],
+        own: Sequence[tuple[TableRow, float]] = (),
+        regions: Sequence[RegionalField] = (),
+    ) -> Compiled:
         """The expression sum of weight times field, located on S: dtheta, dh, R - 1 and residuals add; no parts.
 
-        own: expressions that are not in the tables, by their rows, and their weights.
+        own: expressions that are not in the tables, by their rows, and their weights. regions: what is added in some
+        places only.
         """
+        field, residual = self._sum(weights, own)
+        for region in regions:
+            more, beyond = self._sum(region.weights, region.own)
+            field += region.mask[self._sheet] * more
+            residual += region.mask[self._space.inner.vertices, None] * beyond
+        return self._locate(field, residual)
+
+    def _sum(self, weights: Mapping[str, float], own: Sequence[tuple[TableRow, float]]) -> tuple[Floats, Floats]:
+        """Field (3, s) and residual (inner, 3) by weight."""
         names, factors = list(weights), np.array(list(weights.values()), np.float32)
         rows = np.array([self._rows[name] for name in names], np.int64)
         field, residual = _product(self._table, rows, factors), _product(self._residuals, rows, factors)
         for row, weight in own:
             field += np.float32(weight) * row.field
             residual += np.float32(weight) * row.residual
-        return self._locate(field.reshape(3, -1), residual.reshape(-1, 3))
+        return field.reshape(3, -1), residual.reshape(-1, 3)
 
     def _locate(self, field: Floats, residual: Floats) -> Compiled:
         space = self._space

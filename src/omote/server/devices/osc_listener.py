@@ -10,22 +10,23 @@ import time
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeGuard
 
+from omote.inputs.allowed_senders import THIS_MACHINE, AllowedSenders
 from omote.inputs.osc_input import OscInput, Place
-from omote.inputs.osc_packet import LONGEST_PACKET, OscError
+from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.inputs.osc_stream import Framing, choose_framing
+from omote.inputs.page_devices.device_health import SourceCounts
+from omote.server.devices.datagram_reader import DatagramReader
+from omote.server.devices.rejection_log import RejectionLog
 from omote.show.messages import State
 
-MOST_READ = 1500
-"""Datagrams read in one tick; beyond, the kernel keeps or drops them."""
 MOST_WAITING = 512
 """Packets that wait to be obeyed; the newest push the oldest out."""
 OBEY_SECONDS = 0.003
-"""Of a tick, for obeying packets; what is left waits for the next."""
+"""Of a tick, for obeying messages; what is left waits for the next."""
 NEWS_TICKS = 2
 """Ticks between two reports to surfaces: 30 a second."""
-REPORT_SECONDS = 1.0
-"""Between two lines on the terminal about what was rejected."""
 MOST_CONNECTIONS = 32
 UNSENT_LIMIT = 65536
 """Bytes that may wait for a surface that does not read; it misses what comes then."""
@@ -54,15 +55,32 @@ class OscSockets:
 class OscListener:
     """OSC of one show. `dropped` counts packets that there was no time for."""
 
-    def __init__(self, osc: OscInput, sockets: OscSockets, report: Callable[[str], None]) -> None:
-        self.osc, self._sockets, self._report = osc, sockets, report
+    def __init__(
+        self, osc: OscInput, sockets: OscSockets, log: RejectionLog, allowed: AllowedSenders = THIS_MACHINE
+    ) -> None:
+        self.osc, self._sockets, self._log = osc, sockets, log
+        self._reader = DatagramReader(sockets.datagrams, "OSC", allowed, log)
         self._waiting: deque[tuple[Place, bytes]] = deque()
+        self._messages: deque[tuple[Place, OscMessage]] = deque()
         self._connections: dict[str, _Connection] = {}
         self._names = map(str, itertools.count(1))
         self._server: asyncio.Server | None = None
-        self._reported, self._told_rejected, self._ticks = -REPORT_SECONDS, 0, 0
+        self._told_rejected = self._ticks = 0
         self.dropped = 0
-        sockets.datagrams.setblocking(False)
+
+    @property
+    def probes(self) -> list[Callable[[], SourceCounts]]:
+        """How pages are told of OSC."""
+        return [self._counts]
+
+    def _counts(self) -> SourceCounts:
+        osc = self.osc
+        where, newest, values = "", "", dict[str, float]()
+        if osc.newest is not None:
+            place, message = osc.newest
+            where, newest = place[0], f"{message.address} {' '.join(map(str, message.arguments))}".strip()
+            values = {message.address[:80]: each for each in message.arguments[-1:] if _is_position(each)}
+        return SourceCounts("OSC", "osc", where, osc.heard, osc.rejected, newest, osc.last_rejection, values)
 
     async def start(self) -> None:
         """Accepts connections from now on."""
@@ -72,15 +90,24 @@ class OscListener:
 
     def hear(self, now: float) -> None:
         """Obeys what has come since the last tick, for a bounded time."""
-        self._read_datagrams()
+        for place, data in self._reader.read():
+            self.wait(place, data)
         until = time.perf_counter() + OBEY_SECONDS
-        while self._waiting and time.perf_counter() < until:
-            place, packet = self._waiting.popleft()
-            for other, answer in self.osc.receive(place, packet, now):
+        while (self._messages or self._waiting) and time.perf_counter() < until:
+            for other, answer in self._go_on(now):
                 self._send(other, answer)
         for connection in self._connections.values():
             connection.go_on()
-        self._report_rejections(now)
+        self._note_rejections(now)
+
+    def _go_on(self, now: float) -> list[tuple[Place, bytes]]:
+        """Obeys one message, or decodes one packet: either takes a small part of a tick."""
+        if self._messages:
+            return self.osc.obey(*self._messages.popleft(), now)
+        place, packet = self._waiting.popleft()
+        messages, answers = self.osc.read(place, packet, now)
+        self._messages.extend((place, message) for message in messages)
+        return answers
 
     def tell(self, state: State, now: float) -> None:
         """Tells surfaces what is new on air."""
@@ -90,15 +117,16 @@ class OscListener:
                 self._send(place, packet)
 
     async def close(self) -> None:
-        """Closes all connections; the sockets belong to the supervisor."""
+        """Closes all connections, and this process's copies of the sockets."""
         if self._server is not None:
             self._server.close()
         for connection in list(self._connections.values()):
             connection.transport.abort()
+        self._sockets.close()
 
     def add(self, connection: _Connection, host: str) -> str | None:
-        """Takes a connection; returns its name, None where there are too many."""
-        if len(self._connections) >= MOST_CONNECTIONS:
+        """Takes a connection; returns its name, None where there are too many, or its host may not play."""
+        if not self._reader.hears(host) or len(self._connections) >= MOST_CONNECTIONS:
             return None
         name = f"{host}#{next(self._names)}"
         self._connections[name] = connection
@@ -121,16 +149,6 @@ class OscListener:
         """Whether connections are to send no more for now."""
         return len(self._waiting) >= MOST_WAITING // 2
 
-    def _read_datagrams(self) -> None:
-        for _ in range(MOST_READ):
-            try:
-                data, (host, port, *_) = self._sockets.datagrams.recvfrom(LONGEST_PACKET)
-            except BlockingIOError:
-                return
-            except OSError:  # an answer that nobody took is told here (ICMP), once
-                continue
-            self.wait((host, port), data)
-
     def _send(self, place: Place, packet: bytes) -> None:
         name, port = place
         if port == 0:
@@ -140,14 +158,16 @@ class OscListener:
         with contextlib.suppress(OSError):  # full, or there is no way to that host
             self._sockets.datagrams.sendto(packet, place)
 
-    def _report_rejections(self, now: float) -> None:
-        """One line a second at most, however much is rejected."""
+    def _note_rejections(self, now: float) -> None:
         new, newest = self.osc.rejected - self._told_rejected, self.osc.last_rejection
-        if not new or newest is None or now - self._reported < REPORT_SECONDS:
-            return
-        more = f" ({new} were rejected)" if new > 1 else ""
-        self._report(f"OSC from {newest.sender}: {newest.reason.rstrip('.')}{more}.")
-        self._reported, self._told_rejected = now, self.osc.rejected
+        if new and newest is not None:
+            self._log.note(f"OSC from {newest.sender}: {newest.reason}", new)
+            self._told_rejected = self.osc.rejected
+        self._log.tell(now)
+
+
+def _is_position(value: Argument) -> TypeGuard[float]:
+    return isinstance(value, float) and 0.0 <= value <= 1.0
 
 
 class _Connection(asyncio.Protocol):

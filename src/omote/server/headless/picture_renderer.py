@@ -22,12 +22,11 @@ from omote.interchange.formats.png import read_png
 from omote.model.cast import Cast
 from omote.perform.blending.evaluate import check_playable
 from omote.perform.frame import Frame
-from omote.perform.performer import Performer
+from omote.server.access.security import own_names
 from omote.server.headless.chromium import find_chromium, open_chromium
 from omote.server.headless.devtools import BrowserError, DevTools
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
-from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
 from omote.show.session import ShowSession
 from omote.stage_data.picture_grid import PictureGrid
@@ -176,7 +175,7 @@ def draw_grid(sheet: PictureGrid, setting: Setting, cast: Cast | None = None) ->
 @asynccontextmanager
 async def serve_pages(documents: CastDocuments, pages: dict[str, Page]) -> AsyncIterator[str]:
     """Serves the pages and the cast on loopback for one browser and yields the address; no show is played."""
-    session = ShowSession(documents.playing, Performer(documents.playing))
+    session = ShowSession(documents.playing)
     server = ShowServer(session, documents, pages)
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()

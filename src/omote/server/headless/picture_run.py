@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import hashlib
 import time
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AsyncExitStack
 from dataclasses import dataclass, field
@@ -18,6 +19,7 @@ from omote.interchange.formats.file_names import KINDS, picture_kind
 from omote.server.headless.chromium import find_chromium, open_chromium
 from omote.server.headless.picture_renderer import PicturePage, open_picture_page, serve_pages
 from omote.server.http.cast_documents import CastDocuments
+from omote.server.http.cast_reload import gather_cast
 from omote.server.http.static_pages import Page, read_pages
 from omote.showfile.inspection import Inspection
 from omote.stage_data.full_cast import own_items
@@ -34,7 +36,7 @@ from omote.stage_data.picture_sidecar import (
     picture_state,
     sidecar_path,
 )
-from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
+from omote.stage_data.playing_cast import Own, PlayingCast
 
 
 @dataclass(frozen=True)
@@ -108,13 +110,14 @@ class PictureRun:
 class PictureStudio:
     """The cast, with a show file's own work where one is given, and the pages that draw it; for one run."""
 
-    def __init__(self, show: Inspection | None = None) -> None:
+    def __init__(self, show: Inspection | None = None, report: Callable[[str], None] | None = None) -> None:
         self.documents = CastDocuments(load_cast(), load_meshes(), load_mask())
         self.pages = read_pages()
         own: tuple[Own, ...] = ()
         if show is not None:
             own, self.documents.contents = own_items(show.stored), show.contents
-        self.cast: PlayingCast = build_playing_cast(self.documents.cast, own, self.documents.contents)
+        base, contents = self.documents.playing, self.documents.contents
+        self.cast: PlayingCast = gather_cast(self.documents.cast, own, contents, report or warnings.warn, before=base)
         self._made_by = (__version__, self.cast.digest, digest_of_pages(self.pages))
 
     def plan(self, request: Request, path: Path, *, fresh: bool = False) -> PictureRun:

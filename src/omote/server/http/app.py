@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Protocol
@@ -13,26 +13,29 @@ from aiohttp import WSCloseCode, WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.edit.store.on_air_recipes import OnAir, read_on_air
+from omote.server.access.access_control import AccessControl
+from omote.server.access.access_guard import guard_access, visitor_in
+from omote.server.access.people_routes import PeopleRoutes
+from omote.server.access.security import add_headers, guard, silence_bad_requests
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
+from omote.server.http.document_routes import CACHE_FOREVER, NO_CACHE, DocumentRoutes
 from omote.server.http.downloads import Downloads
 from omote.server.http.editor_link import NO_FILE, EditorLinks
-from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
+from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket, close_revoked
 from omote.server.http.long_requests import LongRequests
-from omote.server.http.security import add_headers, guard, silence_bad_requests
+from omote.server.http.oscquery import OscQuery
 from omote.server.http.static_pages import PAGES, Page
+from omote.server.http.touchosc import TOUCHOSC_PATH, TouchoscLayout
 from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.persistence.authored_work import AuthoredWork
-from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Notice, Notices, Progress, Refused, State
-from omote.show.session import KeepRequest, Outgoing, ShowSession
+from omote.show.outgoing import KeepRequest, Outgoing
+from omote.show.session import ShowSession
 from omote.show.wire import encode
 
-CACHE_FOREVER = "public, max-age=31536000, immutable"
-NO_CACHE = "no-cache"
 PAGE_CLOSED = (WSCloseCode.OK, WSCloseCode.GOING_AWAY)
 """How a browser ends the link of a page that is closed or loaded anew."""
-MESSAGEPACK = "application/msgpack"
 
 Clock = Callable[[], float]
 
@@ -64,6 +67,10 @@ class ShowServer:
         self.uploads: Uploads | None = None
         self.long_requests = LongRequests(self._send_progress)
         self.sources: list[Source] = []
+        self.oscquery: OscQuery | None = None
+        self._surface_allowed: Callable[[str], bool] = lambda _: False
+        self.access: AccessControl | None = None
+        self.authority: bytes | None = None
         self._pages = pages
         self._state: State | None = None
 
@@ -95,15 +102,28 @@ class ShowServer:
         self.downloads = Downloads(show, run_job, self.long_requests)
         self.uploads = Uploads(show, run_job, self.long_requests)
 
-    def on_air(self) -> OnAir:
-        """What is on air now; `coming` includes what was called since the last tick."""
-        found, (faces, expressions) = read_on_air(self._state) if self._state else OnAir(), self.session.names_held()
+    def enable_oscquery(self, port: int, allowed: Callable[[str], bool] = lambda _: False) -> None:
+        """Adds the tree of OSC's addresses, for surfaces; port: where OSC is heard; allowed: the hosts that may play by
+        it, and so may read the tree without a token."""
+        self._surface_allowed = allowed
+        self.oscquery = OscQuery(lambda: (self.session.cast, self._state, tuple(self.session.scene)), port)
+
+    def enable_access(self, control: AccessControl | None, authority: bytes | None = None) -> None:
+        """Asks for tokens from now on, but for None; authority: the certificate that tablets may install."""
+        self.access, self.authority = control, authority
+
+    def on_air(self, character: str = "") -> OnAir:
+        """What a character has on air now, the first on the stage where none is named; `coming` includes what was
+        called since the last tick."""
+        found = read_on_air(self._state, character) if self._state else OnAir()
+        faces, expressions = self.session.names_held()
         return replace(found, coming=found.coming | faces | expressions)
 
     def application(self, names: frozenset[str]) -> web.Application:
         """Builds the aiohttp application; `names` are the host names it answers to, beside numeric addresses."""
         silence_bad_requests()
-        application = web.Application(middlewares=[guard(names)], client_max_size=MESSAGE_LIMIT)
+        guards = [guard(names), guard_access(lambda: self.access, frozenset(PAGES), self._surface_allowed)]
+        application = web.Application(middlewares=guards, client_max_size=MESSAGE_LIMIT)
         application.on_response_prepare.append(add_headers)
         application.router.add_get(LINK_PATH, self.link)
         if self.editing is not None:
@@ -111,12 +131,17 @@ class ShowServer:
         application.router.add_get("/layouts/{name}", self.layout)
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_post("/imports/{file}", self.take_in)
-        application.router.add_get("/manifest", self.manifest)
-        application.router.add_get("/assets/{name}", self.asset)
-        application.router.add_get("/compounds/{base}/{face}/{expression}", self.compound)
-        application.router.add_get("/tangents/{base}/{face}", self.tangents)
-        application.router.add_get("/handles", self.handles)
-        application.router.add_get("/contents/{key}", self.content)
+        DocumentRoutes(self.documents).add_routes(application)
+        PeopleRoutes(
+            lambda: self.access,
+            lambda: [link.visitor for link in self._all_links()],
+            self.close_revoked,
+            lambda: self.authority,
+        ).add_routes(application)
+        layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)))
+        application.router.add_get(TOUCHOSC_PATH, layout.respond)
+        if self.oscquery is not None:
+            self.oscquery.add_routes(application, self.page)
         for path in (*PAGES, "/{page:.+}"):
             application.router.add_get(path, self.page)
         return application
@@ -127,15 +152,18 @@ class ShowServer:
         for source in self.sources:
             source.hear(now)
         state = self._state = self.session.tick(now)
+        self._deliver(self.session.hands_now(now))  # before the state, for which programs wait
         self.links.broadcast(encode(state), now)
         for source in self.sources:
             source.tell(state, now)
         self.documents.set_on_air(state)
-        self._deliver(self.session.hands_now(now))
 
     def broadcast_crew(self) -> None:
-        """Broadcasts who is connected."""
+        """Broadcasts who is connected, once a second; those whose token has ended are not any more."""
         now = self.clock()
+        if self.access is not None:
+            self.access.reload()
+            self.close_revoked()
         self.announce(self.session.crew_now(now))
 
     def post(self, notices: list[Notice]) -> None:
@@ -161,6 +189,14 @@ class ShowServer:
         for link in self.links:
             self.links.answer(link.who, data)
 
+    def close_revoked(self) -> None:
+        """Closes the links of those whose token was revoked or has ended."""
+        if self.access is not None:
+            close_revoked(self._all_links(), self.access.holds)
+
+    def _all_links(self) -> list[Link]:
+        return [*self.links, *(self.editing.links if self.editing else ())]
+
     async def close_all(self) -> None:
         """Closes every link; pages then know that the server is going."""
         await asyncio.gather(self.links.close_all(), *([self.editing.close()] if self.editing else []))
@@ -171,66 +207,14 @@ class ShowServer:
         transport = await ws.accept(request)
         if transport is None:
             return ws
-        link = self.links.open(ws, transport)
+        link = self.links.open(ws, transport, visitor_in(request))
+        self.session.members.identify(link.who, link.visitor)
         try:
             await self._listen(link)
         finally:
             self.links.close(link)
             self.session.leave(link.who, lost=None if ws.close_code in PAGE_CLOSED else self.clock())
         return ws
-
-    async def manifest(self, request: web.Request) -> web.Response:
-        """Responds with the manifest of the cast."""
-        tag = f'"{self.documents.playing.digest}"'
-        headers = {"Cache-Control": NO_CACHE, "ETag": tag}
-        if request.headers.get("If-None-Match") == tag:
-            return web.Response(status=304, headers=headers)
-        return web.Response(body=await self.documents.manifest(), content_type=MESSAGEPACK, headers=headers)
-
-    async def asset(self, request: web.Request) -> web.Response:
-        """Responds with a face, a hair style or the mask picture, by the digest of its content."""
-        kept = {"Cache-Control": CACHE_FOREVER}
-        if request.path == self.documents.mask_url:
-            return web.Response(body=self.documents.mask, content_type="image/png", headers=kept)
-        data = self.documents.assets.get(request.path)
-        if data is None:
-            raise web.HTTPNotFound(text="there is no such asset in this cast: load /manifest again.")
-        return web.Response(body=data, content_type=MESSAGEPACK, headers=kept)
-
-    async def compound(self, request: web.Request) -> web.Response:
-        """Responds with the compound of a face and an expression, by their sources."""
-        names = request.match_info
-        return await self._respond_computed(
-            request, lambda: self.documents.compound(names["face"], names["expression"])
-        )
-
-    async def tangents(self, request: web.Request) -> web.Response:
-        """Responds with the tangents of a face (its derivative with respect to a field), by its source."""
-        return await self._respond_computed(request, lambda: self.documents.tangents(request.match_info["face"]))
-
-    async def handles(self, request: web.Request) -> web.Response:
-        """Responds with the handles of the face editor."""
-        return await self._respond_computed(request, self.documents.handles, keep=NO_CACHE)
-
-    async def content(self, request: web.Request) -> web.Response:
-        """Responds with an authored face, by the key of its content."""
-        return await self._respond_computed(request, lambda: self.documents.face(request.match_info["key"]))
-
-    async def _respond_computed(
-        self, request: web.Request, make: Callable[[], Awaitable[bytes]], keep: str = CACHE_FOREVER
-    ) -> web.Response:
-        """Responds with what `make` computes; by default cacheable for ever, for the address names the content."""
-        if request.match_info.get("base", self.documents.cast.digest) != self.documents.cast.digest:
-            raise web.HTTPNotFound(text="the cast has changed: load /manifest again.")
-        try:
-            data = await make()
-        except KeyError as error:
-            raise web.HTTPNotFound(text=f"there is no {str(error)[:80]} in this cast: load /manifest again.") from error
-        except RefusedOrderError as error:
-            raise web.HTTPNotFound(text=f"{error}.") from error
-        except FailedOrderError as error:
-            raise web.HTTPServiceUnavailable(text=f"{error}.") from error
-        return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": keep})
 
     async def layout(self, request: web.Request) -> web.Response:
         """Responds with a page's stored layout; 204 where there is none, for browsers log a 404 as an error."""
@@ -256,7 +240,7 @@ class ShowServer:
         page = self._pages.get(request.path)
         if page is None:
             raise web.HTTPNotFound(
-                text="there is no such page; the stage is at /stage, the console at /console, the editor at /editor."
+                text="there is no such page; there are /stage, /console, /devices (dials, pads) and /editor."
             )
         keep = CACHE_FOREVER if page.immutable else NO_CACHE
         return web.Response(body=page.body, content_type=page.content_type, headers={"Cache-Control": keep})

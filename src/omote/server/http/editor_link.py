@@ -26,6 +26,7 @@ from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.session.plan import KeepOutcome
 from omote.edit.store.on_air_recipes import OnAir
 from omote.interchange.formats.error_reasons import explain_error
+from omote.server.access.access_guard import visitor_in
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
 from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
@@ -33,8 +34,8 @@ from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.persistence.commit_thread import CommitOutcome
 from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
 from omote.show import messages as wire
+from omote.show.outgoing import KeepRequest
 from omote.show.rate_limit import TokenBucket
-from omote.show.session import KeepRequest
 from omote.show.validation import Refusal
 from omote.showfile.changes import BroughtItem, Change, DropLayout, PutLayout
 
@@ -80,7 +81,7 @@ class EditorLinks:
         cast_reload: CastReload,
         *,
         reopen: Callable[[], AuthoredWork | None],
-        on_air: Callable[[], OnAir],
+        on_air: Callable[[str], OnAir],
         tell: Tell,
         announce: Callable[[wire.FromServer], None],
         report: Callable[[str], None],
@@ -106,7 +107,7 @@ class EditorLinks:
         transport = await ws.accept(request)
         if transport is None:
             return ws
-        page = EditorPage(self.links.open(ws, transport))
+        page = EditorPage(self.links.open(ws, transport, visitor_in(request)))
         page.link.bucket = TokenBucket(HEARD_RATE, HEARD_BURST)
         self._pages[page.link.who] = page
         sending = self._begin(page.send_all())
@@ -125,9 +126,8 @@ class EditorLinks:
         if self.authored_work is None:
             self._tell(request.who, wire.Refused(NO_FILE, request.message.id))
         else:
-            self._take(
-                self.authored_work, partial(answer_console, request=request, on_air=self._on_air(), wall=_wall())
-            )
+            on_air = self._on_air(getattr(request.message, "character", ""))
+            self._take(self.authored_work, partial(answer_console, request=request, on_air=on_air, wall=_wall()))
 
     async def take_in(self, brought: Sequence[BroughtItem]) -> list[TakenIn] | str:
         """Adds items of another show file, but what is there already; returns what became of each, once they are on
@@ -179,8 +179,8 @@ class EditorLinks:
             elif message.type is WSMsgType.BINARY and self.authored_work is None:
                 self._send(link.who, EditRefused(-1, NO_FILE))
             elif message.type is WSMsgType.BINARY and self.authored_work is not None:
-                receive_bytes = partial(EditSession.receive_bytes, wall=_wall(), on_air=self._on_air())
-                self._take(self.authored_work, partial(receive_bytes, who=link.who, data=message.data))
+                now = partial(EditSession.receive_bytes, wall=_wall(), on_air=self._on_air(""))
+                self._take(self.authored_work, partial(now, who=link.who, data=message.data, role=link.visitor.role))
 
     def _take(self, authored_work: AuthoredWork, happens: Callable[[EditSession], Outcome]) -> None:
         """Starts the orders of an outcome and queues its other consequences."""

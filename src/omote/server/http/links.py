@@ -10,17 +10,19 @@ import asyncio
 import contextlib
 import itertools
 import socket
-from collections.abc import Callable, Coroutine, Iterator
+from collections.abc import Callable, Coroutine, Iterable, Iterator
 from dataclasses import dataclass, field
 
 from aiohttp import WSCloseCode, web
 
+from omote.show.access.access_documents import REVOKED_CODE
+from omote.show.access.people_list import ANYBODY, Visitor
 from omote.show.messages import MESSAGE_LIMIT, Refused
 from omote.show.rate_limit import TokenBucket
 from omote.show.wire import encode
 
 UNSENT_LIMIT = 2048
-"""Bytes that may wait in a link's buffer before it counts as behind: a frame or two."""
+"""Bytes that may wait in a link's buffer before it counts as behind: a frame or two of one character."""
 ANSWER_LIMIT = 32768
 """Bytes that may wait before answers (rejections, pongs) are dropped too."""
 STALL_LIMIT = 10.0
@@ -32,6 +34,9 @@ HEARTBEAT = 8.0
 """Seconds of silence after which a link is pinged; it has half as long to answer."""
 HEARD_RATE, HEARD_BURST = 1200.0, 240.0
 """Messages per second read from one link (ten fingers on faders); more waits in the socket."""
+
+
+REVOKED = "your token was revoked or has ended: ask whoever runs the show for a new one."
 
 
 class LinkSocket(web.WebSocketResponse):
@@ -46,6 +51,7 @@ class LinkSocket(web.WebSocketResponse):
     ) -> None:
         super().__init__(compress=False, max_msg_size=limit, heartbeat=heartbeat)
         self._limit, self._refusal = limit, refusal
+        self._revoking: asyncio.Task[bool] | None = None
 
     async def accept(self, request: web.Request) -> asyncio.Transport | None:
         """Accepts the WebSocket of a request and returns its transport; None when the browser has gone already."""
@@ -54,6 +60,13 @@ class LinkSocket(web.WebSocketResponse):
         except ConnectionResetError:
             return None
         return request.transport
+
+    def revoke(self) -> None:
+        """Ends the link of somebody whose token is not valid any more."""
+        with contextlib.suppress(ConnectionError):
+            finish_now(self.send_bytes(self._refusal(REVOKED)))
+        closing = self.close(code=REVOKED_CODE, message=REVOKED.encode())
+        self._revoking = asyncio.get_running_loop().create_task(closing)
 
     async def close(self, *, code: int = WSCloseCode.OK, message: bytes = b"", drain: bool = True) -> bool:
         """Closes the socket; aiohttp calls this when a message is over the limit."""
@@ -74,6 +87,7 @@ class Link:
     who: str
     socket: web.WebSocketResponse
     transport: asyncio.Transport
+    visitor: Visitor = ANYBODY
     bucket: TokenBucket = field(default_factory=lambda: TokenBucket(HEARD_RATE, HEARD_BURST))
     behind_since: float | None = None
     skipped: int = 0
@@ -108,10 +122,10 @@ class Links:
     def __len__(self) -> int:
         return len(self._links)
 
-    def open(self, ws: web.WebSocketResponse, transport: asyncio.Transport) -> Link:
+    def open(self, ws: web.WebSocketResponse, transport: asyncio.Transport, visitor: Visitor = ANYBODY) -> Link:
         """Adds a link under a new name."""
         shrink_send_buffer(transport)
-        link = Link(next(self._names), ws, transport)
+        link = Link(next(self._names), ws, transport, visitor)
         self._links[link.who] = link
         return link
 
@@ -133,7 +147,7 @@ class Links:
     def broadcast(self, data: bytes, now: float) -> None:
         """Sends the same bytes to every link that keeps up; cuts links that have been behind for too long."""
         for link in list(self._links.values()):
-            if link.send(data, UNSENT_LIMIT):
+            if link.send(data, max(UNSENT_LIMIT, len(data))):  # a state of many characters may itself be more
                 link.behind_since = None
                 continue
             link.skipped += 1
@@ -141,6 +155,13 @@ class Links:
             if now - link.behind_since > self._stall_limit:
                 link.transport.abort()
                 self.close(link)
+
+
+def close_revoked(links: Iterable[Link], holds: Callable[[Visitor], bool]) -> None:
+    """Closes at once the links of those who may not stay, with a word for their pages."""
+    for link in links:
+        if isinstance(link.socket, LinkSocket) and not link.socket.closed and not holds(link.visitor):
+            link.socket.revoke()
 
 
 def finish_now(sending: Coroutine[object, None, None]) -> None:

@@ -7,7 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 FOLDER = Path(__file__).parents[1] / "web"
-PAGES = {"/": "index.html", "/stage": "stage.html", "/console": "console.html", "/editor": "editor.html"}
+PAGES = {
+    "/": "index.html",
+    "/stage": "stage.html",
+    "/console": "console.html",
+    "/devices": "devices.html",
+    "/editor": "editor.html",
+}
 TYPES = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".html": "text/html"}
 
 

@@ -10,7 +10,7 @@ from typing import Protocol
 from omote.edit.session.edit_session import EditSession
 from omote.server.persistence.commit_thread import CommitOutcome
 from omote.server.workers.order_worker import OrderWorker
-from omote.showfile.changes import Change
+from omote.showfile.changes import Change, PutBindings
 from omote.showfile.database_errors import explain_database_error
 from omote.showfile.show_file import ShowFile
 
@@ -37,13 +37,29 @@ class AuthoredWork:
         """The pages' layouts (JSON) by name."""
         return self.session.authored.state.layouts
 
+    @property
+    def bindings(self) -> bytes:
+        """What controls of devices play (JSON); nothing where nothing has been bound yet."""
+        return self.session.authored.state.bindings
+
+    def keep_bindings(self, document: bytes, report: Callable[[str], None]) -> None:
+        """Commits what controls of devices play; report: says on the terminal where it cannot be kept."""
+        change = PutBindings(document)
+        self.session.authored.state.apply([change])
+
+        def report_outcome(outcome: CommitOutcome) -> None:
+            if outcome.state == "refused":
+                report(f"a binding is not kept: {outcome.sentence}")
+
+        self.committer.commit([change], report_outcome)
+
 
 def open_authored_work(
     show: ShowFile, committer: Committer, worker: OrderWorker, report: Callable[[str], None]
 ) -> AuthoredWork | None:
     """Reads the authored work of a show file; None, with a report to the operator, when it cannot be read."""
     try:
-        stored, contents = show.stored(), show.contents()
+        stored, contents, identity = show.stored(), show.contents(), show.identity()
     except sqlite3.Error as error:
         report(
             f"the own faces and expressions in {show.path} cannot be read ({explain_database_error(error)}); the show "
@@ -51,4 +67,5 @@ def open_authored_work(
         )
         return None
     session = EditSession(worker.cast, stored, contents, net=worker.net, welcome=worker.welcome)
+    session.show = identity
     return AuthoredWork(session, committer)

@@ -12,6 +12,9 @@ from omote.showfile.identification import require_folder
 from omote.showfile.recovery import reject_unproven
 from omote.showfile.schema import ShowFileError
 
+LONGEST_ADDRESS = 400
+"""Bytes."""
+
 
 class ShowLockedError(RuntimeError):
     """Another server plays this show file."""
@@ -55,6 +58,21 @@ def release_lock(path: Path, lock: int) -> None:
             _lock_path(path).unlink()
     finally:
         os.close(lock)
+
+
+def note_address(lock: int, address: str) -> None:
+    """Writes where a show listens (a URL) into its lock file, for other commands on this machine."""
+    os.ftruncate(lock, 0)
+    os.pwrite(lock, address.encode()[:LONGEST_ADDRESS], 0)
+
+
+def read_address(path: Path) -> str:
+    """Where the show of a file listens, or did when it was played last; "" where that is not known."""
+    try:
+        with _lock_path(path).open("rb") as file:
+            return file.read(LONGEST_ADDRESS).decode()
+    except (OSError, UnicodeDecodeError):
+        return ""
 
 
 def _lock_path(path: Path) -> Path:

@@ -12,10 +12,10 @@ import msgspec
 
 from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.limits import GAZE_LIMITS
-from omote.perform.performer import Performer
-from omote.perform.snapshot import Playable, limit_gaze
+from omote.perform.snapshot import Playable
 from omote.server.process.process_messages import Failover, Order
-from omote.show.session import SessionSnapshot, ShowSession
+from omote.show.session import ShowSession
+from omote.show.session_snapshot import read_session_snapshot
 from omote.showfile.backup import backup_paths
 from omote.showfile.database_errors import explain_database_error
 from omote.showfile.identification import ForeignFileError, identify, locate_show
@@ -87,12 +87,19 @@ def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report)
     if order.failover is not None:
         written = None if session is None else last.written
         report(_failover_sentence(order, order.failover, written, now=time.monotonic()))
-    if session is not None:
-        _record(show, session, None, report)
-        return session
-    session = ShowSession(cast, Performer(cast), epoch=epoch)
-    _record(show, session, last, report)
+    aside = None if session is not None else last
+    session = session or ShowSession(cast, epoch=epoch)
+    session.show = _identify(show)
+    _record(show, session, aside, report)
     return session
+
+
+def _identify(show: ShowFile | None) -> str:
+    """Which show is played; "" where none can be read: then pages take up nothing that they kept."""
+    try:
+        return "" if show is None else show.identity()
+    except sqlite3.Error:
+        return ""
 
 
 def _failover_sentence(order: Order, failover: Failover, written: float | None, *, now: float) -> str:
@@ -170,8 +177,8 @@ def _try_restore(cast: Playable, entry: JournalEntry, epoch: int, report: Report
         return None
     try:
         saved = msgspec.msgpack.decode(entry.snapshot)
-        limited = limit_gaze(saved.get("performer")) if isinstance(saved, dict) else False
-        session = ShowSession.restored(cast, msgspec.convert(saved, SessionSnapshot), epoch=epoch)
+        snapshot, limited = read_session_snapshot(saved)
+        session = ShowSession.restored(cast, snapshot, epoch=epoch)
     except (ValueError, TypeError, RecursionError) as error:
         report(
             f"the last state cannot be played ({explain_error(error)}); it is kept aside and the show starts neutral."

@@ -12,9 +12,11 @@ from omote.server.persistence.restore import open_newest
 from omote.server.supervision.listening_socket import listen_on
 
 Report = Callable[[str], None]
+Prepared = tuple[int, socket.socket]
+"""The lock of a show file, and the listening socket."""
 
 
-def prepare_show(path: Path, host: str, port: int, *, tell: Report, report: Report) -> tuple[int, socket.socket]:
+def prepare_show(path: Path, host: str, port: int, *, tell: Report, report: Report) -> Prepared:
     """The lock of a show file and the listening socket; where one of them cannot be, nothing is left behind.
 
     tell: gets which file was opened or made; report: what was wrong with it. OSError, ShowFileError, ShowLockedError.

@@ -15,13 +15,12 @@ from pathlib import Path
 
 from aiohttp import web
 
-from omote.inputs.osc_input import OscInput
 from omote.interchange.formats.error_reasons import explain_error
-from omote.server.devices.osc_listener import OscListener, OscSockets
+from omote.server.access.access_setup import OPEN_TO_ALL, AccessSetup
+from omote.server.access.security import own_names
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
-from omote.server.http.security import own_names
 from omote.server.http.static_pages import Page, read_pages
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
 from omote.server.persistence.backup_thread import BackupThread
@@ -32,6 +31,8 @@ from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry, open_journal, restore
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import Order, ShowMoved, write_notice
+from omote.server.supervision.device_sockets import NO_DEVICES, DeviceOptions
+from omote.server.supervision.device_sources import start_devices
 from omote.server.supervision.tick_loop import ShowTick, run_ticks, send_pulse
 from omote.server.workers.file_jobs import run_file_job
 from omote.server.workers.job_server import JobServer, open_job_server
@@ -41,13 +42,14 @@ from omote.showfile.show_file import ShowFile
 
 @dataclass(frozen=True)
 class Pipes:
-    """Descriptors from the supervisor: the listening socket, the control pipe (closed: end), the heartbeat pipe, and
-    the sockets of OSC for datagrams and for connections, where there are such."""
+    """Descriptors from the supervisor: the listening socket, the control pipe (closed: end), the heartbeat pipe;
+    what there is of devices, and who may play."""
 
     listen: int
     control: int
     pulse: int
-    osc: tuple[int | None, int | None] = (None, None)
+    devices: DeviceOptions = NO_DEVICES
+    access: AccessSetup = OPEN_TO_ALL
 
 
 @dataclass(frozen=True)
@@ -112,11 +114,12 @@ async def play(
         server.enable_files(lambda: file.path, jobs.run)
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
-    runner, osc = await start_serving(server, pipes.listen), await start_osc(server, pipes.osc)
+    devices = await start_devices(server, pipes.devices, report)
+    runner = await start_serving(server, pipes.listen, pipes.access)
     try:
         await run_until_ended(run_ticks(ShowTick(server, journal, pipes.pulse, board).tick), pipes.control)
     finally:
-        await asyncio.gather(server.close_all(), *([osc.close()] if osc else []))
+        await asyncio.gather(server.close_all(), *(device.close() for device in devices))
         await runner.cleanup()
         documents.close()
         if journal:
@@ -131,23 +134,14 @@ def tell_moved(pulse: int, path: Path) -> None:
     send_pulse(pulse, write_notice(ShowMoved(str(path))))
 
 
-async def start_serving(server: ShowServer, listen: int) -> web.AppRunner:
-    """Answers pages and links on a listening socket, given by its descriptor, until the runner is cleaned up."""
+async def start_serving(server: ShowServer, listen: int, access: AccessSetup = OPEN_TO_ALL) -> web.AppRunner:
+    """Answers pages and links on a listening socket, given by its descriptor, until the runner is cleaned up; access:
+    whom, and over https or not."""
+    server.enable_access(access.open_control(report), access.authority)
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()
-    await web.SockSite(runner, socket.socket(fileno=listen)).start()
+    await web.SockSite(runner, socket.socket(fileno=listen), ssl_context=access.tls).start()
     return runner
-
-
-async def start_osc(server: ShowServer, descriptors: tuple[int | None, int | None]) -> OscListener | None:
-    """Hears OSC on the supervisor's sockets, given by their descriptors; None where there are none."""
-    datagrams, connections = (None if each is None else socket.socket(fileno=os.dup(each)) for each in descriptors)
-    if datagrams is None:
-        return None
-    listener = OscListener(OscInput(lambda: server.session), OscSockets(datagrams, connections), report)
-    await listener.start()
-    server.sources.append(listener)
-    return listener
 
 
 def open_reopenable_work(

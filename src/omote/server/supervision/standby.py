@@ -19,11 +19,13 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from omote.perform.performer import Performer
+from omote.perform.scene.scene import Scene
+from omote.server.access.access_setup import add_access_options, load_access, read_access_options
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.process.fork import fork_process
 from omote.server.process.priority import raise_priority
 from omote.server.process.process_messages import REJECTED, Ended, Order, Ready, Started, receive_order, send_news
+from omote.server.supervision.device_sockets import add_device_options, read_device_options
 from omote.server.supervision.show_process import Pipes, ShowMaterial, load_material, report, run
 from omote.show.messages import STATE_RATE
 from omote.showfile.database_errors import describe_error
@@ -40,6 +42,7 @@ def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = 
     options = _options(arguments)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to all; the supervisor decides
     try:
+        access = load_access(read_access_options(options))
         material = load()
         warm(material.documents)
     except (OSError, ValueError) as error:
@@ -48,7 +51,7 @@ def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = 
     with socket.socket(fileno=options.line) as line:
 
         def start(order: Order, control: int, pulse: int) -> int:
-            pipes = Pipes(options.listen, control, pulse, (options.osc, options.osc_connections))
+            pipes = Pipes(options.listen, control, pulse, read_device_options(options), access)
             return fork_server(line, lambda: run(material, order, show=Path(order.show or options.show), pipes=pipes))
 
         raise_priority()
@@ -63,7 +66,7 @@ def warm(documents: CastDocuments) -> None:
     face = next(iter(cast.faces.values()))
     for expression in list(cast.expressions)[:2]:
         compound_asset(cast, face, expression)
-    Performer(cast).advance(1.0 / STATE_RATE)
+    Scene.begun(cast).advance(1.0 / STATE_RATE)
     _ = documents.worker.runner, documents.worker.net, documents.worker.welcome
     gc.collect()
     gc.freeze()  # children share this memory (copy on write) as long as nobody touches it
@@ -136,8 +139,8 @@ def _options(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--show", type=Path, required=True)
     parser.add_argument("--listen", type=int, required=True)
     parser.add_argument("--line", type=int, required=True)
-    parser.add_argument("--osc", type=int, default=None)
-    parser.add_argument("--osc-connections", type=int, default=None)
+    add_device_options(parser)
+    add_access_options(parser)
     return parser.parse_args(arguments)
 
 

@@ -7,14 +7,14 @@ import contextlib
 import os
 import time
 from collections.abc import Callable
-from dataclasses import replace
 
-from omote.perform.snapshot import Snapshot
+from omote.perform.scene.scene_snapshot import SceneSnapshot, without_time
 from omote.server.http.app import ShowServer
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import PULSE_TICKS, TICK, write_notice
+from omote.show.leases.leasing import LeaseSnapshot
 from omote.show.messages import STATE_RATE
 
 LATE_TICKS = 6
@@ -45,7 +45,7 @@ class ShowTick:
 
     def __init__(self, server: ShowServer, journal: JournalWriter | None, pulse: int, board: NoticeBoard) -> None:
         self._server, self._journal, self._pulse, self._board = server, journal, pulse, board
-        self._kept: Snapshot | None = None
+        self._kept: tuple[SceneSnapshot, LeaseSnapshot] | None = None
 
     def tick(self, number: int) -> None:
         """Broadcasts the state, sends the heartbeat, writes the journal, broadcasts notices and who is connected."""
@@ -63,7 +63,7 @@ class ShowTick:
 
     def _keep(self, journal: JournalWriter, *, even_resting: bool) -> None:
         session = self._server.session
-        still = replace(session.performer.snapshot(), time=0.0)
+        still = without_time(session.scene.snapshot()), session.leasing.snapshot()
         if still != self._kept or even_resting:
             self._kept = still
             journal.offer(journal_entry(session))

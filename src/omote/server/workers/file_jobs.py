@@ -13,7 +13,6 @@ from omote.edit.store.import_items import changes_to_import, distinguish, export
 from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
 from omote.interchange.formats.expression_json import encode as encode_document
 from omote.interchange.formats.glb_writer import glb_bytes
-from omote.model.cast import Cast
 from omote.server.sandbox.import_files import expressions_from, faces_from
 from omote.server.workers.job_server import Follow
 from omote.showfile.changes import BroughtItem, Change, Item, Kind, PutContent, PutItem, PutRevision
@@ -69,23 +68,27 @@ def run_file_job(job: bytes, follow: Follow, /) -> bytes:
         found = inspect_show(Path(wanted.show))
         if isinstance(wanted, ExportExpression):
             return encode_document(export_document(load_cast(), found.stored, found.contents, wanted.name))
-        return _export_face(_full_cast(found), wanted, follow)
+        return _export_face(found, wanted, follow)
     except (ShowFileError, OSError, OverflowError, sqlite3.Error) as error:
         raise ValueError(describe_error(error)) from error
 
 
 def _import_file(wanted: ImportFile, follow: Follow) -> Imported:
     found, path = inspect_show(Path(wanted.show)), Path(wanted.path)
-    cast = _full_cast(found)
+    left_out = list[str]()
+    cast = build_full_cast(load_cast(), found.stored, found.contents, left_out.append)
     read = faces_from(cast, [path]) if wanted.kind == "face" else expressions_from(cast, [path], follow=follow)
     brought = list(read)
     distinct = distinguish(load_cast(), found.stored, [arrival for arrival, _ in brought])
     arrivals = [arrival for arrival, _ in distinct]
     said = [f"{told}; {twin}" if twin else told for (_, told), (_, twin) in zip(brought, distinct, strict=True)]
-    return Imported(list(bring_items(changes_to_import(cast, found.stored, arrivals, wall=wanted.wall))), said)
+    changes = changes_to_import(cast, found.stored, arrivals, wall=wanted.wall)
+    return Imported(list(bring_items(changes)), [*said, *left_out])
 
 
-def _export_face(cast: Cast, wanted: ExportFace, follow: Follow) -> bytes:
+def _export_face(found: Inspection, wanted: ExportFace, follow: Follow) -> bytes:
+    left_out = list[str]()  # not told: a download has no room for it, and import and the show's notices do
+    cast = build_full_cast(load_cast(), found.stored, found.contents, left_out.append)
     names = choose_expressions(cast, wanted.expressions)
     poses = ((name, named_compound_meshes(cast, wanted.face, name)) for name in _followed(names, follow))
     return glb_bytes(build_scene(ExportContext(cast, load_meshes(), load_mask()), wanted.face, poses))
@@ -96,10 +99,6 @@ def _followed(names: list[str], follow: Follow) -> Iterator[str]:
         follow(done, len(names), name)
         yield name
     follow(len(names), len(names), "the file is written")
-
-
-def _full_cast(found: Inspection) -> Cast:
-    return build_full_cast(load_cast(), found.stored, found.contents)
 
 
 def bring_items(changes: Iterable[Change]) -> Iterator[BroughtItem]:

@@ -4,6 +4,8 @@ import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
 import type { FramePainter, Paintable } from "../../ui/frame_painter";
 import type { Thumbnails } from "../../ui/thumbnails";
+import type { ConsoleDevices } from "../devices/console_devices";
+import type { ConsoleLeases } from "../leases/console_leases";
 import type { FileImports } from "../show_file/file_imports";
 import type { LayoutStorage } from "../show_file/layout_storage";
 import type { OwnItems } from "../show_file/own_items";
@@ -17,6 +19,8 @@ export interface ConsoleContext {
   readonly layouts: LayoutStorage;
   readonly items: OwnItems;
   readonly imports: FileImports;
+  readonly devices: ConsoleDevices;
+  readonly leases: ConsoleLeases;
   /** Gives this console another name, which the others read. */
   readonly rename: (name: string) => void;
 }

@@ -8,13 +8,15 @@ import { CHANNEL, fractionOf, stepped, travelOf, weightAt, within } from "../../
 import type { Side } from "../store/channels";
 import type { Knob } from "../store/knob";
 import { AnimatedElement, StyleWriter } from "./console_element";
-import { style } from "./fader_style";
+import { channelFaderStyle, faderStyle } from "./fader_style";
 import { otherStyle, paintOther } from "./other_hand";
 
 const STEP = 0.05;
 const STOPS = [0, 1];
+/** What reads .00 is not written. */
+const LEAST_TOLD = 0.005;
 
-/** The fader of one channel, -0.5..1.5, with rests at 0 and 1. */
+/** The fader of one channel, -0.5..1.5, with rests at 0 and 1: the handle is the hand's, the red column is on air. */
 @customElement("omote-fader")
 export class Fader extends AnimatedElement {
   @property() channel = "";
@@ -30,7 +32,7 @@ export class Fader extends AnimatedElement {
   #travel = 0;
   #era = 0;
 
-  static override styles = [base, style, otherStyle];
+  static override styles = [base, faderStyle, channelFaderStyle, otherStyle];
 
   override render() {
     return html`
@@ -95,17 +97,26 @@ export class Fader extends AnimatedElement {
     knob.nudge(stepped(knob.value(performance.now()), steps * STEP, CHANNEL, STOPS));
   }
 
+  /** What the channel has on air: what sources and hands make together where a source plays, else the hand's. */
+  #onAir(weight: number): number {
+    const { air } = this.store;
+    return air === null || (air.held ?? null) === null ? weight : (air.channels[this.channel] ?? 0);
+  }
+
   paint(now: number): void {
     const write = this.#written;
     this.#shown ??= this.store.channel(this.channel, false);
     const weight = this.#shown.value(now);
-    const text = weight === 0 ? "" : weight.toFixed(2).replace(/^(-?)0\./, "$1.");
+    const air = this.#onAir(weight);
+    const told = weight === 0 ? air : weight;
+    const text = Math.abs(told) < LEAST_TOLD ? "" : told.toFixed(2).replace(/^(-?)0\./, "$1.");
     write.style(this.carrier, "transform", `translateY(${-100 * fractionOf(weight, CHANNEL)}%)`);
-    write.style(this.fill, "transform", `scaleY(${weight / (CHANNEL.high - CHANNEL.low)})`);
-    const lid = this.store.state?.lids[this.channel] ?? 0;
+    write.style(this.fill, "transform", `scaleY(${(air / (CHANNEL.high - CHANNEL.low)).toFixed(4)})`);
+    const lid = this.store.air?.lids[this.channel] ?? 0;
     write.style(this.gaze, "transform", `scaleY(${lid / (CHANNEL.high - CHANNEL.low)})`);
     write.text(this.number, text || (this.side === null ? "" : this.side === "left" ? "L" : "R"));
     write.flag(this.number, "touched", weight !== 0);
+    write.flag(this.number, "driven", weight === 0 && text !== "");
     write.flag(this.carrier, "touched", weight !== 0);
     write.attribute(this.slotElement, "aria-valuenow", weight.toFixed(2));
     paintOther(write, this.other, this.store, this.#shown, now);

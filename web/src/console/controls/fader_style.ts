@@ -1,9 +1,10 @@
 import { css } from "lit";
 
-export const style = css`
+/** A handle in its groove below a number: what every upright fader of the console looks like. */
+export const faderStyle = css`
   :host {
     display: grid;
-    grid-template-rows: 14px 1fr;
+    grid-template-rows: 14px minmax(0, 1fr);
     min-width: 34px;
     min-height: 0;
   }
@@ -17,10 +18,6 @@ export const style = css`
     line-height: 14px;
     text-align: center;
     color: var(--faint);
-  }
-  .number.touched {
-    color: var(--air);
-    font-weight: 700;
   }
   .slot {
     position: relative;
@@ -39,6 +36,35 @@ export const style = css`
     border-radius: 3px;
     background: #000;
     border: 1px solid var(--line);
+  }
+  .carrier {
+    position: absolute;
+    inset: 0;
+    pointer-events: none;
+  }
+  .carrier::after {
+    content: "";
+    position: absolute;
+    left: 50%;
+    width: 26px;
+    margin-left: -13px;
+    bottom: -7px;
+    height: 14px;
+    border-radius: 3px;
+    border: 1px solid #000;
+    background: linear-gradient(#565c64 0 40%, #c9ced4 40% 60%, #33383e 60%);
+    box-shadow: 0 1px 3px #000b;
+  }
+`;
+
+/** What a channel's fader shows besides: ticks, what is on air, what the gaze adds. */
+export const channelFaderStyle = css`
+  .number.touched {
+    color: var(--air);
+    font-weight: 700;
+  }
+  .number.driven {
+    color: var(--air);
   }
   .tick {
     position: absolute;
@@ -64,24 +90,6 @@ export const style = css`
     width: 2px;
     margin-left: 5px;
     background: var(--dim);
-  }
-  .carrier {
-    position: absolute;
-    inset: 0;
-    pointer-events: none;
-  }
-  .carrier::after {
-    content: "";
-    position: absolute;
-    left: 50%;
-    width: 26px;
-    margin-left: -13px;
-    bottom: -7px;
-    height: 14px;
-    border-radius: 3px;
-    border: 1px solid #000;
-    background: linear-gradient(#565c64 0 40%, #c9ced4 40% 60%, #33383e 60%);
-    box-shadow: 0 1px 3px #000b;
   }
   .carrier.touched::after {
     background: linear-gradient(#6b4a44 0 40%, #fff 40% 60%, #4a2f2a 60%);

@@ -37,6 +37,7 @@ export class Pad extends AnimatedElement {
   @property() what: "head" | "gaze" = "head";
   @query(".field") private field!: HTMLElement;
   @query(".dot") private dot!: HTMLElement;
+  @query(".mark") private mark!: HTMLElement;
   @query(".tilt") private tilt!: HTMLElement | null;
   @query(".knob") private tiltKnob!: HTMLElement | null;
   @query(".features") private features!: SVGElement;
@@ -79,6 +80,7 @@ export class Pad extends AnimatedElement {
           <span class="side" style="right:2px" title="The character's left">L</span>
           <span class="read"></span>
           <span class="other"></span>
+          <div class="carrier mark" hidden></div>
           <div class="carrier dot"></div>
         </div>
       </div>
@@ -219,6 +221,17 @@ export class Pad extends AnimatedElement {
     this.#paintPlace(now);
   }
 
+  /** Where head or gaze are on air, where sources play beside the hand. */
+  #paintMark(): void {
+    const { air } = this.store;
+    const shown = air !== null && (air.held ?? null) !== null;
+    this.mark.hidden = !shown;
+    if (!shown) return;
+    const [x, y] = this.#ranges.map((range, at) => within(fractionOf(air[this.what][at] ?? 0, range), SQUARE));
+    const place = `translate(${(100 * ((x ?? 0) - 0.5)).toFixed(2)}%, ${(100 * (0.5 - (y ?? 0))).toFixed(2)}%)`;
+    this.#written.style(this.mark, "transform", place);
+  }
+
   #paintPlace(now: number): void {
     const write = this.#written;
     const [x, y] = this.#place(now);
@@ -226,6 +239,7 @@ export class Pad extends AnimatedElement {
     const roll = this.what === "head" ? this.store.head("roll").value(now) : 0;
     write.style(this.dot, "transform", `translate(${100 * (x - 0.5)}%, ${100 * (0.5 - y)}%)`);
     write.flag(this.dot, "air", yaw !== 0 || pitch !== 0);
+    this.#paintMark();
     const reach = this.what === "head" ? 22 : 9;
     write.style(this.features, "transform", `translate(${reach * 2 * (x - 0.5)}px, ${reach * 2 * (0.5 - y)}px)`);
     write.style(this.skull, "transform", `rotate(${(roll * 180) / Math.PI}deg)`);

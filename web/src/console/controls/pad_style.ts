@@ -74,6 +74,18 @@ export const style = css`
     background: #ffffff26;
     box-shadow: 0 0 0 2px #000;
   }
+  .mark::after {
+    content: "";
+    position: absolute;
+    left: 50%;
+    top: 50%;
+    width: 10px;
+    height: 10px;
+    margin: -5px;
+    border-radius: 50%;
+    background: var(--air);
+    box-shadow: 0 0 0 2px #000;
+  }
   .dot.air::after {
     border-color: var(--air);
     background: #ff5a4540;

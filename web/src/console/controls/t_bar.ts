@@ -162,7 +162,7 @@ export class TBar extends AnimatedElement {
   }
 
   get #mix(): Readonly<Record<string, number>> {
-    const { state } = this.store;
+    const { air: state } = this.store;
     return (this.axis === "face" ? state?.faces : state?.expressions) ?? {};
   }
 }

@@ -8,15 +8,18 @@ import { onHold, onRoam } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
 import { AnimatedElement, chosenIn, StyleWriter } from "../controls/console_element";
+import { regionMark, type Shown, shownOf, targetsOf } from "../regions/region_calls";
 import type { OwnItem } from "../show_file/own_items";
 import type { Axis } from "../store/axis";
 import { KINDS, type PaletteKind } from "../store/console_layout";
 import { keyLabel } from "../store/keys";
 import type { Topic } from "../store/page_store";
+import { ModelFace } from "./model_face";
 import { style } from "./palette_style";
 import { expressionGroups, faceGroups, foundIn, isOwn, type Tile, type TileGroup } from "./tile_groups";
 import type { MenuRequest } from "./tile_menu";
 import "../controls/timing_row";
+import "./region_row";
 
 const LABELS: Readonly<Record<PaletteKind, string>> = {
   performed: "Performed",
@@ -24,9 +27,6 @@ const LABELS: Readonly<Record<PaletteKind, string>> = {
   arkit: "ARKit",
   makehuman: "MakeHuman",
 };
-/** How long a face must be alone on air before the expressions are drawn anew on it, in milliseconds. */
-const SETTLED = 800;
-
 /** Without a keyboard no key needs to be named. */
 const FINGERS = matchMedia("(pointer: coarse)");
 
@@ -41,7 +41,7 @@ export class Palette extends AnimatedElement {
   @query("input") private input!: HTMLInputElement | null;
   @queryAll(".tile") private tiles!: NodeListOf<HTMLElement>;
   readonly #written = new StyleWriter();
-  #candidate: [string, number] = ["", 0];
+  readonly #model = new ModelFace("generic");
 
   static override styles = [base, style];
 
@@ -85,6 +85,7 @@ export class Palette extends AnimatedElement {
     return html`
       <header>${this.axis === "face" ? this.#ownSwitch() : this.#tabs()} ${this.#searchField()}</header>
       <div class="tiles" @scroll=${this.#hint} @contextmenu=${this.#menuAt} @keydown=${this.#tileKey}>${this.#tiles()}</div>
+      ${this.axis === "face" ? nothing : html`<omote-regions .context=${this.context}></omote-regions>`}
       <omote-timing .context=${this.context} .axis=${this.axis}></omote-timing>
     `;
   }
@@ -224,6 +225,7 @@ export class Palette extends AnimatedElement {
       <canvas width="${THUMBNAIL_SIZE.width}" height="${THUMBNAIL_SIZE.height}" aria-hidden="true"></canvas>
       <span class="name">${one.label}</span>
       ${key === null ? nothing : html`<span class="key">${key}</span>`}
+      <span class="where"></span>
       <span class="weight"></span>
     </button>`;
   }
@@ -276,25 +278,23 @@ export class Palette extends AnimatedElement {
   }
 
   paint(now: number): void {
-    const state = this.store.state;
-    const weights = (this.axis === "face" ? state?.faces : state?.expressions) ?? {};
-    const target = this.store.callOf(this.axis)?.target;
+    const coming = targetsOf(this.store.callOf(this.axis), this.axis === "face" ? {} : this.store.air?.region_calls);
     for (const tile of this.tiles) {
       const name = tile.dataset.name ?? "";
-      const weight = weights[name] ?? 0;
-      this.#written.flag(tile, "coming", name === target);
-      this.#written.flag(tile, "air", name !== target && weight >= 0.001);
-      const bar = tile.lastElementChild as HTMLElement;
-      this.#written.style(bar, "transform", `scaleX(${weight.toFixed(3)})`);
+      const shown = this.#shown(name);
+      this.#written.flag(tile, "coming", coming.has(name));
+      this.#written.flag(tile, "air", !coming.has(name) && shown.weight >= 0.001);
+      const [where, bar] = [...tile.children].slice(-2) as [HTMLElement, HTMLElement];
+      this.#written.text(where, regionMark(shown));
+      this.#written.style(bar, "transform", `scaleX(${shown.weight.toFixed(3)})`);
     }
-    if (this.axis === "expression") this.#followModel(now);
+    if (this.axis === "expression")
+      this.model = this.#model.follow(this.store.air?.faces ?? {}, this.store.callOf("face") !== null, now);
   }
 
-  /** The expressions are drawn on the face on air once it stands there alone for a while. */
-  #followModel(now: number): void {
-    const faces = Object.entries(this.store.state?.faces ?? {}).filter(([, weight]) => weight > 0.999);
-    const alone = this.store.callOf("face") === null ? faces[0]?.[0] : undefined;
-    if (alone === undefined || alone !== this.#candidate[0]) this.#candidate = [alone ?? "", now];
-    else if (alone !== this.model && now - this.#candidate[1] > SETTLED) this.model = alone;
+  #shown(name: string): Shown {
+    const { air } = this.store;
+    if (this.axis === "face" || air === null) return { weight: air?.faces[name] ?? 0, regions: [] };
+    return shownOf(name, air);
   }
 }

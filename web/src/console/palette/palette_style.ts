@@ -6,13 +6,14 @@ export const style = css`
   :host {
     container-type: inline-size;
     display: grid;
-    grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
+    grid-template: "head" auto "tiles" minmax(0, 1fr) "regions" auto "timing" auto / minmax(0, 1fr);
     gap: 8px;
     padding: 8px;
     min-height: 0;
     min-width: 0;
   }
   header {
+    grid-area: head;
     display: flex;
     flex-wrap: wrap;
     align-items: center;
@@ -67,6 +68,22 @@ export const style = css`
     }
   }
   @media (pointer: coarse) {
+    :host(.expressions) {
+      grid-template:
+        "head regions" auto "tiles tiles" minmax(0, 1fr) "timing timing" auto /
+        minmax(0, 1fr) minmax(42px, 28%);
+      column-gap: 6px;
+    }
+    omote-regions {
+      align-self: start;
+      height: 40px;
+    }
+    @container (max-width: 200px) {
+      :host(.expressions) :is(.kinds, input) {
+        flex: 1 1 40px; /* with the regions three in a row */
+        padding: 0 2px;
+      }
+    }
     @container (max-width: 420px) {
       .kinds {
         display: block;
@@ -79,7 +96,14 @@ export const style = css`
       min-height: 40px;
     }
   }
+  omote-regions {
+    grid-area: regions;
+  }
+  omote-timing {
+    grid-area: timing;
+  }
   .tiles {
+    grid-area: tiles;
     display: grid;
     grid-template-columns: repeat(auto-fill, minmax(var(--tile, 72px), 1fr));
     grid-auto-rows: max-content;
@@ -181,6 +205,20 @@ export const style = css`
     background: #000c;
     color: var(--text);
   }
+  .tile .where {
+    position: absolute;
+    right: 3px;
+    top: 3px;
+    padding: 0 3px;
+    font-size: 10px;
+    line-height: 14px;
+    border-radius: 3px;
+    background: var(--air-deep);
+    color: #fff;
+  }
+  .tile .where:empty {
+    display: none;
+  }
   .tile .weight {
     ${thinBar}
     background: var(--air);
@@ -188,6 +226,22 @@ export const style = css`
   @media (pointer: coarse) and (max-width: 599px) {
     .tile .key {
       display: none; /* no keyboard */
+    }
+  }
+  /* the smallest phones: one line of controls, as narrow as a finger */
+  @media (pointer: coarse) and (max-width: 339px) {
+    header {
+      flex-wrap: nowrap;
+      gap: 4px;
+    }
+    .kinds,
+    input {
+      flex: 1 1 var(--finger);
+      min-width: var(--finger);
+      padding: 0 3px;
+    }
+    :host(.expressions) {
+      grid-template-columns: minmax(0, 1fr) 44px;
     }
   }
   .tile:active {

@@ -148,7 +148,7 @@ export class Answers extends AnimatedElement {
 
   /** Renders again only where another line is to be read. */
   paint(): void {
-    const mix = onAir(this.store.state?.faces ?? {});
+    const mix = onAir(this.store.air?.faces ?? {});
     const documents = new Map(this.store.faces.map((face) => [face.name, face]));
     const gains = mixGains(mix.map(([name, weight]) => [documents.get(name)?.gains ?? [], weight] as const)).filter(
       seen,

@@ -6,6 +6,7 @@ import { repeat } from "lit/directives/repeat.js";
 import type { ExpressionDocument } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { handsOf } from "../layers/held_state";
 import { byRegion, type Region, type Strip, stripsOf } from "../store/channels";
 import type { BankTab } from "../store/console_layout";
 import type { Topic } from "../store/page_store";
@@ -48,7 +49,7 @@ export class Bank extends AnimatedElement {
   }
 
   #touched(): string[] {
-    const channels = this.store.state?.channels ?? {};
+    const channels = this.store.air ? handsOf(this.store.air).channels : {};
     return Object.keys(channels).filter((name) => channels[name] !== 0);
   }
 

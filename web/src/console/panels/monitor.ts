@@ -1,20 +1,25 @@
-/** The monitor: the face on air, drawn only when it changes. */
+/** The monitor: the scene on air, or one character of it, drawn only when it changes. */
 
 import { css, html } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { FaceView } from "../../face/face_view";
-import { poseKey } from "../../face/pose/pose";
+import type { Box } from "../../face/framing";
+import { closeUp, type ScenePose, sceneIn, sceneKey } from "../../face/pose/scene_pose";
 import type { Library } from "../../link/assets";
 import { base } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
+import { low } from "../controls/screen_sizes";
+import type { Topic } from "../store/page_store";
 
 /** Milliseconds between two pictures: the monitor shows what is on air, the stage is what must be smooth. */
 const PACE = 30;
+const NOWHERE: ReadonlyMap<string, Box> = new Map();
 
 /** What is on air, live. It draws only when something has changed. */
 @customElement("omote-monitor")
 export class Monitor extends AnimatedElement {
   @state() private wrong: string | null = null;
+  @state() private tally = "";
   @query("canvas") private canvas!: HTMLCanvasElement;
   #view: FaceView | null = null;
   #drawn = "";
@@ -40,6 +45,24 @@ export class Monitor extends AnimatedElement {
         width: 100%;
         height: 100%;
       }
+      .alone {
+        position: absolute;
+        z-index: 1;
+        left: 10px;
+        bottom: 10px;
+      }
+      @media (max-width: 899px) or (pointer: coarse) or ${low} {
+        .alone {
+          left: 6px;
+          top: 36px;
+          bottom: auto;
+        }
+      }
+      @media (pointer: coarse) and (min-width: 600px) and ((max-width: 740px) or (max-height: 560px)) {
+        .alone {
+          display: none; /* the keys of the characters have the room */
+        }
+      }
       .tally {
         position: absolute;
         left: 10px;
@@ -51,6 +74,10 @@ export class Monitor extends AnimatedElement {
         border-radius: 3px;
         color: #fff;
         background: #b3261a;
+        max-width: calc(100% - 20px);
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
       }
       .wrong {
         position: absolute;
@@ -60,12 +87,32 @@ export class Monitor extends AnimatedElement {
     `,
   ];
 
+  protected override topics(): readonly Topic[] {
+    return ["characters", "layout"];
+  }
+
+  /** Where heads lie in the picture as it is: left, top, right and bottom as parts of it, by name. */
+  get heads(): ReadonlyMap<string, Box> {
+    return this.#view?.heads ?? NOWHERE;
+  }
+
   override render() {
     return html`
       <canvas aria-label="What is on air"></canvas>
-      <div class="tally">ON AIR</div>
+      <div class="tally">${this.tally}</div>
+      ${this.#several ? this.#choice() : ""}
       ${this.wrong === null ? "" : html`<div class="wrong">${this.wrong}</div>`}
     `;
+  }
+
+  get #several(): boolean {
+    return Object.keys(this.store.state?.characters ?? {}).length > 1;
+  }
+
+  #choice() {
+    const { alone } = this.store.layout;
+    return html`<button class="alone" aria-pressed=${alone} title="The picture shows the character played here alone"
+      @click=${() => this.store.arrange({ alone: !alone })}>Close-up</button>`;
   }
 
   /** Starts to draw the cast; without WebGL2 the console goes on without a picture. */
@@ -85,15 +132,21 @@ export class Monitor extends AnimatedElement {
   }
 
   paint(now: number): void {
-    const [view, state] = [this.#view, this.store.state];
-    if (view === null || state === null || now - this.#last < PACE) return;
-    const pose = poseKey(state);
+    const { state, played } = this.store;
+    const alone = this.#several && this.store.layout.alone;
+    this.tally = played.tally(alone);
+    if (this.#view === null || state === null || now - this.#last < PACE) return;
+    this.#draw(this.#view, alone ? closeUp(sceneIn(state), played.lead) : sceneIn(state), now);
+  }
+
+  #draw(view: FaceView, scene: ScenePose, now: number): void {
+    const pose = sceneKey(scene);
     if (pose === this.#drawn && view.settled && !this.#resized) return;
     this.#last = now;
     this.#drawn = pose;
     if (this.#resized) view.resize(this.clientWidth, this.clientHeight);
     this.#resized = false;
-    view.show(state);
+    view.showScene(scene);
     view.render(now / 1000);
   }
 }

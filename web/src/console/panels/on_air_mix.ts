@@ -2,9 +2,11 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
+import type { CallState, CharacterState } from "../../link/messages";
 import { base, thinBar } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
 import { short } from "../controls/screen_sizes";
+import { regionalMixes } from "../regions/region_calls";
 import { type Axis, onAir } from "../store/axis";
 import { remainingLabel } from "../store/timing";
 import "./answers";
@@ -171,13 +173,14 @@ export class Mix extends AnimatedElement {
   }
 
   paint(): void {
-    const state = this.store.state;
-    const call = this.store.callOf(this.axis);
-    const names = onAir((this.axis === "face" ? state?.faces : state?.expressions) ?? {});
+    const state = this.store.air;
+    const [call, region] = this.#call;
+    const whole = onAir((this.axis === "face" ? state?.faces : state?.expressions) ?? {});
+    const names = this.axis === "face" || state === null ? whole : [...whole, ...this.#regional(state)];
     const write = this.#written;
     for (const [index, row] of [...this.rows.children].entries()) {
-      const [name, weight] = names[index] ?? ["", 0];
-      const [label, more] = [this.store.label(this.axis, name), names.length - ROWS];
+      const [name, weight, where = ""] = names[index] ?? ["", 0];
+      const [label, more] = [`${where}${this.store.label(this.axis, name)}`, names.length - ROWS];
       write.flag(row, "none", name === "");
       write.flag(row, "target", name === call?.target);
       write.style(row.children[0] as HTMLElement, "transform", `scaleX(${Math.abs(weight).toFixed(3)})`);
@@ -185,11 +188,22 @@ export class Mix extends AnimatedElement {
       write.text(row.children[2] as Element, name === "" ? "" : String(Math.round(weight * 100)));
     }
     write.flag(this.coming, "shown", call !== null);
-    write.text(this.what, call === null ? "nothing coming" : `▶ ${this.store.label(this.axis, call.target)}`);
+    write.text(this.what, call === null ? "nothing coming" : `▶ ${region}${this.store.label(this.axis, call.target)}`);
     write.text(
       this.left,
       call === null ? "" : call.remaining === null ? "by hand" : `${remainingLabel(call.remaining)} s`,
     );
     write.style(this.progress, "transform", `scaleX(${(call?.progress ?? 0).toFixed(3)})`);
+  }
+
+  /** The call that is told, and the region that it is for: of the whole face where there is one. */
+  get #call(): [CallState | null, string] {
+    const whole = this.store.callOf(this.axis);
+    const [first] = this.axis === "face" ? [] : Object.entries(this.store.air?.region_calls ?? {});
+    return whole !== null || first === undefined ? [whole, ""] : [first[1], `${first[0]}: `];
+  }
+
+  #regional(state: CharacterState): [string, number, string][] {
+    return regionalMixes(state).map(([region, name, weight]) => [name, weight, `${region}: `]);
   }
 }

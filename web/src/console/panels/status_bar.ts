@@ -35,7 +35,7 @@ export class StatusBar extends ConsoleElement {
   static override styles = [base, style, offersStyle];
 
   protected override topics(): readonly Topic[] {
-    return ["cast", "crew", "link", "notice", "panic"];
+    return ["cast", "characters", "crew", "link", "notice", "panic"];
   }
 
   override connectedCallback(): void {
@@ -68,6 +68,11 @@ export class StatusBar extends ConsoleElement {
     clearTimeout(this.#timers.panic);
   }
 
+  /** What is to be answered has the room of what is to be watched. */
+  protected override updated(): void {
+    this.toggleAttribute("asks", this.store.notice !== null && this.store.offers.length > 0);
+  }
+
   override render() {
     const unread = this.notices.open.length;
     return html`
@@ -82,9 +87,12 @@ export class StatusBar extends ConsoleElement {
         </div>
         <slot></slot>
       </div>
+      <slot name="seat"></slot>
       ${this.#steps()}
       <button class="log ${unread > 0 ? "unread" : ""}" title="What was said, and what can be taken back"
         @click=${() => this.dispatchEvent(new CustomEvent("log"))}>Log${unread > 0 ? html` <b>${unread}</b>` : nothing}</button>
+      <button class="learn" title="Bind controls of devices: touch a control here, move one there (Z)"
+        @click=${() => this.dispatchEvent(new CustomEvent("learn"))}>Learn</button>
       <button class="setup" title="Home face and layouts" @click=${() => this.dispatchEvent(new CustomEvent("setup"))}>Set-up</button>
       <button class="help" title="Keys" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
       ${this.#panic()}
@@ -103,21 +111,30 @@ export class StatusBar extends ConsoleElement {
 
   /** Says what it does now: the first press holds the face, the second brings the home face. */
   #panic() {
-    const { state, online } = this.store;
+    const { air: state, online } = this.store;
     const again = online && state?.home_next === true;
     const way = again ? (state.home_seconds === 0 ? "cut" : `in ${secondsLabel(state.home_seconds)} s`) : "";
     const [title, says] = again
       ? ["HOME FACE", `${this.store.label("face", state.home_face)} ${way}`]
       : ["PANIC", "neutral, hold still"];
-    return html`<button class="panic ${this.panicked ? "done" : ""} ${again ? "again" : ""}"
+    return html`${this.#panicOfAll()}<button class="panic ${this.panicked ? "done" : ""} ${again ? "again" : ""}"
       title="${again ? "Panic again" : "Panic"} (Shift Backspace)" @pointerdown=${this.#press} @click=${this.#click}>
       ${title}<small>${says}<i> · ⇧⌫</i></small>
     </button>`;
   }
 
+  /** Where some characters are played elsewhere: panic of all, left of the one that never moves. */
+  #panicOfAll() {
+    const { state, played } = this.store;
+    if (state === null || played.names.length === Object.keys(state.characters).length) return nothing;
+    return html`<button class="panic all" aria-label="Panic of all characters" title="Panic of all characters (Ctrl Shift Backspace)"
+      @pointerdown=${(event: PointerEvent) => event.button === 0 && this.store.panic(true)}
+      @click=${(event: MouseEvent) => event.detail === 0 && this.store.panic(true)}>ALL</button>`;
+  }
+
   /** On the way down, not on release: panic does not wait for the finger to lift. */
   #press(event: PointerEvent): void {
-    if (event.button === 0) this.store.panic();
+    if (event.button === 0) this.store.panic(event.shiftKey);
   }
 
   #click(event: MouseEvent): void {
@@ -130,7 +147,7 @@ export class StatusBar extends ConsoleElement {
     return html`
       <div class="item link"><span class="lamp"></span><b>live</b> <span class="trip">${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</span></div>
       <div class="item stages ${crew !== null && stages.length === 0 ? "slow" : ""}">
-        <b>${stages.length}</b> ${stages.length === 1 ? "stage" : "stages"}
+        <b title=${stages.length === 1 ? "stage" : "stages"}>${stages.length}</b> <span class="word">${stages.length === 1 ? "stage" : "stages"}</span>
         ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stage?.level ?? "silent"}>${stage === null ? "–" : stage.fps < 1 ? stage.fps.toFixed(1) : Math.round(stage.fps)}</b>`)}
         ${crew?.lost ? html`<b class="slow" title="The link broke while the page was open, and has not come back">${crew.lost} lost</b>` : nothing}
         ${stages.length > 0 ? "fps" : nothing} <span class="level" title="quality">${levelsOf(stages)}</span>

@@ -78,7 +78,14 @@ export const style = css`
   omote-import-progress {
     flex: 0 1 auto;
   }
-  slot {
+  :host([asks]) .mark,
+  :host([asks]) .item {
+    display: none;
+  }
+  :host([asks]) slot[name="seat"] {
+    --words: none;
+  }
+  slot:not([name]) {
     display: block;
     flex: 1 1 180px;
     min-width: 0;
@@ -100,9 +107,10 @@ export const style = css`
     width: 30px;
     font-size: 17px;
   }
+  /* in the corner, as wide with one character as with eight: what is beside it gives way */
   .panic {
+    flex: none;
     width: 230px;
-    min-width: 130px;
     height: 46px;
     font-size: 17px;
     font-weight: 800;
@@ -112,6 +120,14 @@ export const style = css`
     border: 2px solid var(--attention);
     border-radius: 6px;
     touch-action: none;
+  }
+  .panic.all {
+    flex: 0 0 46px;
+    width: 46px;
+    min-width: 0;
+    padding: 0;
+    font-size: 12px;
+    letter-spacing: 0;
   }
   .panic small {
     display: block;
@@ -157,11 +173,23 @@ export const style = css`
     :host {
       gap: 8px;
     }
+    .panic {
+      width: 220px;
+    }
+    :host([asks]) .step,
+    :host([asks]) .learn {
+      display: none;
+    }
     omote-name-field[open] ~ .offers {
       display: none; /* the keys for it are there */
     }
-    .notice:not(.none) ~ slot {
+    .notice:not(.none) ~ slot:not([name]) {
       display: none; /* it is in the log too, whose button is yellow */
+    }
+  }
+  @media (max-width: 940px) {
+    .learn {
+      display: none; /* it stands in the set-up too */
     }
   }
   @media (max-width: 899px) {
@@ -176,11 +204,10 @@ export const style = css`
     }
     .step,
     a.offer {
-      display: none; /* they stand in the log too, and in the menu of the tile */
+      display: none; /* they stand in the log too, in the set-up and in the menu of the tile */
     }
     .panic {
       width: 190px;
-      flex: 0 1 auto;
     }
   }
   @media (max-width: 699px) {
@@ -211,13 +238,22 @@ export const style = css`
     }
   }
   @media (max-width: 599px) {
+    :host {
+      gap: 6px;
+    }
     .help,
-    .item.link b {
-      display: none; /* no keyboard */
+    .item.link b,
+    .item.stages .word,
+    .trip {
+      display: none; /* no keyboard, no room */
     }
     .panic {
-      flex: 1 1 170px;
-      min-width: 120px;
+      width: 122px;
+      letter-spacing: 0.12em;
+    }
+    .panic.again {
+      font-size: 14px;
+      letter-spacing: 0;
     }
     .setup {
       flex: none;
@@ -237,11 +273,14 @@ export const style = css`
       font-size: 11px;
       gap: 3px;
     }
-    .trip {
-      display: none;
-    }
     .panic {
-      letter-spacing: 0.1em;
+      width: 84px;
+      font-size: 15px;
+      letter-spacing: 0.04em;
+    }
+    .panic.all {
+      flex-basis: 40px;
+      width: 40px;
     }
   }
 `;

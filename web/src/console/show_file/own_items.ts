@@ -1,7 +1,7 @@
 /** The crew's own faces and expressions, as a console changes them: keep, name, delete, copy; each can be taken back. */
 
 import { editorAddress } from "../../link/editor_address";
-import type { Axis } from "../store/axis";
+import { type Axis, callOf } from "../store/axis";
 import type { ConsoleStore } from "../store/console_store";
 import type { Offer } from "../store/page_store";
 import type { Change, Step } from "../store/undo_history";
@@ -54,7 +54,7 @@ export class OwnItems {
     const naming: Naming = { kind, item: null, fresh: true };
     const type = kind === "face" ? "keep_face" : "keep_expression";
     const sent = this.store.ask(
-      { type },
+      { type, character: this.store.played.lead },
       {
         busy: `the ${kind} on air is being kept`,
         kept: (name, label) => this.#received(naming, { kind, name, label }),
@@ -98,12 +98,12 @@ export class OwnItems {
 
   /** Why an item cannot be deleted now; null where it can. */
   whyKept({ kind, name }: OwnItem): string | null {
-    const { state } = this.store;
-    if (state === null) return null;
-    if (kind === "face" && state.home_face === name) return "it is the home face; choose another in Set-up";
-    const weights = kind === "face" ? [state.faces] : [state.expressions, state.channels];
+    const characters = Object.values(this.store.state?.characters ?? {});
+    if (kind === "face" && characters.some((one) => one.home_face === name))
+      return "it is the home face; choose another in Set-up";
+    const weights = characters.flatMap((one) => (kind === "face" ? [one.faces] : [one.expressions, one.channels]));
     if (weights.some((all) => (all[name] ?? 0) !== 0)) return "it is on air; call another first";
-    return this.store.callOf(kind)?.target === name ? "it is coming; call another first" : null;
+    return characters.some((one) => callOf(one, kind)?.target === name) ? "it is coming; call another first" : null;
   }
 
   /** Makes a second one of an item, under a name of its own. */

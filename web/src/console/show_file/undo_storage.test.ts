@@ -7,7 +7,7 @@ import { keepUndo, readSteps } from "./undo_storage";
 const GRIN = { kind: "expression", name: "grin", label: "Grin" } as const;
 
 /** A console page in a tab that keeps `kept`, and all that it sends. */
-function open(kept: Map<string, string>) {
+function open(kept: Map<string, string>, show = "first") {
   const sent: FromClient[] = [];
   const store = new ConsoleStore(
     (message) => sent.push(message),
@@ -18,6 +18,7 @@ function open(kept: Map<string, string>) {
     getItem: (key) => kept.get(key) ?? null,
     setItem: (key, text) => void kept.set(key, text),
   }));
+  store.receiveShow(show);
   store.setOnline(true);
   const types = (): string[] => sent.splice(0).map(({ type }) => type);
   return { store, items: new OwnItems(store, () => 0), types };
@@ -47,6 +48,19 @@ describe("the steps of a console", () => {
     expect(open(new Map()).store.history.next("undo")).toBeNull();
   });
 
+  it("are forgotten where another show is served at the address, in a page that stays open too", () => {
+    const kept = new Map<string, string>();
+    const first = open(kept);
+    first.store.offerUndo("", first.items.stepOf("take in grin", [GRIN]));
+    const other = open(new Map(kept), "second");
+    expect(other.store.history.next("undo")).toBeNull();
+    first.store.receiveShow("first"); // the link came back
+    expect(first.store.history.next("undo")?.what).toBe("take in grin");
+    first.store.receiveShow("second");
+    expect(first.store.history.next("undo")).toBeNull();
+    expect(open(kept, "first").store.history.next("undo")).toBeNull();
+  });
+
   it("that a tab cannot keep last as long as the page", () => {
     const { store } = open(new Map());
     const forbid = (): never => {
@@ -60,10 +74,21 @@ describe("the steps of a console", () => {
 
   it("are left alone where something else lies in their place", () => {
     const step = { what: "keep", undo: [{ type: "delete_item" }], redo: [] };
-    const written = (change: object): string => JSON.stringify({ version: 1, undo: [step], redo: [], ...change });
-    expect(readSteps(written({}))).toEqual({ undo: [step], redo: [] });
-    const wrong = [{ version: 2 }, { redo: {} }, { undo: [3] }, { undo: [{ ...step, what: 1 }] }];
-    const play = [{ undo: [{ ...step, undo: [{ type: "panic" }] }] }, { undo: [{ ...step, panics: "1" }] }];
+    const document = { version: 2, show: "first", undo: [step], redo: [] };
+    const written = (change: object): string => JSON.stringify({ ...document, ...change });
+    expect(readSteps(written({}))).toEqual({ show: "first", steps: { undo: [step], redo: [] } });
+    const wrong = [
+      { version: 1 },
+      { show: "" },
+      { show: 1 },
+      { redo: {} },
+      { undo: [3] },
+      { undo: [{ ...step, what: 1 }] },
+    ];
+    const play = [
+      { undo: [{ ...step, undo: [{ type: "panic", character: "one" }] }] },
+      { undo: [{ ...step, panics: "1" }] },
+    ];
     for (const document of ["", "3", "null", "[]", ...[...wrong, ...play].map(written)])
       expect(readSteps(document)).toBeNull();
   });

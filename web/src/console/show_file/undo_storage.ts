@@ -4,12 +4,19 @@ import type { ConsoleStore } from "../store/console_store";
 import type { Change, Step, Steps } from "../store/undo_history";
 
 const KEY = "omote console undo";
-const VERSION = 1;
+const VERSION = 2;
 
 /** What a step may send: whatever else lies in the store was written by no console of this version. */
 const TYPES: ReadonlySet<string> = new Set<Change["type"]>([
   "set_home",
   "set_channel",
+  "add_character",
+  "remove_character",
+  "restore_character",
+  "rename_character",
+  "place_character",
+  "enter_character",
+  "leave_character",
   "delete_item",
   "restore_item",
   "rename_item",
@@ -18,25 +25,40 @@ const TYPES: ReadonlySet<string> = new Set<Change["type"]>([
   "rename_layout",
 ]);
 
-/** Goes on from the steps of before a reload, and keeps what changes; `tab`: what stays with this tab alone. */
+/** Steps, and the show that they were taken in. */
+interface KeptSteps {
+  readonly show: string;
+  readonly steps: Steps;
+}
+
+const NONE: Steps = { undo: [], redo: [] };
+
+/**
+ * Goes on from the steps of before a reload as soon as the show is known to be theirs, and keeps what changes; steps of
+ * another show are forgotten: what they name may be something else here. `tab`: what stays with this tab alone.
+ */
 export function keepUndo(store: ConsoleStore, tab: () => Pick<Storage, "getItem" | "setItem">): void {
+  let kept: KeptSteps | null = null;
   try {
-    const steps = readSteps(tab().getItem(KEY) ?? "");
-    if (steps !== null) store.history.resume(steps);
+    kept = readSteps(tab().getItem(KEY) ?? "");
   } catch {
-    return; // forbidden: the steps last as long as the page
+    // forbidden: the steps last as long as the page
   }
+  store.listen("show", () => {
+    store.history.resume(kept !== null && kept.show === store.show ? kept.steps : NONE);
+    kept = null;
+  });
   store.listen("undo", () => {
     try {
-      tab().setItem(KEY, JSON.stringify({ version: VERSION, ...store.history.steps }));
+      tab().setItem(KEY, JSON.stringify({ version: VERSION, show: store.show, ...store.history.steps }));
     } catch {
-      // full: the page itself still has them
+      // full or forbidden: the page itself still has them
     }
   });
 }
 
 /** The steps in a document; null where there are none that this console can take. */
-export function readSteps(document: string): Steps | null {
+export function readSteps(document: string): KeptSteps | null {
   let found: unknown;
   try {
     found = JSON.parse(document);
@@ -44,8 +66,9 @@ export function readSteps(document: string): Steps | null {
     return null;
   }
   if (!isRecord(found) || found.version !== VERSION) return null;
-  const { undo, redo } = found;
-  return isListOf(undo, isStep) && isListOf(redo, isStep) ? { undo, redo } : null;
+  const { show, undo, redo } = found;
+  if (typeof show !== "string" || show === "") return null;
+  return isListOf(undo, isStep) && isListOf(redo, isStep) ? { show, steps: { undo, redo } } : null;
 }
 
 const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === "object" && value !== null;

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { CallState, State } from "../../link/messages";
+import type { CallState, CharacterState } from "../../link/messages";
 import { followTimed, mixLabel, onAir } from "./axis";
 
 it("lists what is on air, heaviest first, without dust", () => {
@@ -22,9 +22,10 @@ it("names a mix with its weights, one alone without, and counts those for which 
 const call = (target: string, by_hand: boolean, start = { generic: 1 }): CallState => ({
   ...{ target, by_hand, start, progress: 0.4, remaining: by_hand ? null : 2, fader: 0, pickup: 0.4 },
 });
-const told = (face_call: CallState | null): State => ({ face_call, expression_call: null }) as unknown as State;
-const followed = (...states: State[]): boolean | null =>
-  states.reduce<[boolean | null, State | null]>(
+const told = (face_call: CallState | null): CharacterState =>
+  ({ face_call, expression_call: null }) as unknown as CharacterState;
+const followed = (...states: CharacterState[]): boolean | null =>
+  states.reduce<[boolean | null, CharacterState | null]>(
     ([timed, last], state) => [followTimed(timed, "face", last, state), state],
     [null, null],
   )[0];

@@ -1,12 +1,12 @@
 /** The two axes of a call, and what runs on each. */
 
-import type { CallState, State } from "../../link/messages";
+import type { CallState, CharacterState } from "../../link/messages";
 
 /** What is called and mixed: faces, and expressions. */
 export type Axis = "face" | "expression";
 
 /** The call that runs on an axis. */
-export function callOf(state: State, axis: Axis): CallState | null {
+export function callOf(state: CharacterState, axis: Axis): CallState | null {
   return axis === "face" ? state.face_call : state.expression_call;
 }
 
@@ -18,7 +18,12 @@ export function endFrom(stands: number): 0 | 1 | null {
 
 /** Whether the call of an axis has seconds of its own to run on in, as a console knows by following it: `timed` before,
  * then `state`, which came after `last`. Null where the console was not there from the call's beginning. */
-export function followTimed(timed: boolean | null, axis: Axis, last: State | null, state: State): boolean | null {
+export function followTimed(
+  timed: boolean | null,
+  axis: Axis,
+  last: CharacterState | null,
+  state: CharacterState,
+): boolean | null {
   const [old, call] = [last === null ? null : callOf(last, axis), callOf(state, axis)];
   const same = old !== null && call !== null && isSame(old, call);
   const first = last === null ? null : false; // one by hand from its beginning has no seconds

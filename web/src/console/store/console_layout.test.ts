@@ -13,6 +13,7 @@ const OTHER: ConsoleLayout = {
   linked: false,
   springs: { head: false, gaze: true },
   view: "pads",
+  alone: true,
 };
 
 describe("a console's layout", () => {

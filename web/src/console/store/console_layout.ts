@@ -10,8 +10,8 @@ export const KINDS = ["performed", "own", "arkit", "makehuman"] as const;
 export type PaletteKind = (typeof KINDS)[number];
 /** Which faders are open. */
 export type BankTab = Region | "touched";
-/** What a page too small for everything shows below. */
-export const VIEWS = ["palettes", "faders", "pads"] as const;
+/** What is shown below: the scene, or the layers, in the place of faders and pads; the others take turns where there is no room for all. */
+export const VIEWS = ["palettes", "faders", "pads", "scene", "layers"] as const;
 export type View = (typeof VIEWS)[number];
 
 export interface ConsoleLayout {
@@ -25,6 +25,8 @@ export interface ConsoleLayout {
   /** Pads go back to the centre when the hand lets go. */
   readonly springs: Readonly<Record<"head" | "gaze", boolean>>;
   readonly view: View;
+  /** The picture shows the character that is played, and not the scene. */
+  readonly alone: boolean;
 }
 
 export const FIRST: ConsoleLayout = {
@@ -38,6 +40,7 @@ export const FIRST: ConsoleLayout = {
   linked: true,
   springs: { head: true, gaze: true },
   view: "palettes",
+  alone: false,
 };
 
 const VERSION = 2;
@@ -56,21 +59,23 @@ export function parsed(document: string): ConsoleLayout | string {
   }
   if (!isRecord(found) || (found.version !== VERSION && found.version !== 1))
     return `The layout is of another version${OWN}`;
-  // layouts of before know no own faces, no views, no springs, and of calls by hand no seconds
-  const { timing, kind, tab, linked, ownFaces = false, springs: sprung = FIRST.springs, view = FIRST.view } = found;
-  const springs = springsOf(sprung);
+  const { timing } = found;
   const [face, expression] = isRecord(timing) ? [timingOf(timing, "face"), timingOf(timing, "expression")] : [];
   if (!face || !expression) return `The layout has no times that a call can take${OWN}`;
-  if (
-    !isOneOf(KINDS, kind) ||
-    !isOneOf([...REGIONS, "touched"] as const, tab) ||
-    !isOneOf(VIEWS, view) ||
-    !isSwitch(linked) ||
-    !isSwitch(ownFaces) ||
-    springs === null
-  )
-    return `The layout names what this console has not${OWN}`;
-  return { timing: { face, expression }, kind, tab, linked, ownFaces, springs, view };
+  const shown = shownIn(found);
+  return shown === null
+    ? `The layout names what this console has not${OWN}`
+    : { timing: { face, expression }, ...shown };
+}
+
+/** What is shown, and how; layouts of before know no own faces, views, scenes and springs, and of calls by hand no seconds. */
+function shownIn(found: Record<string, unknown>): Omit<ConsoleLayout, "timing"> | null {
+  const { kind, tab, linked, ownFaces = false, springs: sprung = FIRST.springs } = found;
+  const { view = FIRST.view, alone = false } = found;
+  const springs = springsOf(sprung);
+  if (!isOneOf(KINDS, kind) || !isOneOf([...REGIONS, "touched"] as const, tab) || !isOneOf(VIEWS, view)) return null;
+  if (!isSwitch(linked) || !isSwitch(ownFaces) || !isSwitch(alone) || springs === null) return null;
+  return { kind, tab, linked, ownFaces, springs, view, alone };
 }
 
 const isSwitch = (value: unknown): value is boolean => typeof value === "boolean";

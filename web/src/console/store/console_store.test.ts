@@ -1,14 +1,9 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import type { FromClient, Manifest, State } from "../../link/messages";
+import type { CharacterState, FromClient, Manifest, State } from "../../link/messages";
 import { ConsoleStore } from "./console_store";
 import { ECHO } from "./held_values";
 
-const REST: State = {
-  type: "state",
-  epoch: 1,
-  number: 1,
-  time: 0,
-  revision: 1,
+const CALM: CharacterState = {
   faces: { generic: 1 },
   expressions: { neutral: 1 },
   channels: {},
@@ -20,13 +15,33 @@ const REST: State = {
   expression_call: null,
   face_fader: 0,
   expression_fader: 0,
-  light: { theatre: 1 },
-  light_call: null,
   panics: 0,
   home_face: "generic",
   home_seconds: 2,
   home_next: false,
+  label: "One",
+  place: { x: 0, depth: 0, size: 1, turn: 0 },
+  presence: 1,
+  leaves: false,
+  regions: {},
+  region_calls: {},
+  layers: {},
+  held: null,
 };
+const REST: State = {
+  type: "state",
+  epoch: 1,
+  number: 1,
+  time: 0,
+  revision: 1,
+  characters: { one: CALM },
+  light: { theatre: 1 },
+  light_call: null,
+  framing: { "*": 1 },
+  framing_call: null,
+};
+/** A state in which the first character has something else on air. */
+const withOne = (change: Partial<CharacterState>): State => ({ ...REST, characters: { one: { ...CALM, ...change } } });
 const expression = (name: string) => ({ name, label: name, kind: "arkit", region: "", eyes: [0, 0, 0, 0] });
 const MANIFEST = {
   faces: [{ name: "generic", label: "Generic" }],
@@ -56,8 +71,8 @@ describe("calls", () => {
     store.call("face", "old");
     store.call("face", "old");
     expect(sent).toMatchObject([
-      { type: "call_face", name: "old", seconds: 4, easing: "late" },
-      { type: "call_face", name: "old" },
+      { type: "call_face", character: "one", name: "old", seconds: 4, easing: "late" },
+      { type: "call_face", character: "one", name: "old" },
     ]);
     expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(2);
   });
@@ -65,7 +80,7 @@ describe("calls", () => {
   it("keep the time of a face and of an expression apart", () => {
     store.setTiming("face", { byHand: true });
     store.call("expression", "smile");
-    expect(sent).toMatchObject([{ type: "call_expression", seconds: 0.5 }]);
+    expect(sent).toMatchObject([{ type: "call_expression", character: "one", seconds: 0.5 }]);
   });
 });
 
@@ -89,16 +104,17 @@ describe("a T-bar that was left in the middle", () => {
     ] as const) {
       sent.length = 0;
       now += 10_000;
-      store.receiveState({ ...REST, face_fader: stands });
+      store.receiveState(withOne({ face_fader: stands }));
       now += 10_000;
       store.call("face", "old");
+      store.flush();
       expect(types()).toEqual([
         ["fade_face", end],
         ["call_face", null],
       ]);
     }
     sent.length = 0;
-    store.receiveState({ ...REST, face_fader: 0.4, face_call: call });
+    store.receiveState(withOne({ face_fader: 0.4, face_call: call }));
     now += 10_000;
     store.setTiming("face", { byHand: true });
     store.call("face", "kaori");
@@ -110,15 +126,15 @@ describe("a T-bar that was left in the middle", () => {
   });
 
   it("stays where a hand may be on it, here or elsewhere, and where a timed call would be picked up", () => {
-    store.receiveState({ ...REST, face_fader: 0.4 });
-    store.receiveHands({ fade_face: "Ana" });
+    store.receiveState(withOne({ face_fader: 0.4 }));
+    store.receiveHands({ "one/fade_face": "Ana" });
     store.call("face", "old");
     store.receiveHands({});
     store.bar("face").grip(0.5);
     store.call("face", "old");
     store.bar("face").leave();
     now += 10_000;
-    store.receiveState({ ...REST, face_fader: 0.5, face_call: call });
+    store.receiveState(withOne({ face_fader: 0.5, face_call: call }));
     now += 10_000;
     store.call("face", "kaori");
     store.flush();
@@ -129,7 +145,7 @@ describe("a T-bar that was left in the middle", () => {
     store.bar("face").grip(0.4);
     store.bar("face").leave();
     now += 10_000;
-    store.receiveState({ ...REST, face_fader: 0.4 }); // a busy machine had it all that time
+    store.receiveState(withOne({ face_fader: 0.4 })); // a busy machine had it all that time
     sent.length = 0;
     store.call("face", "old");
     store.flush();
@@ -137,7 +153,7 @@ describe("a T-bar that was left in the middle", () => {
   });
 
   it("is left to a panic that is on its way", () => {
-    store.receiveState({ ...REST, face_fader: 0.7 });
+    store.receiveState(withOne({ face_fader: 0.7 }));
     now += 10_000;
     store.panic();
     store.call("face", "old");
@@ -145,7 +161,7 @@ describe("a T-bar that was left in the middle", () => {
   });
 
   it("has nothing to release in a call by hand, and says so", () => {
-    store.receiveState({ ...REST, number: 2, face_call: call });
+    store.receiveState(withOne({ face_call: call }));
     expect(store.releasable("face")).toBe(false);
     store.release("face");
     expect([sent, store.notice]).toEqual([[], expect.stringContaining("Nothing to release")]);
@@ -189,7 +205,7 @@ function act(label: string): void {
 describe("clearing", () => {
   const CHANNELS = { mouthSmileLeft: 0.4, mouthSmileRight: 0.7, jawOpen: 0 };
   const clear = (): void => {
-    store.receiveState({ ...REST, number: 2, channels: CHANNELS });
+    store.receiveState(withOne({ channels: CHANNELS }));
     store.clearChannels(Object.keys(CHANNELS));
     store.flush();
   };
@@ -226,7 +242,7 @@ describe("clearing", () => {
 
   it("is not taken back over a panic", () => {
     clear();
-    store.receiveState({ ...REST, number: 3, panics: 1 });
+    store.receiveState(withOne({ panics: 1 }));
     sent.length = 0;
     store.undo();
     store.flush();
@@ -236,11 +252,10 @@ describe("clearing", () => {
 });
 
 describe("a hand at another console", () => {
-  const heard = (jawOpen: number) =>
-    store.receiveState({ ...REST, number: (store.state?.number ?? 0) + 1, channels: { jawOpen } });
+  const heard = (jawOpen: number) => store.receiveState(withOne({ channels: { jawOpen } }));
 
   it("is named on what it moves, and on nothing else", () => {
-    store.receiveHands({ "set_channel:jawOpen": "Ana", set_gaze: "Ben", fade_face: "Cy" });
+    store.receiveHands({ "one/set_channel:jawOpen": "Ana", "one/set_gaze": "Ben", "one/fade_face": "Cy" });
     const knobs = [
       store.channel("jawOpen"),
       store.gaze("yaw"),
@@ -256,7 +271,7 @@ describe("a hand at another console", () => {
   it("has a fader that this one holds still, and this one goes on from there", () => {
     const jaw = store.channel("jawOpen");
     jaw.grip(0.8);
-    store.receiveHands({ "set_channel:jawOpen": "Ana" });
+    store.receiveHands({ "one/set_channel:jawOpen": "Ana" });
     now += ECHO;
     heard(0.2);
     expect([jaw.value(now), jaw.gripped()]).toEqual([0.8, true]); // it has just moved it
@@ -278,7 +293,7 @@ describe("knobs", () => {
     expect(jaw.value(now)).toBe(0.6);
     jaw.leave();
     expect(jaw.value(now + ECHO - 1)).toBe(0.6);
-    store.receiveState({ ...REST, number: 2, channels: { jawOpen: 0.2 } });
+    store.receiveState(withOne({ channels: { jawOpen: 0.2 } }));
     expect(jaw.value(now + ECHO)).toBe(0.2);
   });
 
@@ -289,19 +304,19 @@ describe("knobs", () => {
     expect(sent).toEqual([]);
     store.flush();
     expect(sent).toEqual([
-      { type: "set_channel", name: "jawOpen", value: 0.3 },
-      { type: "set_head", yaw: 0.2, pitch: -0.1, roll: 0 },
+      { type: "set_channel", character: "one", name: "jawOpen", value: 0.3 },
+      { type: "set_head", character: "one", yaw: 0.2, pitch: -0.1, roll: 0 },
     ]);
   });
 
   it("leave the parts of a direction that another console moves", () => {
-    store.receiveState({ ...REST, number: 2, head: [0, 0, 0.4], gaze: [0.1, 0] });
+    store.receiveState(withOne({ head: [0, 0, 0.4], gaze: [0.1, 0] }));
     store.head("yaw").grip(0.2);
     store.gaze("pitch").nudge(0.3);
     store.flush();
     expect(sent).toEqual([
-      { type: "set_head", yaw: 0.2, pitch: 0, roll: 0.4 },
-      { type: "set_gaze", yaw: 0.1, pitch: 0.3 },
+      { type: "set_head", character: "one", yaw: 0.2, pitch: 0, roll: 0.4 },
+      { type: "set_gaze", character: "one", yaw: 0.1, pitch: 0.3 },
     ]);
   });
 
@@ -318,7 +333,7 @@ describe("knobs", () => {
   });
 
   it("show the T-bar where any hand left it", () => {
-    store.receiveState({ ...REST, number: 2, face_fader: 0.8 });
+    store.receiveState(withOne({ face_fader: 0.8 }));
     expect(store.bar("face").value(now)).toBe(0.8);
     store.bar("face").grip(0.9);
     store.release("face");
@@ -326,10 +341,10 @@ describe("knobs", () => {
   });
 
   it("clear only what is on air, and no mirror by accident", () => {
-    store.receiveState({ ...REST, number: 2, channels: { mouthSmileLeft: 0.4 } });
+    store.receiveState(withOne({ channels: { mouthSmileLeft: 0.4 } }));
     store.clearChannels(["mouthSmileLeft", "mouthSmileRight", "jawOpen"]);
     store.flush();
-    expect(sent).toEqual([{ type: "set_channel", name: "mouthSmileLeft", value: 0 }]);
+    expect(sent).toEqual([{ type: "set_channel", character: "one", name: "mouthSmileLeft", value: 0 }]);
   });
 });
 
@@ -338,7 +353,7 @@ describe("panic", () => {
     store.channel("jawOpen").grip(0.9);
     const era = store.era;
     store.panic();
-    expect(sent).toEqual([{ type: "panic" }]);
+    expect(sent).toEqual([{ type: "panic", character: "one" }]);
     expect(store.era).toBeGreaterThan(era);
     expect(store.channel("jawOpen").value(now)).toBe(0);
     store.flush();
@@ -350,7 +365,7 @@ describe("panic at another console", () => {
   it("takes the hands off here, and so does none of before the page was opened", () => {
     const era = store.era;
     store.channel("jawOpen").grip(0.9);
-    store.receiveState({ ...REST, number: 2, panics: 1 });
+    store.receiveState(withOne({ panics: 1 }));
     expect([store.channel("jawOpen").value(now), store.era]).toEqual([0, era + 1]);
     store.flush();
     expect(sent).toEqual([]);
@@ -359,7 +374,7 @@ describe("panic at another console", () => {
       () => now,
       "fresh",
     );
-    fresh.receiveState({ ...REST, panics: 7 });
+    fresh.receiveState(withOne({ panics: 7 }));
     expect(fresh.era).toBe(0);
   });
 
@@ -368,15 +383,15 @@ describe("panic at another console", () => {
     store.listen("panic", () => {
       heard += 1;
     });
-    store.receiveState({ ...REST, number: 2, home_next: true });
-    store.receiveState({ ...REST, number: 3, home_next: true });
-    store.receiveState({ ...REST, number: 4, home_next: true, home_face: "old" });
+    store.receiveState(withOne({ home_next: true }));
+    store.receiveState(withOne({ home_next: true }));
+    store.receiveState(withOne({ home_next: true, home_face: "old" }));
     expect(heard).toBe(2);
   });
 
   it("has its home face chosen here", () => {
     store.setHome("old", 3);
-    expect(sent).toEqual([{ type: "set_home", face: "old", seconds: 3 }]);
+    expect(sent).toEqual([{ type: "set_home", character: "one", face: "old", seconds: 3 }]);
   });
 });
 
@@ -417,11 +432,11 @@ describe("listeners", () => {
       heard += 1;
     });
     const call = { target: "old", progress: 0, remaining: 1, by_hand: false, fader: 0, pickup: 0, start: {} };
-    store.receiveState({ ...REST, number: 2, face_call: call });
-    store.receiveState({ ...REST, number: 3, face_call: { ...call, progress: 0.1 } });
+    store.receiveState(withOne({ face_call: call }));
+    store.receiveState(withOne({ face_call: { ...call, progress: 0.1 } }));
     expect(heard).toBe(1);
     leave();
-    store.receiveState({ ...REST, number: 4 });
+    store.receiveState(withOne({}));
     expect(heard).toBe(1);
   });
 });
@@ -429,4 +444,77 @@ describe("listeners", () => {
 it("reads names by their labels, and unknown ones as they are", () => {
   expect(store.label("face", "generic")).toBe("Generic");
   expect(store.label("face", "stranger")).toBe("stranger");
+});
+
+describe("several characters", () => {
+  const three = (change: Record<string, Partial<CharacterState>> = {}): State => ({
+    ...REST,
+    characters: Object.fromEntries(["one", "two", "three"].map((name) => [name, { ...CALM, ...change[name] }])),
+  });
+
+  it("are played together, all of them by one message", () => {
+    store.receiveState(three());
+    store.play(["two", "three"]);
+    store.call("face", "old");
+    expect(sent).toMatchObject([
+      { type: "call_face", character: "two", name: "old" },
+      { type: "call_face", character: "three", name: "old" },
+    ]);
+    expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(2);
+    sent = [];
+    store.play(["three", "one", "two"]);
+    store.bar("face").grip(0.5);
+    store.flush();
+    store.panic();
+    expect(sent).toEqual([
+      { type: "fade_face", character: "*", value: 0.5 },
+      { type: "panic", character: "*" },
+    ]);
+  });
+
+  it("have their own values, and what a hand holds stays with those that it was for", () => {
+    store.receiveState(three({ two: { channels: { jawOpen: 0.25 } } }));
+    store.channel("jawOpen").grip(0.75);
+    store.play(["two"]);
+    expect(sent).toEqual([{ type: "set_channel", character: "one", name: "jawOpen", value: 0.75 }]);
+    expect(store.channel("jawOpen").value(now)).toBe(0.25);
+    expect(store.channel("jawOpen").gripped()).toBe(false);
+  });
+
+  it("panic of one takes the hands off where it is played, and of all everywhere", () => {
+    store.receiveState(three());
+    store.play(["two"]);
+    const { era } = store;
+    store.receiveState(three({ one: { panics: 1 } }));
+    expect(store.era).toBe(era);
+    store.receiveState(three({ one: { panics: 1 }, two: { panics: 1 } }));
+    expect(store.era).toBe(era + 1);
+    store.panic(true);
+    expect(sent).toEqual([{ type: "panic", character: "*" }]);
+  });
+
+  it("cleared faders come back to each of them, whoever is played then", () => {
+    store.receiveState(three({ one: { channels: { jawOpen: 0.5 } }, three: { channels: { jawOpen: 0.25 } } }));
+    store.play(["one", "three"]);
+    store.clearChannels(["jawOpen"]);
+    store.play(["two"]);
+    sent = [];
+    store.undo();
+    store.flush();
+    expect(sent).toEqual([
+      { type: "set_channel", character: "one", name: "jawOpen", value: 0.5 },
+      { type: "set_channel", character: "three", name: "jawOpen", value: 0.25 },
+    ]);
+    store.receiveState(three({ three: { panics: 1 } }));
+    store.redo();
+    expect(store.history.next("undo")).not.toBeNull();
+  });
+
+  it("hears of hands on any that is played", () => {
+    store.receiveState(three());
+    store.receiveHands({ "two/fade_face": "Ana" });
+    expect(store.otherOn(store.bar("face"))).toBeNull();
+    store.play(["one", "two"]);
+    expect(store.otherOn(store.bar("face"))).toBe("Ana");
+  });
 });

@@ -3,31 +3,28 @@
  * messages of the next frame. Nothing here touches the page or a clock.
  */
 
-import type { CallState, Crew, FromClient, Hands, ItemChanged, Kept, State } from "../../link/messages";
+import { ALL } from "../../link/constants";
+import type { CallState, CharacterState, FromClient, Hands, ItemChanged, Kept, State } from "../../link/messages";
+import { charactersKey, PlayedCharacters } from "../characters/played_characters";
+import { callMessage } from "../regions/region_calls";
 import { type Axis, callOf, endFrom, followTimed } from "./axis";
-import { type ConsoleLayout, FIRST } from "./console_layout";
 import { type Answers, type Asked, FileRequests } from "./file_requests";
 import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./knob";
 import { Outbox } from "./outbox";
 import { PageStore } from "./page_store";
-import type { Seconds, Timing } from "./timing";
-import type { Change, Step, TakeStep, Way } from "./undo_history";
+import { type Change, clearStep, movedBy, type Step, type TakeStep, type Way } from "./undo_history";
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
 const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to run on in.";
 export class ConsoleStore extends PageStore {
   state: State | null = null;
-  crew: Crew | null = null;
-  /** Milliseconds there and back, or null before the first pong. */
-  latency: number | null = null;
   online = false;
-  /** What the other consoles call this one. */
-  name = "";
   /** What hands at other consoles move, and the names of those consoles. */
   hands: Hands["hands"] = {};
   /** Rises with each panic: a drag begun before it is over. */
   era = 0;
-  layout: ConsoleLayout = FIRST;
+  /** The characters that this console plays. */
+  readonly played = new PlayedCharacters(() => this.state);
 
   #calls = 0;
   /** A panic of this console, which puts the bars to their rest, has not been heard yet. */
@@ -45,22 +42,57 @@ export class ConsoleStore extends PageStore {
   ) {
     super();
     this.#outbox = new Outbox(send);
-    this.#knobs = new Knobs({ state: () => this.state, now, mayAct: () => this.#mayAct() }, this.#outbox);
+    const host = { air: () => this.air, targets: () => this.played.targets, now, mayAct: this.#mayAct };
+    this.#knobs = new Knobs(host, this.#outbox);
+  }
+
+  /** What the character has on air whose values the controls show. */
+  get air(): CharacterState | null {
+    return this.played.air;
+  }
+
+  /** Plays these characters from now on: what hands hold stays with those that it was for. */
+  play(names: readonly string[]): void {
+    this.flush();
+    this.played.choose(names);
+    this.#takeUp();
+  }
+
+  /** Other characters are played than before. */
+  #takeUp(): void {
+    this.#knobs.clear();
+    [this.#timed.face, this.#timed.expression] = [null, null];
+    this.era += 1;
+    for (const topic of ["characters", "call", "panic"] as const) this.tell(topic);
   }
 
   /** A newer state than any before. */
   receiveState(state: State): void {
-    const last = this.state;
+    const [last, names, there] = [this.air, this.played.names.join(), charactersKey(this.state)];
+    const panics = this.played.panics();
     this.state = state;
-    for (const axis of ["face", "expression"] as const) {
-      this.#timed[axis] = followTimed(this.#timed[axis], axis, last, state);
+    const air = this.air as CharacterState; // a state has a character
+    if (last !== null && names !== this.played.names.join()) {
+      this.#takeUp();
+      return;
     }
-    const turned = (axis: Axis): boolean => (last ? callOf(last, axis)?.target : null) !== callOf(state, axis)?.target;
+    if (there !== charactersKey(state)) this.tell("characters");
+    for (const axis of ["face", "expression"] as const)
+      this.#timed[axis] = followTimed(this.#timed[axis], axis, last, air);
+    const turned = (axis: Axis): boolean => (last ? callOf(last, axis)?.target : null) !== callOf(air, axis)?.target;
     if (turned("face") || turned("expression")) this.tell("call");
-    for (const control in this.hands) this.#knobs.yieldTo(control);
-    if (last !== null && last.panics !== state.panics) this.#handsOff();
-    const { home_face: face, home_seconds: seconds, home_next: next } = state;
+    this.#yield();
+    if (last !== null && panics !== this.played.panics()) this.#handsOff();
+    const { home_face: face, home_seconds: seconds, home_next: next } = air;
     if (last?.home_face !== face || last.home_seconds !== seconds || last.home_next !== next) this.tell("panic");
+  }
+
+  /** Hands elsewhere have what they move of the characters played here. */
+  #yield(): void {
+    for (const control in this.hands) {
+      const [character = "", what = ""] = control.split("/");
+      if (this.played.names.includes(character)) this.#knobs.yieldTo(what);
+    }
   }
 
   /** Somebody pressed panic: what hands hold here has no weight any more. */
@@ -70,17 +102,6 @@ export class ConsoleStore extends PageStore {
     this.#outbox.clear();
     this.era += 1;
     this.tell("panic");
-  }
-
-  receiveCrew(crew: Crew): void {
-    this.crew = crew;
-    this.tell("crew");
-  }
-
-  /** The way there and back took `milliseconds`. */
-  receiveTrip(milliseconds: number): void {
-    this.latency = milliseconds;
-    this.tell("crew");
   }
 
   /** The link came up or was lost. While it is lost the controls rest at the last state heard, and nothing is queued. */
@@ -114,20 +135,14 @@ export class ConsoleStore extends PageStore {
   }
 
   /** A message was rejected; `id`: which, where it was about the show file. */
-  receiveRefused(reason: string, id = ""): void {
+  receiveRefused(reason: string, id = "", say = (why: string): void => this.say(why)): void {
     const told = this.told;
     this.#requests.take(id)?.refused?.(reason);
-    if (this.told === told) this.say(reason);
+    if (this.told === told) say(reason);
   }
 
   override get busy(): string | null {
     return this.#requests.busy;
-  }
-
-  /** What the other consoles call this one. */
-  receiveName(name: string): void {
-    this.name = name;
-    this.tell("layouts");
   }
 
   receiveHands(hands: Hands["hands"]): void {
@@ -136,41 +151,15 @@ export class ConsoleStore extends PageStore {
 
   /** The other console whose hand is on a knob too; null for none. */
   otherOn({ control }: Pick<Knob, "control">): string | null {
-    return this.hands[control] ?? null;
+    const names = this.played.names.map((name) => this.hands[`${name}/${control}`]);
+    return names.find((name) => name !== undefined) ?? null;
   }
 
-  /** True when the link is there; else tells the operator that nothing was sent. */
-  #mayAct(): boolean {
+  /** True when the link is there and a control is not another's; else the operator is told that nothing was sent. */
+  readonly #mayAct = (control = ""): boolean => {
     if (!this.online) this.say(NOT_SENT);
-    return this.online;
-  }
-
-  get timing(): ConsoleLayout["timing"] {
-    return this.layout.timing;
-  }
-
-  /** Left and right of a pair move together. */
-  get linked(): boolean {
-    return this.layout.linked;
-  }
-
-  /** Chosen seconds end calls by hand. */
-  setTiming(axis: Axis, change: Partial<Timing>): void {
-    const timed = change.seconds === undefined ? {} : { byHand: false };
-    this.arrange({ timing: { ...this.timing, [axis]: { ...this.timing[axis], ...timed, ...change } } });
-  }
-
-  /** Lays the console out. */
-  arrange(change: Partial<ConsoleLayout>): void {
-    this.layout = { ...this.layout, ...change };
-    if (change.timing !== undefined) this.tell("timing");
-    this.tell("layout");
-  }
-
-  callSeconds(axis: Axis): Seconds {
-    const { seconds, byHand } = this.timing[axis];
-    return byHand ? null : seconds;
-  }
+    return this.online && this.mayPlay(control);
+  };
 
   /** A name for a message that is to be obeyed once. */
   #nextId(): string {
@@ -180,11 +169,12 @@ export class ConsoleStore extends PageStore {
 
   call(axis: Axis, name: string): void {
     if (!this.#mayAct()) return;
-    const [id, seconds, rest] = [this.#nextId(), this.callSeconds(axis), this.#restOf(axis)];
+    const region = axis === "face" ? null : this.region;
+    const [seconds, rest] = [this.callSeconds(axis, region), region === null ? this.#restOf(axis) : null];
     const running = this.callOf(axis) !== null;
     if (rest !== null && !running) this.bar(axis).nudge(rest);
-    const [type, { easing }] = [axis === "face" ? "call_face" : "call_expression", this.timing[axis]] as const;
-    this.#outbox.push({ type, id, name, seconds, easing });
+    const { easing } = this.timing[axis];
+    this.#play((character) => callMessage(axis, { character, id: this.#nextId(), name, seconds, easing }, region));
     if (rest !== null && running && seconds === null) this.bar(axis).nudge(rest); // before, it would move the old call
   }
 
@@ -208,24 +198,31 @@ export class ConsoleStore extends PageStore {
 
   release(axis: Axis): void {
     if (this.#timed[axis] === false && this.online) this.say(NOTHING_TO_RELEASE);
-    else this.#push({ type: axis === "face" ? "release_face" : "release_expression" });
+    else this.#play((character) => ({ type: axis === "face" ? "release_face" : "release_expression", character }));
   }
 
-  panic(): void {
+  /** Panic of the characters that this console plays, or of all that there are. */
+  panic(all = false): void {
     this.#handsOff();
-    if (!this.#mayAct()) return;
-    this.#panicking = true;
-    this.#outbox.push({ type: "panic" });
+    if (all) this.#panicking = this.#push({ type: "panic", character: ALL });
+    else this.#panicking = this.#play((character) => ({ type: "panic", character }));
   }
 
   /** Chooses the face that a second panic brings, and the seconds that it takes. */
   setHome(face: string, seconds: number): void {
-    const before = this.state;
-    const to = (name: string, time: number) => ({ type: "set_home", face: name, seconds: time }) as const;
-    const redo = to(face, seconds);
-    if (!this.#push(redo) || before === null) return;
-    const [label, undo] = [this.label("face", face), to(before.home_face, before.home_seconds)];
-    this.offerUndo(`The home face is ${label}.`, { what: `home face ${label}`, undo: [undo], redo: [redo] });
+    const [before, label] = [Object.entries(this.state?.characters ?? {}), this.label("face", face)];
+    const [redo, undo]: [Change[], Change[]] = [[], []];
+    for (const [character, { home_face, home_seconds }] of before.filter(([one]) => this.played.names.includes(one))) {
+      redo.push({ type: "set_home", character, face, seconds });
+      undo.push({ type: "set_home", character, face: home_face, seconds: home_seconds });
+    }
+    if (!redo.every((change) => this.#push(change as FromClient)) || redo.length === 0) return;
+    this.offerUndo(`The home face is ${label}.`, { what: `home face ${label}`, undo, redo });
+  }
+
+  /** Sends a message for each character that is played; whether it was sent. */
+  #play(make: (character: string) => FromClient): boolean {
+    return this.played.targets.map(make).every((message) => this.#push(message));
   }
 
   #push(message: FromClient): boolean {
@@ -236,21 +233,18 @@ export class ConsoleStore extends PageStore {
 
   clearChannels(names: Iterable<string>): void {
     if (!this.#mayAct()) return;
-    const read = (name: string): number => this.channel(name, false).value(this.now());
-    const before = [...names].map((name) => [name, read(name)] as const).filter(([, weight]) => weight !== 0);
+    const read = (name: string) => this.played.weights(name, this.channel(name, false).value(this.now()));
+    const before = [...names].flatMap(read).filter(([, , weight]) => weight !== 0);
     if (before.length === 0) return;
-    const to = (at: (weight: number) => number): Change[] =>
-      before.map(([name, weight]) => ({ type: "set_channel", name, value: at(weight) }));
-    const what = `${before.length} ${before.length === 1 ? "fader" : "faders"}`;
-    const [undo, redo, panics] = [to((weight) => weight), to(() => 0), this.state?.panics ?? 0];
-    const step: Step = { what: `clear ${what}`, undo, redo, panics };
-    this.takeStep(step, "redo", () => undefined);
-    this.offerUndo(`Cleared ${what}.`, step);
+    const step = clearStep(before);
+    const counted = { ...step, panics: this.played.panics(movedBy(step)) };
+    this.takeStep(counted, "redo", () => undefined);
+    this.offerUndo(`Cleared ${step.what.replace(/^clear /, "")}.`, counted);
   }
 
   takeStep(step: Step, way: Way, refused: Parameters<TakeStep>[2]): boolean {
     if (!this.#mayAct()) return false;
-    const over = step.panics !== undefined && (this.#panicking || step.panics !== this.state?.panics);
+    const over = step.panics !== undefined && (this.#panicking || step.panics !== this.played.panics(movedBy(step)));
     if (way === "undo" && over) return this.tooLate(step);
     return step[way].map((change) => this.#change(change, refused)).some(Boolean);
   }
@@ -258,7 +252,8 @@ export class ConsoleStore extends PageStore {
   #change(change: Change, refused: (reason: string) => void): boolean {
     if (change.type === "set_home") return this.#push(change);
     if (change.type === "set_channel") {
-      this.channel(change.name, false).nudge(change.value);
+      if (this.played.names.join() === change.character) this.channel(change.name, false).nudge(change.value);
+      else this.#outbox.put(`${change.character}/channel:${change.name}`, change);
       return true;
     }
     if (change.type === "rename_layout" && change.name === this.chosenLayout) this.chosenLayout = change.to;
@@ -270,21 +265,26 @@ export class ConsoleStore extends PageStore {
     for (const part of GAZE) this.gaze(part).nudge(0);
   }
 
+  /** A value for a parameter of the scene, with the next frame. */
+  put(parameter: string, message: FromClient): void {
+    if (this.#mayAct()) this.#outbox.put(parameter, message);
+  }
+
   /** Sends what the hands changed since the last frame. */
-  flush = (): void => this.#outbox.flush();
+  flush = (): void => {
+    this.#outbox.flush();
+    this.#knobs.sent();
+  };
 
   /** The weight of a channel; with `linked` its mirror moves along. */
   channel(name: string, linked = this.linked): Knob {
     return this.#knobs.channel(name, linked ? this.mirrorOf(name) : null);
   }
 
-  head(part: HeadPart): Knob {
-    return this.#knobs.head(part);
-  }
-
-  gaze(part: GazePart): Knob {
-    return this.#knobs.gaze(part);
-  }
+  readonly head = (part: HeadPart): Knob => this.#knobs.head(part);
+  readonly gaze = (part: GazePart): Knob => this.#knobs.gaze(part);
+  /** How much of a layer shows. */
+  readonly layer: Knobs["layer"] = (...of) => this.#knobs.layer(...of);
 
   /** Where a T-bar stands, under the hand of this console or of another. */
   bar(axis: Axis): Knob {
@@ -292,6 +292,6 @@ export class ConsoleStore extends PageStore {
   }
 
   callOf(axis: Axis): CallState | null {
-    return this.state === null ? null : callOf(this.state, axis);
+    return this.air === null ? null : callOf(this.air, axis);
   }
 }

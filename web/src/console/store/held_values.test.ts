@@ -31,11 +31,16 @@ it("does not let go of a grip because a key steps it", () => {
   expect(holds.read("jaw", 0.1, LATER)).toBe(0.8);
 });
 
-it("gives a nudged value back after a moment", () => {
+it("gives a nudged value back a moment after it was sent, however long the page took to send it", () => {
   const holds = new HeldValues<number>();
   holds.nudge("jaw", 0.8, 50);
-  expect(holds.read("jaw", 0.1, 51)).toBe(0.8);
-  expect(holds.read("jaw", 0.1, 50 + ECHO)).toBe(0.1);
+  expect(holds.read("jaw", 0.1, LATER)).toBe(0.8);
+  expect(holds.counts("jaw", LATER)).toBe(true);
+  holds.sent(LATER);
+  expect(holds.read("jaw", 0.1, LATER + ECHO - 1)).toBe(0.8);
+  holds.sent(LATER + ECHO - 1); // what was sent already is not sent again
+  expect(holds.read("jaw", 0.1, LATER + ECHO)).toBe(0.1);
+  expect(holds.counts("jaw", LATER + ECHO)).toBe(false);
 });
 
 it("has nothing to hold after all hands are off", () => {

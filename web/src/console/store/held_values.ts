@@ -3,6 +3,8 @@
 interface Held<Value> {
   value: Value;
   until: number;
+  /** A step that no message has said yet: on a page that draws slowly the next one must begin from it. */
+  unsent?: boolean;
 }
 
 /** Milliseconds for which the hand's last value stands after it let go: longer than any echo on a local network takes. */
@@ -25,14 +27,22 @@ export class HeldValues<Value> {
   /** One step by key or wheel, which nobody keeps holding; a grip stays a grip. */
   nudge(key: string, value: Value, now: number): void {
     const gripped = this.gripped(key);
-    this.#held.set(key, { value, until: gripped ? Number.POSITIVE_INFINITY : now + ECHO });
+    this.#held.set(key, { value, until: gripped ? Number.POSITIVE_INFINITY : now + ECHO, unsent: true });
+  }
+
+  /** What the hands changed has been sent at `now`: its echo is on its way from now on. */
+  sent(now: number): void {
+    for (const held of this.#held.values()) {
+      if (held.unsent && held.until !== Number.POSITIVE_INFINITY) held.until = now + ECHO;
+      held.unsent = false;
+    }
   }
 
   /** The value to show for `key`: the hand's own while it counts, else `echo`. */
   read<Echo>(key: string, echo: Echo, now: number): Value | Echo {
     const held = this.#held.get(key);
     if (held === undefined) return echo;
-    if (now < held.until) return held.value;
+    if (held.unsent || now < held.until) return held.value;
     this.#held.delete(key);
     return echo;
   }
@@ -43,7 +53,8 @@ export class HeldValues<Value> {
 
   /** The hand holds `key` or has just left it. */
   counts(key: string, now: number): boolean {
-    return now < (this.#held.get(key)?.until ?? Number.NEGATIVE_INFINITY);
+    const held = this.#held.get(key);
+    return held !== undefined && (held.unsent === true || now < held.until);
   }
 
   /** All hands off: panic, or a link that is lost. */

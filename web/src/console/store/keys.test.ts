@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { KeyPress } from "../../ui/gestures";
-import { commandOf, EXPRESSION_KEYS, FACE_KEYS, isPanic, keyLabel } from "./keys";
+import { commandOf, EXPRESSION_KEYS, FACE_KEYS, isPanic, keyLabel, stepOf } from "./keys";
 
 const press = (key: string, code = "", more: Partial<KeyPress> = {}): KeyPress => ({
   key,
@@ -38,6 +38,22 @@ describe("a key", () => {
     for (const held of ["ctrlKey", "altKey", "metaKey"] as const)
       expect(commandOf(press("r", "KeyR", { [held]: true }), false)).toBeNull();
     expect(commandOf(press("F5", "F5"), false)).toBeNull();
+  });
+
+  it("takes a step back or forth with Ctrl, or Command on a Mac, and with nothing else", () => {
+    for (const held of ["ctrlKey", "metaKey"] as const) {
+      expect(stepOf(press("z", "KeyZ", { [held]: true }))).toBe("undo");
+      expect(stepOf(press("Z", "KeyZ", { [held]: true, shiftKey: true }))).toBe("redo");
+      expect(stepOf(press("y", "KeyY", { [held]: true }))).toBe("redo");
+      expect(stepOf(press("z", "KeyZ", { [held]: true, altKey: true }))).toBeNull();
+      expect(stepOf(press("x", "KeyX", { [held]: true }))).toBeNull();
+    }
+    expect(stepOf(press("z", "KeyZ"))).toBeNull();
+  });
+
+  it("leads from region to region, with Shift back", () => {
+    expect(commandOf(press("d", "KeyD"), false)).toEqual({ do: "region", direction: 1 });
+    expect(commandOf(press("D", "KeyD", { shiftKey: true }), false)).toEqual({ do: "region", direction: -1 });
   });
 
   it("keeps what is on air", () => {

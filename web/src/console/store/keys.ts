@@ -3,7 +3,7 @@
 import type { KeyPress } from "../../ui/gestures";
 import type { Axis } from "./axis";
 
-export type Place = "face" | "expression" | "head" | "gaze" | "search" | "light";
+export type Place = "face" | "expression" | "head" | "gaze" | "search" | "light" | "characters";
 
 export type Command =
   | { do: "help" }
@@ -14,9 +14,13 @@ export type Command =
   | { do: "keep"; axis: Axis }
   | { do: "focus"; place: Place }
   | { do: "centre" }
+  | { do: "learn" }
   | { do: "clear" }
-  | { do: "undo" }
-  | { do: "redo" };
+  | { do: "leases" }
+  | { do: "take_over" }
+  | { do: "scene" }
+  | { do: "layers" }
+  | { do: "region"; direction: -1 | 1 };
 
 /** Physical keys, so that they lie in two rows on every layout. */
 export const FACE_KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9"].map((digit) => `Digit${digit}`);
@@ -33,21 +37,32 @@ const COMMANDS: Readonly<Record<string, Command>> = {
   KeyG: { do: "focus", place: "expression" },
   KeyH: { do: "focus", place: "head" },
   KeyJ: { do: "focus", place: "gaze" },
+  KeyK: { do: "focus", place: "characters" },
   KeyL: { do: "focus", place: "light" },
   KeyV: { do: "release", axis: "face" },
   KeyB: { do: "release", axis: "expression" },
   KeyN: { do: "keep", axis: "face" },
   KeyM: { do: "keep", axis: "expression" },
   KeyC: { do: "centre" },
+  KeyP: { do: "scene" },
+  Semicolon: { do: "layers" },
   KeyX: { do: "clear" },
+  Comma: { do: "leases" },
+  Period: { do: "take_over" },
+  KeyZ: { do: "learn" },
 };
 
 /** The lines of the help: keys, and what they do. */
 export const HELP: readonly (readonly [string, string])[] = [
-  ["Shift ⌫", "Panic: the face on air goes neutral and holds still; again: the home face. Everywhere but in a field"],
+  [
+    "Shift ⌫",
+    "Panic: the characters played here go neutral and hold still; again: the home face. Everywhere but in a field",
+  ],
+  ["Ctrl Shift ⌫", "Panic of all characters, also of those that this console does not play"],
   ["Esc", "Closes what is open, leaves a field; nothing else"],
   ["1 – 9", "Call one of the first nine faces"],
   ["Q – O", "Call one of the first nine expressions shown"],
+  ["D", "Expressions are called on the whole face, the brows, the eyes, the mouth, the rest alone; Shift D: back"],
   ["[  ]", "Shorter, longer: seconds of a face call"],
   ["-  =", "Shorter, longer: seconds of an expression call"],
   ["A  S", "By hand, and back to the seconds of before: face, expression"],
@@ -55,12 +70,18 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["V  B", "Let go of the T-bar of the face, of the expression"],
   ["N  M", "Keep what is on air as a new face, as a new expression"],
   ["H  J", "To the head pad, to the gaze pad; then arrows"],
+  ["K", "To the characters beside the picture; then Tab and Enter, with Shift beside those played"],
+  ["P", "Places, framing and names of the characters, and back to faders and pads"],
+  [";", "Layers of the character as a mixer, and back to faders and pads"],
   ["L", "To the lights; then Tab and Enter"],
   ["C", "Head and gaze to the centre"],
   ["X", "All channels to zero"],
+  [",", "Leases: who holds what"],
+  [".", "Take over what you touched and another holds"],
+  ["Z", "Learn: touch a control, move a dial, key or stick of a device; Z or Esc ends it"],
   [
     "Ctrl Z",
-    "Take back the last change made here: keep, name, delete, clear, layouts, home face; again: the one before",
+    "Take back the last change made here: keep, name, delete, clear, layouts, home face, characters and places; again: the one before",
   ],
   ["Ctrl Y", "Do it again; Ctrl Shift Z too"],
   ["F2, Del", "Name, delete the own picture in focus"],
@@ -80,21 +101,23 @@ export const isPanic = ({ code, shiftKey }: KeyPress): boolean => shiftKey && co
 /** What a key press means, or null. `typing`: the focus is in a field, whose keys are its own. */
 export function commandOf(press: KeyPress, typing: boolean): Command | null {
   if (typing || press.repeat || press.altKey) return null;
-  if (press.ctrlKey || press.metaKey) return chordOf(press);
+  if (press.ctrlKey || press.metaKey) return null;
   if (press.key === "?") return { do: "help" };
   if (press.key === "/") return { do: "focus", place: "search" };
   const face = FACE_KEYS.indexOf(press.code);
   if (face >= 0) return { do: "call", axis: "face", index: face };
   const expression = EXPRESSION_KEYS.indexOf(press.code);
   if (expression >= 0) return { do: "call", axis: "expression", index: expression };
+  if (press.code === "KeyD") return { do: "region", direction: press.shiftKey ? -1 : 1 };
   return COMMANDS[press.code] ?? null;
 }
 
-/** What Ctrl, or Command on a Mac, does with a key. */
-function chordOf({ key, shiftKey }: KeyPress): Command | null {
+/** The step that a chord takes, with Ctrl, or Command on a Mac; null for another. */
+export function stepOf({ key, shiftKey, ctrlKey, metaKey, altKey }: KeyPress): "undo" | "redo" | null {
+  if (altKey || !(ctrlKey || metaKey)) return null;
   const letter = key.toLowerCase();
-  if (letter === "z") return { do: shiftKey ? "redo" : "undo" };
-  return letter === "y" ? { do: "redo" } : null;
+  if (letter === "z") return shiftKey ? "redo" : "undo";
+  return letter === "y" ? "redo" : null;
 }
 
 /** The label of the hot key at an index of a palette, or null beyond the ninth. */

@@ -1,6 +1,8 @@
 /** Values that hands can hold: channels, head, gaze and T-bars. */
 
-import type { FromClient, State } from "../../link/messages";
+import type { CharacterState, FromClient } from "../../link/messages";
+import { handsOf } from "../layers/held_state";
+import { influenceOf, type LayerName, type LayerPart } from "../layers/layer_state";
 import type { Axis } from "./axis";
 import { ECHO, HeldValues } from "./held_values";
 import type { Outbox } from "./outbox";
@@ -8,7 +10,7 @@ import type { Outbox } from "./outbox";
 /** One number under a hand. */
 export interface Knob {
   readonly key: string;
-  /** What messages that move it are told apart by, as in `Hands`. */
+  /** What messages that move it are told apart by, as in `Hands` behind the character. */
   readonly control: string;
   /** The value to show at `now`: the hand's own while it counts, else the server's. */
   value(now: number): number;
@@ -32,10 +34,13 @@ export const GAZE: readonly GazePart[] = ["yaw", "pitch"];
 
 /** What knobs need of their console. */
 export interface KnobHost {
-  state(): State | null;
+  /** What the character has on air whose values are shown. */
+  air(): CharacterState | null;
+  /** Whom messages are for. */
+  targets(): readonly string[];
   now(): number;
-  /** Whether anything can be sent; else the operator has been told. */
-  mayAct(): boolean;
+  /** Whether what moves a control can be sent; else the operator has been told. */
+  mayAct(control: string): boolean;
 }
 
 export class Knobs {
@@ -57,6 +62,11 @@ export class Knobs {
     this.#touched.clear();
   }
 
+  /** What the hands changed has been sent. */
+  sent(): void {
+    this.#holds.sent(this.host.now());
+  }
+
   /** A hand elsewhere moves a control: one here that keeps still has lost it, until it moves again. */
   yieldTo(control: string): void {
     const now = this.host.now();
@@ -70,19 +80,39 @@ export class Knobs {
     const names = mirror === null ? [name] : [name, mirror];
     return this.#knob(
       names.map((one) => `channel:${one}`),
-      (state) => state.channels[name] ?? 0,
+      (state) => handsOf(state).channels[name] ?? 0,
       (value) => {
-        for (const one of names) this.outbox.put(`channel:${one}`, { type: "set_channel", name: one, value });
+        for (const one of names)
+          this.#put(`channel:${one}`, (character) => ({ type: "set_channel", character, name: one, value }));
       },
     );
   }
 
   head(part: HeadPart): Knob {
-    return this.#knob([`head:${part}`], (state) => state.head[HEAD.indexOf(part)] ?? 0, this.#putHead);
+    return this.#knob([`head:${part}`], (state) => handsOf(state).head[HEAD.indexOf(part)] ?? 0, this.#putHead);
   }
 
   gaze(part: GazePart): Knob {
-    return this.#knob([`gaze:${part}`], (state) => state.gaze[GAZE.indexOf(part)] ?? 0, this.#putGaze);
+    return this.#knob([`gaze:${part}`], (state) => handsOf(state).gaze[GAZE.indexOf(part)] ?? 0, this.#putGaze);
+  }
+
+  /** How much of a layer shows, in a part of the character or, `null`, on the whole. */
+  layer(layer: LayerName, part: LayerPart | null): Knob {
+    const key = part === null ? `layer:${layer}` : `layer:${layer}:${part}`;
+    return this.#knob(
+      [key],
+      (state) => influenceOf(state, layer, part),
+      (influence) =>
+        this.#put(key, (character) => ({
+          type: "set_layer",
+          character,
+          layer,
+          region: part,
+          influence,
+          on: null,
+          id: "",
+        })),
+    );
   }
 
   /** Where a T-bar stands, under the hand of this console or of another. */
@@ -91,24 +121,34 @@ export class Knobs {
     return this.#knob(
       [type],
       (state) => state[axis === "face" ? "face_fader" : "expression_fader"],
-      (value) => this.outbox.put(type, { type, value }),
+      (value) => this.#put(type, (character) => ({ type, character, value })),
     );
   }
 
   readonly #putHead = (): void => {
     const [yaw, pitch, roll] = HEAD.map((part) => this.head(part).value(this.host.now())) as [number, number, number];
-    this.outbox.put("head", { type: "set_head", yaw, pitch, roll } satisfies FromClient);
+    this.#put("head", (character) => ({ type: "set_head", character, yaw, pitch, roll }));
   };
 
   readonly #putGaze = (): void => {
     const [yaw, pitch] = GAZE.map((part) => this.gaze(part).value(this.host.now())) as [number, number];
-    this.outbox.put("gaze", { type: "set_gaze", yaw, pitch } satisfies FromClient);
+    this.#put("gaze", (character) => ({ type: "set_gaze", character, yaw, pitch }));
   };
 
-  #knob(keys: readonly string[], echo: (state: State) => number, put: (value: number) => void): Knob {
+  /** Another has what a hand here is on: it shows what is on air. */
+  #lose(keys: readonly string[]): void {
+    for (const one of keys) this.#holds.leave(one, this.host.now() - ECHO);
+  }
+
+  /** A message for each character that is played. */
+  #put(parameter: string, make: (character: string) => FromClient): void {
+    for (const character of this.host.targets()) this.outbox.put(`${character}/${parameter}`, make(character));
+  }
+
+  #knob(keys: readonly string[], echo: (state: CharacterState) => number, put: (value: number) => void): Knob {
     const [key, host] = [keys[0] as string, this.host];
     const heard = (): number => {
-      const state = host.state();
+      const state = host.air();
       return state === null ? 0 : echo(state);
     };
     return {
@@ -116,7 +156,7 @@ export class Knobs {
       control: controlOf(key),
       value: (now) => this.#holds.read(key, heard(), now),
       grip: (value) => {
-        if (!host.mayAct()) return;
+        if (!host.mayAct(controlOf(key))) return this.#lose(keys);
         for (const one of keys) {
           this.#holds.grip(one, value);
           this.#moved.set(one, host.now());
@@ -125,7 +165,7 @@ export class Knobs {
         put(value);
       },
       nudge: (value) => {
-        if (!host.mayAct()) return;
+        if (!host.mayAct(controlOf(key))) return;
         for (const one of keys) this.#holds.nudge(one, value, host.now());
         put(value);
       },
@@ -140,9 +180,12 @@ export class Knobs {
   }
 }
 
-/** What `Hands` calls what a key stands for: `channel:jawOpen` is moved by `set_channel:jawOpen`, `head:yaw` by `set_head`. */
+/**
+ * What `Hands` calls what a key stands for: `channel:jawOpen` is moved by `set_channel:jawOpen`, `layer:lips` by
+ * `set_layer:lips`, `head:yaw` by `set_head`.
+ */
 function controlOf(key: string): string {
   const [what, name] = key.split(":");
-  if (what === "channel") return `set_channel:${name}`;
+  if (what === "channel" || what === "layer") return `set_${key}`;
   return name === undefined ? key : `set_${what}`;
 }

@@ -1,9 +1,12 @@
-/** What the console has whatever is on air: the cast, who listens to changes, the notice and what can be taken back. */
+/** What the console has whatever is on air: the cast, who listens to changes, the layout, the notice and what can be taken back. */
 
-import type { ExpressionDocument, FaceDocument, LightDocument, Manifest } from "../../link/messages";
+import type { Crew, ExpressionDocument, FaceDocument, LightDocument, Manifest, SourceState } from "../../link/messages";
 import { TopicStore } from "../../link/topics";
+import type { PlayRegion } from "../regions/region_calls";
 import type { Axis } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
+import { type ConsoleLayout, FIRST } from "./console_layout";
+import { type Seconds, secondsLabel, type Timing } from "./timing";
 import { type Step, type TakeStep, UndoHistory, type Way } from "./undo_history";
 
 /** What has changed, for elements that render (rarely); what moves is read every frame instead. */
@@ -17,9 +20,13 @@ export type Topic =
   | "call"
   | "notice"
   | "panic"
+  | "characters"
   | "naming"
   | "undo"
-  | "import";
+  | "show"
+  | "import"
+  | "leases"
+  | "sources";
 
 /** Where to go on from a notice, or what to do about it. */
 export type Offer =
@@ -45,6 +52,8 @@ export abstract class PageStore extends TopicStore<Topic> {
     (step, way, reason) => this.#offerToSkip(step, way, reason),
     () => this.tell("undo"),
   );
+  /** Which show file is played; "" while it is not known. */
+  show = "";
   manifest: Manifest | null = null;
   /** The names of the layouts in the show file, and of that chosen or saved last. */
   layoutNames: readonly string[] = [];
@@ -53,6 +62,18 @@ export abstract class PageStore extends TopicStore<Topic> {
   notice: string | null = null;
   tone: "attention" | "done" = "attention";
   offers: readonly Offer[] = [];
+  layout: ConsoleLayout = FIRST;
+  crew: Crew | null = null;
+  /** What sends values all the time. */
+  sources: readonly SourceState[] = [];
+  /** Where the next calls of expressions go: one region of the face alone; null: the whole face. */
+  region: PlayRegion | null = null;
+  /** Milliseconds there and back, or null before the first pong. */
+  latency: number | null = null;
+  /** What the other consoles call this one. */
+  name = "";
+  /** Whether a hand may move a control, named as in `Hands`; where not, the operator has been told why. */
+  mayPlay: (control: string) => boolean = () => true;
   #strips: Strip[] = [];
   #labels: Record<Axis, ReadonlyMap<string, string>> = { face: new Map(), expression: new Map() };
 
@@ -81,6 +102,13 @@ export abstract class PageStore extends TopicStore<Topic> {
     return this.manifest?.lights ?? [];
   }
 
+  /** The show has said which one it is: another one may be served at the same address. */
+  receiveShow(show: string): void {
+    if (show === this.show) return;
+    this.show = show;
+    this.tell("show");
+  }
+
   setManifest(manifest: Manifest): void {
     this.manifest = manifest;
     this.#strips = stripsOf(manifest.expressions);
@@ -88,6 +116,65 @@ export abstract class PageStore extends TopicStore<Topic> {
       new Map(documents.map(({ name, label }) => [name, label]));
     this.#labels = { face: labels(manifest.faces), expression: labels(manifest.expressions) };
     this.tell("cast");
+  }
+
+  get timing(): ConsoleLayout["timing"] {
+    return this.layout.timing;
+  }
+
+  /** Left and right of a pair move together. */
+  get linked(): boolean {
+    return this.layout.linked;
+  }
+
+  /** Chosen seconds end calls by hand. */
+  setTiming(axis: Axis, change: Partial<Timing>): void {
+    const timed = change.seconds === undefined ? {} : { byHand: false };
+    this.arrange({ timing: { ...this.timing, [axis]: { ...this.timing[axis], ...timed, ...change } } });
+  }
+
+  /** Lays the console out. */
+  arrange(change: Partial<ConsoleLayout>): void {
+    this.layout = { ...this.layout, ...change };
+    if (change.timing !== undefined) this.tell("timing");
+    this.tell("layout");
+  }
+
+  /** The seconds of the next call; a region has no T-bar, and takes those that are chosen beside it. */
+  callSeconds(axis: Axis, region: PlayRegion | null = null): Seconds {
+    const { seconds, byHand } = this.timing[axis];
+    return byHand && region === null ? null : seconds;
+  }
+
+  /** Chooses where the next calls of expressions go. */
+  chooseRegion(region: PlayRegion | null): void {
+    this.region = region;
+    const { seconds, byHand } = this.timing.expression;
+    if (region !== null && byHand)
+      this.say(`No T-bar moves one region alone: calls there take ${secondsLabel(seconds)} s.`, "done");
+    this.tell("timing");
+  }
+
+  receiveCrew(crew: Crew): void {
+    this.crew = crew;
+    this.tell("crew");
+  }
+
+  receiveSources(sources: readonly SourceState[]): void {
+    this.sources = sources;
+    this.tell("sources");
+  }
+
+  /** The way there and back took `milliseconds`. */
+  receiveTrip(milliseconds: number): void {
+    this.latency = milliseconds;
+    this.tell("crew");
+  }
+
+  /** What the other consoles call this one. */
+  receiveName(name: string): void {
+    this.name = name;
+    this.tell("layouts");
   }
 
   receiveLayouts(names: readonly string[]): void {

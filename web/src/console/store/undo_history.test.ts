@@ -18,7 +18,7 @@ class Show {
   }
 
   set(value: number): void {
-    const to = (seconds: number): Change[] => [{ type: "set_home", face: "generic", seconds }];
+    const to = (seconds: number): Change[] => [{ type: "set_home", character: "one", face: "generic", seconds }];
     const [undo, redo] = [to(this.value), to(value)];
     this.value = value;
     this.history.add({ what: String(value), undo, redo });

@@ -17,6 +17,19 @@ export interface Step {
   readonly panics?: number;
 }
 
+/** The step that puts channels to rest; `before`: the character, the name and the weight of each. */
+export function clearStep(before: readonly (readonly [string, string, number])[]): Step {
+  const to = (at: (weight: number) => number): Change[] =>
+    before.map(([character, name, weight]) => ({ type: "set_channel", character, name, value: at(weight) }));
+  const what = `clear ${before.length} ${before.length === 1 ? "fader" : "faders"}`;
+  return { what, undo: to((weight) => weight), redo: to(() => 0) };
+}
+
+/** The characters whose channels a step moves. */
+export const movedBy = (step: Step): string[] => [
+  ...new Set(step.undo.flatMap((one) => (one.type === "set_channel" ? [one.character] : []))),
+];
+
 /** Takes a step in one way; whether it was sent. Calls `refused` where the show rejects it later. */
 export type TakeStep = (step: Step, way: Way, refused: (reason: string) => void) => boolean;
 

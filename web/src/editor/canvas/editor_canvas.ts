@@ -79,9 +79,10 @@ export class EditorCanvas {
     requestAnimationFrame(tick);
   }
 
-  /** Turns the head: "front", "left", "right", "three-quarter" and the other side's. */
-  view(name: ViewName | "three-quarter"): void {
-    this.viewports.look(name === "three-quarter" ? "three_quarter_left" : name);
+  /** Turns the head: "front", "left", "right", "three-quarter" and the other side's; "whole" ends zoom and shift. */
+  view(name: ViewName | "three-quarter" | "whole"): void {
+    if (name === "whole") this.viewports.whole();
+    else this.viewports.look(name === "three-quarter" ? "three_quarter_left" : name);
     this.redraw();
   }
 

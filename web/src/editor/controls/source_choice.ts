@@ -1,6 +1,7 @@
 /** A choice among sources, in their groups. */
 
 import { html } from "lit";
+import { live } from "lit/directives/live.js";
 import { grouped, type Source } from "../session/sources";
 import { textOf } from "./editor_element";
 
@@ -19,10 +20,10 @@ export const sourceChoice = (
     (event.target as HTMLSelectElement).value = value; // until it is so
     chosen(source);
   }}>
-  <option value="" ?selected=${value === ""}>${first}</option>
+  <option value="" .selected=${live(value === "")}>${first}</option>
   ${grouped(sources).map(
     ([group, inside]) => html`<optgroup label=${group}>
-      ${inside.map(({ source, label: name }) => html`<option value=${source} ?selected=${source === value}>${name}</option>`)}
+      ${inside.map(({ source, label: name }) => html`<option value=${source} .selected=${live(source === value)}>${name}</option>`)}
     </optgroup>`,
   )}
 </select>`;

@@ -19,6 +19,8 @@ export interface EditorLinkHandlers {
   /** What answers no request of ours. */
   message: (message: ToEditor) => void;
   connected: (up: boolean) => void;
+  /** The token of this page is not valid any more. */
+  revoked?: () => void;
 }
 
 /** Who greets: an id that a reload keeps, and a name that others read. */
@@ -44,6 +46,7 @@ export class EditorLink {
       interval: 1000,
       opened: () => this.#socket.send({ type: "greet", ...this.identity, version: EDITING_VERSION }),
       received: (message) => this.#receive(message),
+      revoked: () => this.handlers.revoked?.(),
       lost: (wasUp) => this.#lost(wasUp),
       expects: () => !this.#socket.up || this.#pending.size > 0,
     });
@@ -81,7 +84,7 @@ export class EditorLink {
   #greeted(greeted: Greeted): void {
     this.#socket.accept();
     this.handlers.greeted(greeted);
-    this.#pending.up();
+    this.#pending.up(greeted.show);
     this.handlers.connected(true);
   }
 }

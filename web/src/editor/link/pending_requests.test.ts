@@ -13,7 +13,7 @@ const eyes: Extract<Request, { type: "set_eyes" }> = { type: "set_eyes", item: 7
 beforeEach(() => {
   sent = [];
   outstanding = new PendingRequests((message) => sent.push(message));
-  outstanding.up();
+  outstanding.up("a5");
 });
 
 it("gives each answer to its request, whatever their order", async () => {
@@ -49,7 +49,7 @@ describe("a lost link", () => {
     outstanding.answer(draft(numbers()[1] as number));
     outstanding.down();
     sent.length = 0;
-    outstanding.up();
+    outstanding.up("a5");
     expect(sent).toEqual([{ type: "open_item", request: 0, item: 7 }, before[0], before[2]]);
     for (const number of numbers().slice(1)) outstanding.answer(draft(number as number));
     await Promise.all(asked);
@@ -59,7 +59,7 @@ describe("a lost link", () => {
     outstanding.down();
     void outstanding.ask(eyes);
     expect(sent).toEqual([]);
-    outstanding.up();
+    outstanding.up("a5");
     expect(sent).toMatchObject([eyes]);
   });
 
@@ -69,7 +69,22 @@ describe("a lost link", () => {
     await expect(saved).rejects.toThrow("lost before the answer");
     await expect(outstanding.ask({ type: "undo", item: 7 })).rejects.toThrow("not sent");
     sent.length = 0;
-    outstanding.up();
+    outstanding.up("a5");
+    expect(sent).toEqual([]);
+  });
+
+  it("sends nothing to another show, whose items have the same numbers", async () => {
+    outstanding.answer(draft(0));
+    const asked = outstanding.ask(eyes);
+    outstanding.down();
+    const waiting = outstanding.ask({ ...eyes, pupil: 1 });
+    sent.length = 0;
+    outstanding.up("b7");
+    expect(sent).toEqual([]);
+    for (const one of [asked, waiting]) await expect(one).rejects.toThrow("another show is served here now");
+    expect(outstanding.size).toBe(0);
+    outstanding.down();
+    outstanding.up("b7");
     expect(sent).toEqual([]);
   });
 
@@ -80,7 +95,7 @@ describe("a lost link", () => {
     await left;
     outstanding.down();
     sent.length = 0;
-    outstanding.up();
+    outstanding.up("a5");
     expect(sent).toEqual([]);
   });
 });

@@ -1,4 +1,4 @@
-/** Requests that wait for their answers: numbered, and sent again when the link was lost before an answer came. */
+/** Requests that wait for their answers: numbered, and sent again to the same show when the link was lost before. */
 
 import type { FromEditor, ToEditor } from "../../link/editing_messages";
 import type { Answer, Request } from "./requests";
@@ -41,6 +41,8 @@ export class PendingRequests {
   #up = false;
   /** The item that is open, to be opened again on the next link. */
   #open: number | null = null;
+  /** The show that was greeted last; its numbers of items mean nothing in another one. */
+  #show: string | null = null;
 
   /** `send` puts a message on the link; it is called only while the link is up. */
   constructor(private readonly send: (message: FromEditor) => void) {}
@@ -64,9 +66,12 @@ export class PendingRequests {
     });
   }
 
-  /** The server has greeted: the open item is opened again, and what was not answered is sent again, in order. */
-  up(): void {
+  /** The server has greeted: the open item is opened again, and what was not answered is sent again, in order; where
+   * it serves another show, what waits fails. */
+  up(show: string): void {
     this.#up = true;
+    if (this.#show !== null && this.#show !== show) this.#forget();
+    this.#show = show;
     if (this.#open !== null) this.send({ type: "open_item", request: 0, item: this.#open });
     for (const { message } of this.#waiting.values()) this.send(message);
   }
@@ -83,6 +88,15 @@ export class PendingRequests {
         ),
       );
     }
+  }
+
+  /** What waits was meant for another show. */
+  #forget(): void {
+    const waiting = [...this.#waiting.values()];
+    this.#waiting.clear();
+    this.#open = null;
+    for (const { message, fail } of waiting)
+      fail(new Error(`${NAMES[message.type] ?? "An edit"}: not sent, because another show is served here now.`));
   }
 
   /** Takes a message of the server; true where it answered a request of ours. */

@@ -27,7 +27,7 @@ export class Heading extends EditorElement {
     return html`
       <div class="mark">OMOTE <small>EDITOR</small></div>
       ${store.online ? nothing : html`<div class="lost" role="alert">LINK LOST – what you do waits here</div>`}
-      ${item === null || draft === null ? html`<span class="grow"></span>` : this.#open(item, draft)}
+      ${item === null || draft === null ? html`<span class="grow"></span>${store.deleted === null ? nothing : this.#steps(0, 0, "")}` : this.#open(item, draft)}
       <label class="you" title="Other editors read this name">You:
         <input aria-label="Your name" maxlength="64" .value=${this.context.name()} @change=${this.#rename} /></label>
       <a class="console" href="/console" target="_blank" title="Play what is saved">Console</a>
@@ -58,7 +58,9 @@ export class Heading extends EditorElement {
     `;
   }
 
-  #steps(back: number, forward: number, what: string) {
+  #steps(steps: number, forward: number, step: string) {
+    const { deleted } = this.store;
+    const [back, what] = deleted === null ? [steps, step] : [1, `delete of ${deleted.item.label}`];
     const next = this.store.undone.at(-1) ?? "";
     return html`<div class="steps">
       <button data-step="undo" ?disabled=${back === 0} title=${back === 0 ? "Nothing to undo" : `Undo: ${what} (Ctrl Z)`} aria-label=${back === 0 ? "Undo" : `Undo: ${what}`}

@@ -4,6 +4,7 @@ import { html, nothing } from "lit";
 import { customElement, queryAll, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { ItemDocument } from "../../link/editing_messages";
+import { strayClickStopper } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE } from "../../ui/thumbnails";
 import { controls } from "../controls/controls_style";
@@ -51,6 +52,7 @@ export class ItemListPanel extends EditorElement {
   #watch: IntersectionObserver | null = null;
   #carried: ItemDocument | null = null;
   #open = -1;
+  readonly #stopStrayClicks = strayClickStopper();
   /** What items that are not saved yet look like, as far as they have been open here. */
   readonly #drafts = new Map<number, string>();
 
@@ -67,6 +69,11 @@ export class ItemListPanel extends EditorElement {
     void this.updateComplete.then(() =>
       this.renderRoot.querySelector("omote-new")?.scrollIntoView({ block: "nearest" }),
     );
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.addEventListener("click", this.#stopStrayClicks, { capture: true });
   }
 
   override disconnectedCallback(): void {
@@ -161,17 +168,22 @@ export class ItemListPanel extends EditorElement {
         @click=${() => openItem(this.store, item.id)}>
         <canvas data-source=${item.content || (this.#drafts.get(item.id) ?? "")} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>
         <span class="text">${this.naming === item.id ? nothing : html`<b>${item.label}</b>`}
-          <small>${this.#remark(item)}</small></span>
+          <small class=${this.#isUnsaved(item) ? "unsaved" : ""}>${this.#remark(item)}</small></span>
       </button>
       ${this.naming === item.id ? this.#entry(item) : nothing}
       <div class="acts">${item.deleted ? this.#bringer(item) : this.#acts(item, shown)}</div>
     </li>`;
   }
 
+  #isUnsaved({ id, head, deleted }: ItemDocument): boolean {
+    return head === 0 || (this.store.unsaved.has(id) && !deleted);
+  }
+
   #remark(item: ItemDocument): string {
     const others = item.editors.filter((name) => name !== this.context.name());
     const here = others.length === 0 ? "" : `open: ${others.join(", ")}`;
-    return [item.head === 0 ? "not saved yet" : "", item.tags.join(", "), here].filter(Boolean).join(" · ");
+    const unsaved = item.head === 0 ? "not saved yet" : "changes not saved";
+    return [this.#isUnsaved(item) ? unsaved : "", item.tags.join(", "), here].filter(Boolean).join(" · ");
   }
 
   #entry(item: ItemDocument) {
@@ -194,14 +206,17 @@ export class ItemListPanel extends EditorElement {
   }
 
   #acts(item: ItemDocument, shown: readonly ItemDocument[]) {
-    const act = (label: string, sign: unknown, does: () => void, off = false) =>
+    const act = (label: string, sign: unknown, does: (event: MouseEvent) => void, off = false) =>
       html`<button class="icon quiet" title=${label} aria-label="${label}: ${item.label}" ?disabled=${off} @click=${does}>${sign}</button>`;
+    const once = (event: MouseEvent): void => {
+      if (event.detail < 2) void remove(this.store, item);
+    };
     return [
       act("Further up", "↑", () => this.#shift(item, -1), shown[0] === item),
       act("Further down", "↓", () => this.#shift(item, 1), shown.at(-1) === item),
       act("Rename", "✎", () => void this.#name(item)),
       act("Duplicate", COPY, () => duplicate(this.store, item), item.head === 0),
-      act("Delete", "✕", () => void remove(this.store, item)),
+      act("Delete", "✕", once),
     ];
   }
 

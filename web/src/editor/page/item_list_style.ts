@@ -89,6 +89,9 @@ export const style = css`
     text-overflow: ellipsis;
     white-space: nowrap;
   }
+  .text .unsaved {
+    color: var(--attention);
+  }
   .naming {
     position: absolute;
     left: 74px;

@@ -3,7 +3,7 @@
 import type { KeyPress } from "../../ui/gestures";
 import type { Tool } from "../session/editor_store";
 
-export type View = "front" | "left" | "right" | "three-quarter";
+export type View = "front" | "left" | "right" | "three-quarter" | "whole";
 
 export type Command =
   | { do: "undo" | "redo" | "save" | "help" | "search" | "leave" | "mirror" | "wireframe" | "needles" | "muscles" }
@@ -24,6 +24,7 @@ export const VIEWS: readonly (readonly [View, string, string])[] = [
   ["left", "Left", "2"],
   ["right", "Right", "3"],
   ["three-quarter", "¾", "4"],
+  ["whole", "Whole", "0"],
 ];
 
 const LETTERS: Readonly<Record<string, Command>> = {
@@ -44,6 +45,7 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["X", "Mirror: what you do on one side is done on the other"],
   ["Arrows", "On the face: nudge the selected needles, with Shift finer, with Alt off the skin"],
   ["1 – 4", "Front, left side, right side, three-quarter view"],
+  ["0", "The whole face again, after zoom and shift; so does a double click beside it"],
   ["N  W  U", "Show needles, wireframe, muscles"],
   ["Esc", "Lets go of a drag as if it had not been, else of the selection, else back to your draft"],
   ["/", "Search"],

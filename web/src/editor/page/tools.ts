@@ -2,6 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
+import { live } from "lit/directives/live.js";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
@@ -119,8 +120,8 @@ export class Tools extends EditorElement {
       </div>
       <select aria-label="Region that moves" title="Only this part of the face moves"
         @change=${(event: Event) => this.store.setOptions({ region: textOf(event) || null })}>
-        <option value="" ?selected=${region === null}>Whole face</option>
-        ${this.store.regions.map((name) => html`<option value=${name} ?selected=${name === region}>Only ${name}</option>`)}
+        <option value="" .selected=${live(region === null)}>Whole face</option>
+        ${this.store.regions.map((name) => html`<option value=${name} .selected=${live(name === region)}>Only ${name}</option>`)}
       </select>
     `;
   }

@@ -13,7 +13,7 @@ import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import { MILLIMETRES, shown } from "../controls/units";
 import type { DraftStore } from "../session/draft_store";
-import { distances, drawShape, FINER, heat, largest, SKIN } from "./shape_difference";
+import { distances, drawShape, FINER, heat, largest, largestSeen, SKIN } from "./shape_difference";
 
 /** One of two things that are compared: a content, and what people call it. */
 export interface Side {
@@ -90,9 +90,9 @@ export class Comparison extends EditorElement {
     drawShape(first, one, meshes, () => SKIN);
     drawShape(second, other, meshes, () => SKIN);
     void this.#portray([first, second]);
-    drawShape(third, other, meshes, (row) => heat((apart[row] as number) / Math.max(most, ALIKE)));
-    this.sentence =
-      most < ALIKE ? "They are alike." : `They differ by up to ${shown(most, MILLIMETRES)} mm, where it is red.`;
+    const seen = largestSeen(apart, other, meshes);
+    drawShape(third, other, meshes, (row) => heat((apart[row] as number) / Math.max(seen, ALIKE)));
+    this.sentence = differenceOf(most, seen);
   }
 
   /** The first two as they look on a stage; the plain shapes stay where that fails. */
@@ -126,6 +126,16 @@ export class Comparison extends EditorElement {
   #close(): void {
     this.dispatchEvent(new CustomEvent("close"));
   }
+}
+
+/** What the picture of distances says: by how much two shapes differ, and by how much where it shows them. */
+export function differenceOf(most: number, seen: number): string {
+  const millimetres = (metres: number): string => `${shown(metres, MILLIMETRES)} mm`;
+  if (most < ALIKE) return "They are alike.";
+  const hidden = `${millimetres(most)} where you do not see it: behind, or inside the mouth`;
+  if (seen < ALIKE) return `They look alike from here. They differ by up to ${hidden}.`;
+  const here = `They differ by up to ${millimetres(seen)}, where it is red`;
+  return millimetres(most) === millimetres(seen) ? `${here}.` : `${here}; by up to ${hidden}.`;
 }
 
 /** The positions of a face by its source, (vertices, 3) metres. */

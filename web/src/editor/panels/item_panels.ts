@@ -23,12 +23,12 @@ const FOR_EXPRESSIONS: readonly (readonly [Tab, string])[] = [
   ["points", "Numbers"],
   ["eyes", "Eyes"],
   ["history", "History"],
-  ["exchange", "In & out"],
+  ["exchange", "Import & export"],
 ];
 const FOR_FACES: readonly (readonly [Tab, string])[] = [
   ["recipe", "Recipe"],
   ["history", "History"],
-  ["exchange", "In & out"],
+  ["exchange", "Import & export"],
 ];
 
 /** What the open item is made of, one side of it at a time. */

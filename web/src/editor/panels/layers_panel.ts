@@ -2,6 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
+import { live } from "lit/directives/live.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { Layer } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
@@ -129,9 +130,10 @@ export class Layers extends EditorElement {
       <div class="row">
         <select class="grow" aria-label="Region of ${layer.label}" title="Only this part of the face"
           @change=${(event: Event) => this.#change(at, { region: textOf(event) || null })}>
-          <option value="" ?selected=${layer.region === null}>Whole face</option>
+          <option value="" .selected=${live(layer.region === null)}>Whole face</option>
           ${this.store.regions.map(
-            (region) => html`<option value=${region} ?selected=${region === layer.region}>Only ${region}</option>`,
+            (region) =>
+              html`<option value=${region} .selected=${live(region === layer.region)}>Only ${region}</option>`,
           )}
         </select>
         <label class="row" title="Left and right exchanged"><input type="checkbox" .checked=${layer.mirrored}

@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { live } from "lit/directives/live.js";
 import {
   GAIN_REGIONS,
   type Gain,
@@ -169,7 +170,7 @@ export class FaceRecipePanel extends EditorElement {
     return html`<div class="row">
       <select aria-label="Region of a gain for one expression" @change=${(event: Event) => {
         this.region = textOf(event) as GainRegion;
-      }}>${GAIN_REGIONS.map((one) => html`<option value=${one} ?selected=${one === region}>${titled(one)}</option>`)}</select>
+      }}>${GAIN_REGIONS.map((one) => html`<option value=${one} .selected=${live(one === region)}>${titled(one)}</option>`)}</select>
       ${sourceChoice(sources, {
         label: "A gain for one expression",
         first: "+ for one expression…",

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Mesh } from "../../link/assets";
-import { distances, heat, largest, lightOf, rasterized } from "./shape_difference";
+import { distances, heat, largest, largestSeen, lightOf, rasterized } from "./shape_difference";
 
 const POSITIONS = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]);
 
@@ -61,5 +61,14 @@ describe("the picture of a shape", () => {
 
   it("has no gap between triangles", () => {
     expect(Math.min(...reds([SIDES]))).toBeGreaterThan(20);
+  });
+
+  it("says how large numbers are where it shows them, not behind", () => {
+    const sheet = new Float32Array([-1, -1, 0, 1, -1, 0, 0, 1, 0, -0.1, -0.1, 0.1, 0.1, -0.1, 0.1, 0, 0.1, 0.1]);
+    const [far, near] = [mesh([0, 1, 2], 6), mesh([3, 4, 5], 6)];
+    const hidden = new Float32Array([-0.01, -0.01, 0, 0.01, -0.01, 0, 0, 0.01, 0, ...sheet.slice(9)]);
+    expect(largestSeen(Float32Array.of(9, 9, 9, 1, 2, 3), hidden, [far, near])).toBe(3);
+    expect(largestSeen(Float32Array.of(9, 9, 9, 1, 2, 3), hidden, [far])).toBe(9);
+    expect(largestSeen(Float32Array.of(9, 9, 9, 1, 2, 3), sheet, [])).toBe(0);
   });
 });

@@ -70,6 +70,26 @@ function crossOf(positions: Float32Array, a: number, b: number, c: number): [num
   ];
 }
 
+/** How far before what is seen a row may lie and be seen itself, metres: more than a pixel's slope, less than a lip. */
+const THIN = 0.0015;
+
+/** The largest of numbers, one per row, among the rows that a picture of the shape shows; 0 where there is none. */
+export function largestSeen(values: Float32Array, positions: Float32Array, meshes: readonly Mesh[]): number {
+  const size = 256;
+  const { depths } = rasterized(size, size, positions, meshes, () => SKIN);
+  let most = 0;
+  for (const { source } of meshes)
+    for (const row of source) {
+      const at = (axis: number): number => positions[3 * row + axis] as number;
+      const column = Math.floor(size / 2 + ((at(0) - FRAME.x) * size) / FRAME.height);
+      const line = Math.floor(size / 2 - ((at(1) - FRAME.y) * size) / FRAME.height);
+      const inside = column >= 0 && column < size && line >= 0 && line < size;
+      if (inside && at(2) > (depths[line * size + column] as number) - THIN)
+        most = Math.max(most, values[row] as number);
+    }
+  return most;
+}
+
 /** What a picture shows: a window on the front of the head, metres. */
 const FRAME = { x: 0, y: -0.012, height: 0.25 } as const;
 const GROUND = [11, 13, 15] as const;

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import type { DraftState, ItemDocument, NetDocument, Recipe } from "../../link/editing_messages";
+import type { DraftState, Greeted, ItemDocument, NetDocument, Recipe } from "../../link/editing_messages";
 import type { Answer, Request } from "../link/requests";
 import { flat, REST, split, type Vector } from "./control_net";
 import { DraftStore } from "./draft_store";
@@ -59,6 +59,21 @@ const item = (id: number, more: Partial<ItemDocument> = {}): ItemDocument => ({
   deleted: false,
   editors: [],
   ...more,
+});
+
+const greeting = (show: string, unsaved: number[] = []): Greeted => ({
+  type: "greeted",
+  version: 0,
+  digest: "",
+  show,
+  muscles: [],
+  regions: [],
+  masks: bytes(new Float32Array(0)),
+  followers: bytes(new Float32Array(0)),
+  anchors: bytes(new Float32Array(0)),
+  shares: bytes(new Float32Array(0)),
+  items: [item(1), item(2)],
+  unsaved,
 });
 
 /** A server that answers when the test says so. */
@@ -258,6 +273,70 @@ describe("items", () => {
     expect(store.draft).toBeNull();
     store.notices[0]?.actions[0]?.act();
     expect(script.asked[1]?.request).toEqual({ type: "restore", item: 1 });
+  });
+
+  it("come back by Undo while nothing else was done, open where they were", async () => {
+    const removed = async (at: number): Promise<void> => {
+      const done = remove(store, item(1));
+      await script.answer(at, { type: "done", request: 1 });
+      await done;
+    };
+    await removed(0);
+    undo(store);
+    expect(script.asked[1]?.request).toEqual({ type: "restore", item: 1 });
+    await script.answer(1, { type: "done", request: 2 });
+    expect(script.asked[2]?.request).toEqual({ type: "open_item", item: 1 });
+    await script.answer(2, draftOf(moved, { undo: 2, what: "drag" }));
+    expect(store.deleted).toBeNull();
+
+    await removed(3);
+    undo(store);
+    void store.ask({ type: "open_item", item: 2 }); // meanwhile
+    await script.answer(4, { type: "done", request: 3 });
+    expect(script.asked.slice(4).map(({ request }) => request.type)).toEqual(["restore", "open_item"]);
+    await script.answer(5, draftOf(moved, { item: 2, undo: 2, what: "drag" }));
+    await removed(6);
+    store.setOptions({ mirror: true }); // no deed
+    store.edit({ type: "set_eyes", eyes: [0, 0, 0, 0], pupil: 0 });
+    undo(store);
+    expect(script.asked.slice(7).map(({ request }) => request)).toMatchObject([
+      { type: "set_eyes", item: 2 },
+      { type: "undo", item: 2 },
+    ]);
+  });
+
+  it("are not taken from under the hands by an answer that comes late", async () => {
+    void store.ask({ type: "open_item", item: 2 });
+    void store.ask({ type: "create_expression", label: "Grin", start: {}, on_air: false });
+    await script.answer(1, draftOf(still, { item: 3 }));
+    expect(store.draft?.item).toBe(3);
+    expect(script.asked[2]?.request).toEqual({ type: "close_item", item: 1 }); // others read who has it open
+    await script.answer(0, draftOf(moved, { item: 2 }));
+    expect(store.draft?.item).toBe(3);
+    void store.ask({ type: "open_item", item: 2 });
+    store.edit({ type: "set_eyes", eyes: [0, 0, 0, 0], pupil: 0 });
+    await script.answer(3, draftOf(moved, { item: 2 }));
+    await script.answer(4, draftOf(still, { item: 3 }));
+    expect(store.draft?.item).toBe(2);
+  });
+
+  it("are marked while a draft of them is not saved", () => {
+    store.receive(greeting("a5", [2]));
+    expect([...store.unsaved]).toEqual([2]);
+    store.receive(draftOf(moved, { dirty: true }));
+    expect([...store.unsaved]).toEqual([2, 1]);
+    store.receive(draftOf(still, { dirty: false }));
+    expect([...store.unsaved]).toEqual([2]);
+  });
+
+  it("of another show are not taken for those that were open", () => {
+    store.receive(greeting("a5"));
+    store.receive(draftOf(still, { net: netOf([0, 10, 20]) }));
+    store.receive(greeting("a5"));
+    expect(store.draft).not.toBeNull();
+    store.receive(greeting("b7"));
+    expect(store.draft).toBeNull();
+    expect(store.notices[0]?.text).toContain("Another show");
   });
 
   it("keep a new name under what is typed next, and take it back where it is refused", async () => {

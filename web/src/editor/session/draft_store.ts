@@ -201,11 +201,13 @@ export class DraftStore extends EditorStore {
 
   async #askNow(request: Request, answered: () => void): Promise<Answer | null> {
     this.#unanswered += 1;
+    const turn = this.noteAsked(request.type);
     try {
       const answer = await this.send(request);
       this.#unanswered -= 1;
       answered();
-      this.receive(answer);
+      const { draft } = this;
+      if (answer.type !== "draft" || answer.item === draft?.item || this.isNewest(turn)) this.receive(answer);
       if (answer.type !== "draft") this.#takeAnswer();
       return answer;
     } catch (error) {
@@ -221,10 +223,6 @@ export class DraftStore extends EditorStore {
   /** A change of the open item; an old revision that was looked at goes, for who edits wants to see it. */
   edit(change: Change): void {
     this.#endSolo();
-    this.#change(change);
-  }
-
-  #change(change: Change): void {
     if (this.draft === null) return;
     if (this.look !== null) this.setLook(null);
     void this.ask({ ...change, item: this.draft.item } as Request);
@@ -240,7 +238,7 @@ export class DraftStore extends EditorStore {
   }
 
   /** Nothing is open any more. */
-  leave(): void {
+  override leave(): void {
     [this.draft, this.net, this.live, this.livePulls] = [null, null, new Float64Array(0), new Map()];
     this.#forget();
     this.tell("draft");
@@ -258,13 +256,16 @@ export class DraftStore extends EditorStore {
   }
 
   #receiveDraft(draft: DraftState): void {
+    const left = this.draft?.item ?? draft.item;
     const other = draft.item !== this.draft?.item;
+    if (left !== draft.item) this.send({ type: "close_item", item: left }).catch(() => undefined); // nobody waits for it
     const before = this.net;
     if (draft.net !== null) this.net = readNet(draft.net);
     else if (draft.recipe.kind === "face") this.net = null;
     this.draft = draft;
     if (other) this.#forget();
     else if (this.net !== before) this.select(keptPlaces(this.selection, before, this.net));
+    this.setUnsaved(draft.item, draft.dirty);
     this.layerPreview.renew();
     this.#takeAnswer();
     this.tell("draft");

@@ -5,6 +5,7 @@ import type { Greeted, ItemDocument } from "../../link/editing_messages";
 import type { Manifest } from "../../link/messages";
 import { TopicStore } from "../../link/topics";
 import { LongRequests } from "../../ui/long_requests";
+import type { Request } from "../link/requests";
 import { type Followers, type HeadControls, type Muscle, readHeadControls } from "./control_net";
 import { type Notice, Notices } from "./notices";
 
@@ -27,6 +28,12 @@ export interface Options {
   readonly muscles: boolean;
 }
 
+/** What changes nothing. */
+const LOOKS: ReadonlySet<Request["type"]> = new Set(["ask_history", "open_item", "close_item"]);
+
+/** What is answered with the draft of another item than the open one. */
+const OPENS: ReadonlySet<Request["type"]> = new Set(["open_item", "create_expression", "create_face", "duplicate"]);
+
 /** The most faces beside the work. */
 export const MOST_NEIGHBOURS = 10;
 /** The face under work before anybody has chosen. */
@@ -38,6 +45,10 @@ export class EditorStore extends TopicStore<Topic> {
   library: Library | null = null;
   headControls: HeadControls | null = null;
   items: readonly ItemDocument[] = [];
+  /** The numbers of items of which this editor has a draft that is not saved. */
+  unsaved: ReadonlySet<number> = new Set();
+  /** Which show is served; null before the server has greeted. */
+  show: string | null = null;
   /** Of the cast that pages may load now; "" before the server has said. */
   digest = "";
   /** The name of the face shown large, and of those beside it. */
@@ -52,11 +63,15 @@ export class EditorStore extends TopicStore<Topic> {
     needles: true,
     muscles: false,
   };
+  /** The item that was deleted last, and whether it was open, while nothing was done since: Undo brings it back. */
+  deleted: { readonly item: ItemDocument; readonly open: boolean } | null = null;
   online = false;
   /** What is being opened, as people call it; "": nothing. */
   opening = "";
   readonly longRequests = new LongRequests();
   readonly #notices = new Notices();
+  /** How often something was to be opened. */
+  openings = 0;
 
   /** The cast as it is now. */
   get manifest(): Manifest | null {
@@ -95,12 +110,48 @@ export class EditorStore extends TopicStore<Topic> {
   }
 
   setHeadControls(greeted: Greeted): void {
+    if (this.show !== null && this.show !== greeted.show) this.#leaveShow();
     this.headControls = readHeadControls(greeted);
+    this.show = greeted.show;
+    this.unsaved = new Set(greeted.unsaved);
     this.setItems(greeted.items, greeted.digest);
   }
 
   setItems(items: readonly ItemDocument[], digest = this.digest): void {
     [this.items, this.digest] = [items, digest];
+    this.tell("items");
+  }
+
+  /** Nothing is open any more. */
+  leave(): void {
+    this.tell("draft");
+  }
+
+  /** Another show is served than before: what is open, and what was deleted last, belong to the former. */
+  #leaveShow(): void {
+    this.deleted = null;
+    this.leave();
+    this.say("Another show is served here now: what you see are its faces and expressions.");
+  }
+
+  /** Something is asked of the server: what is more than a look is now the last thing that was done. Its turn among
+   * those that open an item; NaN where it opens none. */
+  protected noteAsked(type: Request["type"]): number {
+    if (!LOOKS.has(type)) this.deleted = null;
+    if (!OPENS.has(type)) return Number.NaN;
+    this.openings += 1;
+    return this.openings;
+  }
+
+  /** Whether nothing else was to be opened since; a late answer takes the page from nobody. */
+  protected isNewest(turn: number): boolean {
+    return turn === this.openings;
+  }
+
+  protected setUnsaved(item: number, unsaved: boolean): void {
+    if (this.unsaved.has(item) === unsaved) return;
+    const others = [...this.unsaved].filter((one) => one !== item);
+    this.unsaved = new Set(unsaved ? [...others, item] : others);
     this.tell("items");
   }
 

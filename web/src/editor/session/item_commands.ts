@@ -107,8 +107,13 @@ async function lookAt(store: DraftStore, item: number, number: number): Promise<
   if (theirs !== undefined && store.draft?.item === item) store.setLook(theirs.content);
 }
 
+/** The last step of the open item, or the delete where that came after it. */
 export function undo(store: DraftStore): void {
-  const { draft } = store;
+  const { draft, deleted } = store;
+  if (deleted !== null) {
+    void bringItemBack(store, deleted);
+    return;
+  }
   if (draft === null || draft.undo === 0) return;
   const { what } = draft;
   void store.ask({ type: "undo", item: draft.item }).then((answer) => {
@@ -177,8 +182,21 @@ export const duplicate = (store: DraftStore, { id, label }: ItemDocument): void 
 export async function remove(store: DraftStore, item: ItemDocument): Promise<void> {
   const answer = await store.ask({ type: "delete", item: item.id });
   if (answer === null) return;
-  if (store.draft?.item === item.id) store.leave();
-  store.say(`"${item.label}" is deleted.`, "done", [{ label: "Undo", act: () => restore(store, item) }]);
+  const gone = { item, open: store.draft?.item === item.id };
+  store.deleted = gone;
+  if (gone.open) store.leave();
+  else store.tell("draft");
+  store.say(`"${item.label}" is deleted.`, "done", [{ label: "Undo", act: () => void bringItemBack(store, gone) }]);
+}
+
+/** Undoes a delete: the item is in its place again, and open where it was. */
+async function bringItemBack(store: DraftStore, { item, open }: NonNullable<DraftStore["deleted"]>): Promise<void> {
+  const { openings } = store;
+  const answer = await store.ask({ type: "restore", item: item.id });
+  store.tell("draft");
+  if (answer === null) return;
+  store.say(`"${item.label}" is back.`, "done");
+  if (open && openings === store.openings) await openItem(store, item.id);
 }
 
 export const restore = (store: DraftStore, { id }: ItemDocument): void => void store.ask({ type: "restore", item: id });

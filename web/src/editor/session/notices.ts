@@ -9,14 +9,15 @@ export interface Notice {
 }
 
 export class Notices {
+  /** The newest first: where many do not fit, it is what is seen. */
   all: readonly Notice[] = [];
   #said = 0;
 
-  /** Says a sentence; the same one again takes the place of the former. */
+  /** Says a sentence; the same one again takes the place of the former, and good news that of other good news. */
   say(text: string, kind: Notice["kind"], actions: Notice["actions"]): void {
     this.#said += 1;
     const others = this.all.filter((notice) => notice.text !== text && !(kind === "done" && notice.kind === "done"));
-    this.all = [...others, { id: this.#said, text, kind, actions }];
+    this.all = [{ id: this.#said, text, kind, actions }, ...others];
   }
 
   /** What of a kind was said is over. */

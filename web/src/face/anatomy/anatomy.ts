@@ -4,6 +4,7 @@ import { MathUtils } from "three";
 import type { Library, Mesh } from "../../link/assets";
 import { HAIRLINE } from "../../link/constants";
 import { type CorrectivesData, readCorrectives } from "./correctives_data";
+import { type RegionMasks, readRegionMasks } from "./region_masks";
 import { distances, type Fans, fans, lowestBorder, rowTriangles, smoothed } from "./topology";
 
 /** What the stage works out once per cast from the generic face: all that is painted or turned by place. */
@@ -21,6 +22,8 @@ export interface Anatomy {
   lines: ReadonlyMap<string, Uint32Array>;
   /** How sums are put right, where the cast says so. */
   correctives: CorrectivesData | undefined;
+  /** What belongs to which region, where the cast says so. */
+  regions: RegionMasks | undefined;
 }
 
 /** 0..1 to 0..1 with level ends. */
@@ -45,9 +48,16 @@ async function buildAnatomy(library: Library): Promise<Anatomy> {
   const rim = skin < 0 ? [] : lowestBorder(triangles[skin] as Uint32Array, positions);
   const sky = smoothed(around, openness(library), 1, 1);
   const traits = readTraits(around, positions, rim, library.manifest.skin, sky);
-  const document = library.manifest.settling;
-  const correctives = document === null || document === undefined ? undefined : readCorrectives(document);
-  return { fans: around, traits, rim, eyeRows: eyeRows(library.meshes), positions, lines: library.lines, correctives };
+  const eyes = eyeRows(library.meshes);
+  return { fans: around, traits, rim, eyeRows: eyes, positions, lines: library.lines, ...readDocuments(library) };
+}
+
+function readDocuments({ manifest }: Library): Pick<Anatomy, "correctives" | "regions"> {
+  const { settling, regions } = manifest;
+  return {
+    correctives: settling ? readCorrectives(settling) : undefined,
+    regions: regions ? readRegionMasks(regions, manifest.vertices) : undefined,
+  };
 }
 
 function firstFace(library: Library): string {

@@ -40,8 +40,32 @@ describe("what a stage holds", () => {
     await residency.complete();
     expect(arrival()).toBe("here");
     const pose = { ...restPose("dog"), expressions: { neutral: 0.999, "#1": 0.001 } };
-    residency.mix(pose, blender, 0, false);
+    residency.advance([pose], blender, 0, false);
     expect(arrival()).toBe("shown"); // next to nothing of it shows, so it needs no easing
+  });
+
+  it("adds up what differs in regions by their masks, and without masks shows the whole face's", async () => {
+    const allowed = { places: new Uint32Array([1, 2]), values: new Float32Array([10, 100]) };
+    const library = { ...late().library, compound: async () => ({ ...compound, allowed }) } as unknown as Library;
+    const masks = Float32Array.from([1, 0, 0, 0, 0, 0.25, 0.75, 0, 0, 0, 0, 1]);
+    const pose = { ...restPose("dog"), regions: { eyes: { "#1": 1 }, mouth: { neutral: 0.5, "#1": 0.5 } } };
+    const mixOf = async (residency: AssetResidency) => {
+      const blender = layers();
+      Object.assign(library, {
+        hasFace: () => true,
+        hasExpression: () => true,
+        positions: async () => new Float32Array(3),
+      });
+      residency.want(["dog"], ["#1"]);
+      await residency.complete();
+      residency.advance([pose], blender, 0, true);
+      return residency.mix(pose, blender, new Float32Array(3));
+    };
+    const mix = await mixOf(new AssetResidency(library, masks));
+    expect([mix.entries.length, mix.regional.map(({ weights }) => weights)]).toEqual([1, [[0, 1, 0.5, 0]]]);
+    expect([...(mix.allowed ?? [])]).toEqual([0, 10 * (0.25 + 0.75 * 0.5), 0]);
+    const whole = await mixOf(new AssetResidency(library));
+    expect([whole.entries.length, whole.regional, whole.allowed]).toEqual([1, [], undefined]);
   });
 
   it("counts what was refused, and what nobody has, as shown: nothing waits for it", async () => {
@@ -49,7 +73,7 @@ describe("what a stage holds", () => {
     const [residency, blender] = [new AssetResidency(library), layers()];
     residency.want(["dog"], ["#refused"]);
     await residency.complete();
-    residency.mix(restPose("dog"), blender, 0, true);
+    residency.advance([restPose("dog")], blender, 0, true);
     expect(residency.arrival(["dog", "nobody"], ["#refused", "nothing"], blender)).toBe("shown");
   });
 });

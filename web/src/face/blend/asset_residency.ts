@@ -1,9 +1,9 @@
 /** Decides which blendshapes are on the GPU, and eases in those that arrive late. */
 
 import type { Compound, Library } from "../../link/assets";
-import { expressionWeights, faceWeights, type Term, terms } from "../pose/mix_terms";
+import { expressionNames, faceWeights, type Term, terms } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
-import type { Blender, Entry, Mix } from "./blender";
+import type { Blender, Mix } from "./blender";
 
 /** Writes a layer's values, (x, y, z, unused) per texel. */
 type Fill = (into: Float32Array) => void;
@@ -21,16 +21,13 @@ export class AssetResidency {
   private readonly shares = new Map<string, number>();
   private readonly lost = new Set<string>();
   private readonly allowances = new Map<string, NonNullable<Compound["allowed"]>>();
-  private readonly allowed: Float32Array;
   private scratch: Float32Array | undefined;
 
-  /** `size`: numbers in an allowance (`correctives_data.ts`). */
+  /** `masks`: how much of each number of an allowance belongs to each region, four to a number. */
   constructor(
     private readonly library: Library,
-    size = 0,
-  ) {
-    this.allowed = new Float32Array(size);
-  }
+    private readonly masks?: Float32Array,
+  ) {}
 
   /** Fetches these faces wearing these expressions; what is not in the cast is passed over. */
   want(faces: Iterable<string>, expressions: Iterable<string>): void {
@@ -58,31 +55,51 @@ export class AssetResidency {
     await Promise.all(this.asked.values());
   }
 
-  /** The pose's terms as layers of the blender, after `seconds` more; `atOnce`: everything that is here, in full. */
-  mix(pose: Pose, blender: Blender, seconds: number, atOnce: boolean): Mix {
-    this.upload(pose, blender, atOnce);
+  /** Puts what the poses of a frame need on the GPU, `seconds` after the last; `atOnce`: everything that is here, in full. */
+  advance(poses: readonly Pose[], blender: Blender, seconds: number, atOnce: boolean): void {
+    this.upload(poses, blender, atOnce);
     for (const [key, share] of this.shares)
       if (share < 1) this.shares.set(key, atOnce ? 1 : Math.min(1, share + seconds / CATCH_UP));
-    const held = terms(pose, (face, expression) => this.share(face, expression, blender));
-    const entry = ({ face, expression, weight }: Term): Entry => ({
-      layer: blender.layers.use(keyOf(face, expression)) as number,
-      weight,
-    });
-    const rest = held.filter(({ expression }) => expression === undefined);
-    const several = rest.length > 1 || held.length > rest.length + 1;
-    return { entries: held.map(entry), rest: rest.map(entry), allowed: several ? this.allow(held) : undefined };
   }
 
-  /** What the compounds together are allowed: the same array every time. */
-  private allow(held: readonly Term[]): Float32Array {
-    this.allowed.fill(0);
-    for (const { face, expression, weight } of held) {
+  /** A pose's terms as layers of the blender; `allowed`: what is written with the compounds' allowances. */
+  mix(pose: Pose, blender: Blender, allowed: Float32Array): Mix {
+    const shown = this.masks === undefined ? { ...pose, regions: {} } : pose; // a head without eyes has no regions
+    const held = terms(shown, (face, expression) => this.share(face, expression, blender));
+    const layer = ({ face, expression }: Term): number => blender.layers.use(keyOf(face, expression)) as number;
+    const plain = held.filter(({ regions }) => regions === undefined);
+    const entries = plain.map((term) => ({ layer: layer(term), weight: term.weight }));
+    const regional = held.flatMap((term) =>
+      term.regions === undefined ? [] : [{ layer: layer(term), weights: term.regions }],
+    );
+    const rest = entries.filter((_, at) => plain[at]?.expression === undefined);
+    const several = rest.length > 1 || held.length > rest.length + 1 || regional.length > 0;
+    return {
+      entries,
+      regional,
+      rest,
+      allowed: several ? this.allow(held, allowed) : undefined,
+    };
+  }
+
+  /** What the compounds together are allowed. */
+  private allow(held: readonly Term[], allowed: Float32Array): Float32Array {
+    allowed.fill(0);
+    for (const term of held) {
+      const { face, expression } = term;
       const own = expression === undefined ? undefined : this.allowances.get(keyOf(face, expression));
       own?.places.forEach((place, n) => {
-        this.allowed[place] = (this.allowed[place] as number) + Math.abs(weight) * (own.values[n] as number);
+        allowed[place] = (allowed[place] as number) + this.size(term, place) * (own.values[n] as number);
       });
     }
-    return this.allowed;
+    return allowed;
+  }
+
+  /** How much of a term there is at a place of the allowances. */
+  private size({ weight, regions }: Term, place: number): number {
+    if (regions === undefined) return Math.abs(weight);
+    const share = (region: number) => this.masks?.[regions.length * place + region] ?? 0;
+    return regions.reduce((sum, own, region) => sum + share(region) * Math.abs(own), 0);
   }
 
   /** The weights of the faces on air, as far as they are here. */
@@ -103,22 +120,25 @@ export class AssetResidency {
     return blender.layers.has(key) ? smoothShare(this.shares.get(key) ?? 0) : 0;
   }
 
-  private upload(pose: Pose, blender: Blender, atOnce: boolean): void {
-    const wanted = terms(pose, () => 1);
-    const keep = new Set(wanted.map(({ face, expression }) => keyOf(face, expression)));
-    const bare = !wanted.some(({ face }) => blender.layers.has(face)); // nothing shows yet: no need to ease
+  /** What is on air for any character gives way to none; all of them share what may be uploaded in one frame. */
+  private upload(poses: readonly Pose[], blender: Blender, atOnce: boolean): void {
+    const wanted = poses.map((pose) => terms(pose, () => 1));
+    const keep = new Set(wanted.flat().map(({ face, expression }) => keyOf(face, expression)));
     let left = atOnce ? Infinity : UPLOADS;
-    for (const { face, expression, weight } of wanted) {
-      const key = keyOf(face, expression);
-      const fill = this.sheets.get(key);
-      if (blender.layers.has(key) || fill === undefined || left <= 0) continue;
-      const layer = blender.layers.take(key, keep);
-      if (layer === undefined) return; // more than the GPU has layers for: held back
-      left -= 1;
-      this.scratch ??= blender.blankLayer();
-      fill(this.scratch.fill(0));
-      blender.upload(layer, this.scratch);
-      this.shares.set(key, atOnce || bare || Math.abs(weight) < 0.01 ? 1 : 0);
+    for (const summands of wanted) {
+      const bare = !summands.some(({ face }) => blender.layers.has(face)); // nothing shows yet: no need to ease
+      for (const { face, expression, weight } of summands) {
+        const key = keyOf(face, expression);
+        const fill = this.sheets.get(key);
+        if (blender.layers.has(key) || fill === undefined || left <= 0) continue;
+        const layer = blender.layers.take(key, keep);
+        if (layer === undefined) return; // more than the GPU has layers for: held back
+        left -= 1;
+        this.scratch ??= blender.blankLayer();
+        fill(this.scratch.fill(0));
+        blender.upload(layer, this.scratch);
+        this.shares.set(key, atOnce || bare || Math.abs(weight) < 0.01 ? 1 : 0);
+      }
     }
   }
 
@@ -162,5 +182,5 @@ const smoothShare = (share: number): number => share * share * (3 - 2 * share);
 /** Names that a pose puts weight on. */
 export const namesOf = (pose: Pose): { faces: string[]; expressions: string[] } => ({
   faces: Object.keys(pose.faces),
-  expressions: Object.keys(expressionWeights(pose)),
+  expressions: expressionNames(pose),
 });

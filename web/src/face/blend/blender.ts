@@ -2,55 +2,51 @@
 
 import type { CorrectivesData } from "../anatomy/correctives_data";
 import { type Fans, fanSpans } from "../anatomy/topology";
-import { createProgram, dataTexture, targetTexture } from "../gpu/gl";
-import { BLEND_FRAGMENT, NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
-import { CorrectivePasses } from "./corrective_passes";
+import { createProgram, dataTexture, targetTexture, uniformAt } from "../gpu/gl";
+import { NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
+import { type Correction, CorrectivePasses } from "./corrective_passes";
+import { SLOTS } from "./corrective_shaders";
 import { LayerTable } from "./layer_table";
-
-/** One summand for the GPU: a layer of the texture array and its weight. */
-export interface Entry {
-  layer: number;
-  weight: number;
-}
-
-/** The eyeballs, left then right: their rows, centres and radii (metres) and turns (3x3, column by column). */
-export interface Eyeballs {
-  rows: Int32Array; // first and end row of the left, then of the right
-  centres: Float32Array; // 6
-  radii: Float32Array; // 2
-  turns: Float32Array; // 18
-}
+import { type Entry, type Eyeballs, type Sum, SumPass } from "./sum_pass";
 
 /** What is to be added up: all terms, those of them that are faces, and what the others are allowed. */
-export interface Mix {
-  entries: readonly Entry[];
+export interface Mix extends Sum {
   rest: readonly Entry[];
   /** Allowances, weighted and added (omote.perform.blending.correctives); undefined: nothing can be wrong, one compound is worn. */
   allowed: Float32Array | undefined;
 }
 
-/** The entries one pass takes; the uniform block of 8 KB holds two in each vec4. */
-export const MOST_ENTRIES = 1024;
+/** Where one character is blended to: everything that is drawn of it reads these two textures. */
+export interface BlendTarget {
+  readonly positions: WebGLTexture;
+  readonly normals: WebGLTexture;
+  readonly positionFrame: WebGLFramebuffer;
+  readonly normalFrame: WebGLFramebuffer;
+}
+
+/** What will be blended with the frame's others. */
+interface Job {
+  mix: Mix;
+  eyes: Eyeballs;
+  target: BlendTarget;
+}
+
 const FIRST_CAPACITY = 128;
 const CORNER_WIDTH = 512;
 
-/** Blends layers into the position texture and derives the normals: everything that is drawn reads these two. */
+/** Blends layers into characters' position textures and derives the normals; the layers are shared by all of them. */
 export class Blender {
   readonly layers: LayerTable;
-  readonly positions: WebGLTexture;
-  readonly normals: WebGLTexture;
   private readonly height: number;
-  private readonly blendPass: WebGLProgram;
+  private readonly sumPass: SumPass;
   private readonly normalPass: WebGLProgram;
-  private readonly positionTarget: WebGLFramebuffer;
-  private readonly normalTarget: WebGLFramebuffer;
-  private readonly entryBuffer: WebGLBuffer;
   private readonly empty: WebGLVertexArrayObject;
   private readonly ranges: WebGLTexture;
   private readonly corners: WebGLTexture;
-  private readonly entryData = new Float32Array(2 * MOST_ENTRIES);
   private readonly correctivePasses: CorrectivePasses | undefined;
-  private rested = "";
+  /** By slot of the corrective passes: the mix of faces that lies there without expression. */
+  private readonly rested: string[] = [];
+  private jobs: Job[] = [];
   private store: WebGLTexture;
 
   constructor(
@@ -58,6 +54,7 @@ export class Blender {
     private readonly rows: number,
     fan: Fans,
     correctives?: CorrectivesData,
+    regions?: Float32Array,
   ) {
     if (gl.getExtension("EXT_color_buffer_float") === null)
       throw new Error("This graphics driver cannot draw into float textures (EXT_color_buffer_float); update it.");
@@ -66,23 +63,32 @@ export class Blender {
       FIRST_CAPACITY,
       Math.min(1024, gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS) as number),
     );
-    this.blendPass = createProgram(gl, PASS_VERTEX, BLEND_FRAGMENT);
+    this.sumPass = new SumPass(gl, this.height, regions);
     this.normalPass = createProgram(gl, PASS_VERTEX, NORMAL_FRAGMENT);
-    [this.positions, this.positionTarget] = targetTexture(gl, ROW_WIDTH, this.height);
-    [this.normals, this.normalTarget] = targetTexture(gl, ROW_WIDTH, this.height);
     this.store = this.createStore(FIRST_CAPACITY);
     this.empty = gl.createVertexArray();
-    this.entryBuffer = gl.createBuffer();
-    gl.bindBuffer(gl.UNIFORM_BUFFER, this.entryBuffer);
-    gl.bufferData(gl.UNIFORM_BUFFER, this.entryData.byteLength, gl.DYNAMIC_DRAW);
     this.ranges = dataTexture(gl, fanSpans(fan), ROW_WIDTH);
     this.corners = dataTexture(gl, fan.pairs, CORNER_WIDTH);
     this.correctivePasses = correctives === undefined ? undefined : new CorrectivePasses(gl, correctives, this.height);
   }
 
+  /** A target for one more character. */
+  createTarget(): BlendTarget {
+    const [positions, positionFrame] = targetTexture(this.gl, ROW_WIDTH, this.height);
+    const [normals, normalFrame] = targetTexture(this.gl, ROW_WIDTH, this.height);
+    return { positions, normals, positionFrame, normalFrame };
+  }
+
+  /** Frees the target of a character that is gone. */
+  drop({ positions, normals, positionFrame, normalFrame }: BlendTarget): void {
+    for (const texture of [positions, normals]) this.gl.deleteTexture(texture);
+    for (const frame of [positionFrame, normalFrame]) this.gl.deleteFramebuffer(frame);
+  }
+
   /** Puts `rows` times (x, y, z, unused) into a layer, growing the array where it must. */
   upload(layer: number, values: Float32Array): void {
     const { gl } = this;
+    this.rested.length = 0; // a layer holds something else now
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.store);
     if (layer >= this.storeDepth) this.growStore();
     gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, layer, ROW_WIDTH, this.height, 1, gl.RGBA, gl.FLOAT, values);
@@ -93,28 +99,34 @@ export class Blender {
     return new Float32Array(4 * ROW_WIDTH * this.height);
   }
 
-  /** One frame: blended positions with turned eyeballs, put right, then normals. Entries past MOST_ENTRIES are left out. */
-  blend(mix: Mix, eyes: Eyeballs): void {
-    const { gl } = this;
-    gl.disable(gl.BLEND);
-    gl.disable(gl.DEPTH_TEST);
-    gl.disable(gl.SCISSOR_TEST);
-    gl.disable(gl.CULL_FACE);
+  /** Takes on one character's frame: blended positions with turned eyeballs, put right, then normals; `finish` draws it. */
+  blend(mix: Mix, eyes: Eyeballs, target: BlendTarget): void {
+    this.jobs.push({ mix, eyes, target });
+  }
+
+  /** Draws all that was taken on since the last time, the correctives of several characters at once. */
+  finish(): void {
+    const { gl, jobs } = this;
+    this.jobs = [];
+    for (const state of [gl.BLEND, gl.DEPTH_TEST, gl.SCISSOR_TEST, gl.CULL_FACE]) gl.disable(state);
     gl.colorMask(true, true, true, true);
-    gl.bindVertexArray(this.empty);
-    if (this.correctivePasses === undefined || mix.allowed === undefined)
-      this.add(mix.entries, eyes, this.positionTarget);
-    else this.correct(this.correctivePasses, mix, mix.allowed, eyes);
-    this.deriveNormals();
+    const passes = this.correctivePasses;
+    const corrected = passes === undefined ? [] : jobs.filter(({ mix }) => mix.allowed !== undefined);
+    const plain = jobs.filter((job) => !corrected.includes(job));
+    for (const { mix, eyes, target } of plain) this.sumPass.draw(this.store, mix, eyes, target.positionFrame);
+    if (passes !== undefined)
+      for (let first = 0; first < corrected.length; first += SLOTS)
+        this.correct(passes, corrected.slice(first, first + SLOTS));
+    for (const { target } of jobs) this.deriveNormals(target);
     gl.bindVertexArray(null);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
-  /** The blended positions, (rows, 3) metres, read back from the GPU (slow: for tests). */
-  readPositions(): Float32Array {
+  /** A character's blended positions, (rows, 3) metres, read back from the GPU (slow: for tests). */
+  readPositions({ positionFrame }: BlendTarget): Float32Array {
     const { gl } = this;
     const texels = this.blankLayer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.positionTarget);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, positionFrame);
     gl.readPixels(0, 0, ROW_WIDTH, this.height, gl.RGBA, gl.FLOAT, texels);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     const positions = new Float32Array(3 * this.rows);
@@ -124,78 +136,42 @@ export class Blender {
 
   dispose(): void {
     const { gl } = this;
-    for (const texture of [this.positions, this.normals, this.store, this.ranges, this.corners])
-      gl.deleteTexture(texture);
-    for (const target of [this.positionTarget, this.normalTarget]) gl.deleteFramebuffer(target);
-    for (const program of [this.blendPass, this.normalPass]) gl.deleteProgram(program);
-    this.correctivePasses?.dispose();
-    gl.deleteBuffer(this.entryBuffer);
+    for (const texture of [this.store, this.ranges, this.corners]) gl.deleteTexture(texture);
+    gl.deleteProgram(this.normalPass);
+    for (const passes of [this.sumPass, this.correctivePasses]) passes?.dispose();
     gl.deleteVertexArray(this.empty);
   }
 
-  private writeEntries(entries: readonly Entry[]): number {
-    const count = Math.min(entries.length, MOST_ENTRIES);
-    for (let index = 0; index < count; index++) {
-      const { layer, weight } = entries[index] as Entry;
-      this.entryData[2 * index] = layer;
-      this.entryData[2 * index + 1] = weight;
-    }
-    if (count % 2 === 1) this.entryData.fill(0, 2 * count, 2 * count + 2);
-    return count;
+  /** Sums and correctives of as many characters as there are slots. */
+  private correct(passes: CorrectivePasses, jobs: readonly Job[]): void {
+    const { sumPass, store, rested } = this;
+    const corrections = jobs.map(({ mix, eyes, target }, slot): Correction => {
+      const faces = JSON.stringify(mix.rest);
+      if (faces !== rested[slot]) {
+        rested[slot] = faces;
+        sumPass.draw(store, { entries: mix.rest, regional: [] }, eyes, passes.mixedIn(slot));
+        passes.rested(slot);
+      }
+      sumPass.draw(store, mix, eyes, passes.mixedIn(slot));
+      const sights = [6, 7, 8, 15, 16, 17].map((at) => eyes.turns[at] as number);
+      const sockets = { ...eyes, sights: Float32Array.from(sights) };
+      return { allowed: mix.allowed ?? new Float32Array(), sockets, into: target.positionFrame };
+    });
+    passes.correct(corrections);
   }
 
-  private correct(
-    correctivePasses: CorrectivePasses,
-    { entries, rest }: Mix,
-    allowed: Float32Array,
-    eyes: Eyeballs,
-  ): void {
-    const faces = JSON.stringify(rest);
-    if (faces !== this.rested) {
-      this.rested = faces;
-      this.add(rest, eyes, correctivePasses.still);
-      correctivePasses.rested();
-    }
-    this.add(entries, eyes, correctivePasses.mixed);
-    const sights = [6, 7, 8, 15, 16, 17].map((at) => eyes.turns[at] as number);
-    correctivePasses.correct(this.positionTarget, allowed, { ...eyes, sights: Float32Array.from(sights) });
-  }
-
-  /** Draws the sum of some entries, the eyeballs turned, into a target. */
-  private add(entries: readonly Entry[], eyes: Eyeballs, target: WebGLFramebuffer): void {
-    const { gl, blendPass } = this;
-    const count = this.writeEntries(entries);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
-    gl.viewport(0, 0, ROW_WIDTH, this.height);
-    gl.bindVertexArray(this.empty);
-    gl.useProgram(blendPass);
-    gl.bindBuffer(gl.UNIFORM_BUFFER, this.entryBuffer);
-    gl.bufferSubData(gl.UNIFORM_BUFFER, 0, this.entryData, 0, 4 * Math.ceil(count / 2));
-    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.entryBuffer);
-    gl.uniformBlockBinding(blendPass, gl.getUniformBlockIndex(blendPass, "Mix"), 0);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.store);
-    const at = (name: string) => gl.getUniformLocation(blendPass, name);
-    gl.uniform1i(at("layers"), 0);
-    gl.uniform1i(at("pairs"), Math.ceil(count / 2));
-    gl.uniform4iv(at("eyeRows"), eyes.rows);
-    gl.uniform3fv(at("eyeCentres"), eyes.centres);
-    gl.uniformMatrix3fv(at("eyeTurns"), false, eyes.turns);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-  }
-
-  private deriveNormals(): void {
+  private deriveNormals({ positions, normalFrame }: BlendTarget): void {
     const { gl, normalPass } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.normalTarget);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, normalFrame);
     gl.viewport(0, 0, ROW_WIDTH, this.height);
     gl.bindVertexArray(this.empty);
     gl.useProgram(normalPass);
-    [this.positions, this.ranges, this.corners].forEach((texture, unit) => {
+    [positions, this.ranges, this.corners].forEach((texture, unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, texture);
     });
     ["positions", "ranges", "corners"].forEach((name, unit) => {
-      gl.uniform1i(gl.getUniformLocation(normalPass, name), unit);
+      gl.uniform1i(uniformAt(gl, normalPass, name), unit);
     });
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }

@@ -1,14 +1,15 @@
-/** Runs the corrective passes on the GPU, as `omote.perform.blending.correctives` does on the CPU. */
+/** Runs the corrective passes on the GPU, all characters at once, as `omote.perform.blending.correctives` does on the CPU. */
 
 import { RUNGS } from "../../link/constants";
 import { type CorrectivesData, DATA_WIDTH, rolesOf } from "../anatomy/correctives_data";
-import { createProgram, dataTexture, floatTexture, targetTexture, wholeTexture } from "../gpu/gl";
+import { createProgram, dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
 import { PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
 import {
   GATHER_FRAGMENT,
   PART_FRAGMENT,
   REST_FRAGMENT,
   RUNG_FRAGMENT,
+  SLOTS,
   SPREAD_FRAGMENT,
   UPRIGHT_FRAGMENT,
 } from "./corrective_shaders";
@@ -20,6 +21,14 @@ export interface Sockets {
   sights: Float32Array;
 }
 
+/** One character's sum for the passes: the compounds' allowances, weighted and added, and its eyeballs. */
+export interface Correction {
+  allowed: Float32Array;
+  sockets: Sockets;
+  /** Where all positions are drawn to. */
+  into: WebGLFramebuffer;
+}
+
 /** A texture that is drawn into, and its size in texels. */
 interface Target {
   texture: WebGLTexture;
@@ -27,22 +36,25 @@ interface Target {
   size: [number, number];
 }
 
+/** Lines of a slot in the textures: places, triangles, rungs, allowances. */
+type Lines = readonly [places: number, triangles: number, rungs: number, allowed: number];
+
 type Textures = Record<string, WebGLTexture>;
 type Programs = Record<"gather" | "rung" | "part" | "normal" | "upright" | "spread", WebGLProgram>;
 
-/** Puts the sums of compounds right on the GPU, pass by pass as `omote.perform.blending.correctives` does. */
+/**
+ * Puts the sums of compounds right on the GPU, pass by pass as `omote.perform.blending.correctives` does. Each pass takes
+ * the characters of up to `SLOTS` slots at once: small passes cost by their number more than by their texels.
+ */
 export class CorrectivePasses {
-  /** Where the plain sum is drawn to, and the mixed face without expression: all positions. */
-  readonly mixed: WebGLFramebuffer;
-  readonly still: WebGLFramebuffer;
-  private readonly targets: Record<
-    "mixed" | "still" | "before" | "rest" | "one" | "other" | "rungs" | "normals",
-    Target
-  >;
+  private readonly lines: Lines;
+  private readonly targets: Record<"before" | "one" | "other" | "rungs" | "rest" | "normals", Target>;
+  private readonly mixed: Target[] = []; // by slot: all positions
   private readonly allowed: WebGLTexture;
   private readonly allowedTexels: Float32Array;
   private readonly data: Textures;
   private readonly programs: Programs;
+  private readonly bound = new Set<WebGLProgram>(); // whose samplers know their units
   private readonly nothing: WebGLVertexArrayObject;
 
   constructor(
@@ -50,25 +62,19 @@ export class CorrectivePasses {
     private readonly correctives: CorrectivesData,
     private readonly height: number,
   ) {
-    const lines = (count: number): number => Math.max(1, Math.ceil(count / DATA_WIDTH));
-    const target = (width: number, tall: number): Target => {
-      const [texture, frame] = targetTexture(gl, width, tall);
-      return { texture, frame, size: [width, tall] };
-    };
-    const places = (): Target => target(DATA_WIDTH, lines(correctives.rows.length));
+    const { rows, triangles, upward, size } = correctives;
+    this.lines = [linesOf(rows.length), linesOf(triangles.length / 4), Math.max(1, upward.length), linesOf(size)];
+    const [places, faces, rungs, allowed] = this.lines;
+    const slots = (lines: number, width = DATA_WIDTH) => this.target(width, SLOTS * lines);
     this.targets = {
-      mixed: target(ROW_WIDTH, height),
-      still: target(ROW_WIDTH, height),
-      before: places(),
-      rest: places(),
-      one: places(),
-      other: places(),
-      rungs: target(RUNGS, Math.max(1, correctives.upward.length)),
-      normals: target(DATA_WIDTH, lines(correctives.triangles.length / 4)),
+      before: slots(places),
+      one: slots(places),
+      other: slots(places),
+      rungs: slots(rungs, RUNGS),
+      rest: slots(places),
+      normals: slots(faces),
     };
-    this.mixed = this.targets.mixed.frame;
-    this.still = this.targets.still.frame;
-    this.allowedTexels = new Float32Array(DATA_WIDTH * lines(correctives.size));
+    this.allowedTexels = new Float32Array(SLOTS * allowed * DATA_WIDTH);
     this.allowed = floatTexture(gl, this.allowedTexels, 1, DATA_WIDTH);
     this.data = this.readData();
     this.programs = createPrograms(gl);
@@ -76,47 +82,59 @@ export class CorrectivePasses {
     this.fix();
   }
 
-  /** The mixed face without expression is new in `still`. */
-  rested(): void {
-    const { targets, data } = this;
-    this.pass("gather", targets.rest, { mixed: targets.still.texture, rows: data.rows as WebGLTexture });
-    this.pass("normal", targets.normals, { rest: targets.rest.texture, triangles: data.triangles as WebGLTexture });
+  /** Where the plain sum of the character in a slot is drawn to: all positions. */
+  mixedIn(slot: number): WebGLFramebuffer {
+    return this.mixedOf(slot).frame;
   }
 
-  /** Draws what is in `mixed`, put right, into `target`; `allowed`: the compounds' allowances, weighted and added. */
-  correct(target: WebGLFramebuffer, allowed: Float32Array, sockets: Sockets): void {
-    const { targets, data } = this;
-    this.writeAllowed(allowed);
-    this.prepare(sockets);
-    this.pass("gather", targets.before, { mixed: targets.mixed.texture, rows: data.rows as WebGLTexture });
+  /** A mixed face without expression is new in a slot. */
+  rested(slot: number): void {
+    const { data, targets, lines } = this;
+    this.gather(targets.rest, slot);
+    const textures = { rest: targets.rest.texture, triangles: data.triangles as WebGLTexture };
+    this.pass("normal", targets.normals, [slot * lines[1], lines[1]], textures);
+  }
+
+  /** Draws what is mixed in the first slots, put right, into their targets. */
+  correct(corrections: readonly Correction[]): void {
+    const { targets } = this;
+    const count = corrections.length;
+    this.writeAllowed(corrections);
+    this.prepare(corrections);
+    corrections.forEach((_, slot) => {
+      this.gather(targets.before, slot);
+    });
     const half = this.correctives.document.rounds / 2;
-    let from = this.part(targets.before, false);
-    from = this.part(from, true);
-    for (let round = 0; round < half; round++) from = this.unfold(from, false);
-    from = this.part(from, false);
-    for (let round = 0; round < half; round++) from = this.unfold(from, round === half - 1);
-    this.pass(
-      "spread",
-      { ...targets.mixed, frame: target },
-      {
-        mixed: targets.mixed.texture,
-        before: targets.before.texture,
-        points: from.texture,
-        roles: data.roles as WebGLTexture,
-        anchors: data.anchors as WebGLTexture,
-      },
-    );
+    let from = this.part(targets.before, count, false);
+    from = this.part(from, count, true);
+    for (let round = 0; round < half; round++) from = this.unfold(from, count, false);
+    from = this.part(from, count, false);
+    for (let round = 0; round < half; round++) from = this.unfold(from, count, round === half - 1);
+    corrections.forEach(({ into }, slot) => {
+      this.spread(from, slot, into);
+    });
   }
 
   dispose(): void {
     const { gl } = this;
-    for (const { texture, frame } of Object.values(this.targets)) {
+    for (const { texture, frame } of [...Object.values(this.targets), ...this.mixed]) {
       gl.deleteTexture(texture);
       gl.deleteFramebuffer(frame);
     }
     for (const texture of [this.allowed, ...Object.values(this.data)]) gl.deleteTexture(texture);
     for (const program of Object.values(this.programs)) gl.deleteProgram(program);
     gl.deleteVertexArray(this.nothing);
+  }
+
+  private target(width: number, tall: number): Target {
+    const [texture, frame] = targetTexture(this.gl, width, tall);
+    return { texture, frame, size: [width, tall] };
+  }
+
+  private mixedOf(slot: number): Target {
+    const known = this.mixed[slot] ?? this.target(ROW_WIDTH, this.height);
+    this.mixed[slot] = known;
+    return known;
   }
 
   private readData(): Textures {
@@ -138,88 +156,123 @@ export class CorrectivePasses {
     };
   }
 
-  private writeAllowed(allowed: Float32Array): void {
-    const { gl } = this;
-    this.allowedTexels.set(allowed);
-    const lines = this.allowedTexels.length / DATA_WIDTH;
+  private writeAllowed(corrections: readonly Correction[]): void {
+    const { gl, lines } = this;
+    const one = DATA_WIDTH * lines[3];
+    corrections.forEach(({ allowed }, slot) => {
+      this.allowedTexels.set(allowed, slot * one);
+    });
     gl.bindTexture(gl.TEXTURE_2D, this.allowed);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, DATA_WIDTH, lines, gl.RED, gl.FLOAT, this.allowedTexels);
+    const tall = corrections.length * lines[3];
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, DATA_WIDTH, tall, gl.RED, gl.FLOAT, this.allowedTexels);
   }
 
   /** What never changes. */
   private fix(): void {
     const { gl, programs, correctives } = this;
     const { bulge, cornea, upright, eager, flattest, full } = correctives.document;
+    for (const program of Object.values(programs)) {
+      gl.useProgram(program);
+      gl.uniform4i(uniformAt(gl, program, "lines"), ...this.lines);
+    }
     for (const program of [programs.part, programs.upright]) {
       gl.useProgram(program);
-      gl.uniform2f(gl.getUniformLocation(program, "cornea"), bulge, Math.cos(cornea));
+      gl.uniform2f(uniformAt(gl, program, "cornea"), bulge, Math.cos(cornea));
     }
-    const last = (name: string) => gl.getUniformLocation(programs.upright, name);
+    const last = (name: string) => uniformAt(gl, programs.upright, name);
     gl.uniform1f(last("upright"), upright);
     gl.uniform1f(last("eager"), eager);
     gl.uniform1f(last("flattest"), flattest);
     gl.uniform1f(last("full"), full);
     gl.useProgram(programs.rung);
-    gl.uniform1i(gl.getUniformLocation(programs.rung, "first"), correctives.triangles.length / 4);
-    gl.uniform1fv(gl.getUniformLocation(programs.rung, "upward"), correctives.upward);
+    gl.uniform1i(uniformAt(gl, programs.rung, "first"), correctives.triangles.length / 4);
+    gl.uniform1fv(uniformAt(gl, programs.rung, "upward"), correctives.upward);
     gl.useProgram(programs.spread);
-    gl.uniform1i(gl.getUniformLocation(programs.spread, "width"), correctives.width);
+    gl.uniform1i(uniformAt(gl, programs.spread, "width"), correctives.width);
   }
 
   /** What stays the same in all passes of a frame. */
-  private prepare({ centres, radii, sights }: Sockets): void {
+  private prepare(corrections: readonly Correction[]): void {
     const { gl, programs } = this;
+    const all = (part: keyof Sockets) => corrections.flatMap(({ sockets }) => [...sockets[part]]);
+    const [centres, radii, sights] = [all("centres"), all("radii"), all("sights")];
     for (const program of [programs.part, programs.upright]) {
       gl.useProgram(program);
-      const at = (name: string) => gl.getUniformLocation(program, name);
-      gl.uniform3fv(at("centres"), centres);
-      gl.uniform2fv(at("radii"), radii);
-      gl.uniform3fv(at("sights"), sights);
+      gl.uniform3fv(uniformAt(gl, program, "centres"), centres);
+      gl.uniform1fv(uniformAt(gl, program, "radii"), radii);
+      gl.uniform3fv(uniformAt(gl, program, "sights"), sights);
     }
   }
 
+  /** The rows that may move of what is mixed in a slot. */
+  private gather(target: Target, slot: number): void {
+    const { gl, programs, lines, data } = this;
+    gl.useProgram(programs.gather);
+    gl.uniform1i(uniformAt(gl, programs.gather, "slot"), slot);
+    const textures = { mixed: this.mixedOf(slot).texture, rows: data.rows as WebGLTexture };
+    this.pass("gather", target, [slot * lines[0], lines[0]], textures);
+  }
+
   /** Opens lines that cross; where the result is. */
-  private part(from: Target, leaving: boolean): Target {
-    const { targets, data } = this;
+  private part(from: Target, count: number, leaving: boolean): Target {
+    const { targets, data, lines } = this;
     const { pulls, rungPlaces, rungWeights } = data as Record<"pulls" | "rungPlaces" | "rungWeights", WebGLTexture>;
     const [points, rest] = [from.texture, targets.rest.texture];
-    this.pass("rung", targets.rungs, { points, rest, allowed: this.allowed, rungPlaces, rungWeights });
-    return this.step("part", from, leaving, { pulls, rungs: targets.rungs.texture });
+    const textures = { points, rest, allowed: this.allowed, rungPlaces, rungWeights };
+    this.pass("rung", targets.rungs, [0, count * lines[2]], textures);
+    return this.step("part", from, count, leaving, { pulls, rungs: targets.rungs.texture });
   }
 
   /** Turns back triangles that lack area, by one round; where the result is. */
-  private unfold(from: Target, leaving: boolean): Target {
-    const { targets, data } = this;
-    const corners = data.corners as WebGLTexture;
-    return this.step("upright", from, leaving, { restNormals: targets.normals.texture, corners });
+  private unfold(from: Target, count: number, leaving: boolean): Target {
+    const corners = this.data.corners as WebGLTexture;
+    return this.step("upright", from, count, leaving, { restNormals: this.targets.normals.texture, corners });
   }
 
-  private step(name: "part" | "upright", from: Target, leaving: boolean, textures: Textures): Target {
-    const { targets, data, gl } = this;
+  private step(name: "part" | "upright", from: Target, count: number, leaving: boolean, textures: Textures): Target {
+    const { targets, data, gl, lines } = this;
     const into = from === targets.one ? targets.other : targets.one;
     gl.useProgram(this.programs[name]);
-    gl.uniform1i(gl.getUniformLocation(this.programs[name], "leaving"), leaving ? 1 : 0);
+    gl.uniform1i(uniformAt(gl, this.programs[name], "leaving"), leaving ? 1 : 0);
     const shared = { points: from.texture, rest: targets.rest.texture, spans: data.spans as WebGLTexture };
-    this.pass(name, into, { ...shared, allowed: this.allowed, ...textures });
+    this.pass(name, into, [0, count * lines[0]], { ...shared, allowed: this.allowed, ...textures });
     return into;
   }
 
-  /** Draws one texel after the other into a target. */
-  private pass(name: keyof Programs, target: Target, textures: Textures): void {
-    const { gl } = this;
+  private spread(from: Target, slot: number, into: WebGLFramebuffer): void {
+    const { gl, programs, targets, data } = this;
+    const mixed = this.mixedOf(slot);
+    gl.useProgram(programs.spread);
+    gl.uniform1i(uniformAt(gl, programs.spread, "slot"), slot);
+    this.pass("spread", { ...mixed, frame: into }, [0, this.height], {
+      mixed: mixed.texture,
+      before: targets.before.texture,
+      points: from.texture,
+      roles: data.roles as WebGLTexture,
+      anchors: data.anchors as WebGLTexture,
+    });
+  }
+
+  /** Draws one texel after the other into so many lines of a target from the first on; a program's samplers come in one order. */
+  private pass(name: keyof Programs, target: Target, [first, tall]: [number, number], textures: Textures): void {
+    const { gl, bound } = this;
     const program = this.programs[name];
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
-    gl.viewport(0, 0, ...target.size);
+    gl.viewport(0, first, target.size[0], tall);
     gl.useProgram(program);
     Object.entries(textures).forEach(([sampler, texture], unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.uniform1i(gl.getUniformLocation(program, sampler), unit);
+      if (!bound.has(program)) gl.uniform1i(uniformAt(gl, program, sampler), unit);
     });
+    bound.add(program);
     gl.bindVertexArray(this.nothing);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 }
+
+/** Lines of texels that so many values take. */
+const linesOf = (count: number): number => Math.max(1, Math.ceil(count / DATA_WIDTH));
 
 const createPrograms = (gl: WebGL2RenderingContext): Programs => ({
   gather: createProgram(gl, PASS_VERTEX, GATHER_FRAGMENT),

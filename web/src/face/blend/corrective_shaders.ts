@@ -1,8 +1,11 @@
-/** Shaders of the corrective passes: lids off eyeballs, lips apart, no triangle turned over. */
+/** Shaders of the corrective passes: lids off eyeballs, lips apart, no triangle turned over; for several characters at once. */
 
 import { RUNGS } from "../../link/constants";
 import { DATA_WIDTH } from "../anatomy/correctives_data";
 import { ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
+
+/** Characters that the passes take at once. */
+export const SLOTS = 8;
 
 /*
  * All passes but the first and the last draw one texel per place (`correctives_data.ts`), not one point per row: software
@@ -16,14 +19,22 @@ precision highp usampler2D;
 
 ivec2 rowAt(uint row) { return ivec2(int(row & ${ROW_WIDTH - 1}u), int(row >> ${ROW_SHIFT})); }
 ivec2 dataAt(uint index) { return ivec2(int(index % ${DATA_WIDTH}u), int(index / ${DATA_WIDTH}u)); }
+
+// Characters lie one above the other: each has a slot of so many lines in every texture that is its own.
+uniform ivec4 lines; // of places, triangles, rungs, allowances
+ivec2 inSlot(uint index, int slot, int height) { return dataAt(index) + ivec2(0, slot * height); }
 `;
 
-/** The rows that may move, gathered from all positions. */
+/** The rows that may move, gathered from all positions of the character in a slot. */
 export const GATHER_FRAGMENT = `${HEAD}
 uniform sampler2D mixed;
 uniform usampler2D rows;
+uniform int slot;
 out vec4 position;
-void main() { position = texelFetch(mixed, rowAt(texelFetch(rows, ivec2(gl_FragCoord.xy), 0).x), 0); }
+void main() {
+  ivec2 own = ivec2(gl_FragCoord.xy) - ivec2(0, slot * lines.x);
+  position = texelFetch(mixed, rowAt(texelFetch(rows, own, 0).x), 0);
+}
 `;
 
 const PLACE_HEAD = `${HEAD}
@@ -33,14 +44,14 @@ uniform sampler2D allowed;
 uniform usampler2D spans;
 out vec4 position;
 
-vec3 point(uint place) { return texelFetch(points, dataAt(place), 0).xyz; }
-float allowance(uint place) { return texelFetch(allowed, dataAt(place), 0).x; }
+vec3 point(uint place, int slot) { return texelFetch(points, inSlot(place, slot, lines.x), 0).xyz; }
+float allowance(uint place, int slot) { return texelFetch(allowed, inSlot(place, slot, lines.w), 0).x; }
 
 // ---- lids and eyeballs
 
-uniform vec3 centres[2];
-uniform vec2 radii;
-uniform vec3 sights[2];
+uniform vec3 centres[${2 * SLOTS}];
+uniform float radii[${2 * SLOTS}];
+uniform vec3 sights[${2 * SLOTS}];
 uniform vec2 cornea; // how far it stands out, in radii; the cosine where it ends
 uniform bool leaving;
 
@@ -51,17 +62,17 @@ float depth(vec3 at, int eye, vec3 sight) {
   return radii[eye] * (1.0 + cornea.x * up * up * (3.0 - 2.0 * up)) - far;
 }
 
-vec3 left(vec3 at, uvec4 span) {
+vec3 left(vec3 at, uvec4 span, int slot) {
   if (!leaving || span.x == 0u) return at;
-  int eye = int(span.x) - 1;
+  int eye = 2 * slot + int(span.x) - 1;
   float still = max(depth(texelFetch(rest, ivec2(gl_FragCoord.xy), 0).xyz, eye, vec3(0.0, 0.0, 1.0)), 0.0);
-  float push = max(depth(at, eye, sights[eye]) - still - allowance(span.y), 0.0);
+  float push = max(depth(at, eye, sights[eye]) - still - allowance(span.y, slot), 0.0);
   vec3 outward = at - centres[eye];
   return at + push * outward / max(length(outward), 1e-9);
 }
 `;
 
-/** What either side of a line gives way at each rung: one texel a rung, one line of texels a line. */
+/** What either side of a line gives way at each rung: one texel a rung, one line of texels a line, slot above slot. */
 export const RUNG_FRAGMENT = `${HEAD}
 uniform sampler2D points;
 uniform sampler2D rest;
@@ -73,17 +84,18 @@ uniform int first; // place of the first rung in an allowance
 out vec4 half_;
 
 void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
+  int slot = int(gl_FragCoord.y) / lines.z;
+  ivec2 at = ivec2(gl_FragCoord.xy) - ivec2(0, slot * lines.z);
   uvec4 places = texelFetch(rungPlaces, at, 0);
   vec4 weights = texelFetch(rungWeights, at, 0);
   vec3 still = vec3(0.0);
   vec3 now = vec3(0.0);
   for (int k = 0; k < 4; k++) {
-    still += weights[k] * texelFetch(rest, dataAt(places[k]), 0).xyz;
-    now += weights[k] * texelFetch(points, dataAt(places[k]), 0).xyz;
+    still += weights[k] * texelFetch(rest, inSlot(places[k], slot, lines.x), 0).xyz;
+    now += weights[k] * texelFetch(points, inSlot(places[k], slot, lines.x), 0).xyz;
   }
   vec3 along = upward[at.y] > 0.5 ? vec3(0.0, 1.0, 0.0) : still / max(length(still), 1e-9);
-  float own = texelFetch(allowed, dataAt(uint(first + at.y * ${RUNGS} + at.x)), 0).x;
+  float own = texelFetch(allowed, inSlot(uint(first + at.y * ${RUNGS} + at.x), slot, lines.w), 0).x;
   float lack = max(min(dot(along, still), 0.0) - own - dot(along, now), 0.0);
   half_ = vec4(0.5 * lack * along, 0.0);
 }
@@ -96,16 +108,19 @@ uniform sampler2D rungs;
 
 void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
+  int slot = here.y / lines.x;
+  ivec2 own = here - ivec2(0, slot * lines.x);
   vec3 at = texelFetch(points, here, 0).xyz;
-  vec4 pull = texelFetch(pulls, here, 0);
+  vec4 pull = texelFetch(pulls, own, 0);
   if (pull.x >= 0.0) {
     float place = clamp(pull.z * ${RUNGS}.0 - 0.5, 0.0, ${RUNGS - 1}.0);
     int first = min(int(place), ${RUNGS - 2});
-    vec3 one = texelFetch(rungs, ivec2(first, int(pull.x)), 0).xyz;
-    vec3 next = texelFetch(rungs, ivec2(first + 1, int(pull.x)), 0).xyz;
+    int line = slot * lines.z + int(pull.x);
+    vec3 one = texelFetch(rungs, ivec2(first, line), 0).xyz;
+    vec3 next = texelFetch(rungs, ivec2(first + 1, line), 0).xyz;
     at += pull.y * mix(one, next, place - float(first));
   }
-  position = vec4(left(at, texelFetch(spans, here, 0)), 1.0);
+  position = vec4(left(at, texelFetch(spans, own, 0), slot), 1.0);
 }
 `;
 
@@ -116,10 +131,11 @@ uniform usampler2D triangles;
 out vec4 normal;
 
 void main() {
-  uvec4 places = texelFetch(triangles, ivec2(gl_FragCoord.xy), 0);
-  vec3 a = texelFetch(rest, dataAt(places.x), 0).xyz;
-  vec3 b = texelFetch(rest, dataAt(places.y), 0).xyz;
-  vec3 c = texelFetch(rest, dataAt(places.z), 0).xyz;
+  int slot = int(gl_FragCoord.y) / lines.y;
+  uvec4 places = texelFetch(triangles, ivec2(gl_FragCoord.xy) - ivec2(0, slot * lines.y), 0);
+  vec3 a = texelFetch(rest, inSlot(places.x, slot, lines.x), 0).xyz;
+  vec3 b = texelFetch(rest, inSlot(places.y, slot, lines.x), 0).xyz;
+  vec3 c = texelFetch(rest, inSlot(places.z, slot, lines.x), 0).xyz;
   vec3 turned = cross(b - a, c - a);
   normal = vec4(turned, dot(turned, turned));
 }
@@ -137,16 +153,17 @@ uniform float full;
 
 void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
+  int slot = here.y / lines.x;
   vec3 at = texelFetch(points, here, 0).xyz;
-  uvec4 span = texelFetch(spans, here, 0);
+  uvec4 span = texelFetch(spans, here - ivec2(0, slot * lines.x), 0);
   vec3 push = vec3(0.0);
   float wanted = 0.0;
-  for (uint slot = span.z; slot < span.w; slot++) {
-    uvec4 corner = texelFetch(corners, dataAt(slot), 0);
-    vec4 rested = texelFetch(restNormals, dataAt(corner.z), 0);
-    vec3 b = point(corner.x) - at;
-    vec3 c = point(corner.y) - at;
-    float lack = upright - allowance(corner.z) - dot(cross(b, c), rested.xyz) / rested.w;
+  for (uint n = span.z; n < span.w; n++) {
+    uvec4 corner = texelFetch(corners, dataAt(n), 0);
+    vec4 rested = texelFetch(restNormals, inSlot(corner.z, slot, lines.y), 0);
+    vec3 b = point(corner.x, slot) - at;
+    vec3 c = point(corner.y, slot) - at;
+    float lack = upright - allowance(corner.z, slot) - dot(cross(b, c), rested.xyz) / rested.w;
     if (lack <= 0.0) continue;
     vec3 atB = cross(c, rested.xyz) / rested.w;
     vec3 atC = cross(rested.xyz, b) / rested.w;
@@ -157,7 +174,7 @@ void main() {
     wanted += weight;
   }
   if (wanted > 0.0) at += eager / wanted * push;
-  position = vec4(left(at, span), 1.0);
+  position = vec4(left(at, span, slot), 1.0);
 }
 `;
 
@@ -169,18 +186,19 @@ uniform sampler2D points; // and as they have settled
 uniform usampler2D roles;
 uniform sampler2D anchors;
 uniform int width;
+uniform int slot;
 out vec4 position;
 
 void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
   uvec4 role = texelFetch(roles, here, 0);
   position = texelFetch(mixed, here, 0);
-  if (role.x > 0u) position = texelFetch(points, dataAt(role.x - 1u), 0);
+  if (role.x > 0u) position = texelFetch(points, inSlot(role.x - 1u, slot, lines.x), 0);
   if (role.y == 0u) return;
   for (int k = 0; k < width; k++) {
     vec2 anchor = texelFetch(anchors, dataAt((role.y - 1u) * uint(width) + uint(k)), 0).xy;
     if (anchor.y == 0.0) continue;
-    ivec2 at = dataAt(uint(anchor.x + 0.5));
+    ivec2 at = inSlot(uint(anchor.x + 0.5), slot, lines.x);
     position.xyz += anchor.y * (texelFetch(points, at, 0).xyz - texelFetch(before, at, 0).xyz);
   }
 }

@@ -21,6 +21,23 @@ export function createProgram(gl: WebGL2RenderingContext, vertex: string, fragme
   return program;
 }
 
+const locations = new WeakMap<WebGLProgram, Map<string, WebGLUniformLocation | null>>();
+
+/** Where a program's uniform is, remembered: to ask for it costs as much as a small pass. */
+export function uniformAt(
+  gl: WebGL2RenderingContext,
+  program: WebGLProgram,
+  name: string,
+): WebGLUniformLocation | null {
+  const known = locations.get(program) ?? new Map<string, WebGLUniformLocation | null>();
+  locations.set(program, known);
+  const place = known.get(name);
+  if (place !== undefined) return place;
+  const found = gl.getUniformLocation(program, name);
+  known.set(name, found);
+  return found;
+}
+
 /** An empty texture whose texels are read as they are. */
 export function nearestTexture(
   gl: WebGL2RenderingContext,

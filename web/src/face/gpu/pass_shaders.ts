@@ -19,14 +19,34 @@ void main() {
 }
 `;
 
-/** P = sum of weight x layer (docs/method.md, "The mix"); the eyeballs' rows turn about their centres. */
-export const BLEND_FRAGMENT = `${HEAD}
-layout(std140) uniform Mix { vec4 entries[512]; };
+/** Entries that one pass takes; the uniform block of 8 KB holds two in each vec4. */
+export const MOST_ENTRIES = 1024;
+/** Entries of regions that one pass takes, 10 KB: first the weights of all, then four layers in each vec4. */
+export const MOST_REGIONAL = 512;
+
+const REGIONAL_BLOCK = `
+layout(std140) uniform Regional { vec4 weights[${MOST_REGIONAL}]; vec4 among[${MOST_REGIONAL / 4}]; };
+uniform sampler2D masks;
+uniform int count;
+`;
+const REGIONAL_SUM = `
+  vec4 mask = texelFetch(masks, at, 0);
+  for (int i = 0; i < count; i++)
+    sum += dot(mask, weights[i]) * texelFetch(layers, ivec3(at, int(among[i >> 2][i & 3])), 0).xyz;
+`;
+
+/**
+ * P = sum of weight x layer (docs/method.md, "The mix"); `regional`: and of layers that weigh another in each region; the
+ * eyeballs' rows turn about their centres.
+ */
+export const blendFragment = (regional: boolean): string => `${HEAD}
+layout(std140) uniform Mix { vec4 entries[${MOST_ENTRIES / 2}]; };
 uniform sampler2DArray layers;
 uniform int pairs;
 uniform ivec4 eyeRows;
 uniform vec3 eyeCentres[2];
 uniform mat3 eyeTurns[2];
+${regional ? REGIONAL_BLOCK : ""}
 out vec4 position;
 
 void main() {
@@ -37,6 +57,7 @@ void main() {
     sum += two.y * texelFetch(layers, ivec3(at, int(two.x)), 0).xyz;
     sum += two.w * texelFetch(layers, ivec3(at, int(two.z)), 0).xyz;
   }
+${regional ? REGIONAL_SUM : ""}
   int row = (at.y << ${ROW_SHIFT}) + at.x;
   if (row >= eyeRows.x && row < eyeRows.y) sum = eyeCentres[0] + eyeTurns[0] * (sum - eyeCentres[0]);
   if (row >= eyeRows.z && row < eyeRows.w) sum = eyeCentres[1] + eyeTurns[1] * (sum - eyeCentres[1]);

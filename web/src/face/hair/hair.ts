@@ -5,13 +5,13 @@ import type { Library } from "../../link/assets";
 import type { Anatomy } from "../anatomy/anatomy";
 import type { HeadUniforms } from "../head/head";
 import type { Features } from "../quality/quality_levels";
-import { type ActiveStyle, HairAssignment } from "./hair_assignment";
+import { type ActiveStyle, HairAssignment, type HairStock } from "./hair_assignment";
 import { ribbons, type StyleUniforms, styleUniforms } from "./hair_geometry";
 
 /** Between styles, in the order of drawing: half way they lie on each other, and who is first shows there. */
 const ONE_AFTER_OTHER = 0.01;
 
-/** The hair on stage: a mesh of ribbons for each style that is here, in every head that is being drawn. */
+/** The hair of a character: a mesh of ribbons for each style that is here, in every head that is being drawn. */
 export class Hair {
   private readonly assignment: HairAssignment;
   private readonly uniforms = new Map<string, StyleUniforms>();
@@ -20,12 +20,13 @@ export class Hair {
   private readonly versions = new Map<string, number>();
   private readonly colours = new Map<string, THREE.Color>();
 
-  /** `positions`, `traits`: of the face that styles are made on. */
+  /** `positions`: of the face that styles are made on. */
   constructor(
     private readonly library: Library,
-    { positions, traits }: Pick<Anatomy, "positions" | "traits">,
+    { positions }: Pick<Anatomy, "positions">,
+    stock: HairStock,
   ) {
-    this.assignment = new HairAssignment(library, positions, (row) => traits[4 * row + 2] ?? 0);
+    this.assignment = new HairAssignment(library, positions, stock);
   }
 
   /** Fetches the hair of these faces. */
@@ -64,6 +65,11 @@ export class Hair {
     this.assignment.detail = Math.max(0, ...[...this.heads.values()].map(({ features }) => features.hair));
     this.assignment.dress(faces, seconds, atOnce);
     this.update();
+  }
+
+  /** Frees what no other character shares. */
+  dispose(): void {
+    for (const { strands } of this.uniforms.values()) strands.value.dispose();
   }
 
   private update(): void {

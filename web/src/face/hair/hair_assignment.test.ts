@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Library } from "../../link/assets";
 import type { HairStrands } from "../../link/strands";
-import { HairAssignment } from "./hair_assignment";
+import { createHairStock, HairAssignment } from "./hair_assignment";
 import { fullStrands, offsetsOn } from "./hair_strands";
 
 const hair: HairStrands = {
@@ -41,7 +41,11 @@ function late(): { library: Library; come: () => void } {
 describe("the assignment of hair", () => {
   it("lets a style that comes late grow in, without a jump", async () => {
     const { library, come } = late();
-    const assignment = new HairAssignment(library, generic, () => 1);
+    const assignment = new HairAssignment(
+      library,
+      generic,
+      createHairStock(library, generic, () => 1),
+    );
     const on = new Map([["kaori", 1]]);
     assignment.want(["kaori", "nobody"]);
     assignment.dress(on, 1, false);
@@ -66,7 +70,11 @@ describe("the assignment of hair", () => {
 
   it("shows all at once when it is told to, and nothing when nobody wears it", async () => {
     const { library, come } = late();
-    const assignment = new HairAssignment(library, generic, () => 1);
+    const assignment = new HairAssignment(
+      library,
+      generic,
+      createHairStock(library, generic, () => 1),
+    );
     assignment.want(["kaori", "dog"]);
     come();
     await assignment.complete();
@@ -86,7 +94,11 @@ describe("the assignment of hair", () => {
     ]) {
       const { library, come } = late();
       (library.faces as Map<string, unknown>).set("old", { name: "old", look: { hair_style: "thin" } });
-      const assignment = new HairAssignment(library, generic, () => 1);
+      const assignment = new HairAssignment(
+        library,
+        generic,
+        createHairStock(library, generic, () => 1),
+      );
       for (const face of order) assignment.want([face]);
       come();
       await assignment.complete();

@@ -21,15 +21,29 @@ export interface ActiveStyle extends CarriedStyle {
   grown: number;
 }
 
+/** What all characters share of hair: how styles blend on the generic head, and how each face carries each style. */
+export interface HairStock {
+  readonly blend: HairBlend;
+  readonly offsets: Map<string, Offsets>;
+}
+
+/** An empty stock; `generic`: the face that styles are made on; `painted`: the rows of its skin under hair, 0..1 each. */
+export function createHairStock(library: Library, generic: Float32Array, painted: (row: number) => number): HairStock {
+  let scalp: RadialMap | undefined;
+  const grow = (): RadialMap => {
+    scalp ??= radialMap(generic, library.meshes.filter(({ name }) => name === "skin").map(rowTriangles));
+    return scalp;
+  };
+  return { blend: new HairBlend(grow, painted), offsets: new Map() };
+}
+
 /** What of the cast's hair is here, and how the faces on air wear it; a style that comes late grows in. */
 export class HairAssignment {
   private readonly faces = new Map<string, Float32Array>();
   private readonly asked = new Map<string, Promise<unknown>>();
-  private readonly offsets = new Map<string, Offsets>();
   private readonly shares = new Map<string, number>();
   private coming = 0;
   private shaped = "";
-  private readonly blend: HairBlend;
   /** The largest share of a style's strands that anybody draws, 0..1. */
   detail = 1;
   /** The weights of the faces on air that wear any hair. */
@@ -40,14 +54,8 @@ export class HairAssignment {
   constructor(
     private readonly library: Library,
     private readonly generic: Float32Array,
-    painted: (row: number) => number,
-  ) {
-    let scalp: RadialMap | undefined;
-    this.blend = new HairBlend(() => {
-      scalp ??= radialMap(generic, library.meshes.filter(({ name }) => name === "skin").map(rowTriangles));
-      return scalp;
-    }, painted);
-  }
+    private readonly stock: HairStock,
+  ) {}
 
   /** Fetches what these faces wear, and the faces, which all styles on air must fit. */
   want(faces: Iterable<string>): void {
@@ -101,7 +109,7 @@ export class HairAssignment {
     for (const style of this.worn.values()) {
       style.grown = 0;
       if (!weights.has(style)) continue;
-      style.grown = this.blend.write(style, weights, style.strands, drawnStrands(style.hair, this.detail));
+      style.grown = this.stock.blend.write(style, weights, style.strands, drawnStrands(style.hair, this.detail));
       style.version += 1;
     }
   }
@@ -123,8 +131,9 @@ export class HairAssignment {
 
   private offsetsOf(style: ActiveStyle, face: string): Offsets {
     const key = `${style.name}\n${face}`;
-    const known = this.offsets.get(key) ?? offsetsOn(style.hair, this.generic, this.faces.get(face) as Float32Array);
-    this.offsets.set(key, known);
+    const known =
+      this.stock.offsets.get(key) ?? offsetsOn(style.hair, this.generic, this.faces.get(face) as Float32Array);
+    this.stock.offsets.set(key, known);
     return known;
   }
 

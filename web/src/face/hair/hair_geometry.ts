@@ -31,21 +31,33 @@ const KIN = { count: 4, width: 0.47 };
 export type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTexture>> &
   Record<"stations" | "width", THREE.IUniform<number>> & { tint: THREE.IUniform<THREE.Color> };
 
+/** What all characters that wear a style share of it on the GPU, by its strands. */
+const shapes = new WeakMap<HairStrands, THREE.DataTexture>();
+const geometries = new WeakMap<HairStrands, Map<string, THREE.InstancedBufferGeometry>>();
+
 /** The uniforms of a style in this colour; `strands` as `HAIR_VERTEX` reads it, four numbers a place. */
 export function styleUniforms({ hair, strands }: RibbonStyle, tint: THREE.IUniform<THREE.Color>): StyleUniforms {
+  return {
+    strands: { value: texture(strands, hair.stations, hair.anchors.length, THREE.FloatType) },
+    shape: { value: shapeOf(hair) },
+    stations: { value: hair.stations },
+    width: { value: hair.width },
+    tint,
+  };
+}
+
+function shapeOf(hair: HairStrands): THREE.DataTexture {
+  const known = shapes.get(hair);
+  if (known !== undefined) return known;
   const count = hair.anchors.length;
   const shape = new Uint8Array(4 * count * hair.stations);
   for (let place = 0; place < count * hair.stations; place++) {
     for (let axis = 0; axis < 3; axis++) shape[4 * place + axis] = (hair.facing[3 * place + axis] as number) + 128;
     shape[4 * place + 3] = hair.light[place] as number;
   }
-  return {
-    strands: { value: texture(strands, hair.stations, count, THREE.FloatType) },
-    shape: { value: texture(shape, hair.stations, count, THREE.UnsignedByteType) },
-    stations: { value: hair.stations },
-    width: { value: hair.width },
-    tint,
-  };
+  const made = texture(shape, hair.stations, count, THREE.UnsignedByteType);
+  shapes.set(hair, made);
+  return made;
 }
 
 function texture(
@@ -62,10 +74,8 @@ function texture(
 /** Fewer ribbons are wider, so that they cover the head as all of them do. */
 export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
   const kin = features.detail ? KIN.count : 1;
-  const geometry = ribbon(style.hair, courseOf(features), kin);
-  const count = drawnStrands(style.hair, features.hair);
-  const share = count / style.hair.anchors.length;
-  geometry.instanceCount = kin * count;
+  const geometry = geometryOf(style.hair, features, kin);
+  const share = drawnStrands(style.hair, features.hair) / style.hair.anchors.length;
   const pixel = { value: 0.001 };
   const look = material(HAIR_VERTEX, HAIR_FRAGMENT, {
     ...shared,
@@ -85,6 +95,17 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
     pixel.value = 2 / ((camera.projectionMatrix.elements[5] as number) * height);
   };
   return mesh;
+}
+
+/** The ribbons of a style at a level of quality: the same for all who wear it. */
+function geometryOf(hair: HairStrands, features: Features, kin: number): THREE.InstancedBufferGeometry {
+  const made = geometries.get(hair) ?? new Map<string, THREE.InstancedBufferGeometry>();
+  geometries.set(hair, made);
+  const key = `${features.detail} ${features.hair}`;
+  const geometry = made.get(key) ?? ribbon(hair, courseOf(features), kin);
+  made.set(key, geometry);
+  geometry.instanceCount = kin * drawnStrands(hair, features.hair);
+  return geometry;
 }
 
 /** The places along a ribbon (across -1..1, along 0..1) that one triangle lies between each three of. */

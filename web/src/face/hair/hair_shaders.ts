@@ -12,7 +12,7 @@ const HAIR_LIGHT = `
 struct HairFall { vec3 diffuse; vec3 rim; vec4 halves; float facing; };
 
 HairFall hairFall(vec3 point, vec3 normal, vec3 along, float open, float sunlit) {
-  vec3 view = normalize(cameraPosition - point);
+  vec3 view = normalize(viewPoint - point);
   float lit = dot(normal, KEY);
   float key = clamp((lit + 0.35) / 1.35, 0.0, 1.0) * shaded(open) * sunlit;
   float cosine = dot(along, KEY);
@@ -181,7 +181,7 @@ void main() {
   point = turned(point, 1.0);
   along = headTurn * along;
   float open = facing.w * mix(0.45, 1.0, smoothstep(0.0, 0.22, place.y));
-  vec3 view = cameraPosition - point;
+  vec3 view = viewPoint - point;
   vec3 beside = normalize(cross(along, view));
   aside = headTurn * aside;
   if (dot(aside, beside) < 0.0) aside = -aside; // a ribbon that shows its other side further on has no waist there

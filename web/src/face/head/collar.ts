@@ -4,7 +4,10 @@ import * as THREE from "three";
 import type { Anatomy } from "../anatomy/anatomy";
 import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
 
-/** The collar's profile from the neck outwards: metres out, metres up, light. */
+/** How far down the black figure below a collar reaches, metres: below the picture of a whole row of characters. */
+export const FEET = -3;
+
+/** The collar's profile from the neck outwards and down: metres out, metres up, light. */
 const PROFILE: readonly (readonly [number, number, number])[] = [
   [-0.009, 0.004, 0.2],
   [-0.003, 0.014, 0.6],
@@ -17,6 +20,9 @@ const PROFILE: readonly (readonly [number, number, number])[] = [
   [0.09, -0.06, 0.45],
   [0.16, -0.1, 0.15],
   [0.2, -0.18, 0],
+  [0.212, -0.24, 0],
+  [0.216, -0.32, 0],
+  [0.216, FEET, 0],
 ];
 /** Places around the neck. */
 const COLUMNS = 48;
@@ -159,7 +165,7 @@ in vec3 vNormal;
 in float vFade;
 
 void main() {
-  vec3 view = normalize(cameraPosition - vPoint);
+  vec3 view = normalize(viewPoint - vPoint);
   vec3 normal = normalize(vNormal);
   float edge = pow(1.0 - max(dot(normal, view), 0.0), 2.5);
   vec3 cloth = vec3(0.0055, 0.0055, 0.0075);

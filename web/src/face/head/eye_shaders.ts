@@ -144,7 +144,7 @@ vec3 whiteAt(vec3 local, float corner, out float flesh) {
 
 void main() {
   vec3 local = normalize(vLocal);
-  vec3 view = normalize(cameraPosition - vPoint);
+  vec3 view = normalize(viewPoint - vPoint);
   vec3 seen = view * eyeTurn; // transposed: world to eye
   vec3 key = KEY * eyeTurn;
   float edge = LIMBUS * irisSize;

@@ -33,6 +33,12 @@ describe("traits", () => {
     expect(of(pose).pupil).toBeCloseTo(1.5);
   });
 
+  it("have the pupils of what shows around the eyes", () => {
+    for (const region of ["brows", "mouth", "rest"] as const)
+      expect(of({ ...restPose("kaori", "fear"), regions: { [region]: { angry: 1 } } }).pupil).toBe(1);
+    expect(of({ ...restPose("kaori", "fear"), regions: { eyes: { angry: 1 } } }).pupil).toBe(-0.5);
+  });
+
   it("are written where the shaders read them", () => {
     const uniforms = { irisSize: { value: 0 }, slit: { value: 0 }, lashes: { value: 0 }, pupil: { value: 9 } };
     writeEyeTraits(of(restPose("cat")), uniforms);

@@ -14,7 +14,7 @@ export interface EyeTraits {
   pupil: number;
 }
 
-/** The traits of a pose: linear in the faces' weights, the pupils in those of expressions and channels. */
+/** The traits of a pose: linear in the faces' weights, the pupils in those of expressions and channels around the eyes. */
 export function eyeTraitsOf(pose: Pose, { faces, expressions }: Documents): EyeTraits {
   const traits: EyeTraits = { irisSize: 0, slit: 0, lashes: 0, pupil: 0 };
   for (const [name, weight] of faceWeights(pose, (face) => (faces.has(face) ? 1 : 0))) {
@@ -23,7 +23,7 @@ export function eyeTraitsOf(pose: Pose, { faces, expressions }: Documents): EyeT
     traits.slit += weight * slit;
     traits.lashes += weight * lashes;
   }
-  for (const [name, weight] of Object.entries(expressionWeights(pose)))
+  for (const [name, weight] of Object.entries(expressionWeights(pose, "eyes")))
     traits.pupil += weight * (expressions.get(name)?.pupil ?? 0);
   return traits;
 }

@@ -30,6 +30,7 @@ export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms, S
   normals: THREE.IUniform<THREE.Texture>;
   headTurn: THREE.IUniform<THREE.Matrix3>;
   pivot: THREE.IUniform<THREE.Vector3>;
+  viewPoint: THREE.IUniform<THREE.Vector3>;
   firstLine: THREE.IUniform<number>;
   grain: THREE.IUniform<THREE.Texture>;
   skin: THREE.IUniform<THREE.Color>;
@@ -55,17 +56,23 @@ export interface EyeUniforms extends Uniforms {
 /** Where the head turns: the top of the spine, metres. */
 const PIVOT = new THREE.Vector3(0, -0.075, 0.03);
 
-export function headUniforms(positions: WebGLTexture, normals: WebGLTexture): HeadUniforms {
+/** The uniforms of a head; `common`: of another, whose grain and layers of the skin it shares. */
+export function headUniforms(
+  positions: WebGLTexture | null,
+  normals: WebGLTexture | null,
+  common?: HeadUniforms,
+): HeadUniforms {
   return {
     ...lightUniforms(),
-    ...skinUniforms(),
+    ...skinUniforms(common),
     ...shadowUniforms(),
     positions: { value: new THREE.ExternalTexture(positions) },
     normals: { value: new THREE.ExternalTexture(normals) },
     headTurn: { value: new THREE.Matrix3() },
     pivot: { value: PIVOT.clone() },
+    viewPoint: { value: new THREE.Vector3() },
     firstLine: { value: 0 },
-    grain: { value: grainTexture() },
+    grain: common?.grain ?? { value: grainTexture() },
     skin: { value: new THREE.Color() },
     lip: { value: new THREE.Color() },
     brow: { value: new THREE.Color() },

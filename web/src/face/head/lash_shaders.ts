@@ -13,7 +13,7 @@ uniform int edgeRows[${4 * EDGE_POINTS}]; // left upper, left lower, right upper
 uniform int ballRows[4]; // opposite each other: on the left ball, on the right one
 uniform float lashes; // how many, 0..1
 uniform float pixel; // metres a pixel is wide, one metre away
-uniform vec3 cameraPosition;
+uniform vec3 viewPoint;
 in vec4 strand; // share of the edge from right to left, along (0 root, 1 tip), side (-1, 1), chance
 in vec4 bend; // first row of its edge, where its clump meets, length (metres on an eye of 15 mm), upper (1) or lower (-1)
 out vec2 vAcross; // side, what is left of it where a pixel is wider
@@ -57,7 +57,7 @@ void main() {
 
   vec3 point = turned(at, 1.0);
   vec3 ahead = headTurn * normalize(out_ * (0.85 - 0.3 * t) + up * 2.0 * lift * t + tangent * fan);
-  vec3 view = cameraPosition - point;
+  vec3 view = viewPoint - point;
   vec3 beside = normalize(cross(ahead, view));
   float wide = 0.00011 * size * (above ? 1.0 : 0.72) * (1.0 - t * t) + 0.000008;
   float least = 0.62 * pixel * length(view);

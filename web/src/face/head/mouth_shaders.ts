@@ -13,7 +13,7 @@ const AHEAD = "0.002";
  */
 export const MOUTH_VERTEX = `${VERTEX_HEAD}${OPENING}
 uniform vec3 KEY;
-uniform vec3 cameraPosition;
+uniform vec3 viewPoint;
 in vec4 place; // depth in the mouth, angle on the arch, height from the gum (0) to the edge (1), upper jaw (1) or not
 out vec3 vPoint;
 out vec3 vNormal;
@@ -22,7 +22,7 @@ out vec3 vLight; // of the key, of what comes from everywhere, and how far the l
 
 /** The depth of a point so many metres nearer to the camera. */
 float inFront(vec3 point, float nearer) {
-  vec4 seen = viewMatrix * vec4(point, 1.0);
+  vec4 seen = modelViewMatrix * vec4(point, 1.0);
   vec4 place = projectionMatrix * (seen + vec4(0.0, 0.0, nearer, 0.0));
   return place.z / place.w;
 }
@@ -49,7 +49,7 @@ void main() {
   vec2 own = vec2(ahead.upper.y - here.y, here.y - ahead.lower.y);
   float sky = area / (area + 6.0 * deep * deep + 2e-5) * smoothstep(-0.006 - 0.8 * deep, 0.002, min(own.x, own.y));
   float parted = smoothstep(0.0, 0.004, high);
-  vec3 view = (cameraPosition - vPoint) * headTurn;
+  vec3 view = (viewPoint - vPoint) * headTurn;
   vec2 seenAt = here.xy + view.xy / max(view.z, 0.25 * length(view)) * deep;
   vec2 through = insideOf(gapAt(seenAt.x), seenAt); // never through the chin: only what is seen between the lips
   float shown = smoothstep(0.0, 0.004, min(through.x, through.y)) * smoothstep(0.006, 0.014, high);
@@ -71,7 +71,7 @@ const vec3 SEAM = vec3(0.075, 0.016, 0.013);
 
 /** Light on something wet in the mouth: through the lips, and back from the red walls. */
 vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
-  vec3 view = normalize(cameraPosition - vPoint);
+  vec3 view = normalize(viewPoint - vPoint);
   float direct = shaded(vLight.x) * shadow(vPoint, normal);
   float around = shaded(vLight.y);
   float key = clamp((dot(normal, KEY) + through) / (1.0 + through), 0.0, 1.0);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { FIRST_LIGHT } from "../../link/constants";
-import { LIGHTS, type Light, mixLights } from "./lights";
+import { LIGHTS, type Light, lightTurned, mixLights } from "./lights";
 import type { Triple } from "./tone";
 
 const names = Object.keys(LIGHTS);
@@ -29,5 +29,27 @@ describe("a mix of lights", () => {
 
   it("does not change with names it does not know", () => {
     expect(mixLights({ [FIRST_LIGHT]: 0.5, candle: 0.5 })).toEqual(mixLights({ [FIRST_LIGHT]: 1 }));
+  });
+});
+
+describe("a light as somebody sees it who is turned", () => {
+  const theatre = LIGHTS.theatre as Light;
+
+  it("is the light itself where nobody is turned", () => {
+    expect(lightTurned(theatre, 0)).toBe(theatre);
+  });
+
+  it("comes from the other side after half a turn, from as high as before", () => {
+    const [x, y, z] = theatre.key.from;
+    const { key, rims } = lightTurned(theatre, Math.PI);
+    key.from.forEach((part, axis) => {
+      expect(part).toBeCloseTo([-x, y, -z][axis] as number, 12);
+    });
+    expect(Math.hypot(...rims.left)).toBeCloseTo(Math.hypot(...theatre.rims.left), 12);
+  });
+
+  it("meets a nose that is turned to the audience's right from its own right", () => {
+    const ahead: Light = { ...theatre, key: { ...theatre.key, from: [0, 0, 1] } };
+    expect(lightTurned(ahead, Math.PI / 2).key.from[0]).toBeCloseTo(-1, 12);
   });
 });

@@ -138,3 +138,30 @@ export const before = (light: Light, background: Triple): Light => ({
   ...light,
   backdrop: { edge: background, glow: background },
 });
+
+/** A light by other axes: where its own x, y and z point (unit vectors); a light that goes with a camera, or as a turned head sees it. */
+export function lightAlong(light: Light, axes: readonly [Triple, Triple, Triple]): Light {
+  const from = (lamp: Triple): Triple => {
+    const along = (axis: 0 | 1 | 2): number =>
+      lamp[0] * axes[0][axis] + lamp[1] * axes[1][axis] + lamp[2] * axes[2][axis];
+    return [along(0), along(1), along(2)];
+  };
+  const { key, fill, rims } = light;
+  return {
+    ...light,
+    key: { ...key, from: from(key.from) },
+    fill: { ...fill, from: from(fill.from) },
+    rims: { ...rims, left: from(rims.left), right: from(rims.right) },
+  };
+}
+
+/** A light as somebody sees it who is turned to their left by `turn` radians. */
+export function lightTurned(light: Light, turn: number): Light {
+  const [across, ahead] = [Math.cos(turn), Math.sin(turn)];
+  if (turn === 0) return light;
+  return lightAlong(light, [
+    [across, 0, ahead],
+    [0, 1, 0],
+    [-ahead, 0, across],
+  ]);
+}

@@ -10,7 +10,7 @@ precision highp float;
 precision highp int;
 precision highp sampler2D;
 uniform mat4 projectionMatrix;
-uniform mat4 viewMatrix;
+uniform mat4 modelViewMatrix;
 uniform sampler2D positions;
 uniform sampler2D normals;
 uniform mat3 headTurn;
@@ -23,7 +23,7 @@ vec3 fetchRow(sampler2D rows) { return texelFetch(rows, texelOf(int(source + 0.5
 vec3 rowAt(int row) { return texelFetch(positions, texelOf(row), 0).xyz; }
 vec3 turned(vec3 point, float part) { return mix(point, pivot + headTurn * (point - pivot), part); }
 vec3 turnedNormal(vec3 normal, float part) { return normalize(mix(normal, headTurn * normal, part)); }
-vec4 project(vec3 point) { return projectionMatrix * viewMatrix * vec4(point, 1.0); }
+vec4 project(vec3 point) { return projectionMatrix * modelViewMatrix * vec4(point, 1.0); }
 `;
 
 /**
@@ -31,7 +31,7 @@ vec4 project(vec3 point) { return projectionMatrix * viewMatrix * vec4(point, 1.
  * and what comes from everywhere. SHADE: how much hollows count, 0 in even light; whoever darkens a hollow uses `shaded`.
  */
 const LAMPS = `
-uniform vec3 cameraPosition;
+uniform vec3 viewPoint; // the camera, in the head's own metres
 uniform vec3 KEY;
 uniform vec3 FILL;
 uniform vec3 RIM_LEFT;

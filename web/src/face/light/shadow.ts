@@ -92,7 +92,7 @@ export class Shadow {
       }
     for (const mesh of standing)
       if (!this.casters.has(mesh)) {
-        const drawn = caster(mesh);
+        const drawn = caster(mesh, this.camera.position);
         this.casters.set(mesh, drawn);
         this.scene.add(drawn);
       }
@@ -104,14 +104,14 @@ export class Shadow {
   }
 }
 
-/** The same mesh, moved by the same vertex shader, that leaves its height instead of its colour. */
-function caster(mesh: THREE.Mesh): THREE.Mesh {
+/** The same mesh, moved by the same vertex shader as the lamp sees it, that leaves its height instead of its colour. */
+function caster(mesh: THREE.Mesh, lamp: THREE.Vector3): THREE.Mesh {
   const look = mesh.material as THREE.RawShaderMaterial;
   const depth = new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3,
     vertexShader: look.vertexShader,
     fragmentShader: HEIGHT_FRAGMENT,
-    uniforms: look.uniforms,
+    uniforms: { ...look.uniforms, viewPoint: { value: lamp } },
     defines: { ...look.defines, ...("strands" in look.uniforms ? { STRANDS: "" } : {}) },
     side: THREE.DoubleSide,
     blending: THREE.NoBlending,

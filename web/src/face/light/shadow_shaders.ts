@@ -28,6 +28,7 @@ uniform float KEY_SIZE;
 
 const float LIFT = 0.0012; // metres off the surface: its triangles cut the corners of what it stands for
 const float BIAS = 0.0006;
+const float GRAZED = 0.12; // the least cosine by which a surface is taken for flat: under more, brows and temples shade themselves
 const int BLOCKERS = 16;
 const int SAMPLES = 28;
 
@@ -43,7 +44,7 @@ float shadow(vec3 point, vec3 normal) {
   float grazing = 1.0 - smoothstep(0.0, 0.45, facing); // there light that went through the skin blurs all edges
   // A surface that turns away is in its own shade already: only what stands further off counts
   float bias = BIAS + 0.14 * max(0.06 - facing, 0.0);
-  vec2 slope = -vec2(dot(normal, shadowSide), dot(normal, shadowUp)) / max(facing, 0.30);
+  vec2 slope = -vec2(dot(normal, shadowSide), dot(normal, shadowUp)) / max(facing, GRAZED);
   float turn = 6.2831853 * SPIN;
   vec2 first = vec2(cos(turn), sin(turn));
   float texel = ${(2 * REACH).toFixed(4)} / float(textureSize(shadowHeights, 0).x);

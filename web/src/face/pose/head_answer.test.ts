@@ -36,6 +36,13 @@ describe("the head", () => {
     expect(headOf({ ...restPose("gone", "doubt") }, CAST)).toEqual([0, 0, 0]);
   });
 
+  it("goes with the ears, with the region that they are in", () => {
+    const neutral = restPose("dog");
+    for (const region of ["brows", "eyes", "mouth"] as const)
+      expect(headOf({ ...neutral, regions: { [region]: { doubt: 1 } } }, CAST)).toEqual([0, 0, 0]);
+    expect(headOf({ ...neutral, regions: { rest: { doubt: 1 } } }, CAST)[2]).toBeCloseTo(0.3);
+  });
+
   it("goes evenly from one expression to another, and from one face to another", () => {
     for (const [from, to] of [
       [restPose("dog", "neutral"), restPose("dog", "doubt")],

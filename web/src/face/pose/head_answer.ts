@@ -11,14 +11,15 @@ export interface Documents {
   expressions: ReadonlyMap<string, ExpressionDocument>;
 }
 
-/** Yaw, pitch and roll (radians): those of the pose, and by weight what each face makes of each expression's own. */
+/** Yaw, pitch and roll (radians): those of the pose, and by weight what each face makes of each expression's own; a head
+ * goes with its ears, with the region `rest`. */
 export function headOf(pose: Pose, { faces, expressions }: Documents): Pose["head"] {
   const [yaw, pitch, roll] = pose.head;
   const total: Pose["head"] = [yaw, pitch, roll];
   for (const [name, share] of Object.entries(pose.faces)) {
     const gains = faces.get(name)?.gains ?? [];
     if (!gains.some(({ region }) => region === "head")) continue;
-    for (const [source, weight] of Object.entries(expressionWeights(pose))) {
+    for (const [source, weight] of Object.entries(expressionWeights(pose, "rest"))) {
       const turn = expressions.get(source)?.head ?? [0, 0, 0];
       const gain = share * weight * gainOf(gains, "head", source);
       turn.forEach((angle, axis) => {

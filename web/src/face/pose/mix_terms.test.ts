@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { expressionWeights, faceWeights, terms } from "./mix_terms";
-import { mixPoses, restPose } from "./pose";
+import { expressionNames, expressionWeights, faceWeights, terms } from "./mix_terms";
+import { mixPoses, type Pose, restPose } from "./pose";
 
 const all = (): number => 1;
 
@@ -68,6 +68,45 @@ describe("the terms of a mix", () => {
       jawOpen: expect.closeTo(0.3, 12),
       eyeBlinkLeft: 0.5,
     });
+  });
+});
+
+describe("the terms of a mix whose regions go their own way", () => {
+  const eyes = { smile: 0.6, wink: 0.4 };
+  const own: Pose = { ...pose, regions: { eyes, mouth: { ...pose.expressions } } };
+  const NAMES = ["brows", "eyes", "mouth", "rest"] as const;
+
+  it("sum in each region to the mix of that region", () => {
+    const found = terms(own, all);
+    for (const [at, region] of NAMES.entries()) {
+      const there = { ...pose, expressions: own.regions[region] ?? own.expressions } as typeof pose;
+      const sum = found.reduce(
+        (so, { face: name, expression, weight, regions }) =>
+          so + (regions?.[at] ?? weight) * (expression === undefined ? face(name) : delta(name, expression)),
+        0,
+      );
+      expect(sum).toBeCloseTo(byDefinition(there, position), 12);
+    }
+  });
+
+  it("have one weight where regions agree, as all have where none differs", () => {
+    const regional = new Set(terms(own, all).flatMap((term) => (term.regions ? [term.expression] : [])));
+    expect(regional).toEqual(new Set(["smile", "cry", "wink"]));
+    const same = Object.fromEntries(NAMES.map((region) => [region, { ...pose.expressions }]));
+    expect(terms({ ...pose, regions: same }, all)).toEqual(terms(pose, all));
+  });
+
+  it("name all that is on air anywhere", () => {
+    expect(new Set(expressionNames(own))).toEqual(new Set([...Object.keys(expressionWeights(pose)), "wink"]));
+    expect(expressionWeights(own, "eyes").wink).toBe(0.4);
+    expect(expressionWeights(own, "brows")).toEqual(expressionWeights(own));
+  });
+
+  it("mix from pose to pose: a region that is not alone shows what its face does", () => {
+    expect(mixPoses(pose, own, 0.5).regions.eyes).toEqual(
+      mixPoses(pose, { ...own, expressions: eyes }, 0.5).expressions,
+    );
+    expect(mixPoses(own, pose, 1).regions.eyes).toMatchObject(pose.expressions);
   });
 });
 

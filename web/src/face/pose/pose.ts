@@ -1,21 +1,24 @@
 /** A pose: what a stage draws of a state. */
 
 import { FIRST_LIGHT } from "../../link/constants";
-import type { State } from "../../link/messages";
+import type { CharacterState, State } from "../../link/messages";
 
-/** What a stage draws: the weights and angles of a state, nothing of its calls. Every `State` is one. */
-export type Pose = Pick<State, "faces" | "expressions" | "channels" | "lids" | "head" | "eyes" | "light">;
+/** What a stage draws of a character: its weights and angles in a state, nothing of its calls, and the light. */
+export type Pose = Pick<CharacterState, "faces" | "expressions" | "regions" | "channels" | "lids" | "head" | "eyes"> &
+  Pick<State, "light">;
 
 type Weights = Record<string, number>;
+type Regions = Pose["regions"];
 
 /** The same text for the same pose. */
-export const poseKey = ({ faces, expressions, channels, lids, head, eyes, light }: Pose): string =>
-  JSON.stringify([faces, expressions, channels, lids, head, eyes, light]);
+export const poseKey = ({ faces, expressions, regions, channels, lids, head, eyes, light }: Pose): string =>
+  JSON.stringify([faces, expressions, regions, channels, lids, head, eyes, light]);
 
 /** The pose at rest: one face, neutral. */
 export const restPose = (face: string, expression = "neutral"): Pose => ({
   faces: { [face]: 1 },
   expressions: { [expression]: 1 },
+  regions: {},
   channels: {},
   lids: {},
   head: [0, 0, 0],
@@ -31,6 +34,14 @@ export function mixWeights(from: Weights, to: Weights, part: number): Weights {
   return mixed;
 }
 
+/** The mixes of the regions that go their own way in either pose, part of the way; where one does not, it shows its whole face's. */
+function mixRegions(from: Pose, to: Pose, part: number): Regions {
+  const mixed: Regions = {};
+  for (const region of Object.keys({ ...from.regions, ...to.regions }) as (keyof Regions)[])
+    mixed[region] = mixWeights(from.regions[region] ?? from.expressions, to.regions[region] ?? to.expressions, part);
+  return mixed;
+}
+
 function mixAngles<T extends number[]>(from: T, to: T, part: number): T {
   return from.map((angle, index) => angle + ((to[index] as number) - angle) * part) as T;
 }
@@ -40,6 +51,7 @@ export function mixPoses(from: Pose, to: Pose, part: number): Pose {
   return {
     faces: mixWeights(from.faces, to.faces, part),
     expressions: mixWeights(from.expressions, to.expressions, part),
+    regions: mixRegions(from, to, part),
     channels: mixWeights(from.channels, to.channels, part),
     lids: mixWeights(from.lids, to.lids, part),
     head: mixAngles(from.head, to.head, part),

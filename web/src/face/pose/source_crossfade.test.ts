@@ -80,6 +80,20 @@ describe("a source crossfade", () => {
     ]);
   });
 
+  it("changes in a region as on the whole face", () => {
+    const sources = cast({ grin: "#1" });
+    const sourceCrossfade = new SourceCrossfade(sources);
+    const pose = { ...restPose("dog"), regions: { mouth: { grin: 1 } } };
+    expect(sourceCrossfade.pose(pose, FRAME, shown).regions).toEqual({ mouth: { "#1": 1 } });
+    sources.known.grin = "#2";
+    expect(sourceCrossfade.settled(pose)).toBe(false);
+    const half = sourceCrossfade.pose(pose, 0.125, shown).regions.mouth ?? {};
+    expect((half["#1"] ?? 0) + (half["#2"] ?? 0)).toBeCloseTo(1, 12);
+    for (let frame = 0; frame < 16; frame++) sourceCrossfade.pose(pose, FRAME, shown);
+    expect(sourceCrossfade.pose(pose, FRAME, shown).regions).toEqual({ mouth: { "#2": 1 } });
+    expect(sourceCrossfade.settled(pose)).toBe(true);
+  });
+
   it("turns round smoothly when it is changed again on the way", () => {
     const sources = cast({ grin: "#1" });
     const sourceCrossfade = new SourceCrossfade(sources);

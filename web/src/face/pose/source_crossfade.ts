@@ -1,6 +1,7 @@
 /** Crossfades a name on air from its old source to its new one. */
 
 import { MathUtils } from "three";
+import { expressionNames } from "./mix_terms";
 import type { Pose } from "./pose";
 
 type Kind = "faces" | "expressions";
@@ -37,9 +38,7 @@ export class SourceCrossfade {
   /** The pose by source, `seconds` after the last; `atOnce`: as the names stand now. */
   pose(pose: Pose, seconds: number, arrival: Arrival, atOnce = false): Pose {
     const faces = Object.keys(pose.faces);
-    const expressions = [
-      ...new Set([...Object.keys(pose.expressions), ...Object.keys(pose.channels), ...Object.keys(pose.lids)]),
-    ];
+    const expressions = expressionNames(pose);
     this.follow("faces", faces);
     this.follow("expressions", expressions);
     const worn = expressions.flatMap((name) => [...this.shares("expressions", name).keys()]);
@@ -52,6 +51,7 @@ export class SourceCrossfade {
       ...pose,
       faces: this.spread("faces", pose.faces),
       expressions: this.spread("expressions", pose.expressions),
+      regions: this.spreadRegions(pose.regions),
       channels: this.spread("expressions", pose.channels),
       lids: this.spread("expressions", pose.lids),
     };
@@ -65,13 +65,13 @@ export class SourceCrossfade {
   }
 
   /** Whether every name of the pose shows what it stands for now. */
-  settled({ faces, expressions, channels, lids }: Pose): boolean {
-    const rests = (kind: Kind, weights: Weights): boolean =>
-      Object.keys(weights).every((name) => {
+  settled(pose: Pose): boolean {
+    const rests = (kind: Kind, names: readonly string[]): boolean =>
+      names.every((name) => {
         const change = this.changes[kind].get(name);
         return change === undefined || (change.progress === 1 && change.to === this.sources.sourceOf(kind, name));
       });
-    return rests("faces", faces) && [expressions, channels, lids].every((weights) => rests("expressions", weights));
+    return rests("faces", Object.keys(pose.faces)) && rests("expressions", expressionNames(pose));
   }
 
   /** Remembers what the names on air stand for, and forgets the others. */
@@ -90,6 +90,13 @@ export class SourceCrossfade {
   private shares(kind: Kind, name: string): ReadonlyMap<string, number> {
     const change = this.changes[kind].get(name);
     return change === undefined ? new Map([[this.sources.sourceOf(kind, name), 1]]) : sharesOf(change);
+  }
+
+  private spreadRegions(regions: Pose["regions"]): Pose["regions"] {
+    const spread: Pose["regions"] = {};
+    for (const region of Object.keys(regions) as (keyof Pose["regions"])[])
+      spread[region] = this.spread("expressions", regions[region] ?? {});
+    return spread;
   }
 
   private spread(kind: Kind, weights: Weights): Weights {

@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { restPose } from "./pose";
-import { type Timed, Timeline } from "./timeline";
+import { mixPoses, type Pose, restPose } from "./pose";
+import { type Due, Timeline } from "./timeline";
 
-const state = (time: number, old: number, epoch = 1): Timed => ({
+const state = (time: number, old: number, epoch = 1): Pose & Due => ({
   ...restPose("generic"),
   faces: { generic: 1 - old, old },
   head: [old, 0, 0],
@@ -10,15 +10,15 @@ const state = (time: number, old: number, epoch = 1): Timed => ({
   epoch,
 });
 
-const filled = (): Timeline => {
-  const timeline = new Timeline();
+const filled = (): Timeline<Pose> => {
+  const timeline = new Timeline(mixPoses);
   for (let n = 0; n <= 6; n++) timeline.push(state(100 + n / 60, n / 6), n / 60);
   return timeline;
 };
 
 describe("a timeline", () => {
   it("shows nothing before the first state", () => {
-    expect(new Timeline().at(1, 1)).toBeUndefined();
+    expect(new Timeline(mixPoses).at(1, 1)).toBeUndefined();
   });
 
   it("lies on the straight line between the states on either side", () => {

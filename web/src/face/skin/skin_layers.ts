@@ -41,9 +41,9 @@ export type SkinUniforms = Uniforms &
   Record<Layer, THREE.IUniform<THREE.Texture>> &
   Record<SkinTrait, THREE.IUniform<number>>;
 
-/** Uniforms of a skin without layers. */
-export function skinUniforms(): SkinUniforms {
-  const plain = SKIN_LAYERS.map((name) => [name, { value: plainTexture(BLANKS[name]) }]);
+/** Uniforms of a skin without layers, or with those of another one. */
+export function skinUniforms(layers?: SkinUniforms): SkinUniforms {
+  const plain = SKIN_LAYERS.map((name) => [name, layers?.[name] ?? { value: plainTexture(BLANKS[name]) }]);
   return { ...Object.fromEntries(plain), ...Object.fromEntries(SKIN_TRAITS.map((name) => [name, { value: 0 }])) };
 }
 

@@ -39,7 +39,7 @@ uniform vec3 skin;
 struct Fall { vec3 diffuse; vec2 gloss; float rim; };
 
 Fall fall(vec3 point, vec3 normal, float open, float hair) {
-  vec3 view = normalize(cameraPosition - point);
+  vec3 view = normalize(viewPoint - point);
   float flesh = 1.0 - hair;
   vec3 wrap = mix(vec3(0.05), vec3(0.22, 0.16, 0.13), flesh);
   vec3 key = clamp((dot(normal, KEY) + wrap) / (1.0 + wrap), 0.0, 1.0);
@@ -101,7 +101,7 @@ float lobes(vec3 normal, vec3 view, vec3 lamp, float sharpness) {
 
 vec3 lit(Layers layers, Ground at, float open) {
   vec3 form = normalize(vNormal);
-  vec3 view = normalize(cameraPosition - vPoint);
+  vec3 view = normalize(viewPoint - vPoint);
 #ifdef DETAIL
   vec3 normal = fine(form, at);
 #else

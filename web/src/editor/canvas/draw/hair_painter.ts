@@ -8,8 +8,7 @@ import { fullStrands, offsetsOn } from "../../../face/hair/hair_strands";
 import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "../../../face/head/collar";
 import { type HeadUniforms, headUniforms } from "../../../face/head/head";
 import { writeLight } from "../../../face/light/light_uniforms";
-import { LIGHTS, type Light } from "../../../face/light/lights";
-import type { Triple } from "../../../face/light/tone";
+import { LIGHTS, type Light, lightAlong } from "../../../face/light/lights";
 import { definesOf, FEATURES, type Features } from "../../../face/quality/quality_levels";
 import type { HairStrands } from "../../../link/strands";
 import type { Camera } from "../math/camera";
@@ -103,12 +102,13 @@ export class HairPainter {
     this.renderer.dispose();
   }
 
-  private look({ projection, view, right, up, back }: Camera): void {
+  private look({ projection, view, right, up, back, eye }: Camera): void {
     this.camera.projectionMatrix.copy(projection);
     this.camera.projectionMatrixInverse.copy(projection).invert();
     this.camera.matrixWorldInverse.copy(view);
     this.camera.matrixWorld.copy(view).invert();
-    writeLight(turned(LIGHTS.portrait as Light, right, up, back), this.shared);
+    this.shared.viewPoint.value.fromArray(eye);
+    writeLight(lightAlong(LIGHTS.portrait as Light, [right, up, back]), this.shared);
   }
 
   private aim({ framebuffer, box, part }: Target): void {
@@ -124,19 +124,4 @@ export class HairPainter {
     Object.assign(look, COVERING);
     return mesh;
   }
-}
-
-/** A light that goes with the camera: what it has from the right, from above and from ahead. */
-function turned(light: Light, right: Triple, up: Triple, back: Triple): Light {
-  const from = ([x, y, z]: Triple): Triple =>
-    [0, 1, 2].map(
-      (axis) => x * (right[axis] as number) + y * (up[axis] as number) + z * (back[axis] as number),
-    ) as unknown as Triple;
-  const { key, fill, rims } = light;
-  return {
-    ...light,
-    key: { ...key, from: from(key.from) },
-    fill: { ...fill, from: from(fill.from) },
-    rims: { ...rims, left: from(rims.left), right: from(rims.right) },
-  };
 }

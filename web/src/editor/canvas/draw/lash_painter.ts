@@ -48,8 +48,8 @@ export class LashPainter {
     gl.uniform3fv(this.at("brow"), [...decodeSrgb(brow)]);
     gl.uniform1f(this.at("pixel"), 2 / ((camera.projection.elements[5] as number) * height));
     gl.uniformMatrix4fv(this.at("projectionMatrix"), false, camera.projection.elements);
-    gl.uniformMatrix4fv(this.at("viewMatrix"), false, camera.view.elements);
-    gl.uniform3fv(this.at("cameraPosition"), camera.eye);
+    gl.uniformMatrix4fv(this.at("modelViewMatrix"), false, camera.view.elements);
+    gl.uniform3fv(this.at("viewPoint"), camera.eye);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.CULL_FACE);
     gl.enable(gl.BLEND);

@@ -58,6 +58,11 @@ describe("CameraControl", () => {
     cameraControl.orbit(50, 20);
     expect(viewports.view.yaw).toBeLessThan(0);
     expect(viewports.view.pitch).toBeGreaterThan(0);
+    viewports.zoom(3);
+    viewports.pan(0.01, 0.02);
+    const { yaw, pitch } = viewports.view;
+    viewports.whole();
+    expect(viewports.view).toEqual({ yaw, pitch, zoom: 1, pan: [0, 0] });
     cameraControl.reset();
     expect(viewports.view).toEqual({ yaw: 0, pitch: 0, zoom: 1, pan: [0, 0] });
   });

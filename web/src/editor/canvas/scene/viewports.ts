@@ -69,6 +69,11 @@ export class Viewports {
     this.view = { ...this.view, yaw, pitch };
   }
 
+  /** The whole face, from where it is seen now. */
+  whole(): void {
+    this.view = { ...this.view, zoom: FIRST_VIEW.zoom, pan: FIRST_VIEW.pan };
+  }
+
   reset(): void {
     this.view = { ...FIRST_VIEW };
   }

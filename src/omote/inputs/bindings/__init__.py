@@ -1,0 +1,1 @@
+"""Bindings of devices' controls to what they play, without input or output."""

@@ -1,0 +1,235 @@
+"""Controls played: readings of devices and the state on air in, messages of OSC out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Container, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from omote.inputs.bindings.control_binding import Binding
+from omote.inputs.osc_packet import Argument, OscMessage
+from omote.inputs.reading import Reading
+
+
+class OnAir(Protocol):
+    """The values of addresses in a state, as surfaces are told them (`osc_feedback.OnAir`, or a mapping)."""
+
+    def get(self, path: str, default: tuple[Argument, ...], /) -> tuple[Argument, ...]:
+        """The values of an address."""
+
+
+MOVED = 1e-3
+"""Of a range: a value on air that is further from what a fader has sent was moved by somebody else."""
+NEAR = 0.04
+"""Of its way: a fader whose first reading is so near to the value stood there, and sends what it is moved to alone."""
+PRESSED = 0.5
+"""From where on a level counts as a button that is pressed."""
+
+
+@dataclass
+class _Played:
+    """What is known of one binding: where its control stood, whether it acts, what it sent last."""
+
+    last: float | None = None
+    engaged: bool = False
+    pressed: bool = False
+    sent: float | None = None
+
+
+class Bindings:
+    """Bindings, and where their controls stand. A device's bindings belong to its name, whenever it is there."""
+
+    def __init__(self, bindings: Sequence[Binding] = ()) -> None:
+        self.bindings: tuple[Binding, ...] = ()
+        self._banks: dict[str, str] = {}
+        self._played: list[_Played] = []
+        self._faders: list[bool] = []
+        self._of: dict[tuple[str, str], list[int]] = {}
+        self._sent: dict[str, tuple[int, tuple[Argument, ...]]] = {}
+        self.replace(bindings)
+
+    def replace(self, bindings: Sequence[Binding]) -> None:
+        """Plays other bindings from now on; those that stay go on as they were."""
+        before = dict(zip(self.bindings, self._played, strict=True))
+        self.bindings = tuple(bindings)
+        self._played = [before.get(binding) or _Played() for binding in self.bindings]
+        self._faders = [self._is_fader(binding) for binding in self.bindings]
+        self._of = {}
+        for index, binding in enumerate(self.bindings):
+            self._of.setdefault((binding.device, binding.control), []).append(index)
+        paths = {binding.target.path for binding in self.bindings}
+        self._sent = {path: sent for path, sent in self._sent.items() if path in paths}
+
+    def bank_of(self, device: str) -> str:
+        """The bank that a device is turned to; "" for none."""
+        return self._banks.get(device, "")
+
+    def banks_of(self, device: str) -> list[str]:
+        """The banks in which controls of a device play, in their order."""
+        return [*dict.fromkeys(each.bank for each in self.bindings if each.device == device and each.bank)]
+
+    def choose_bank(self, device: str, bank: str) -> None:
+        """Turns a device to a bank, whose faders are to be picked up anew."""
+        self._banks[device] = bank
+        for binding, played in zip(self.bindings, self._played, strict=True):
+            if binding.device == device:  # and where they stand in the other bank is not known
+                played.engaged, played.last = False, None
+
+    def positions(self, device: str, on_air: OnAir, shown: Container[str] = ()) -> dict[str, float]:
+        """Where the controls of a device would stand that show what is on air: levels in 0..1, a call that is on air 1;
+        the last binding of a control counts. shown: encoders that have a ring of lamps; others are left out."""
+        mine = (each for each in self.bindings if each.device == device and each.bank in ("", self.bank_of(device)))
+        mine = (each for each in mine if each.relative is None or each.control in shown)
+        found = ((binding.control, self._position(binding, on_air)) for binding in mine)
+        return {control: position for control, position in found if position is not None}
+
+    def _position(self, binding: Binding, on_air: OnAir) -> float | None:
+        if binding.target.bank is not None:
+            return float(self.bank_of(binding.device) == binding.target.bank)
+        values = on_air.get(binding.target.path, ())
+        if not binding.target.is_level:
+            return float(values[0] == binding.target.arguments[0]) if values and binding.target.arguments else None
+        value = values[binding.target.axis] if binding.target.axis < len(values) else None
+        return binding.position_of(float(value)) if isinstance(value, int | float) else None
+
+    @property
+    def controls(self) -> list[tuple[str, str]]:
+        """The controls that are bound, each with its device."""
+        return list(self._of)
+
+    @property
+    def waiting(self) -> dict[tuple[str, str], float]:
+        """Where controls stand that wait to be picked up."""
+        return {
+            (binding.device, binding.control): played.last
+            for binding, played in zip(self.bindings, self._played, strict=True)
+            if played.last is not None and not played.engaged and binding.pick_up and self._is_fader(binding)
+            if binding.bank in ("", self.bank_of(binding.device))
+        }
+
+    def crossings(self, device: str, on_air: OnAir) -> dict[str, float]:
+        """The controls of a device that wait to be picked up, and where each will be."""
+        found = self.waiting
+        positions = self.positions(device, on_air)
+        return {control: positions[control] for name, control in found if name == device and control in positions}
+
+    def hear(self, reading: Reading, on_air: OnAir, number: int) -> list[OscMessage]:
+        """What a reading plays. on_air: the values of addresses in a state, as surfaces are told them; number: the
+        state's. A reading that is no number from 0 to 1 plays nothing."""
+        if not 0.0 <= reading.value <= 1.0:  # NaN too
+            return []
+        found = list[OscMessage]()
+        for index in self._of.get((reading.device, reading.control), ()):
+            binding = self.bindings[index]
+            held = self._played[index].pressed and binding.button == "momentary"  # let go in another bank
+            if held or not binding.bank or binding.bank == self.bank_of(reading.device):
+                if self._faders[index]:
+                    found += self._move(index, reading.value, on_air, number)
+                else:
+                    found += self._play(index, reading, on_air, number)
+        return found
+
+    def stand(self, reading: Reading, on_air: OnAir, number: int) -> None:
+        """Notes that a fader stands where the value on air is, as its device was told to: it acts when it is moved."""
+        for index in self._of.get((reading.device, reading.control), ()):
+            binding, played = self.bindings[index], self._played[index]
+            current = self._current(binding, on_air, number) if self._is_fader(binding) else None
+            if current is not None and abs(binding.position_of(current) - reading.value) <= NEAR:
+                played.last, played.sent, played.engaged = reading.value, current, True
+
+    def unplug(self, device: str, on_air: OnAir, number: int) -> list[OscMessage]:
+        """Forgets where a device's controls stand, and lets go of the buttons that were held; they wait for it."""
+        found = []
+        for index, binding in enumerate(self.bindings):
+            if binding.device == device:
+                if binding.button == "momentary" and self._played[index].pressed:
+                    found += self._send(index, binding.low, self._values(binding, on_air, number), number)
+                self._played[index] = _Played()
+        return found
+
+    def _play(self, index: int, reading: Reading, on_air: OnAir, number: int) -> list[OscMessage]:
+        binding, played = self.bindings[index], self._played[index]
+        was_pressed = played.pressed
+        played.pressed = reading.value > 0.0 if reading.key else reading.value >= PRESSED
+        if binding.relative is not None:
+            return self._turn(index, binding.steps(reading.value), on_air, number)
+        if played.pressed == was_pressed:
+            return []
+        if binding.target.is_level:
+            return self._switch(index, on_air, number)
+        return self._call(binding) if played.pressed else []
+
+    @staticmethod
+    def _is_fader(binding: Binding) -> bool:
+        return binding.target.is_level and binding.button is None and binding.relative is None
+
+    def _call(self, binding: Binding) -> list[OscMessage]:
+        if binding.target.bank is not None:
+            self.choose_bank(binding.device, binding.target.bank)
+            return []
+        return [OscMessage(binding.target.path, binding.target.arguments)]
+
+    def _move(self, index: int, position: float, on_air: OnAir, number: int) -> list[OscMessage]:
+        """A fader is moved: it acts from the moment at which it crosses the value on air."""
+        binding, played = self.bindings[index], self._played[index]
+        before, played.last = played.last, position
+        values = self._values(binding, on_air, number)
+        current = _level(values, binding.target.axis)
+        if not binding.pick_up or current is None:
+            played.engaged = True
+        elif played.engaged and played.sent is not None:
+            played.engaged = abs(current - played.sent) <= MOVED * abs(binding.high - binding.low)
+        if not played.engaged and current is not None:
+            at = binding.position_of(current)
+            played.engaged = abs(position - at) <= NEAR if before is None else (before - at) * (position - at) <= 0.0
+        return self._send(index, binding.value_at(position), values, number) if played.engaged else []
+
+    def _turn(self, index: int, steps: int, on_air: OnAir, number: int) -> list[OscMessage]:
+        binding = self.bindings[index]
+        values = self._values(binding, on_air, number)
+        current = _level(values, binding.target.axis)
+        lowest, highest = sorted((binding.low, binding.high))
+        turned = (binding.low if current is None else current) + steps * binding.step * (binding.high - binding.low)
+        return self._send(index, min(highest, max(lowest, turned)), values, number)
+
+    def _switch(self, index: int, on_air: OnAir, number: int) -> list[OscMessage]:
+        """A button that moves a level is pressed or let go."""
+        binding, played = self.bindings[index], self._played[index]
+        values = self._values(binding, on_air, number)
+        if binding.button == "momentary":
+            return self._send(index, binding.high if played.pressed else binding.low, values, number)
+        if not played.pressed:
+            return []
+        current = _level(values, binding.target.axis)
+        is_high = current is not None and abs(current - binding.high) < abs(current - binding.low)
+        return self._send(index, binding.low if is_high else binding.high, values, number)
+
+    def _current(self, binding: Binding, on_air: OnAir, number: int) -> float | None:
+        """The value that a binding moves, as it is on air or was sent since."""
+        return _level(self._values(binding, on_air, number), binding.target.axis)
+
+    def _values(self, binding: Binding, on_air: OnAir, number: int) -> tuple[Argument, ...]:
+        path = binding.target.path
+        sent = self._sent.get(path)
+        return sent[1] if sent is not None and sent[0] >= number else on_air.get(path, ())
+
+    def _send(self, index: int, value: float, now: tuple[Argument, ...], number: int) -> list[OscMessage]:
+        """The message that moves one axis of a target and leaves its others where they are now."""
+        target = self.bindings[index].target
+        count, axis = len(target.values), target.axis
+        values: tuple[Argument, ...] = (value,)
+        if count > 1:
+            others = now if len(now) == count else (0.0,) * count
+            values = (*others[:axis], value, *others[axis + 1 :])
+        self._sent[target.path] = number, values
+        self._played[index].sent = value
+        return [OscMessage(target.path, values)]
+
+
+def _level(values: tuple[Argument, ...], axis: int) -> float | None:
+    """The number that an axis stands at; None where it has none."""
+    value = values[axis] if axis < len(values) else None
+    if type(value) is float and math.isfinite(value):
+        return value  # what nearly all are
+    return float(value) if isinstance(value, int | float) and math.isfinite(value) else None

@@ -1,0 +1,84 @@
+"""A binding: a control of a device, what it plays, and how; validated once, when it is made."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from omote.inputs.bindings.target import Target
+
+Button = Literal["momentary", "toggle"]
+Encoding = Literal["twos_complement", "binary_offset", "sign_magnitude"]
+STEEPEST = 10.0
+LONGEST_NAME = 80
+LARGEST_STEP = 1.0
+HIGHEST_BYTE = 127
+
+STEPS: Mapping[str, Callable[[int], int]] = {
+    "twos_complement": lambda byte: byte if byte < 64 else byte - 128,
+    "binary_offset": lambda byte: byte - 64,
+    "sign_magnitude": lambda byte: -(byte & 63) if byte & 64 else byte,
+}
+"""Steps of an encoder from the byte that it sends."""
+
+
+@dataclass(frozen=True)
+class Binding:
+    """A control of a device and what it plays; ValueError for what cannot be.
+
+    device, control: their names, as a `Reading` has them; low, high: the values at both ends of the control (high may
+    be the lower one); curve: exponent of the way between them; pick_up: a fader acts once it has crossed the value on
+    air; button: of a button that moves a level; relative: of an encoder without ends; step: part of the range that one
+    step of an encoder moves; bank: the bank in which it plays, "" for all.
+    """
+
+    device: str
+    control: str
+    target: Target
+    low: float = 0.0
+    high: float = 1.0
+    curve: float = 1.0
+    pick_up: bool = True
+    button: Button | None = None
+    relative: Encoding | None = None
+    step: float = 1.0 / 128.0
+    bank: str = ""
+
+    def __post_init__(self) -> None:
+        for what, name in (("device", self.device), ("control", self.control)):
+            if not 1 <= len(name) <= LONGEST_NAME:
+                raise ValueError(f"the {what} is {name[:80]!r}; give its name, of at most {LONGEST_NAME} characters")
+        for what, value, least, most in (("curve", self.curve, 1 / STEEPEST, STEEPEST), ("step", self.step, 1e-6, 1.0)):
+            if not least <= value <= most:
+                raise ValueError(f"{what} is {value}; give {least:g} to {most:g}")
+        if self.button not in (None, *get_args(Button)) or self.relative not in (None, *get_args(Encoding)):
+            raise ValueError(f"button is one of {get_args(Button)}, relative one of {get_args(Encoding)}")
+        if self.target.is_level:
+            self._check_range()
+        elif self.button is not None or self.relative is not None:
+            raise ValueError(f"{self.target.path} is called by a press; button and relative are for levels")
+
+    def _check_range(self) -> None:
+        value = self.target.values[self.target.axis]
+        for what, number in (("low", self.low), ("high", self.high)):
+            if not value.low <= number <= value.high:
+                raise ValueError(f"{what} is {number}; {self.target.path} takes {value.low:g} to {value.high:g}")
+        if self.low == self.high:
+            raise ValueError(f"low and high are both {self.low}; a control needs a range")
+        if self.button is not None and self.relative is not None:
+            raise ValueError("a control is a button or an encoder, not both")
+
+    def value_at(self, position: float) -> float:
+        """The value of the target where the control stands at a position, 0 to 1."""
+        return self.low + (self.high - self.low) * math.pow(position, self.curve)
+
+    def position_of(self, value: float) -> float:
+        """The position at which the control has a value of the target; the nearer end where it has none."""
+        part = (value - self.low) / (self.high - self.low)
+        return math.pow(min(1.0, max(0.0, part)), 1.0 / self.curve)
+
+    def steps(self, position: float) -> int:
+        """How many steps an encoder was turned, from what its control reads."""
+        return STEPS[self.relative](round(position * HIGHEST_BYTE)) if self.relative else 0

@@ -1,0 +1,70 @@
+"""What a control may play: an address of OSC, so that all that a surface plays a dial plays too."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from omote.inputs.osc_addresses import Value, find_address
+from omote.inputs.osc_packet import Argument
+
+BANK = "bank:"
+"""Instead of an address: the bank that a button turns to."""
+USUAL_RANGE = {"channel": (0.0, 1.0)}
+"""The range of a fader where an address takes more than a fader usually gives."""
+
+
+@dataclass(frozen=True)
+class Target:
+    """An address with its character. arguments: of a call; values: what a level may move, with their ranges; axis: the
+    one that it moves. character: a pattern, "" where the address is the whole show's."""
+
+    path: str
+    arguments: tuple[Argument, ...] = ()
+    values: tuple[Value, ...] = ()
+    axis: int = 0
+    character: str = ""
+
+    @property
+    def axis_name(self) -> str:
+        """The name of its axis; "" where the address has one alone."""
+        return self.values[self.axis].name if len(self.values) > 1 else ""
+
+    @property
+    def is_level(self) -> bool:
+        """Whether a fader moves it; a button alone plays the rest."""
+        return bool(self.values)
+
+    @property
+    def bank(self) -> str | None:
+        """The bank that it turns to, None where it plays."""
+        return self.path.removeprefix(BANK) if self.path.startswith(BANK) else None
+
+    @property
+    def usual_range(self) -> tuple[float, float]:
+        """The range of a fader that has none of its own."""
+        value = self.values[self.axis]
+        return next((span for part, span in USUAL_RANGE.items() if f"/{part}/" in self.path), (value.low, value.high))
+
+
+def read_target(path: str, arguments: Sequence[Argument] = (), axis: str | None = None) -> Target:
+    """The target of an address; ValueError for one that there is not, for arguments or an axis that it has not.
+
+    arguments: what a call needs, its name and seconds; axis: `yaw` of a head, needed where an address has several.
+    """
+    if path.startswith(BANK):
+        return Target(path)
+    address, character, named = find_address(path)
+    left = address.values[len(named) :]
+    numbers = tuple(value for value in left if value.kind == "number")
+    if not numbers:
+        most = [value for value in left if value.kind != "press"]
+        least = sum(value.kind not in ("seconds", "time") for value in most)
+        if axis is not None or not least <= len(arguments) <= len(most):
+            wanted = ", ".join(value.name for value in most) or "nothing"
+            raise ValueError(f"{path} takes {wanted} as arguments, and no axis")
+        return Target(path, tuple(arguments), character=character)
+    names = [value.name for value in numbers]
+    if arguments or (axis is None and len(names) > 1) or (axis is not None and axis not in names):
+        raise ValueError(f"{path} takes no arguments and one axis of {', '.join(names)}; not {axis!r}")
+    return Target(path, (), numbers, 0 if axis is None else names.index(axis), character)

@@ -1,0 +1,94 @@
+"""Decodes a stream of MIDI 1.0 into readings: controllers of 7 and 14 bits, notes, pitch bend, pressure, programs.
+
+Real-time bytes may stand within any message; system messages are passed over. NRPN is not read: its four controllers
+in a row are told from plain ones by their order alone, and a control surface sends plain ones.
+"""
+
+from __future__ import annotations
+
+from omote.inputs.reading import Reading
+
+STATUS, REAL_TIME, SYSTEM, END_OF_SYSTEM = 0x80, 0xF8, 0xF0, 0xF7
+NOTE_OFF, NOTE_ON, KEY_PRESSURE, CONTROL, PROGRAM, PRESSURE, BEND = range(0x80, 0xF0, 0x10)
+LENGTHS = {NOTE_OFF: 2, NOTE_ON: 2, KEY_PRESSURE: 2, CONTROL: 2, PROGRAM: 1, PRESSURE: 1, BEND: 2}
+"""Data bytes of a message, by its status without the channel."""
+SYSTEM_LENGTHS = {0xF1: 1, 0xF2: 2, 0xF3: 1}
+FINE = 32
+"""A controller below it has its fine part at the number that is so much higher."""
+HIGHEST_7, HIGHEST_14 = 127.0, 16383.0
+
+
+class MidiDecoder:
+    """Bytes of one device as they come, cut anywhere. rejected: bytes that belong to no message."""
+
+    def __init__(self, device: str) -> None:
+        self._device = device
+        self._status = 0
+        self._data: list[int] = []
+        self._in_system = False
+        self._coarse: dict[tuple[int, int], int] = {}
+        self.rejected = 0
+
+    def feed(self, data: bytes) -> list[Reading]:
+        """The readings that are whole with these bytes: `1/cc7`, `1/cc7+39` (14 bits), `1/note60`, `1/bend`,
+        `1/pressure`, `1/pressure60`, `1/program5`; channels as people count them, from 1."""
+        found: list[Reading] = []
+        for byte in data:
+            if byte >= REAL_TIME:
+                continue
+            if byte >= STATUS:
+                self._begin(byte)
+            else:
+                found += self._add(byte)
+        return found
+
+    def _begin(self, status: int) -> None:
+        self.rejected += len(self._data)  # of a message that is cut short
+        self._data = []
+        self._in_system = status == SYSTEM
+        self._status = 0 if status in (SYSTEM, END_OF_SYSTEM) else status
+
+    def _add(self, byte: int) -> list[Reading]:
+        if self._in_system:
+            return []
+        kind = self._status & 0xF0 if self._status < SYSTEM else self._status
+        length = LENGTHS.get(kind) or SYSTEM_LENGTHS.get(kind, 0)
+        if not length:
+            self.rejected += 1
+            return []
+        self._data.append(byte)
+        if len(self._data) < length:
+            return []
+        message, self._data = self._data, []  # the status stays: the next may leave it out (running status)
+        if kind >= SYSTEM:
+            self._status = 0
+            return []
+        return self._read(kind, (self._status & 0xF) + 1, message)
+
+    def _read(self, kind: int, channel: int, message: list[int]) -> list[Reading]:
+        first, last = message[0], message[-1]
+        match kind:
+            case 0x80 | 0x90:
+                velocity = last if kind == NOTE_ON else 0
+                return [self._reading(channel, f"note{first}", velocity / HIGHEST_7, key=True)]
+            case 0xA0:
+                return [self._reading(channel, f"pressure{first}", last / HIGHEST_7)]
+            case 0xB0:
+                return self._read_control(channel, first, last)
+            case 0xC0:
+                return [self._reading(channel, f"program{first}", value, key=True) for value in (1.0, 0.0)]
+            case 0xD0:
+                return [self._reading(channel, "pressure", first / HIGHEST_7)]
+        return [self._reading(channel, "bend", (last << 7 | first) / HIGHEST_14)]
+
+    def _read_control(self, channel: int, number: int, value: int) -> list[Reading]:
+        found = [self._reading(channel, f"cc{number}", value / HIGHEST_7)]
+        if number < FINE:
+            self._coarse[channel, number] = value
+        elif (channel, number - FINE) in self._coarse:
+            whole = self._coarse[channel, number - FINE] << 7 | value
+            found.append(self._reading(channel, f"cc{number - FINE}+{number}", whole / HIGHEST_14))
+        return found
+
+    def _reading(self, channel: int, control: str, value: float, *, key: bool = False) -> Reading:
+        return Reading(self._device, f"{channel}/{control}", value, key)

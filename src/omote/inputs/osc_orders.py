@@ -1,0 +1,198 @@
+"""What messages of OSC ask for: each becomes messages of the show, and what is wrong is said in words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from omote.inputs.character_patterns import characters_meant
+from omote.inputs.osc_addresses import BY_HAND, CALL_SECONDS, CHANNEL, Value, find_address
+from omote.inputs.osc_packet import Argument, OscError, OscMessage
+from omote.model.known_names import check_play_region
+from omote.perform.layers.layer_names import check_layer, check_part
+from omote.perform.lights import LIGHTS
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known
+from omote.perform.name_lookup import find_name
+from omote.perform.scene.character_names import ALL
+from omote.perform.snapshot import Playable
+from omote.show import messages as wire
+
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+CHECKS: Mapping[str, Callable[[str], str]] = {
+    "region": check_play_region, "layer": check_layer, "part": check_part,
+}  # fmt: skip
+"""What finds the names that every show has."""
+MOST_REMEMBERED = 1024
+"""Names and addresses that are remembered when they were found, or were not: what sends one sends it again."""
+LONGEST_REMEMBERED = 120
+
+
+class Names(NamedTuple):
+    """Whose names a message can have."""
+
+    cast: Playable
+    characters: Sequence[str]
+
+
+class Level(NamedTuple):
+    """An address that takes numbers alone, as it was read: a fader sends the same one again and again. channel: the
+    one that it sets, "" for another address."""
+
+    make: Callable[..., wire.FromClient]
+    meant: tuple[str, ...]
+    named: list[Any]
+    length: int
+    channel: str
+
+
+class OrderReader:
+    """Reads messages for a cast and characters; what it has found once it finds again at once."""
+
+    def __init__(self, cast: Playable, characters: Sequence[str]) -> None:
+        self._names = Names(cast, tuple(characters))
+        self._meant: dict[str, tuple[str, ...]] = {}
+        self._levels: dict[str, Level] = {}
+        self._found: dict[tuple[str, str], str | ValueError] = {}
+
+    def fits(self, cast: Playable, characters: Sequence[str]) -> bool:
+        """Whether it was made for these."""
+        return self._names.cast is cast and self._names.characters == characters
+
+    def read(self, message: OscMessage, call: str) -> tuple[wire.FromClient, ...]:
+        """What a message asks for: none for a button that is let go, one for each character that its pattern means.
+
+        call: the id of a call that it makes. Names are found as everywhere: in any case, with spaces, hyphens or
+        underscores. OscError for an address or a character that there is not, for a name that there is not and for a
+        value that is missing, too many or of a wrong kind; whether a number is in its range the scene decides.
+        """
+        level = self._levels.get(message.address)
+        if level is not None and len(message.arguments) == level.length and all(map(_is_float, message.arguments)):
+            return tuple(level.make(who, call, *level.named, *message.arguments) for who in level.meant)
+        return self._read(message, call)
+
+    def channel_set(self, message: OscMessage) -> Level | None:
+        """The address of a message that sets a channel to a weight in its range, where it was read before."""
+        level = self._levels.get(message.address)
+        if level is None or not level.channel or len(message.arguments) != 1:
+            return None
+        weight = message.arguments[0]
+        return level if type(weight) is float and CHANNEL_LOWEST <= weight <= CHANNEL_HIGHEST else None
+
+    def _read(self, message: OscMessage, call: str) -> tuple[wire.FromClient, ...]:
+        address, character, named = find_address(message.address)
+        try:
+            values = self._read_values(address.values, [*named, *message.arguments])
+        except ValueError as error:
+            raise OscError(f"{message.address[:80]}: {error}") from error
+        if values is None:
+            return ()
+        if address.of_show:
+            return (address.make(ALL, call, *values),)
+        meant = self.characters_meant(character)
+        if all(value.kind == "number" for value in address.values[len(named) :]):
+            found, channel = values[: len(named)], str(values[0]) if address.path == CHANNEL else ""
+            self._remember_level(message.address, Level(address.make, meant, found, len(message.arguments), channel))
+        if len(meant) == 1:
+            return (address.make(meant[0], call, *values),)
+        return tuple(address.make(who, f"{call} {who}", *values) for who in meant)
+
+    def _remember_level(self, path: str, level: Level) -> None:
+        if len(self._levels) < MOST_REMEMBERED and len(path) <= LONGEST_REMEMBERED:
+            self._levels[path] = level
+
+    def characters_meant(self, pattern: str) -> tuple[str, ...]:
+        """The characters that a pattern means, `*` for all of them."""
+        found = self._meant.get(pattern)
+        if found is None:
+            found = characters_meant(pattern, self._names.characters)
+            if len(self._meant) < MOST_REMEMBERED and len(pattern) <= LONGEST_REMEMBERED:
+                self._meant[pattern] = found
+        return found
+
+    def _read_values(self, values: Sequence[Value], given: Sequence[Argument]) -> list[Any] | None:
+        """What `make` takes; None where a button is let go."""
+        if len(given) > len(values):
+            raise ValueError(f"{len(given)} values came; expected at most {len(values)}: {_listed(values)}")
+        found: list[Any] = []
+        for value, argument in zip(values, [*given, *[None] * (len(values) - len(given))], strict=True):
+            if value.kind == "press":
+                if argument is not None and not _number(value, argument) > 0.0:
+                    return None
+            else:
+                found.append(self._read_value(value, argument))
+        return found
+
+    def _read_value(self, value: Value, argument: Argument) -> Any:
+        if value.kind == "number" and type(argument) is float:
+            return argument
+        if argument is None and not value.may_be_left_out:
+            raise ValueError(f"the {value.name} is missing; expected {_listed([value])}")
+        if value.kind == "seconds":
+            return _seconds(value, argument)
+        if value.kind == "time":
+            return CALL_SECONDS if argument is None else _number(value, argument)
+        return _number(value, argument) if value.kind == "number" else self._name(value, argument)
+
+    def _name(self, value: Value, argument: Argument) -> str | list[str]:
+        if not isinstance(argument, str):
+            raise ValueError(
+                f"the {value.name} is {str(argument)[:80]!r}; expected the name of a {value.kind}, as text"
+            )
+        if value.kind == "framing":
+            return _characters(argument, self._names.characters)
+        if value.kind in CHECKS:
+            return CHECKS[value.kind](argument.lower())
+        found = self._found.get((value.kind, argument))
+        if found is None:
+            found = _look_up(argument, value.kind, self._names.cast)
+            if len(self._found) < MOST_REMEMBERED and len(argument) <= LONGEST_REMEMBERED:
+                self._found[value.kind, argument] = found
+        if isinstance(found, ValueError):
+            raise ValueError(str(found))
+        return found
+
+
+def read_orders(
+    message: OscMessage, cast: Playable, characters: Sequence[str], call: str
+) -> tuple[wire.FromClient, ...]:
+    """What one message asks for, as `OrderReader.read`."""
+    return OrderReader(cast, characters).read(message, call)
+
+
+def _is_float(value: Argument) -> bool:
+    return type(value) is float
+
+
+def _look_up(text: str, kind: str, cast: Playable) -> str | ValueError:
+    names: Mapping[str, Any] = {"face": cast.faces, "light": LIGHTS}.get(kind, cast.expressions)
+    try:
+        return find_name(text, names, kind)
+    except ValueError as error:
+        return error
+
+
+def _seconds(value: Value, argument: Argument) -> float | None:
+    """A time of a call; None for one by hand, as on the wire."""
+    if argument == BY_HAND:
+        return None
+    return CALL_SECONDS if argument is None else _number(value, argument)
+
+
+def _number(value: Value, argument: Argument) -> float:
+    if isinstance(argument, str) and NUMBER.fullmatch(argument.strip()):
+        return float(argument)
+    if isinstance(argument, int | float):
+        return float(argument)
+    raise ValueError(f"the {value.name} is {str(argument)[:80]!r}; expected {_listed([value])}")
+
+
+def _characters(text: str, characters: Sequence[str]) -> list[str]:
+    """The characters of a framing: none for `*`."""
+    if text.strip() == ALL:
+        return []
+    return [check_known(name, characters, "character") for name in re.split(r"[+,\s]+", text.strip())]
+
+
+def _listed(values: Sequence[Value]) -> str:
+    return ", ".join(f"a number from {v.low:g} to {v.high:g}" if v.kind == "number" else v.name for v in values)

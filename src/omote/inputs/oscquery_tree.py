@@ -1,0 +1,140 @@
+"""All addresses of OSC as a tree that control surfaces read (OSCQuery), from the table that the parser uses."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from functools import reduce
+from itertools import product
+from typing import Any, Literal
+
+from omote.inputs.osc_addresses import ADDRESSES, ROOT, Address, Value
+from omote.inputs.osc_feedback import REST, OnAir
+from omote.inputs.osc_orders import Names
+from omote.model.known_names import NEUTRAL, PLAY_REGIONS
+from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
+from omote.perform.lights import LIGHTS
+from omote.perform.scene.character_names import ALL
+from omote.perform.snapshot import Playable
+from omote.show.messages import State
+
+Node = dict[str, Any]
+"""A node as JSON has it: `FULL_PATH`, and what the proposal calls attributes."""
+
+NO_ACCESS, WRITE, READ_WRITE = 0, 2, 3
+TYPES = {"number": "f", "time": "f", "press": "I"}
+"""The type tag of a value by its kind; names are texts."""
+UNITS = {"degrees": "angle.degree"}
+"""The proposal's names of units."""
+ATTRIBUTES = ("FULL_PATH", "CONTENTS", "TYPE", "ACCESS", "RANGE", "VALUE", "DESCRIPTION", "UNIT")
+"""What can be asked for by itself; every node has the first and ACCESS."""
+HOST_INFO = "HOST_INFO"
+PLACES = re.compile(r"{\w+}")
+"""Where names stand in an address."""
+Transport = Literal["UDP", "TCP"]
+
+
+def host_info(name: str, port: int, transport: Transport = "UDP") -> dict[str, Any]:
+    """What a surface is told of this host: its name, and the port at which it hears OSC."""
+    optional = ("ACCESS", "VALUE", "RANGE", "DESCRIPTION", "UNIT")
+    absent = ("LISTEN", "PATH_CHANGED", "CLIPMODE", "TAGS", "CRITICAL", "OVERLOADS", "HTML")
+    extensions = {**dict.fromkeys(optional, True), **dict.fromkeys(absent, False)}
+    return {"NAME": name, "OSC_PORT": port, "OSC_TRANSPORT": transport, "EXTENSIONS": extensions}
+
+
+def build_tree(cast: Playable, state: State | None, characters: Iterable[str]) -> Node:
+    """The tree of all addresses, with the names of the cast as ranges; values where a state is given."""
+    root = build_addresses(cast, characters)
+    return root if state is None else with_values(root, OnAir(state))
+
+
+def build_addresses(cast: Playable, characters: Iterable[str]) -> Node:
+    """The tree of all addresses without values: the same as long as cast and characters are."""
+    root = _container("/")
+    known = Names(cast, list(characters))
+    for address in ADDRESSES:
+        for owner in [""] if address.of_show else known.characters:
+            for path in _paths(address, owner, known):
+                _insert(root, path, _leaf(address, path, known))
+    return root
+
+
+def with_values(node: Node, on_air: OnAir) -> Node:
+    """A copy of a node and of all below it, with the values on air."""
+    found = dict(node)
+    if node["ACCESS"] == READ_WRITE:
+        found["VALUE"] = list(on_air.get(node["FULL_PATH"], REST))
+    if "CONTENTS" in node:
+        found["CONTENTS"] = {name: with_values(below, on_air) for name, below in node["CONTENTS"].items()}
+    return found
+
+
+def find_node(root: Node, path: str) -> Node | None:
+    """The node at a path; None where there is none."""
+    node: Node | None = root
+    for part in path.strip("/").split("/") if path.strip("/") else ():
+        node = None if node is None else node.get("CONTENTS", {}).get(part)
+    return node
+
+
+def _paths(address: Address, owner: str, known: Names) -> list[str]:
+    """The full paths of an address for a character; one for each name where a name stands in the path."""
+    own = f"/{ROOT}/{owner}/{address.path}" if owner else f"/{ROOT}/{address.path}"
+    places = list(PLACES.finditer(own))
+    given = product(*(_names(value, known) for value in address.values[: len(places)]))
+    return [reduce(lambda path, name: PLACES.sub(lambda _: name, path, count=1), names, own) for names in given]
+
+
+def _leaf(address: Address, path: str, known: Names) -> Node:
+    """The node of an address: what it takes but for times behind others, which may be left out."""
+    own = address.values[address.path.count("{") :]
+    taken = [value for value in own if value.kind not in ("seconds", "time")] or list(own)
+    press = all(value.kind in ("press", "time") for value in taken)
+    more = " (seconds may follow)" if len(taken) < len(address.values) - address.path.count("{") else ""
+    node: Node = {
+        "FULL_PATH": path,
+        "TYPE": "".join(TYPES.get(value.kind, "s") for value in taken),
+        "ACCESS": WRITE if press else READ_WRITE,
+        "DESCRIPTION": address.tells + more,
+    }
+    if all(value.kind == "press" for value in taken):
+        return node
+    node["RANGE"] = [_range(value, known) for value in taken]
+    if any(value.unit in UNITS for value in taken):
+        node["UNIT"] = [UNITS.get(value.unit) for value in taken]
+    return node
+
+
+def _range(value: Value, known: Names) -> dict[str, Any]:
+    numbers = value.kind in ("number", "time")
+    return {"MIN": value.low, "MAX": value.high} if numbers else {"VALS": _names(value, known)}
+
+
+def _names(value: Value, known: Names) -> list[str]:
+    if value.kind == "framing":
+        return [ALL, *known.characters]
+    listed: dict[str, Sequence[str]] = {"region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS}
+    if value.kind in listed:
+        return [*listed[value.kind]]
+    cast = known.cast
+    names: Mapping[str, Any] = {"face": cast.faces, "light": LIGHTS}.get(value.kind, cast.expressions)
+    return [name for name in names if value.kind != "channel" or name != NEUTRAL]
+
+
+def _container(path: str) -> Node:
+    return {"FULL_PATH": path, "ACCESS": NO_ACCESS, "CONTENTS": {}}
+
+
+def _insert(root: Node, path: str, leaf: Node) -> None:
+    *above, last = path.strip("/").split("/")
+    node = root
+    for count, part in enumerate(above, 1):
+        node = node.setdefault("CONTENTS", {}).setdefault(part, _container("/" + "/".join(above[:count])))
+    below = _below(node, last)
+    node.setdefault("CONTENTS", {})[last] = leaf | ({"CONTENTS": below} if below else {})
+
+
+def _below(node: Node, name: str) -> Node | None:
+    """What lies below a name already: an address may end where others go on (`fade`)."""
+    below: Node | None = node.get("CONTENTS", {}).get(name, {}).get("CONTENTS")
+    return below

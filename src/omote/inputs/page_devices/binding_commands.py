@@ -1,0 +1,119 @@
+"""What pages ask of the bindings of a show: made, changed, taken away, learned, given by presets, taken back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from omote.inputs.bindings.binding_changes import BindingChange, EditableBindings
+from omote.inputs.bindings.binding_document import document_of, encode_stored, read_document
+from omote.inputs.bindings.bindings import Bindings
+from omote.inputs.bindings.control_binding import Binding
+from omote.inputs.bindings.target import read_target
+from omote.inputs.page_devices.learning import Learning
+from omote.inputs.presets.preset import Preset
+from omote.inputs.presets.preset_list import PRESETS, find_preset, preset_for
+from omote.inputs.reading import Reading
+from omote.perform.scene.character_names import ALL
+from omote.show import messages as wire
+
+Keep = Callable[[bytes], None]
+
+
+@dataclass(frozen=True)
+class Learner:
+    """Who learns what."""
+
+    who: str
+    name: str
+    asked: wire.Learn
+    learning: Learning
+
+
+class BindingCommands:
+    """The bindings of a show while people change them. playing: is given them; presets: by device, "" for one that was
+    offered none or took it away; keep: takes what the show file is to keep. number: rises with each change."""
+
+    def __init__(
+        self, editable: EditableBindings, playing: Bindings, presets: Mapping[str, str], keep: Keep = lambda _: None
+    ) -> None:
+        self.editable, self.presets, self._playing, self._keep = editable, dict(presets), playing, keep
+        self.learner: Learner | None = None
+        self.number = 0
+        playing.replace(editable.playing)
+
+    def carry_out(
+        self, message: wire.Bind | wire.Unbind | wire.LoadPreset | wire.RestoreBindings
+    ) -> wire.BindingsChanged:
+        """Does what a page asks for; ValueError where it cannot be, and nothing has changed."""
+        match message:
+            case wire.Bind(change, binding, replaces):
+                before = None if replaces is None else read_document(replaces)
+                made = self.editable.bind(change, read_document(binding), before)
+            case wire.Unbind(change, binding):
+                made = self.editable.unbind(change, read_document(binding))
+            case wire.LoadPreset(change, device, name, character):
+                preset = find_preset(name)
+                made = self.editable.give(change, device, preset.bindings(device, character))
+                self.presets[device] = preset.name
+            case wire.RestoreBindings(change, earlier):
+                made = self.editable.restore(change, earlier)
+        return self._changed(message.id, made)
+
+    def greet(self, device: str, kind: str) -> Preset | None:
+        """The preset of a device that is plugged in: the one that it was given; at its first time, where nothing is
+        bound on it, the one that is made for it."""
+        if device not in self.presets:
+            preset = preset_for(device, kind)
+            bound = any(each.device == device for each in self.editable.playing)
+            self.presets[device] = preset.name if preset else ""
+            if preset and not bound:
+                self._changed("", self.editable.give(f"preset {device}", device, preset.bindings(device, ALL)))
+        return PRESETS.get(self.presets[device])
+
+    def learn(self, who: str, name: str, asked: wire.Learn, now: float) -> None:
+        """Binds the next control that moves to what is asked for; an empty one stops. ValueError for no target."""
+        self.number += 1
+        self.learner = None
+        if asked.to:
+            target = read_target(asked.to, asked.arguments, asked.axis or None)
+            self.learner = Learner(who, name, asked, Learning(target, now, asked.bank))
+
+    def hear(self, readings: list[Reading]) -> tuple[str, wire.BindingsChanged] | None:
+        """What is learned from readings, and for whom; None while nothing is. ValueError where it cannot be bound."""
+        learner = self.learner
+        found = None if learner is None else learner.learning.hear(readings)
+        if learner is None or found is None:
+            return None
+        self.learner = None
+        self.number += 1
+        return learner.who, self._changed(learner.asked.id, self.editable.bind(learner.asked.id, found))
+
+    def pass_time(self, now: float) -> None:
+        """Ends learning that has gone on for too long."""
+        if self.learner is not None and now >= self.learner.learning.until:
+            self.learner = None
+            self.number += 1
+
+    def list_now(self) -> wire.BindingList:
+        """All bindings, for pages."""
+        learner = self.learner
+        asked = None if learner is None else learner.asked
+        return wire.BindingList(
+            bindings=[document_of(each) for each in self.editable.playing],
+            fixed=[document_of(each) for each in self.editable.fixed],
+            learning=None
+            if learner is None or asked is None
+            else wire.LearningState(asked.id, asked.to, asked.axis, asked.arguments, learner.name),
+            presets=[preset.document for preset in PRESETS.values()],
+        )
+
+    def _changed(self, change: str, made: BindingChange) -> wire.BindingsChanged:
+        self.number += 1
+        self._playing.replace(self.editable.playing)
+        self._keep(encode_stored(self.editable.own, self.presets))
+        return wire.BindingsChanged(change, _documents(made.added), _documents(made.removed))
+
+
+def _documents(bindings: tuple[Binding, ...]) -> list[wire.BindingDocument]:
+    return [document_of(each) for each in bindings]

@@ -1,0 +1,84 @@
+"""How devices and other sources do: what came from them, how often, what was rejected, and where controls stand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from omote.inputs.page_devices.input_log import InputLog
+from omote.inputs.rejection import Rejection
+from omote.show.messages import DeviceState, SourceKind
+
+MOST_VALUES = 64
+RATE_SECONDS = 1.0
+
+
+class DeviceHealth:
+    """Counts of one device or source. heard, rejected: since it was first there; values: the newest, by control."""
+
+    def __init__(self, now: float) -> None:
+        self.heard = self.rejected = 0
+        self.values: dict[str, float] = {}
+        self._rate, self._begun, self._before = 0.0, now, 0
+
+    def note(self, count: int = 1, rejected: int = 0) -> None:
+        """Notes what came."""
+        self.heard += count
+        self.rejected += rejected
+
+    def read(self, control: str, value: float) -> None:
+        """Notes where a control stands."""
+        if control not in self.values and len(self.values) >= MOST_VALUES:
+            del self.values[next(iter(self.values))]
+        self.values[control] = value
+
+    def rate(self, now: float) -> float:
+        """What comes a second, as it was in the last second or so."""
+        passed = now - self._begun
+        if passed >= RATE_SECONDS:
+            self._rate = (self.heard - self._before) / passed
+            self._begun, self._before = now, self.heard
+        return self._rate
+
+
+@dataclass(frozen=True)
+class SourceCounts:
+    """A source beside the pages, such as OSC: its counts, the newest that came, and the last rejection."""
+
+    name: str
+    kind: SourceKind
+    where: str
+    heard: int
+    rejected: int
+    newest: str = ""
+    last_rejection: Rejection | None = None
+    values: dict[str, float] = field(default_factory=dict)
+
+
+class SourceHealth:
+    """Looks at the counts of a source now and then, so that a flood costs it nothing. probe: gives them."""
+
+    def __init__(self, probe: Callable[[], SourceCounts]) -> None:
+        self._probe = probe
+        self._health = DeviceHealth(0.0)
+
+    def look(self, now: float, log: InputLog) -> DeviceState:
+        """Its state now; what has come since the last look goes to the log."""
+        counts, health = self._probe(), self._health
+        came, rejected = counts.heard - health.heard, counts.rejected - health.rejected
+        health.note(came, rejected)
+        if came and counts.newest:
+            log.note(counts.name, counts.newest, now, count=came)
+        if rejected and counts.last_rejection is not None:
+            reason = f"{counts.last_rejection.sender}: {counts.last_rejection.reason}"
+            log.note(counts.name, reason, now, rejected=True, count=rejected)
+        return DeviceState(
+            name=counts.name,
+            kind=counts.kind,
+            where=counts.where,
+            plugged=True,
+            rate=round(health.rate(now), 1),
+            heard=health.heard,
+            rejected=health.rejected,
+            values=counts.values,
+        )

@@ -1,0 +1,238 @@
+"""Devices at pages at a show session: messages of pages and times in; what is played, answered and told out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from omote.inputs.bindings.binding_input import BindingInput
+from omote.inputs.page_devices.binding_commands import BindingCommands
+from omote.inputs.page_devices.device_health import SourceCounts, SourceHealth
+from omote.inputs.page_devices.input_log import InputLog
+from omote.inputs.page_devices.plugged_device import PluggedDevice
+from omote.inputs.reading import Reading
+from omote.show import messages as wire
+from omote.show.outgoing import Outgoing
+from omote.show.session import ShowSession
+
+MOST_DEVICES = 64
+RESERVED = ("OSC", "sACN", "Art-Net")
+"""Names of sources that are no devices at a page."""
+FEEDBACK_TICKS, WATCHED_TICKS, TOLD_TICKS = 2, 6, 60
+"""Ticks between what devices are sent, what pages that watch are told, and what all consoles are."""
+
+
+class PageDevices:
+    """All devices of a show. bindings: play readings; commands: change bindings; probes: other sources, such as OSC."""
+
+    def __init__(
+        self,
+        session: Callable[[], ShowSession],
+        bindings: BindingInput,
+        commands: BindingCommands,
+        log: InputLog | None = None,
+        probes: Sequence[Callable[[], SourceCounts]] = (),
+    ) -> None:
+        self._session, self._bindings, self._commands = session, bindings, commands
+        self.log, self._sources = log or InputLog(), [SourceHealth(probe) for probe in probes]
+        self.devices: dict[str, PluggedDevice] = {}
+        self._watching: set[str] = set()
+        self._told: dict[str, tuple[int, int]] = {}
+        self._log_told: dict[str, int] = {}
+        self._plugs = self._ticks = 0
+        bindings.osc.seat_of = self._seat_of
+
+    def receive(self, who: str, message: wire.DeviceMessage, now: float) -> list[Outgoing]:
+        """Does what a page says of devices; returns the answers. What cannot be done is rejected with its reason."""
+        try:
+            return self._answer(who, message, now)
+        except ValueError as error:
+            name = getattr(message, "device", "")
+            if name in self.devices:
+                self.devices[name].health.note(0, 1)
+            self.log.note(name or "bindings", str(error), now, rejected=True)
+            return [Outgoing(who, wire.Refused(f"{error}.", getattr(message, "id", "")))]
+
+    def tick(self, state: wire.State, now: float) -> list[Outgoing]:
+        """What devices and pages are told after a tick; devices of links that are gone are unplugged."""
+        self._bindings.note_state(state)
+        self._commands.pass_time(now)
+        self._unplug_lost(now)
+        self._ticks += 1
+        found = self._news(now)
+        if self._ticks % FEEDBACK_TICKS == 0:
+            found += self._feedback(now)
+        return found
+
+    def _answer(self, who: str, message: wire.DeviceMessage, now: float) -> list[Outgoing]:
+        match message:
+            case wire.Plug():
+                self._plug(who, message, now)
+            case wire.Unplug(device):
+                self._unplug(self._device_of(who, device), now)
+            case wire.MidiBytes(device, data):
+                plugged = self._device_of(who, device)
+                return self._play(plugged, plugged.feed(data), now)
+            case wire.Controls(device, values):
+                plugged = self._device_of(who, device)
+                return self._play(plugged, plugged.read(values), now)
+            case _:
+                return self._carry_out(who, message, now)
+        return []
+
+    def _carry_out(self, who: str, message: wire.DeviceMessage, now: float) -> list[Outgoing]:
+        match message:
+            case wire.Learn():
+                self._commands.learn(who, self._name_of(who), message, now)
+            case wire.ChooseBank(device, bank):
+                self._bindings.bindings.choose_bank(device, bank)
+                self._plugs += 1
+            case wire.WatchDevices(on):
+                (self._watching.add if on else self._watching.discard)(who)
+                self._log_told.pop(who, None)
+            case wire.Bind() | wire.Unbind() | wire.LoadPreset() | wire.RestoreBindings():
+                changed = self._commands.carry_out(message)
+                if isinstance(message, wire.LoadPreset) and message.device in self.devices:
+                    self.devices[message.device].use(self._commands.greet(message.device, ""))
+                return [Outgoing(who, changed)]
+        return []
+
+    def _plug(self, who: str, message: wire.Plug, now: float) -> None:
+        name, known = message.device, self.devices.get(message.device)
+        if name in RESERVED:
+            raise ValueError(f"{name} is the name of another source; give this device another one")
+        if known is not None and known.who not in ("", who) and known.who in self._session().crew:
+            raise ValueError(
+                f"{name} is plugged in at {known.where} already; unplug it there, or give this one another name"
+            )
+        preset, where = self._commands.greet(name, message.kind), self._name_of(who)
+        if known is None:
+            self._make_room()
+            self.devices[name] = PluggedDevice(name, message.kind, who, where, now, preset)
+        else:
+            known.plug(message.kind, who, where, preset)
+        self._plugs += 1
+        self.log.note(name, f"plugged in at {where}", now)
+
+    def _make_room(self) -> None:
+        gone = [name for name, each in self.devices.items() if not each.who]
+        if len(self.devices) >= MOST_DEVICES:
+            if not gone:
+                raise ValueError(f"{MOST_DEVICES} devices are plugged in, and no more are heard; unplug one")
+            del self.devices[gone[0]]
+
+    def _unplug(self, device: PluggedDevice, now: float) -> None:
+        device.who = ""
+        self._bindings.unplug(device.name, now)
+        self._plugs += 1
+        self.log.note(device.name, "unplugged", now)
+
+    def _unplug_lost(self, now: float) -> None:
+        crew = self._session().crew
+        for device in self.devices.values():
+            if device.who and device.who not in crew:
+                self._unplug(device, now)
+
+    def _device_of(self, who: str, name: str) -> PluggedDevice:
+        device = self.devices.get(name)
+        if device is None or device.who != who:
+            raise ValueError(f"{name} is not plugged in at this page; plug it in first")
+        return device
+
+    def _seat_of(self, name: str) -> str:
+        """The operator for whom a device plays: whoever sits at its page; "" where it is at none."""
+        member = self._session().crew.get(self.devices[name].who) if name in self.devices else None
+        return member.seat if member else ""
+
+    def _name_of(self, who: str) -> str:
+        member = self._session().crew.get(who)
+        return member.name if member else ""
+
+    def _play(self, device: PluggedDevice, readings: list[Reading], now: float) -> list[Outgoing]:
+        device.health.note(len(readings))
+        learns = self._commands.learner is not None and self._commands.learner.who == device.who
+        try:
+            learned = self._commands.hear(readings)
+        except ValueError as error:
+            self._commands.learner = None
+            raise ValueError(f"this cannot be learned: {error}") from error
+        for reading in readings:
+            device.health.read(reading.control, reading.value)
+        hands = [reading for reading in readings if self._is_hand(device, reading, now)]
+        # what is moved to be learned plays nothing, but a key that was held before is let go
+        wanted = [reading for reading in hands if not learns or (reading.key and reading.value == 0.0)]
+        device.came, device.newest = device.came + len(readings), readings[-1] if readings else device.newest
+        before = self._bindings.osc.rejected
+        self._bindings.hear(wanted, now)
+        self._note_rejections(device, self._bindings.osc.rejected - before, now)
+        return [] if learned is None else [Outgoing(*learned)]
+
+    def _is_hand(self, device: PluggedDevice, reading: Reading, now: float) -> bool:
+        """Whether a hand moved a control; one that stands where it was sent is noted."""
+        if not device.feedback.hear(reading, now):
+            return True
+        self._bindings.stand(reading)
+        return False
+
+    def _note_rejections(self, device: PluggedDevice, new: int, now: float) -> None:
+        newest = self._bindings.osc.last_rejection
+        if new and newest is not None:
+            device.health.note(0, new)
+            self.log.note(device.name, newest.reason, now, rejected=True, count=new)
+
+    def _feedback(self, now: float) -> list[Outgoing]:
+        found = []
+        for device in self.devices.values():
+            if device.who and device.kind == "midi":
+                lamps = device.preset.lamps if device.preset else ()
+                positions = self._bindings.bindings.positions(device.name, self._bindings.on_air, lamps)
+                if data := device.feedback.news(positions, now):
+                    found.append(Outgoing(device.who, wire.DeviceBytes(device.name, data)))
+        return found
+
+    def _news(self, now: float) -> list[Outgoing]:
+        """What pages are told of bindings and devices: what is new, and in their turn all."""
+        consoles = self._session().members.consoles()
+        self._watching &= consoles.keys()
+        news, found = (self._commands.number, self._plugs), list[Outgoing]()
+        changed = [who for who in consoles if self._told.get(who) != news]
+        bindings = self._commands.list_now() if changed else None
+        for who in changed:
+            if bindings is not None and self._told.get(who, (-1, -1))[0] != news[0]:
+                found.append(Outgoing(who, bindings))
+        watched = self._ticks % WATCHED_TICKS == 0
+        due = {*changed, *(self._watching if watched else ()), *(consoles if self._ticks % TOLD_TICKS == 0 else ())}
+        self._told = dict.fromkeys(consoles, news)
+        if due:
+            devices = self.devices_now(now)
+            found += [Outgoing(who, devices) for who in consoles if who in due]
+        return found + (self._log_news(now) if watched else [])
+
+    def _log_news(self, now: float) -> list[Outgoing]:
+        for device in self.devices.values():
+            if device.came and device.newest is not None:
+                self.log.note(device.name, f"{device.newest.control} {device.newest.value:.3f}", now, count=device.came)
+                device.came = 0
+        new = [who for who in sorted(self._watching) if self._log_told.get(who) != self.log.number]
+        self._log_told = dict.fromkeys(self._watching, self.log.number)
+        return [Outgoing(who, wire.InputLog(self.log.lines)) for who in new]
+
+    def devices_now(self, now: float) -> wire.Devices:
+        """All sources: what plays beside the pages, devices at pages, and those for which bindings wait."""
+        sources = [source.look(now, self.log) for source in self._sources]
+        bindings, known = self._bindings.bindings, {*self.devices, *RESERVED}
+        waiting = {each.device: each.control for each in bindings.bindings if each.device not in known}
+        absent = [
+            wire.DeviceState(name, _kind_of(control), "", plugged=False, rate=0.0, heard=0, rejected=0, values={})
+            for name, control in waiting.items()
+        ]
+        return wire.Devices([*sources, *(self._state(device, now) for device in self.devices.values()), *absent])
+
+    def _state(self, device: PluggedDevice, now: float) -> wire.DeviceState:
+        bindings = self._bindings.bindings
+        crossings = bindings.crossings(device.name, self._bindings.on_air)
+        return device.state(now, crossings, bindings.bank_of(device.name), bindings.banks_of(device.name))
+
+
+def _kind_of(control: str) -> wire.SourceKind:
+    """What a device is that has not been there yet, by a control that is bound."""
+    return "midi" if "/" in control else "gamepad"

@@ -1,0 +1,1 @@
+"""Layers: sources, called expressions and hands mixed by followed influences."""

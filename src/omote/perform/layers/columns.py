@@ -1,0 +1,140 @@
+"""The columns of a character's layers: one for each channel that any layer has, then five angles; and where in one
+vector each follower lies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.cast import Title
+from omote.model.known_names import PLAY_REGIONS
+from omote.model.space.expression import Expression
+from omote.perform.channels import GAZE_UNITS
+from omote.perform.layers.follower import Values, rate_of
+from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, part_of_channel
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
+
+ANGLES = (*(f"head {name}" for name in HEAD_LIMITS), *(f"gaze {name}" for name in GAZE_LIMITS))
+"""The columns behind the channels: yaw, pitch and roll of the head, yaw and pitch of the gaze."""
+HEAD, GAZE = slice(-5, -2), slice(-2, None)
+HEAD_PART, GAZE_PART = LAYER_PARTS.index("head"), LAYER_PARTS.index("gaze")
+
+STREAM_SECONDS = 0.2
+"""In which what a source sends is followed while it trembles; what moves is followed sooner, by `STREAM_HASTE`."""
+STREAM_HASTE = 60.0
+"""1/s and unit: a lid that closes in a tenth of a second is some 40 ms behind."""
+HAND_SECONDS = 0.3
+"""In which a fader is followed while a source plays below it; without one it is immediate (decision 0012)."""
+SHARE_SECONDS = 0.5
+"""In which an influence, a switch and the hold of a hand are followed."""
+TRUST_SECONDS = 1.0
+
+SECTIONS = ("streams", "hands", "hold", "share", "trust", "yielded")
+
+
+@dataclass(frozen=True, eq=False)
+class Columns:
+    """Names of channels, and all that follows from them alone. width: columns of a layer; size: followers of all
+    layers; shapes: of the sections that are no rows. names: sorted; parts: of each column, its place among
+    `LAYER_PARTS`, `WHOLE` for the whole face; of_face: those that move skin, not the eyes nor the head."""
+
+    names: tuple[str, ...]
+    parts: NDArray[np.intp]
+    of_face: NDArray[np.bool_] = field(init=False)
+    index: Mapping[str, int] = field(init=False)
+    sections: Mapping[str, slice] = field(init=False)
+    width: int = field(init=False)
+    size: int = field(init=False)
+    shapes: Mapping[str, tuple[int, int]] = field(init=False)
+    rate: Values = field(init=False)
+    haste: Values = field(init=False)
+    lowest: Values = field(init=False)
+    highest: Values = field(init=False)
+    _places: dict[tuple[str, ...], NDArray[np.intp]] = field(init=False, default_factory=dict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "width", len(self.names) + len(ANGLES))
+        sizes = {"streams": len(DRIVEN) * self.width, "hands": self.width, "hold": self.width}
+        sizes |= {"share": len(LAYERS) * len(LAYER_PARTS), "trust": len(DRIVEN), "yielded": len(PLAY_REGIONS)}
+        ends = np.cumsum([sizes[name] for name in SECTIONS]).tolist()
+        sections = {name: slice(end - sizes[name], end) for name, end in zip(SECTIONS, ends, strict=True)}
+        seconds = (STREAM_SECONDS, HAND_SECONDS, SHARE_SECONDS, SHARE_SECONDS, TRUST_SECONDS, SHARE_SECONDS)
+        counts = [sizes[name] for name in SECTIONS]
+        limits = np.array([*HEAD_LIMITS.values(), *GAZE_LIMITS.values()])
+        made = {
+            "of_face": (self.parts < len(PLAY_REGIONS)) | (self.parts == WHOLE),
+            "index": {name: place for place, name in enumerate(self.names)},
+            "sections": sections,
+            "size": ends[-1],
+            "shapes": {"streams": (len(DRIVEN), self.width), "share": (len(LAYERS), len(LAYER_PARTS))},
+            "rate": np.repeat([rate_of(each) for each in seconds], counts),
+            "haste": np.repeat([STREAM_HASTE, 0.0, 0.0, 0.0, 0.0, 0.0], counts),
+            "lowest": np.concatenate([np.full(len(self.names), CHANNEL_LOWEST), -limits]),
+            "highest": np.concatenate([np.full(len(self.names), CHANNEL_HIGHEST), limits]),
+        }
+        for name, value in made.items():
+            object.__setattr__(self, name, value)
+
+    def rows(self, vector: Values, section: str) -> Values:
+        """A section of a vector of all followers: (6, width) streams, (8, 6) shares, else flat; a view."""
+        found = vector[self.sections[section]]
+        return found.reshape(self.shapes[section]) if section in self.shapes else found
+
+    def places(self, names: tuple[str, ...]) -> NDArray[np.intp]:
+        """The columns of some channels."""
+        found = self._places.get(names)
+        if found is None:
+            found = self._places[names] = np.array([self.index[name] for name in names], np.intp)
+        return found
+
+
+class HasExpressions(Protocol):
+    """What is played: a cast, or any expressions by name. Titles say to which part each belongs."""
+
+    @property
+    def expressions(self) -> Mapping[str, Expression]:
+        """The expressions."""
+
+    @property
+    def titles(self) -> Mapping[str, Title]:
+        """Where expressions act; one without a title acts on the whole face."""
+
+
+def make_columns(cast: HasExpressions, names: Iterable[str]) -> Columns:
+    """The columns of these channels, as far as the cast has them, and of the units that turn the eyes."""
+    known = {name for name in names if name in cast.expressions}
+    return columns_of(cast, tuple(sorted(known | {unit for unit in GAZE_UNITS if unit in cast.expressions})))
+
+
+def columns_of(cast: HasExpressions, wanted: tuple[str, ...]) -> Columns:
+    """The columns of exactly these channels; by the regions of the cast's titles."""
+    parts = [_part(cast.titles, name) for name in wanted] + [HEAD_PART] * 3 + [GAZE_PART] * 2
+    return Columns(wanted, np.array(parts, np.intp))
+
+
+def _part(titles: Mapping[str, Title], name: str) -> int:
+    if name in GAZE_UNITS:
+        return GAZE_PART
+    return part_of_channel(titles[name].region) if name in titles else WHOLE
+
+
+def moved_to(vector: Values, old: Columns, new: Columns) -> Values:
+    """A vector of all followers under other columns: what is new is at rest."""
+    later = np.zeros(new.size)
+    kept = tuple(name for name in old.names if name in new.index)
+    before, after = _with_angles(old, kept), _with_angles(new, kept)
+    new.rows(later, "streams")[:, after] = old.rows(vector, "streams")[:, before]
+    for section in ("hands", "hold"):
+        new.rows(later, section)[after] = old.rows(vector, section)[before]
+    for section in ("share", "trust", "yielded"):
+        later[new.sections[section]] = vector[old.sections[section]]
+    return later
+
+
+def _with_angles(columns: Columns, names: tuple[str, ...]) -> NDArray[np.intp]:
+    angles = np.arange(len(columns.names), columns.width, dtype=np.intp)
+    return np.concatenate([columns.places(names), angles])

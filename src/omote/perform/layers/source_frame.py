@@ -1,0 +1,115 @@
+"""What a source sends at one instant, and what drives a layer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from omote.model.known_names import NEUTRAL
+from omote.perform.frame import Gaze, Head
+from omote.perform.layers.columns import Columns
+from omote.perform.layers.follower import Values
+from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, WHOLE, LayerName, LayerPart
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
+
+LOSS_SECONDS = 0.5
+"""Seconds of silence, or of a performer who is not found, after which a source counts as lost."""
+
+
+@dataclass(frozen=True, eq=False)
+class SourceFrame:
+    """One frame of a source: the weights of its channels, float64 in the order of `names`, checked by `check_frame`.
+
+    head, gaze: None where it sends none. found: False while it does not see its performer; all else is then ignored.
+    parts: which parts of the face it may play.
+    """
+
+    names: tuple[str, ...]
+    values: Values
+    head: Head | None = None
+    gaze: Gaze | None = None
+    found: bool = True
+    source: str = ""
+    parts: tuple[LayerPart, ...] = LAYER_PARTS
+
+
+@dataclass(frozen=True)
+class Driver:
+    """What drives a layer: a source with its channels. silent: seconds since it was last found, no more than count.
+
+    waits: it sends by another measure than before and is followed once the layer has let go. leaves: it has gone.
+    """
+
+    source: str
+    names: tuple[str, ...]
+    head: bool = False
+    gaze: bool = False
+    parts: tuple[LayerPart, ...] = LAYER_PARTS
+    silent: float = 0.0
+    waits: bool = False
+    leaves: bool = False
+
+    @property
+    def is_trusted(self) -> bool:
+        """Whether its layer goes to where it can be seen."""
+        return self.silent < LOSS_SECONDS and not self.waits and not self.leaves
+
+
+def fits(driver: Driver, frame: SourceFrame) -> bool:
+    """Whether a frame comes from what drives the layer already, with the same channels for the same parts."""
+    same = frame.names is driver.names or frame.names == driver.names
+    turns = (frame.head is not None, frame.gaze is not None) == (driver.head, driver.gaze)
+    return same and (turns or not frame.found) and (frame.source, frame.parts) == (driver.source, driver.parts)
+
+
+def parts_of(driver: Driver, columns: Columns) -> tuple[LayerPart, ...]:
+    """The parts of the face that it plays: those where its channels act, as far as it may."""
+    places = {int(place) for place in columns.parts[columns.places(driver.names)]}
+    if WHOLE in places:
+        places |= set(range(4))
+    plays = {part for place, part in enumerate(LAYER_PARTS) if place in places}
+    plays |= {"head"} if driver.head else set()
+    plays |= {"gaze"} if driver.gaze else set()
+    return tuple(part for part in driver.parts if part in plays)
+
+
+def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:
+    """Returns a frame that a layer takes; ValueError for weights out of its range, with the channel's name."""
+    low, high = RANGES.get(RULES[layer], (CHANNEL_LOWEST, CHANNEL_HIGHEST))
+    if len(frame.values) != len(frame.names):
+        raise ValueError(f"{len(frame.values)} values came for {len(frame.names)} channels; send one for each")
+    wrong = ~((frame.values >= low) & (frame.values <= high))
+    if wrong.any():
+        place = int(np.argmax(wrong))
+        check_within(float(frame.values[place]), low, high, f"{frame.names[place]} of the layer {layer}")
+    if RULES[layer] == "fill" and not (frame.head is None and frame.gaze is None):
+        raise ValueError(f"the layer {layer} closes what is open; it takes no head and no gaze")
+    return frame
+
+
+def source_frame(
+    expressions: Mapping[str, object],
+    channels: Mapping[str, float],
+    head: tuple[float, float, float] | None,
+    gaze: tuple[float, float] | None,
+    *,
+    found: bool = True,
+) -> SourceFrame:
+    """The frame of a mapping of weights; ValueError and TypeError for names and numbers that cannot be played."""
+    names = check_names(channels, expressions)
+    values = [check_within(channels[name], CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {name}") for name in names]
+    turned, looks = None if head is None else Head(*head), None if gaze is None else Gaze(*gaze)
+    return SourceFrame(names, np.array(values, np.float64), turned, looks, found)
+
+
+def check_names(names: Iterable[str], expressions: Mapping[str, object]) -> tuple[str, ...]:
+    """The channels of a source, each once; ValueError for one that there is not, and for `neutral`."""
+    known = [name for name in expressions if name != NEUTRAL]
+    given = tuple(
+        name if name in expressions and name != NEUTRAL else check_known(name, known, "channel") for name in names
+    )
+    if len(set(given)) != len(given):
+        raise ValueError(f"a source names a channel twice among {', '.join(given)[:200]}; name each once")
+    return given

@@ -1,0 +1,1 @@
+"""Several characters on one stage."""

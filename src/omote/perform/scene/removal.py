@@ -1,0 +1,55 @@
+"""Characters that were removed from a scene, for as long as they can be brought back: whole, and where they were."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TypeVar
+
+from omote.perform.scene.character_names import names_in
+from omote.perform.scene.scene_snapshot import MOST_REMOVALS, CharacterSnapshot, Removal
+
+Value = TypeVar("Value")
+Removals = Mapping[str, Removal]
+
+
+def with_removal(removals: Removals, key: str, removal: Removal) -> dict[str, Removal]:
+    """The removals with one more, the newest; the oldest is forgotten where there are too many.
+
+    One that is removed again while it is on its way comes back as before the first time.
+    """
+    under_way = next((each for each in removals.values() if _is_under_way(each, removal.character)), removal)
+    others = {name: each for name, each in removals.items() if name != key}
+    newest = list({**others, key: under_way}.items())[-MOST_REMOVALS:]
+    return dict(newest)
+
+
+def with_kept(removals: Removals, character: str, snapshot: CharacterSnapshot) -> dict[str, Removal]:
+    """The removals once a character is gone, as it was then."""
+    return {k: replace(each, kept=snapshot) if _is_under_way(each, character) else each for k, each in removals.items()}
+
+
+def without_stay(removals: Removals, character: str) -> dict[str, Removal]:
+    """The removals without those of a character that was on its way and stays."""
+    return {key: each for key, each in removals.items() if not _is_under_way(each, character)}
+
+
+def _is_under_way(removal: Removal, character: str) -> bool:
+    return removal.character == character and removal.kept is None
+
+
+def insert_at_rank(
+    characters: Mapping[str, Value], name: str, value: Value, before: tuple[str, ...]
+) -> dict[str, Value]:
+    """The characters with one more, behind the last of those `before` it, in their order."""
+    names = list(characters)
+    at = max((names.index(each) + 1 for each in before if each in characters), default=0)
+    return {each: value if each == name else characters[each] for each in [*names[:at], name, *names[at:]]}
+
+
+def framing_back(removal: Removal, framing: str, characters: Mapping[str, object]) -> frozenset[str] | None:
+    """Whom the shot held that a removal has changed; None where another was called since, or somebody of it is gone."""
+    if removal.framing is None or removal.framing[1] != framing:
+        return None
+    held = names_in(removal.framing[0])
+    return held if held <= characters.keys() else None

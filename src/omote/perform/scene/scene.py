@@ -1,0 +1,596 @@
+"""The scene: several performers on one stage, each at its place, with one light and one framing. It owns no clock."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from typing import Any
+
+from omote.model.known_names import GENERIC, explain_unknown
+from omote.perform import axis
+from omote.perform.axis import Axis
+from omote.perform.easing import DEFAULT_EASING, find_easing
+from omote.perform.frame import Frame, with_fields
+from omote.perform.lights import FIRST_LIGHT, check_light
+from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_within
+from omote.perform.performer import Performer
+from omote.perform.scene import movement
+from omote.perform.scene.character_names import (
+    ALL,
+    FIRST_CHARACTER,
+    MOST_CHARACTERS,
+    check_character_name,
+    framing_of,
+    names_in,
+)
+from omote.perform.scene.removal import framing_back, insert_at_rank, with_kept, with_removal, without_stay
+from omote.perform.scene.scene_character import SceneCharacter
+from omote.perform.scene.scene_frame import PLACE_LIMITS, CharacterFrame, Place, SceneFrame, free_place
+from omote.perform.scene.scene_snapshot import (
+    PRESENCE_LIMITS,
+    CharacterSnapshot,
+    Removal,
+    SceneSnapshot,
+    Standing,
+    check_label,
+    check_scene,
+)
+from omote.perform.snapshot import Playable, axis_names, check_snapshot, refuse_no_cast
+
+FIRST_LABEL = "One"
+AWAY = movement.Movement({"presence": 0.0})
+
+
+class Scene:
+    """Characters on one stage: each is a performer with a place; the light and the framing are the scene's.
+
+    It owns no clock and no thread; the same commands and steps give the same frames. What one character plays changes
+    nothing of another.
+
+    Parameters
+    ----------
+    cast : Cast
+        The faces and expressions that can be called; a face "generic" is among them.
+
+    Raises
+    ------
+    ValueError
+        Where the cast has no face "generic".
+
+    Examples
+    --------
+    >>> scene = omote.Scene(cast)
+    >>> kaori = scene.add("kaori", face="kaori")
+    >>> scene.enter("kaori", seconds=2)
+    >>> kaori.call_expression("smile", seconds=1)
+    >>> character = scene.advance(1.0).characters["kaori"]
+    >>> dict(character.frame.expressions), character.presence
+    ({'smile': 1.0}, 0.5)
+
+    References
+    ----------
+    docs/architecture.md, "Life of a call".
+    """
+
+    def __init__(self, cast: Playable) -> None:
+        refuse_no_cast(cast)
+        check_known(GENERIC, cast.faces, "face")
+        self._cast = cast
+        self._characters: dict[str, SceneCharacter] = {}
+        self._standings: dict[str, Standing] = {}
+        self._shown: dict[str, tuple[Standing, Place, float]] = {}
+        self._removals: dict[str, Removal] = {}
+        self._light, self._framing, self._time = Axis(FIRST_LIGHT), Axis(ALL), 0.0
+
+    @classmethod
+    def begun(cls, cast: Playable) -> Scene:
+        """The scene that a new show begins with: one character, `one`, on the stage.
+
+        Parameters
+        ----------
+        cast : Cast
+            What it plays.
+
+        Returns
+        -------
+        Scene
+            With the character `one`.
+
+        Examples
+        --------
+        >>> list(omote.Scene.begun(cast))
+        ['one']
+        """
+        scene = cls(cast)
+        scene.add(FIRST_CHARACTER, label=FIRST_LABEL)
+        scene.enter(FIRST_CHARACTER, seconds=0.0)
+        return scene
+
+    @classmethod
+    def restored(cls, cast: Playable, snapshot: SceneSnapshot) -> Scene:
+        """The scene that continues from a snapshot, frame by frame the same.
+
+        Parameters
+        ----------
+        cast : Cast
+            What it plays.
+        snapshot : SceneSnapshot
+            What another one's `snapshot` gave.
+
+        Returns
+        -------
+        Scene
+            Independent of the first.
+
+        Raises
+        ------
+        ValueError
+            Where this cast cannot play the snapshot, or no scene can have written it.
+        TypeError
+            On what is no snapshot of a scene.
+
+        Examples
+        --------
+        >>> first = omote.Scene.begun(cast)
+        >>> first["one"].call_face("dog", seconds=2)
+        >>> second = omote.Scene.restored(cast, first.snapshot())
+        >>> first.advance(0.7) == second.advance(0.7)
+        True
+        """
+        scene = cls(cast)
+        check_scene(snapshot, cast)
+        scene._light, scene._framing, scene._time = snapshot.light, snapshot.framing, snapshot.time
+        scene._removals = dict(snapshot.removals)
+        for name, character in snapshot.characters.items():
+            scene._characters[name] = SceneCharacter.of(cast, character.performer, scene.call_light)
+            scene._standings[name] = character.standing
+        return scene
+
+    def snapshot(self) -> SceneSnapshot:
+        """Everything needed to continue later, or elsewhere.
+
+        Returns
+        -------
+        SceneSnapshot
+            Plain values, frozen.
+
+        Examples
+        --------
+        >>> list(omote.Scene.begun(cast).snapshot().characters)
+        ['one']
+        """
+        standings = self._standings
+        characters = {n: CharacterSnapshot(each.snapshot(), standings[n]) for n, each in self._characters.items()}
+        return SceneSnapshot(characters, self._light, self._framing, self._time, dict(self._removals))
+
+    def recast(self, cast: Playable) -> None:
+        """Plays another cast from now on; what is on air stays.
+
+        Parameters
+        ----------
+        cast : Cast
+            One that has everything that is on air.
+
+        Raises
+        ------
+        ValueError
+            Where it has not; then nothing has changed.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.recast(cast.with_expressions(beam=cast.expressions["joy"]))
+        >>> scene["one"].call_expression("beam")
+        """
+        for character in self._characters.values():
+            check_snapshot(character.snapshot(), cast)
+        for character in self._characters.values():
+            character.recast(cast)
+        self._cast = cast
+
+    def __getitem__(self, name: str) -> Performer:
+        """The performer of a character."""
+        if name not in self._characters:
+            raise KeyError(explain_unknown(name, list(self._characters), "character"))
+        return self._characters[name]
+
+    def __iter__(self) -> Iterator[str]:
+        """The names of the characters, in the order in which they were added."""
+        return iter(list(self._characters))
+
+    def __len__(self) -> int:
+        """How many characters there are."""
+        return len(self._characters)
+
+    def __contains__(self, name: object) -> bool:
+        """Whether there is a character of this name."""
+        return name in self._characters
+
+    def add(self, name: str, *, face: str = GENERIC, label: str | None = None) -> Performer:
+        """Adds a character, which waits off stage, at a free place, until it enters.
+
+        Parameters
+        ----------
+        name : str
+            Its name for ever: 1 to 24 lower case letters, digits, `_` or `-`.
+        face : str
+            The face that it wears, which is its home face too.
+        label : str, optional
+            What people call it; its name where none is given.
+
+        Returns
+        -------
+        Performer
+            The character, as `scene[name]` gives it; `call_light` is the scene's.
+
+        Raises
+        ------
+        ValueError
+            On a name that no character can have or that one has, on a face that there is not, and beyond eight.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.add("kaori", face="kaori", label="Kaori") is scene["kaori"]
+        True
+        """
+        check_character_name(name)
+        label = check_label(name if label is None else label)
+        check_known(face, self._cast.faces, "face")
+        self._refuse_one_more(name)
+        place = free_place(Place(**standing.place.goal) for standing in self._standings.values())
+        self._characters[name] = SceneCharacter.new(self._cast, face, self._time, self.call_light)
+        self._standings[name] = Standing(label, movement.Movement(vars(place)), AWAY)
+        return self._characters[name]
+
+    def remove(self, name: str, *, seconds: float = 1.0, key: str = "") -> None:
+        """Takes a character out of the scene: it leaves the stage, then it is gone; `restore` brings it back, whole.
+
+        Shots that hold it go on without it in the same time; it stays until none holds it any more.
+
+        Parameters
+        ----------
+        name : str
+            The character.
+        seconds : float
+            How long it takes to leave, 0 to 3600.
+        key : str
+            What `restore` finds it by; its name where none is given.
+
+        Raises
+        ------
+        ValueError
+            On a character that there is not and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.remove("one", seconds=1)
+        >>> list(scene.advance(1.0).characters)
+        []
+        """
+        presence = self._standing(name).presence.goal["presence"]
+        before = tuple(self._characters)[: list(self._characters).index(name)]
+        self._move_presence(name, 0.0, seconds, leaves=True)
+        shot, framing = self._shot, None
+        if name in names_in(shot):
+            self.call_framing(names_in(shot) - {name}, seconds=seconds)
+            framing = (shot, self._shot)
+        self._removals = with_removal(self._removals, key or name, Removal(name, before, presence, framing))
+
+    def restore(self, key: str, *, seconds: float = 1.0) -> None:
+        """Brings back a character that was removed: all that it had on air, its place, its rank and its shot.
+
+        The last sixteen that were removed can be brought back.
+
+        Parameters
+        ----------
+        key : str
+            What `remove` was given: the character's name, where it was given no key.
+        seconds : float
+            How long it takes to enter, if it was on the stage, 0 to 3600.
+
+        Raises
+        ------
+        ValueError
+            On a key that there is not, on a name that another has meanwhile, where the cast has lost what it played,
+            beyond eight, and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene["one"].set_channel("jawOpen", 0.5)
+        >>> scene.remove("one", seconds=0)
+        >>> _ = scene.advance(0.0)
+        >>> scene.restore("one", seconds=0)
+        >>> scene.advance(0.0).characters["one"].frame.channels
+        {'jawOpen': 0.5}
+        """
+        seconds = check_call_seconds(seconds)
+        removal = self._removals[check_known(key, self._removals, "removed character")]
+        if removal.kept is not None:
+            self._put_back(removal, removal.kept)
+        self._move_presence(removal.character, removal.presence, seconds, leaves=False)
+        self._removals.pop(key, None)
+        held = framing_back(removal, self._shot, self._characters)
+        if held is not None:
+            self.call_framing(held, seconds=seconds)
+
+    def _put_back(self, removal: Removal, kept: CharacterSnapshot) -> None:
+        name = removal.character
+        self._refuse_one_more(name)
+        snapshot = check_snapshot(replace(kept.performer, time=self._time), self._cast)
+        character = SceneCharacter.of(self._cast, snapshot, self.call_light)
+        self._characters = insert_at_rank(self._characters, name, character, removal.before)
+        self._standings = insert_at_rank(self._standings, name, kept.standing, removal.before)
+
+    @property
+    def _shot(self) -> str:
+        return self._framing.on_air if self._framing.call is None else self._framing.call.target
+
+    def rename(self, name: str, label: str) -> None:
+        """Gives a character another label; its name stays.
+
+        Parameters
+        ----------
+        name : str
+            The character.
+        label : str
+            What people call it from now on.
+
+        Raises
+        ------
+        ValueError
+            On a character that there is not, and on a label without letters or with more than 80.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.rename("one", "Kaori")
+        >>> scene.advance(0.0).characters["one"].label
+        'Kaori'
+        """
+        self._stand(name, label=check_label(label))
+
+    def place(
+        self,
+        name: str,
+        *,
+        x: float | None = None,
+        depth: float | None = None,
+        size: float | None = None,
+        turn: float | None = None,
+        seconds: float = 1.0,
+    ) -> None:
+        """Moves a character to another place, from wherever it is.
+
+        Parameters
+        ----------
+        name : str
+            The character.
+        x, depth, size, turn : float, optional
+            Metres to the picture's right, -10 to 10; metres behind the front line, 0 to 20; a factor, 0.25 to 4;
+            radians to the character's own left, -pi to pi. What is not given stays.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+
+        Raises
+        ------
+        ValueError
+            On a character that there is not, and on a number out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.place("one", x=0.4, seconds=2)
+        >>> round(scene.advance(1.0).characters["one"].place.x, 3)
+        0.2
+        """
+        standing = self._standing(name)
+        given = {"x": x, "depth": depth, "size": size, "turn": turn}
+        goal = Place(**{**standing.place.goal, **{key: value for key, value in given.items() if value is not None}})
+        seconds = check_call_seconds(seconds)
+        self._stand(name, place=movement.redirect(standing.place, vars(goal), seconds, PLACE_LIMITS))
+
+    def enter(self, name: str, *, seconds: float = 1.0) -> None:
+        """Brings a character onto the stage; one that was removed and is not gone yet stays.
+
+        Parameters
+        ----------
+        name : str
+            The character.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+
+        Raises
+        ------
+        ValueError
+            On a character that there is not and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene(cast)
+        >>> kaori = scene.add("kaori")
+        >>> scene.enter("kaori", seconds=0)
+        >>> scene.advance(0.0).characters["kaori"].presence
+        1.0
+        """
+        self._move_presence(name, 1.0, seconds, leaves=False)
+
+    def leave(self, name: str, *, seconds: float = 1.0) -> None:
+        """Takes a character off the stage; it stays in the scene and can be played on.
+
+        Parameters
+        ----------
+        name : str
+            The character.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+
+        Raises
+        ------
+        ValueError
+            On a character that there is not and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.leave("one", seconds=2)
+        >>> scene.advance(2.0).characters["one"].presence
+        0.0
+        """
+        self._move_presence(name, 0.0, seconds, leaves=self._standing(name).leaves)
+
+    def call_framing(
+        self, characters: Iterable[str] = (), *, seconds: float = 1.0, easing: str = DEFAULT_EASING
+    ) -> None:
+        """Brings a framing on air, from whatever the picture shows.
+
+        Parameters
+        ----------
+        characters : sequence of str
+            Whom the picture holds; nobody: all that are on the stage.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+
+        Raises
+        ------
+        ValueError
+            On a character or an easing that there is not, and on seconds out of range.
+        TypeError
+            On a text instead of a list, and on seconds that are no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> kaori = scene.add("kaori")
+        >>> scene.call_framing(["one", "kaori"], seconds=0)
+        >>> dict(scene.advance(0.0).framing)
+        {'kaori+one': 1.0}
+        """
+        framing = framing_of(characters, self._characters)
+        find_easing(easing)
+        self._framing = axis.called(self._framing, framing, check_call_seconds(seconds), easing)
+
+    def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
+        """Brings a light on air from whatever light shows.
+
+        Parameters
+        ----------
+        name : {"theatre", "portrait", "flat"}
+            The light.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+
+        Raises
+        ------
+        ValueError
+            On a name or an easing that there is not, and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.call_light("flat", seconds=2)
+        >>> sorted(scene.advance(1.0).light)
+        ['flat', 'theatre']
+        """
+        check_light(name)
+        find_easing(easing)
+        self._light = axis.called(self._light, name, check_call_seconds(seconds), easing)
+        for character in self._characters.values():
+            character.note_played()
+
+    def advance(self, dt: float) -> SceneFrame:
+        """What is on air some time later; one long step lands where many short ones do.
+
+        Parameters
+        ----------
+        dt : float
+            Seconds since the last step, 0 or more.
+
+        Returns
+        -------
+        SceneFrame
+            Each character's frame, place and presence; the mixes of lights and framings, which sum to one.
+
+        Raises
+        ------
+        ValueError
+            On a step that is negative or endless.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> omote.Scene.begun(cast).advance(1 / 60).framing
+        {'*': 1.0}
+        """
+        dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
+        self._light, self._framing = axis.advanced(self._light, dt), axis.advanced(self._framing, dt)
+        self._time += dt
+        for name, at in self._standings.items():
+            place, presence = movement.proceed(at.place, dt), movement.proceed(at.presence, dt)
+            if place is not at.place or presence is not at.presence:
+                self._standings[name] = replace(at, place=place, presence=presence)
+        frames = {name: character.advance(dt) for name, character in self._characters.items()}
+        self._let_go()
+        self._shown = {name: shown for name, shown in self._shown.items() if name in self._standings}
+        light, call = axis.weights(self._light), axis.status(self._light)
+        return SceneFrame(
+            {n: self._frame(n, with_fields(frames[n], light=light, light_call=call)) for n in self._characters},
+            light,
+            axis.weights(self._framing),
+            self._time,
+            call,
+            axis.status(self._framing),
+        )
+
+    def _let_go(self) -> None:
+        """Forgets characters that were removed, once they have left and no shot holds them."""
+        held = {name for shot in axis_names(self._framing) for name in names_in(shot)}
+        for name, at in list(self._standings.items()):
+            if at.leaves and at.presence == AWAY and name not in held:
+                kept = CharacterSnapshot(self._characters.pop(name).snapshot(), self._standings.pop(name))
+                self._removals = with_kept(self._removals, name, kept)
+
+    def _refuse_one_more(self, name: str) -> None:
+        if name in self._characters:
+            raise ValueError(f"there is a character {name!r} already; give another name, or remove that one first")
+        if len(self._characters) >= MOST_CHARACTERS:
+            raise ValueError(f"there are {MOST_CHARACTERS} characters, which is as many as a scene holds; remove one")
+
+    def _frame(self, name: str, frame: Frame) -> CharacterFrame:
+        at, shown = self._standings[name], self._shown.get(name)
+        if shown is None or shown[0] is not at:
+            place = Place(**movement.values(at.place, PLACE_LIMITS))
+            shown = self._shown[name] = (at, place, movement.values(at.presence, PRESENCE_LIMITS)["presence"])
+        return CharacterFrame(frame, shown[1], shown[2], at.label, at.leaves)
+
+    def _standing(self, name: str) -> Standing:
+        return self._standings[check_known(name, self._characters, "character")]
+
+    def _stand(self, name: str, **changes: Any) -> None:
+        self._standings[name] = replace(self._standing(name), **changes)
+
+    def _move_presence(self, name: str, goal: float, seconds: float, *, leaves: bool) -> None:
+        seconds = check_call_seconds(seconds)
+        presence = movement.redirect(self._standing(name).presence, {"presence": goal}, seconds, PRESENCE_LIMITS)
+        self._stand(name, presence=presence, leaves=leaves)
+        if not leaves:
+            self._removals = without_stay(self._removals, name)

@@ -1,0 +1,138 @@
+"""Snapshots of a scene: the whole state beside its cast, and their validation when they come from a file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from omote.perform.axis import Axis
+from omote.perform.lights import FIRST_LIGHT, LIGHTS
+from omote.perform.limits import FOREVER, check_within
+from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name, framing_of, names_in
+from omote.perform.scene.movement import Movement, Ranges, check_movement
+from omote.perform.scene.scene_frame import PLACE_LIMITS, Place
+from omote.perform.snapshot import ROUNDING, Playable, Snapshot, axis_names, check_axis, check_snapshot, names_held
+
+PRESENCE_LIMITS: Ranges = {"presence": (0.0, 1.0)}
+LONGEST_LABEL = 80
+MOST_REMOVALS = 16
+"""Removed characters that can be brought back."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """How a character stands in a scene: its label, place and presence; `leaves`: it was removed and is on its way."""
+
+    label: str
+    place: Movement = field(default_factory=lambda: Movement(vars(Place())))
+    presence: Movement = field(default_factory=lambda: Movement({"presence": 1.0}))
+    leaves: bool = False
+
+
+@dataclass(frozen=True)
+class CharacterSnapshot:
+    """The state of one character."""
+
+    performer: Snapshot
+    standing: Standing
+
+
+@dataclass(frozen=True)
+class Removal:
+    """A character that was removed, and what brings it back.
+
+    `before`: those that stood before it in the order; `presence`: where it was or was going, 0..1; `framing`: the shot
+    that held it and the one that went on without it; `kept`: how it was when it was gone, None while it is on its way.
+    """
+
+    character: str
+    before: tuple[str, ...]
+    presence: float
+    framing: tuple[str, str] | None = None
+    kept: CharacterSnapshot | None = None
+
+
+@dataclass(frozen=True)
+class SceneSnapshot:
+    """The state of a scene: plain values, so msgspec writes and reads it exactly. `time`: of all performers too.
+
+    `removals`: by their keys, oldest first.
+    """
+
+    characters: Mapping[str, CharacterSnapshot] = field(default_factory=dict)
+    light: Axis = field(default_factory=lambda: Axis(FIRST_LIGHT))
+    framing: Axis = field(default_factory=lambda: Axis(ALL))
+    time: float = 0.0
+    removals: Mapping[str, Removal] = field(default_factory=dict)
+
+
+def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
+    """Validates a snapshot and returns it; rejects one that the cast cannot play, or that no scene wrote."""
+    if not isinstance(snapshot, SceneSnapshot):
+        raise TypeError(f"the snapshot is a {type(snapshot).__name__}; expected what Scene.snapshot() gives")
+    check_within(len(snapshot.characters), 0, MOST_CHARACTERS, "the number of characters")
+    check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
+    for name, character in snapshot.characters.items():
+        check_character_name(name)
+        check_standing(character.standing, name)
+        performer = check_snapshot(character.performer, cast)
+        if not math.isclose(performer.time, snapshot.time, rel_tol=ROUNDING, abs_tol=ROUNDING):
+            raise ValueError(f"{name} is at {performer.time} seconds, its scene at {snapshot.time}; they must agree")
+    check_axis(snapshot.light, LIGHTS, "light")
+    check_axis(snapshot.framing, known_framings(snapshot.framing, snapshot.characters), "framing")
+    check_removals(snapshot)
+    return snapshot
+
+
+def check_removals(snapshot: SceneSnapshot) -> None:
+    """Rejects removals that no scene has written; whether a cast can play who comes back is asked when it does."""
+    check_within(len(snapshot.removals), 0, MOST_REMOVALS, "the number of removed characters")
+    for key, removal in snapshot.removals.items():
+        name = check_character_name(removal.character)
+        check_within(removal.presence, *PRESENCE_LIMITS["presence"], f"the presence of {name}, removed as {key},")
+        if removal.kept is not None:
+            check_standing(removal.kept.standing, name)
+        elif name not in snapshot.characters:
+            raise ValueError(f"nothing is kept of {name}, removed as {key}; expected how it was when it was gone")
+
+
+def known_framings(framing: Axis, characters: Mapping[str, object]) -> dict[str, None]:
+    """The framings of an axis that some of these characters make."""
+    return {name: None for name in axis_names(framing) if name == framing_or_none(name, characters)}
+
+
+def framing_or_none(text: str, characters: Mapping[str, object]) -> str | None:
+    """The framing that a text means, in its one spelling; None where it names somebody else."""
+    names = names_in(text)
+    return framing_of(names, characters) if names <= characters.keys() else None
+
+
+def check_standing(standing: Standing, name: str) -> None:
+    """Rejects what no character can stand at."""
+    check_label(standing.label)
+    check_movement(standing.place, PLACE_LIMITS, f"the place of {name}:")
+    check_movement(standing.presence, PRESENCE_LIMITS, f"the presence of {name}:")
+
+
+def check_label(label: object) -> str:
+    """Returns the label of a character without spaces around it; ValueError for none and for one that is too long."""
+    text = label.strip() if isinstance(label, str) else ""
+    if 0 < len(text) <= LONGEST_LABEL:
+        return text
+    raise ValueError(f"the label of a character is {label!r:.100}; give 1 to {LONGEST_LABEL} letters")
+
+
+def without_time(snapshot: SceneSnapshot) -> SceneSnapshot:
+    """The same at the time 0: equal while nothing but the clock moves."""
+    characters = {
+        name: replace(character, performer=replace(character.performer, time=0.0))
+        for name, character in snapshot.characters.items()
+    }
+    return replace(snapshot, characters=characters, time=0.0)
+
+
+def names_held_by(snapshot: SceneSnapshot) -> tuple[frozenset[str], frozenset[str]]:
+    """The faces and the expressions (channels are expressions too) that a scene cannot be played without."""
+    held = [names_held(character.performer) for character in snapshot.characters.values()]
+    return frozenset().union(*(faces for faces, _ in held)), frozenset().union(*(others for _, others in held))

@@ -1,0 +1,1 @@
+"""A program's own link to a running show."""

@@ -1,0 +1,240 @@
+"""A program's link to a show: one message at a time, each confirmed; the newest state; linked again when it breaks."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import ssl
+from collections.abc import Callable
+from uuid import uuid4
+
+import aiohttp
+import msgspec
+from msgspec import structs
+
+from omote.show import messages as wire
+from omote.show.wire import decode_answer, encode
+
+FIRST_PAUSE, LONGEST_PAUSE = 0.05, 1.0
+"""Seconds between two attempts to link again: each twice the one before."""
+HEARTBEAT = 10.0
+GOODBYE_SECONDS = 0.25
+"""How long the goodbye of https takes, for which no closing of aiohttp waits."""
+DENIALS = {
+    401: "it asks for a token, and this one is not valid: give token=, as `omote show` or `omote access` prints it",
+    403: "this token does not allow it",
+    429: "too many wrong tokens came from this machine: wait some seconds",
+}
+"""What a show means that does not let a program in."""
+NO_ANSWER = "it ends the connection without an answer; one that was started with --https has an address with https://"
+OTHER_NAME = (62, 64)
+"""What OpenSSL calls a certificate for another host, for another address (X509_V_ERR_HOSTNAME_MISMATCH)."""
+
+
+def explain_https_error(error: aiohttp.ClientSSLError, show: str) -> str:
+    """Why https does not come about, and what to do. show: the address."""
+    if not isinstance(error, aiohttp.ClientConnectorCertificateError):
+        return f"it speaks no https; where it was started without --https, give http{show.removeprefix('https')}"
+    if getattr(error.certificate_error, "verify_code", None) in OTHER_NAME:
+        return "its certificate is for other names and addresses: give the address that `omote show` prints"
+    return (
+        f"its certificate is not trusted by this machine: save what {show}/certificate gives in a browser, and name "
+        "that file with authority="
+    )
+
+
+class ProgramLink:
+    """A console's link without a page; to be used in one event loop.
+
+    The server answers a program's messages in their order, so a ping behind each one tells when it was obeyed; a
+    rejection comes before its pong.
+    """
+
+    def __init__(
+        self, address: str, name: str, timeout: float, token: str = "", trusted: ssl.SSLContext | None = None
+    ) -> None:
+        self.state: wire.State | None = None
+        self.leases = wire.Leases(on=False, held={}, seats=[], you=0)
+        self._address, self._name, self._timeout = address, name, timeout
+        self._show = address.removesuffix(wire.LINK_PATH)
+        self._headers = {"Authorization": f"Bearer {token}"} if token else {}
+        self._trusted = True if trusted is None else trusted
+        self._page = uuid4().hex
+        self._calls = self._pings = 0
+        self._turn = asyncio.Lock()
+        self._news = asyncio.Condition()
+        self._socket: aiohttp.ClientWebSocketResponse | None = None
+        self._answer: asyncio.Future[str | None] | None = None
+        self._reason = "nothing answers there"
+        self._refused: str | None = None
+        self._reader: asyncio.Task[None] | None = None
+        self._called = name
+        self._opened: dict[str, wire.Source] = {}
+        self._indices: dict[str, int] = {}
+
+    async def open(self) -> None:
+        """Links; ConnectionError with the reason where no show answers in time."""
+        self._reader = asyncio.create_task(self._keep_linked())
+        try:
+            await self._wait(lambda: self._refused is not None or self._is_welcome(), "no show")
+            if self._refused is not None:
+                raise ConnectionError(f"the show at {self._show} takes no program in: {self._refused}")
+        except BaseException:
+            await self.close()
+            raise
+
+    async def close(self) -> None:
+        """Ends the link; what is on air stays."""
+        if self._reader is not None:
+            self._reader.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await self._reader
+            if self._address.startswith("https:"):
+                await asyncio.sleep(GOODBYE_SECONDS)
+        self._reader = None
+
+    def next_id(self) -> str:
+        """A name for a message that is to be obeyed once."""
+        self._calls += 1
+        return f"{self._page}-{self._calls}"
+
+    async def send(self, message: wire.FromClient) -> None:
+        """Sends a message and waits until the show has obeyed it; one with an id until the newest state knows of it.
+
+        ValueError with the show's reason where it was rejected; ConnectionError where the link does not come back in
+        time: then it may have been obeyed or not.
+        """
+        async with self._turn:
+            while True:
+                await self._wait(lambda: self._socket is not None, "lost the show")
+                try:
+                    reason = await self._confirm(message)
+                    break
+                except ConnectionError:
+                    self._socket = None  # it takes nothing more; the reader may not have seen that yet
+        if reason is not None:
+            raise ValueError(reason)
+        if getattr(message, "id", ""):
+            await self.wait_for_state(-1 if self.state is None else self.state.number)
+
+    async def drive(self, source: wire.Source, frame: wire.Drive) -> None:
+        """Sends a frame of a source, which opens first where this link has not opened it as it is now; errors as of
+        `send`. Consoles know the source by the name of this program and its own."""
+        while True:
+            opened = self._opened
+            if opened.get(source.name) != source:
+                await self.send(structs.replace(source, name=f"{self._called} {source.name}"[:80]))
+                opened[source.name] = source
+            index = self._indices[f"{self._called} {source.name}"[:80]]
+            try:
+                await self.send(structs.replace(frame, index=index))
+            except ValueError:
+                if opened is self._opened:
+                    raise
+                continue  # linked again meanwhile: there it has not been opened yet
+            return
+
+    async def wait_for_state(self, number: int) -> wire.State:
+        """The first state after that of `number`."""
+        await self._wait(lambda: self.state is not None and self.state.number != number, "no news of the show")
+        assert self.state is not None
+        return self.state
+
+    async def _confirm(self, message: wire.FromClient) -> str | None:
+        """Sends a message with a ping behind it; the reason of its rejection, None where it was obeyed."""
+        if self._reader is None:
+            raise ConnectionError("the connection is closed; open another one")
+        socket = self._socket
+        if socket is None:
+            raise ConnectionError("the link is broken")
+        self._pings, self._refused = self._pings + 1, None
+        answer: asyncio.Future[str | None] = asyncio.get_running_loop().create_future()
+        self._answer = answer
+        await socket.send_bytes(encode(message))
+        await socket.send_bytes(encode(wire.Ping(float(self._pings))))
+        return await answer
+
+    async def _wait(self, ready: Callable[[], bool], what: str) -> None:
+        if self._reader is None:
+            raise ConnectionError("the connection is closed; open another one")
+        try:
+            async with asyncio.timeout(self._timeout), self._news:
+                await self._news.wait_for(ready)
+        except TimeoutError as error:
+            raise ConnectionError(
+                f"{what} at {self._show} for {self._timeout:g} s: {self._reason}; start it with omote show"
+            ) from error
+
+    async def _keep_linked(self) -> None:
+        pause = FIRST_PAUSE
+        async with aiohttp.ClientSession() as session:
+            while True:
+                try:
+                    opened = session.ws_connect(
+                        self._address, heartbeat=HEARTBEAT, headers=self._headers, ssl=self._trusted
+                    )
+                    async with opened as socket:
+                        await self._greet(socket)
+                        async for message in socket:
+                            await self._hear(socket, message)
+                            pause = FIRST_PAUSE
+                    self._reason = "the link was closed"
+                except aiohttp.WSServerHandshakeError as error:
+                    await self._hear_denial(error.status)
+                except aiohttp.ClientSSLError as error:
+                    await self._hear_refusal(explain_https_error(error, self._show))
+                except aiohttp.ServerDisconnectedError:
+                    self._reason = NO_ANSWER if self._address.startswith("http:") else "it ends the connection"
+                except (aiohttp.ClientError, OSError, msgspec.DecodeError) as error:
+                    self._reason = str(error)[:200]
+                finally:
+                    self._break()
+                await asyncio.sleep(pause)
+                pause = min(2.0 * pause, LONGEST_PAUSE)
+
+    async def _hear_denial(self, status: int) -> None:
+        """Another try would be answered as this one: whoever waits for the show is told."""
+        self._reason = DENIALS.get(status, f"it answers with status {status}")
+        if status in DENIALS:
+            await self._hear_refusal(DENIALS[status])
+
+    async def _hear_refusal(self, reason: str) -> None:
+        self._reason = self._refused = reason
+        async with self._news:
+            self._news.notify_all()
+
+    async def _greet(self, socket: aiohttp.ClientWebSocketResponse) -> None:
+        hello = wire.Hello("console", wire.PROTOCOL_VERSION, self._name, self._page)
+        await socket.send_bytes(encode(hello))
+
+    async def _hear(self, socket: aiohttp.ClientWebSocketResponse, message: aiohttp.WSMessage) -> None:
+        if message.type is not aiohttp.WSMsgType.BINARY:
+            return
+        match decode_answer(message.data):
+            case wire.Welcome(name=name):
+                self._socket, self._called = socket, name
+            case wire.SourceIs(index=index, name=name):
+                self._indices[name] = index
+            case wire.State() as state if self._is_newer(state):
+                self.state = state
+            case wire.Leases() as leases:
+                self.leases = leases
+            case wire.Refused(reason=reason):
+                self._refused = reason
+            case wire.Pong(sent=sent) if sent == self._pings and self._answer is not None and not self._answer.done():
+                self._answer.set_result(self._refused)
+            case _:
+                return
+        async with self._news:
+            self._news.notify_all()
+
+    def _is_welcome(self) -> bool:
+        return self._socket is not None and self.state is not None
+
+    def _is_newer(self, state: wire.State) -> bool:
+        return self.state is None or (state.epoch, state.number) > (self.state.epoch, self.state.number)
+
+    def _break(self) -> None:
+        self._socket, self._opened = None, {}
+        if self._answer is not None and not self._answer.done():
+            self._answer.set_exception(ConnectionError("the link broke"))

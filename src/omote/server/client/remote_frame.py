@@ -1,0 +1,59 @@
+"""A character's state on the wire as a frame of the engine."""
+
+from __future__ import annotations
+
+from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus
+from omote.show.messages import CallState, CharacterState, HeldState, LayerState, State
+
+
+def frame_in(state: State, character: CharacterState) -> Frame:
+    """The frame of a character of a state, with the scene's light: what `Performer.advance` gave on the server."""
+    return Frame(
+        faces=character.faces,
+        expressions=character.expressions,
+        channels=character.channels,
+        head=Head(*character.head),
+        gaze=Gaze(*character.gaze),
+        time=state.time,
+        face_call=call_status(character.face_call),
+        expression_call=call_status(character.expression_call),
+        face_fader=character.face_fader,
+        expression_fader=character.expression_fader,
+        light=state.light,
+        light_call=call_status(state.light_call),
+        home=Home(character.home_face, character.home_seconds),
+        home_next=character.home_next,
+        panics=character.panics,
+        regions=character.regions,
+        region_calls={region: call_status_of(call) for region, call in character.region_calls.items()},
+        layers={layer: layer_status(each) for layer, each in character.layers.items()},
+        held=None if character.held is None else held_by_hands(character.held),
+    )
+
+
+def layer_status(layer: LayerState) -> LayerStatus:
+    """A layer of the wire as the engine's."""
+    return LayerStatus(tuple(layer.influence), layer.on, layer.trust, layer.source, layer.share, layer.strongest)
+
+
+def held_by_hands(held: HeldState) -> Held:
+    """What hands hold, on the wire, as the engine's."""
+    return Held(held.channels, Head(*held.head), Gaze(*held.gaze))
+
+
+def call_status(call: CallState | None) -> CallStatus | None:
+    """A running call of the wire as the engine's; None where none runs."""
+    return None if call is None else call_status_of(call)
+
+
+def call_status_of(call: CallState) -> CallStatus:
+    """A running call of the wire as the engine's."""
+    return CallStatus(
+        target=call.target,
+        progress=call.progress,
+        remaining=call.remaining,
+        by_hand=call.by_hand,
+        fader=call.fader,
+        pickup=call.pickup,
+        start=call.start,
+    )

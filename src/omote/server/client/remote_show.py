@@ -1,0 +1,239 @@
+"""A running show as a program plays it: the calls of a performer and of a scene, each one message on the wire."""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Generic, TypeVar, get_args
+
+from omote.model.known_names import GENERIC, check_play_region, explain_unknown
+from omote.perform.easing import DEFAULT_EASING
+from omote.perform.frame import Frame
+from omote.perform.layers.layer_names import check_driven, check_layer, check_part
+from omote.perform.limits import check_known
+from omote.perform.scene.character_names import ALL, framing_of, names_in
+from omote.server.client.remote_frame import frame_in
+from omote.server.client.remote_leases import RemoteLeases
+from omote.show import messages as wire
+
+STREAM_KINDS: tuple[wire.StreamKind, ...] = get_args(wire.StreamKind)
+Sent = TypeVar("Sent")
+"""What a call gives: None where it blocks until the show has obeyed, something to await under asyncio."""
+
+
+class RemoteCharacter(Generic[Sent]):
+    """A character of a running show: what `omote.Performer` has, over the wire.
+
+    Each call raises ValueError with the show's reason where it is rejected, ConnectionError where the show does not
+    come back.
+    """
+
+    def __init__(self, name: str, show: RemoteShow[Sent]) -> None:
+        self.name = name
+        self._show = show
+
+    @property
+    def frame(self) -> Frame:
+        """What it has on air, in the newest state; ValueError where it is no longer in the scene."""
+        state = self._show.state
+        return frame_in(state, self._state())
+
+    @property
+    def place(self) -> wire.Place:
+        """Where it is; ValueError as `frame`."""
+        return self._state().place
+
+    @property
+    def presence(self) -> float:
+        """How much of it is on the stage, 0..1; ValueError as `frame`."""
+        return self._state().presence
+
+    def call_face(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> Sent:
+        """Brings a face on air from whatever is showing; `math.inf` seconds wait for `fade_face`."""
+        return self._send(wire.CallFace(self.name, self._show.next_id(), name, _or_by_hand(seconds), easing))
+
+    def call_expression(
+        self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING, region: str | None = None
+    ) -> Sent:
+        """Brings an expression on air from whatever is showing, on the whole face or in one region of it alone;
+        `math.inf` seconds wait for `fade_expression`, which moves no region that goes its own way."""
+        where = None if region is None else check_play_region(region)
+        call = wire.CallExpression(self.name, self._show.next_id(), name, _or_by_hand(seconds), easing, where)
+        return self._send(call)
+
+    def fade_face(self, x: float) -> Sent:
+        """Moves the T-bar of the faces, 0 to 1."""
+        return self._send(wire.FadeFace(self.name, x))
+
+    def fade_expression(self, x: float) -> Sent:
+        """Moves the T-bar of the expressions, 0 to 1."""
+        return self._send(wire.FadeExpression(self.name, x))
+
+    def release_face(self) -> Sent:
+        """Lets go of the T-bar of the faces."""
+        return self._send(wire.ReleaseFace(self.name))
+
+    def release_expression(self) -> Sent:
+        """Lets go of the T-bar of the expressions."""
+        return self._send(wire.ReleaseExpression(self.name))
+
+    def set_channel(self, name: str, value: float) -> Sent:
+        """Adds an expression to the mix at once, -0.5 to 1.5; 0 takes it out."""
+        return self._send(wire.SetChannel(self.name, name, value))
+
+    def set_head(self, yaw: float, pitch: float, roll: float) -> Sent:
+        """Turns the head, radians: + is the character's left, up, tilt to its left."""
+        return self._send(wire.SetHead(self.name, yaw, pitch, roll))
+
+    def set_gaze(self, yaw: float, pitch: float) -> Sent:
+        """Turns the eyes relative to the head, radians: + is the character's left, up."""
+        return self._send(wire.SetGaze(self.name, yaw, pitch))
+
+    def drive(
+        self,
+        channels: Mapping[str, float],
+        *,
+        layer: str = "playback",
+        head: tuple[float, float, float] | None = None,
+        gaze: tuple[float, float] | None = None,
+        found: bool = True,
+    ) -> Sent:
+        """One frame of a source of this program: the newest wins, and the layer follows it without a jump. The same
+        names in each frame; radians for head and gaze; after half a second without a frame the layer fades out."""
+        kind = next(each for each in STREAM_KINDS if each == check_driven(layer))
+        source = wire.Source(f"{layer} {self.name}", kind, list(channels), [self.name])
+        values = struct.pack(f"<{len(channels)}f", *channels.values())
+        return self._show.drive(source, wire.Drive(0, values, head, gaze, found))
+
+    def set_layer(
+        self, layer: str, *, region: str | None = None, influence: float | None = None, on: bool | None = None
+    ) -> Sent:
+        """Sets how much of a layer shows, 0 to 1, in a region or everywhere, or switches it; what is on air follows."""
+        part = None if region is None else check_part(region)
+        return self._send(wire.SetLayer(self.name, check_layer(layer), part, influence, on))
+
+    def set_home(self, face: str, *, seconds: float = 2.0) -> Sent:
+        """Chooses the face that a second panic brings on air."""
+        return self._send(wire.SetHome(self.name, face, seconds))
+
+    def panic(self) -> Sent:
+        """Goes neutral and holds still, now; again: brings the home face."""
+        return self._send(wire.Panic(self.name))
+
+    def __repr__(self) -> str:
+        """Which character it is."""
+        return f"<character {self.name!r} of a running show>"
+
+    def _state(self) -> wire.CharacterState:
+        characters = self._show.state.characters
+        if self.name == ALL:
+            raise ValueError(f"{ALL} means all characters; what is on air is of one: {', '.join(characters)}")
+        return characters[check_known(self.name, characters, "character")]
+
+    def _send(self, message: wire.FromClient) -> Sent:
+        return self._show.send(message)
+
+
+class RemoteShow(RemoteLeases[Sent]):
+    """A running show: `show["one"]` is a character, `show["*"]` all of them; light and framing are the show's."""
+
+    def __init__(
+        self,
+        send: Callable[[wire.FromClient], Sent],
+        newest: Callable[[], wire.State],
+        next_id: Callable[[], str],
+        drive: Callable[[wire.Source, wire.Drive], Sent],
+    ) -> None:
+        super().__init__(send, next_id)
+        self.drive = drive
+        self._newest = newest
+
+    @property
+    def state(self) -> wire.State:
+        """The newest state: complete, as the stages get it."""
+        return self._newest()
+
+    @property
+    def characters(self) -> tuple[str, ...]:
+        """The names of the characters, in the order in which they were added."""
+        return tuple(self.state.characters)
+
+    def __getitem__(self, name: str) -> RemoteCharacter[Sent]:
+        """A character by name, or `*` for all; KeyError where there is none."""
+        if name != ALL and name not in self.state.characters:
+            raise KeyError(explain_unknown(name, list(self.state.characters), "character"))
+        return RemoteCharacter(name, self)
+
+    def __iter__(self) -> Iterator[str]:
+        """The names of the characters."""
+        return iter(self.characters)
+
+    def __repr__(self) -> str:
+        """Who is in it."""
+        return f"<running show with the characters {', '.join(self.characters)}>"
+
+    def __len__(self) -> int:
+        """How many characters there are."""
+        return len(self.characters)
+
+    def add(self, name: str, *, face: str = GENERIC, label: str | None = None) -> Sent:
+        """Adds a character, which waits off stage until it enters."""
+        return self.send(wire.AddCharacter(self.next_id(), name, name if label is None else label, face))
+
+    def remove(self, name: str, *, key: str = "") -> Sent:
+        """Takes a character out of the scene: it leaves the stage, then it is gone; `restore` brings it back."""
+        return self.send(wire.RemoveCharacter(self.next_id(), name, key))
+
+    def restore(self, key: str, *, seconds: float = 1.0) -> Sent:
+        """Brings back who was removed with this key, or of this name: all that it had on air, its place, its shot."""
+        return self.send(wire.RestoreCharacter(self.next_id(), key, seconds))
+
+    def rename(self, name: str, label: str) -> Sent:
+        """Gives a character another label."""
+        return self.send(wire.RenameCharacter(self.next_id(), name, label))
+
+    def place(
+        self,
+        name: str,
+        *,
+        x: float | None = None,
+        depth: float | None = None,
+        size: float | None = None,
+        turn: float | None = None,
+        seconds: float = 1.0,
+    ) -> Sent:
+        """Moves a character: metres to the picture's right, metres behind the front line, a factor, radians to its own
+        left; what is not given stays where it is now. KeyError where there is no such character."""
+        here = self[name].place
+        x, depth = here.x if x is None else x, here.depth if depth is None else depth
+        size, turn = here.size if size is None else size, here.turn if turn is None else turn
+        return self.send(wire.PlaceCharacter(name, x, depth, size, turn, seconds, self.next_id()))
+
+    def enter(self, name: str, *, seconds: float = 1.0) -> Sent:
+        """Brings a character onto the stage."""
+        return self.send(wire.EnterCharacter(self.next_id(), name, seconds))
+
+    def leave(self, name: str, *, seconds: float = 1.0) -> Sent:
+        """Takes a character off the stage; it stays in the scene."""
+        return self.send(wire.LeaveCharacter(self.next_id(), name, seconds))
+
+    def call_framing(
+        self, characters: Iterable[str] = (), *, seconds: float = 1.0, easing: str = DEFAULT_EASING
+    ) -> Sent:
+        """Brings a shot of these characters on air; nobody: of all that are on the stage. TypeError for a text instead
+        of a list, ValueError for a character that there is not."""
+        framing = framing_of(characters, self.characters)
+        return self.send(wire.CallFraming(self.next_id(), sorted(names_in(framing)), seconds, easing))
+
+    def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> Sent:
+        """Brings a light on air from whatever light shows."""
+        return self.send(wire.CallLight(self.next_id(), name, seconds, easing))
+
+    def panic(self) -> Sent:
+        """All characters go neutral and hold still."""
+        return self.send(wire.Panic(ALL))
+
+
+def _or_by_hand(seconds: float) -> float | None:
+    return None if seconds == math.inf else seconds

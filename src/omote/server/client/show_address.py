@@ -1,0 +1,55 @@
+"""The address of a show as people give it, and its validation."""
+
+from __future__ import annotations
+
+from urllib.parse import SplitResult, parse_qs, urlsplit
+
+from omote.show.messages import LINK_PATH
+
+EXAMPLE = "http://127.0.0.1:8090"
+LONGEST_TOKEN = 200
+
+
+def link_address(url: str) -> str:
+    """The address of a show's link, from that which `omote show` prints, with or without a page's path.
+
+    ValueError for what is no address of a show, TypeError for what is no text.
+    """
+    parts, host, port = _split(url)
+    place = f"[{host}]" if ":" in host else host
+    return f"{parts.scheme}://{place}{'' if port is None else f':{port}'}{LINK_PATH}"
+
+
+def base_address(url: str, scheme: str = "http") -> str:
+    """The address of a show without any page, with this scheme where it has none; errors as `link_address`."""
+    return link_address(url if "//" in url else f"{scheme}://{url.strip()}").removesuffix(LINK_PATH)
+
+
+def token_in(url: str) -> str:
+    """The token in an address that `omote show` prints, "" where it has none; errors as `link_address`."""
+    return next(iter(parse_qs(_split(url)[0].query).get("token", [])), "")
+
+
+def check_token(token: str | None, url: str) -> str:
+    """The token that a program is given, else that of the address, "" for none; TypeError for what is no text,
+    ValueError for what could be none."""
+    if token is not None and not isinstance(token, str):
+        raise TypeError(f"the token is a {type(token).__name__}; give the text that `omote access` prints")
+    found = (token or token_in(url)).strip()
+    if not found.isascii() or not found.isprintable() or len(found) > LONGEST_TOKEN:
+        raise ValueError("the token has letters or a length that no token has; copy what `omote access` prints")
+    return found
+
+
+def _split(url: str) -> tuple[SplitResult, str, int | None]:
+    if not isinstance(url, str):
+        raise TypeError(f"the address of a show is a {type(url).__name__}; give text such as {EXAMPLE!r}")
+    text = url.strip()
+    try:
+        parts = urlsplit(text if "//" in text else f"http://{text}")
+        host, port = parts.hostname, parts.port
+    except ValueError as error:
+        raise ValueError(f"{url[:80]!r} is no address ({error}); give one such as {EXAMPLE!r}") from error
+    if parts.scheme not in ("http", "https") or not host:
+        raise ValueError(f"{url[:80]!r} is no address of a show; give one such as {EXAMPLE!r}")
+    return parts, host, port

@@ -1,0 +1,44 @@
+"""Reads what has come to a socket of datagrams, without waiting, from those who may play."""
+
+from __future__ import annotations
+
+import socket
+import time
+from collections.abc import Iterator
+
+from omote.inputs.allowed_senders import AllowedSenders
+from omote.server.devices.rejection_log import RejectionLog
+
+READ_SECONDS = 0.002
+"""Of a tick, for reading datagrams; beyond, the kernel keeps or drops them."""
+LONGEST_DATAGRAM = 65507
+
+
+class DatagramReader:
+    """Datagrams of one socket. what: the protocol, as people read it; foreign: the count of those not heard."""
+
+    def __init__(self, datagrams: socket.socket, what: str, allowed: AllowedSenders, log: RejectionLog) -> None:
+        self.socket, self._what, self._allowed, self._log = datagrams, what, allowed, log
+        self.foreign = 0
+        datagrams.setblocking(False)
+
+    def read(self) -> Iterator[tuple[tuple[str, int], bytes]]:
+        """What has come: the sender's host and port, and the bytes."""
+        until = time.perf_counter() + READ_SECONDS
+        while time.perf_counter() < until:
+            try:
+                data, (host, port, *_) = self.socket.recvfrom(LONGEST_DATAGRAM)
+            except BlockingIOError:
+                return
+            except OSError:  # an answer that nobody took is told here (ICMP), once
+                continue
+            if self.hears(host):
+                yield (host, port), data
+
+    def hears(self, host: str) -> bool:
+        """Whether a host may play; who may not is counted and named."""
+        if self._allowed.allows(host):
+            return True
+        self.foreign += 1
+        self._log.note(f"{self._what} from {host} is not heard: --allow {host} lets it play")
+        return False

@@ -1,0 +1,120 @@
+"""Starts what hears the devices of a show, on the supervisor's sockets."""
+
+from __future__ import annotations
+
+import os
+import socket
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Protocol
+
+from omote.inputs.allowed_senders import THIS_MACHINE, AllowedSenders, read_senders
+from omote.inputs.bindings.binding_changes import EditableBindings
+from omote.inputs.bindings.binding_document import decode_stored
+from omote.inputs.bindings.binding_file import read_bindings
+from omote.inputs.bindings.binding_input import BindingInput
+from omote.inputs.bindings.bindings import Bindings
+from omote.inputs.bindings.control_binding import Binding
+from omote.inputs.dmx.dmx_input import DmxInput
+from omote.inputs.osc_input import OscInput
+from omote.inputs.page_devices.binding_commands import BindingCommands
+from omote.inputs.page_devices.input_log import InputLog
+from omote.inputs.page_devices.page_devices import PageDevices
+from omote.interchange.formats.error_reasons import explain_error
+from omote.server.access.show_addresses import own_address
+from omote.server.devices.dmx_listener import DmxListener
+from omote.server.devices.osc_listener import OscListener, OscSockets
+from omote.server.devices.page_device_source import PageDeviceSource
+from omote.server.devices.rejection_log import RejectionLog
+from omote.server.http.app import ShowServer
+from omote.server.persistence.authored_work import AuthoredWork
+from omote.server.supervision.device_sockets import DeviceOptions
+
+Report = Callable[[str], None]
+
+
+class Closable(Protocol):
+    """What is to be closed at the end of a show."""
+
+    async def close(self) -> None:
+        """Closes it."""
+
+
+async def start_devices(server: ShowServer, options: DeviceOptions, report: Report) -> list[Closable]:
+    """Hears all devices that a show was opened with; returns what is to be closed."""
+    allowed = read_senders(options.allow) if options.allow else THIS_MACHINE
+    allowed = allowed.with_host(own_address())  # a desk's program here sends to groups by a network card
+    log = RejectionLog(report)
+    bindings, commands = _open_bindings(server, options, report)
+    started: list[OscListener | DmxListener | PageDeviceSource] = []
+    if options.osc is not None:
+        connections = None if options.osc_connections is None else _copy(options.osc_connections)
+        sockets = OscSockets(_copy(options.osc), connections)
+        osc = OscListener(OscInput(lambda: server.session), sockets, log, allowed)
+        await osc.start()
+        server.enable_oscquery(sockets.datagrams.getsockname()[1], allowed.allows)
+        started.append(osc)
+    if options.sacn is not None or options.artnet is not None:
+        started.append(_hear_dmx(bindings, options, log, allowed, report))
+    probes = [probe for each in started for probe in each.probes]
+    devices = PageDevices(lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()), probes)
+    started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
+    server.sources.extend(started)
+    return list(started)
+
+
+def _hear_dmx(
+    bindings: BindingInput, options: DeviceOptions, log: RejectionLog, allowed: AllowedSenders, report: Report
+) -> DmxListener:
+    sacn, artnet = (None if each is None else _copy(each) for each in (options.sacn, options.artnet))
+    dmx = DmxInput(options.universes)
+    return DmxListener(dmx, bindings, log, sacn=sacn, artnet=artnet, allowed=allowed, report=report)
+
+
+def _open_bindings(server: ShowServer, options: DeviceOptions, report: Report) -> tuple[BindingInput, BindingCommands]:
+    """The bindings of the show file, with those of the file of the command line before them."""
+
+    def work() -> AuthoredWork | None:
+        return None if server.editing is None else server.editing.authored_work
+
+    def keep(document: bytes) -> None:
+        if (kept := work()) is not None:
+            kept.keep_bindings(document, report)
+
+    kept = work()
+    own, presets, wrong = decode_stored(b"" if kept is None else kept.bindings)
+    for sentence in wrong:
+        report(f"{sentence}.")
+    bindings = BindingInput(Bindings(), lambda: server.session)
+    editable = EditableBindings(own, _fixed_bindings(options.bindings, report))
+    return bindings, BindingCommands(editable, bindings.bindings, presets, keep)
+
+
+def _fixed_bindings(path: str, report: Report) -> list[Binding]:
+    """The bindings of a file; none, with a word on the terminal, where it has become unreadable since the start."""
+    try:
+        return load_bindings(Path(path)) if path else []
+    except (OSError, ValueError) as error:
+        report(f"{error}; nothing is bound.")
+        return []
+
+
+def load_bindings(path: Path) -> list[Binding]:
+    """The bindings of a file; OSError or ValueError with a message that names it."""
+    try:
+        return read_bindings(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise OSError(f"{path} cannot be read ({explain_error(error)})") from error
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
+
+
+def _wall() -> float:
+    """Seconds since 1970, for people to read."""
+    return time.time()  # noqa: TID251  (dates lines of a log; drives nothing)
+
+
+def _copy(descriptor: int) -> socket.socket:
+    """A socket of this process's own; the other belongs to the supervisor, for the next process."""
+    return socket.socket(fileno=os.dup(descriptor))

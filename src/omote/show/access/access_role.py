@@ -1,0 +1,20 @@
+"""The roles of the people of a show: each may do all that those before it may."""
+
+from __future__ import annotations
+
+from typing import Literal, get_args
+
+AccessRole = Literal["view", "operate", "edit", "admin"]
+ACCESS_ROLES: tuple[AccessRole, ...] = get_args(AccessRole)
+HIGHEST: AccessRole = "admin"
+_RANKS = {role: rank for rank, role in enumerate(ACCESS_ROLES)}
+
+
+def role_allows(held: AccessRole, needed: AccessRole) -> bool:
+    """Whether somebody with one role may do what needs another."""
+    return _RANKS[held] >= _RANKS[needed]
+
+
+def explain_missing_role(held: AccessRole, needed: AccessRole) -> str:
+    """Why somebody may not do something, as a whole sentence with what to do."""
+    return f'this needs the role "{needed}", and you are here with "{held}": ask whoever runs the show for a token.'

@@ -1,0 +1,52 @@
+"""Which role each address of the web server needs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from omote.show.access.access_role import HIGHEST, AccessRole
+
+ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
+    {
+        ("GET", "/link"): "view",  # each message is checked by itself
+        ("GET", "/editing"): "view",
+        ("GET", "/access"): "view",
+        ("GET", "/certificate"): "view",
+        ("GET", "/people"): "admin",
+        ("POST", "/people"): "admin",
+        ("DELETE", "/people/{id}"): "admin",
+        ("GET", "/people/{id}/code"): "admin",
+        ("GET", "/layouts/{name}"): "view",
+        ("GET", "/exports/{file}"): "operate",
+        ("POST", "/imports/{file}"): "edit",
+        ("GET", "/manifest"): "view",
+        ("GET", "/assets/{name}"): "view",
+        ("GET", "/compounds/{base}/{face}/{expression}"): "view",
+        ("GET", "/tangents/{base}/{face}"): "view",
+        ("GET", "/handles"): "view",
+        ("GET", "/contents/{key}"): "view",
+        ("GET", "/omote"): "view",
+        ("GET", "/omote/{path}"): "view",
+        ("GET", "/touchosc/omote.tosc"): "view",
+        ("GET", "/"): "view",
+        ("GET", "/stage"): "view",
+        ("GET", "/console"): "view",
+        ("GET", "/editor"): "view",
+        ("GET", "/devices"): "view",
+        ("GET", "/{page}"): "view",
+    }
+)
+"""By method and address, as the web server's router writes it."""
+OSCQUERY_ROUTES = frozenset({"/", "/omote", "/omote/{path}", "/touchosc/omote.tosc"})
+"""What surfaces read that play by OSC."""
+UNKNOWN_ROUTE: AccessRole = "view"
+"""What is answered with "there is no such page": strangers are told nothing, not even that."""
+
+
+def role_for_route(method: str, route: str | None) -> AccessRole:
+    """The role that a request needs: the highest for a route that nobody has thought of. route: None where there is
+    none."""
+    if route is None:
+        return UNKNOWN_ROUTE
+    return ROUTES.get(("GET" if method == "HEAD" else method, route), HIGHEST)

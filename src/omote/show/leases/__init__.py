@@ -1,0 +1,1 @@
+"""Who may command which part of a character."""

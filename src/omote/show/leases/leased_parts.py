@@ -1,0 +1,106 @@
+"""The parts of characters and of the scene that can be leased, and which of them each message plays."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import get_args
+
+from omote.perform.scene.character_names import ALL
+from omote.show import messages as wire
+
+SCENE_PARTS = ("light", "framing")
+"""The parts of the scene, whose character is `*`."""
+CHARACTER_PARTS = tuple(part for part in get_args(wire.LeasePart) if part not in (*SCENE_PARTS, ALL))
+"""The parts of a character."""
+REGION_PARTS = ("brows", "eyes", "mouth")
+"""The parts of an expression that are called alone; the rest of the face belongs to the expression."""
+
+PLAYS: dict[type[wire.Message], str] = {
+    wire.CallFace: "face",
+    wire.FadeFace: "face",
+    wire.ReleaseFace: "face",
+    wire.CallExpression: "expression",
+    wire.FadeExpression: "expression",
+    wire.ReleaseExpression: "expression",
+    wire.SetChannel: "channels",
+    wire.SetHead: "head",
+    wire.SetGaze: "gaze",
+    wire.PlaceCharacter: "place",
+    wire.EnterCharacter: "place",
+    wire.LeaveCharacter: "place",
+    wire.RemoveCharacter: ALL,
+    wire.CallLight: "light",
+    wire.CallFraming: "framing",
+}
+"""The part that a message plays; `*`: all parts of its character."""
+FREE: tuple[type[wire.Message], ...] = (
+    wire.Hello,
+    wire.Ping,
+    wire.Drawing,
+    wire.Cancel,
+    wire.Panic,
+    wire.SetHome,
+    wire.AddCharacter,
+    wire.RenameCharacter,
+    wire.RestoreCharacter,
+    *get_args(wire.KeepMessage),
+    *get_args(wire.LeaseMessage),
+    *get_args(wire.DeviceMessage),
+    wire.SetLayer,  # an influence is followed: it takes nothing out of a hand
+    wire.Source,
+    wire.Drive,
+    wire.LeaveSource,
+    wire.RouteSource,
+    wire.CalibrateSource,
+    wire.TuneSource,
+)
+"""Messages that pass whoever holds what."""
+
+
+def key_of(character: str, part: str) -> str:
+    """The name of a part in the table of leases: `one/face`, `*/light`."""
+    return f"{character}/{part}"
+
+
+def keys_of(characters: Iterable[str], part: str, *, whole_scene: bool = False) -> tuple[str, ...]:
+    """The parts that a character and a part mean; characters: those of the scene that are meant, whole_scene: all are.
+
+    ValueError where a part of the scene is asked of one character.
+    """
+    scene = tuple(key_of(ALL, each) for each in SCENE_PARTS)
+    if part in SCENE_PARTS:
+        if not whole_scene:
+            raise ValueError(f"the {part} belongs to the scene: lease it with the character {ALL}")
+        return (key_of(ALL, part),)
+    parts = CHARACTER_PARTS if part == ALL else (part,)
+    keys = tuple(key_of(character, each) for character in characters for each in parts)
+    return (*keys, *scene) if part == ALL and whole_scene else keys
+
+
+def keys_played(message: wire.Message, characters: Iterable[str]) -> tuple[str, ...]:
+    """The parts of some characters that a message plays; none where it passes whoever holds what."""
+    part = PLAYS.get(type(message))
+    if part is None:
+        return ()
+    region = getattr(message, "region", None)
+    if region in REGION_PARTS:
+        part = region
+    return keys_of(characters, part, whole_scene=part in SCENE_PARTS)
+
+
+def regions_of(key: str) -> tuple[str, ...]:
+    """The regions that an expression moves too; none of another part."""
+    character, _, part = key.rpartition("/")
+    return tuple(key_of(character, region) for region in REGION_PARTS) if part == "expression" else ()
+
+
+def expression_of(key: str) -> str:
+    """The expression that a region is one of; "" of another part."""
+    character, _, part = key.rpartition("/")
+    return key_of(character, "expression") if part in REGION_PARTS else ""
+
+
+def describe_key(key: str) -> str:
+    """A part in words: `the face of one`, `the light`."""
+    character, _, part = key.rpartition("/")
+    return f"the {part}" if character == ALL else f"the {part} of {character}"

@@ -1,0 +1,100 @@
+"""The measure of a performer: from what a source sends to weights of channels, in one place behind all sources."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.perform.frame import Gaze, Head
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_within
+
+Values = NDArray[np.float64]
+
+LEAST_RANGE = 0.2
+"""A performer who moved a channel less than this has not shown its range: it counts as the whole."""
+SHUTTING = ("eyeBlink", "eyeSquint")
+"""Channels of lids: they are scaled, never shifted, for an open eye must be quite open and a shut one quite shut."""
+_SIDES = {"Left": "Right", "Right": "Left"}
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """A performer's measure. neutral: what a source sends of the face at rest; highest: of the largest moves, by
+    channel. mirror: left and right are swapped. dead_zone: less is nothing. curve: above 0 small moves grow. gain: of
+    all channels."""
+
+    neutral: Mapping[str, float] = field(default_factory=dict)
+    highest: Mapping[str, float] = field(default_factory=dict)
+    mirror: bool = False
+    dead_zone: float = 0.0
+    curve: float = 0.0
+    gain: float = 1.0
+
+    def __post_init__(self) -> None:
+        """Rejects what is out of range."""
+        for what, values in (("face at rest", self.neutral), ("largest move", self.highest)):
+            for name, value in values.items():
+                check_within(value, CHANNEL_LOWEST, CHANNEL_HIGHEST, f"{name} in the {what} of a performer")
+        check_within(self.dead_zone, 0.0, 0.5, "the dead zone of a source")
+        check_within(self.curve, -1.0, 1.0, "the curve of a source")
+        check_within(self.gain, 0.0, 4.0, "the gain of a source")
+
+
+AS_IT_IS = Calibration()
+
+
+@dataclass(frozen=True, eq=False)
+class Measure:
+    """A calibration for the channels of one source: of each the zero, the scale, and the place that it is read from."""
+
+    calibration: Calibration
+    zero: Values
+    scale: Values
+    places: NDArray[np.intp]
+
+    def weights(self, sent: Values, low: float, high: float) -> Values:
+        """The weights of the channels, low..high; what goes beyond the performer's range stays at its end."""
+        if self.calibration == AS_IT_IS and (low, high) == (CHANNEL_LOWEST, CHANNEL_HIGHEST):
+            return sent
+        moved = (sent[self.places] - self.zero) * self.scale
+        size, dead = np.abs(moved), self.calibration.dead_zone
+        if dead:
+            size = np.where(size > dead, (size - dead) / (1.0 - dead), 0.0)
+        if self.calibration.curve:
+            size = np.where(size < 1.0, size + self.calibration.curve * size * (1.0 - size), size)
+        found = np.where(moved < 0.0, -size, size) * self.calibration.gain
+        found = np.where(found > high, high, found)
+        return np.where(found < low, low, found)
+
+    def turn(self, head: Head | None, gaze: Gaze | None) -> tuple[Head | None, Gaze | None]:
+        """Head and gaze, mirrored where the source is."""
+        if self.calibration.mirror and head is not None:
+            head = Head(-head.yaw, head.pitch, -head.roll)
+        if self.calibration.mirror and gaze is not None:
+            gaze = Gaze(-gaze.yaw, gaze.pitch)
+        return head, gaze
+
+
+def measure_of(calibration: Calibration, names: tuple[str, ...]) -> Measure:
+    """The measure of a performer for these channels."""
+    read = [_mirrored(name, names) if calibration.mirror else name for name in names]
+    zero = [0.0 if name.startswith(SHUTTING) else calibration.neutral.get(name, 0.0) for name in read]
+    spans = [_span(calibration, name, start) for name, start in zip(read, zero, strict=True)]
+    places = np.array([names.index(name) for name in read], np.intp)
+    return Measure(calibration, np.array(zero), 1.0 / np.array(spans), places)
+
+
+def _span(calibration: Calibration, name: str, start: float) -> float:
+    span = calibration.highest.get(name, 1.0 + start) - start
+    return span if span >= LEAST_RANGE else 1.0
+
+
+def _mirrored(name: str, names: Iterable[str]) -> str:
+    """The channel of the other side, or itself where it has none."""
+    for side, other in _SIDES.items():
+        if name.endswith(side) and (found := name.removesuffix(side) + other) in names:
+            return found
+    return name

@@ -1,0 +1,29 @@
+"""What stays with the show when its sources have gone: whom they drive, and their performers' measures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from omote.perform.layers.layer_names import LAYER_PARTS, LayerName, LayerPart
+from omote.show.sources.calibration import Calibration
+
+MOST_REMEMBERED = 64
+"""Routes and measures; the oldest goes."""
+
+
+@dataclass(frozen=True)
+class Route:
+    """Which characters a source drives, on which layer, in which parts of the face."""
+
+    characters: tuple[str, ...] = ()
+    layer: LayerName = "tracker"
+    parts: tuple[LayerPart, ...] = LAYER_PARTS
+
+
+@dataclass(frozen=True)
+class SourcesSnapshot:
+    """Routes by the names of sources, measures by the names of performers: plain values."""
+
+    routes: Mapping[str, Route] = field(default_factory=dict)
+    calibrations: Mapping[str, Calibration] = field(default_factory=dict)

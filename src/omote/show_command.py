@@ -1,0 +1,292 @@
+"""The command `omote show`: opens the sockets of a show, and has it played and announce_beside."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import webbrowser
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from omote.access_commands import note_place, print_shared
+from omote.terminal import complete_show, fail, fail_with, has_screen, say
+
+if TYPE_CHECKING:
+    from omote.server.access.access_setup import AccessOptions
+    from omote.server.access.certificates import CertificateFiles
+    from omote.server.devices.osc_listener import OscSockets
+    from omote.server.process.notice_board import NoticeBoard
+    from omote.server.supervision.device_sockets import DeviceOptions, DeviceSockets
+    from omote.server.supervision.preparation import Prepared
+    from omote.show.access.people_list import People
+
+HIGHEST_PORT = 65535
+OSC_PORT, OFF = 9000, -1
+
+
+def read_port_or_off(text: str | int) -> int:
+    """The number of a port as it is typed; `OFF` for "off"."""
+    return OFF if str(text).strip().lower() == "off" else read_port(text)
+
+
+def read_port(text: str | int) -> int:
+    """The number of a port as it is typed."""
+    digits = str(text).strip()
+    if not digits.isascii() or not digits.isdecimal() or int(digits[:9]) > HIGHEST_PORT:
+        raise typer.BadParameter(
+            f"{digits!r} is no port; give a number from 1 to {HIGHEST_PORT}, or 0 for any free one"
+        )
+    return int(digits)
+
+
+def show(
+    context: typer.Context,
+    file: Annotated[
+        Path | None, typer.Argument(callback=complete_show, help="The show file (.omote); made when there is none.")
+    ] = None,
+    host: Annotated[str, typer.Option(help="The address to listen on; 0.0.0.0 for the whole network.")] = "127.0.0.1",
+    port: Annotated[
+        int, typer.Option(parser=read_port, metavar="PORT", help="The port to listen on; 0 for any.")
+    ] = 8090,
+    osc: Annotated[
+        int | None,
+        typer.Option(
+            parser=read_port_or_off,
+            metavar="PORT|off",
+            help="The port for OSC, UDP and TCP; off for none; 9000 without it.",
+        ),
+    ] = None,
+    sacn: Annotated[
+        str, typer.Option(metavar="UNIVERSES|off", help="Universes of sACN (E1.31) to hear: 1,3-5.")
+    ] = "off",
+    artnet: Annotated[
+        int | None,
+        typer.Option(
+            parser=read_port_or_off,
+            metavar="PORT|off",
+            help="The port for Art-Net, usually 6454; off without it.",
+        ),
+    ] = None,
+    bindings: Annotated[
+        Path | None, typer.Option(help="What controls of devices play (.toml), before what pages have bound.")
+    ] = None,
+    allow: Annotated[
+        str,
+        typer.Option(metavar="NETWORKS", help="Who may send beside this machine: 192.168.1.0/24,10.0.0.7 or any."),
+    ] = "",
+    find: Annotated[
+        bool, typer.Option("--announce/--no-announce", help="Let control surfaces find the show (mDNS).")
+    ] = True,
+    https: Annotated[
+        bool, typer.Option("--https", help="Serve over https with a certificate made on the spot.")
+    ] = False,
+    certificate: Annotated[
+        Path | None, typer.Option(help="Serve over https with a certificate of your own (.pem).")
+    ] = None,
+    key: Annotated[Path | None, typer.Option(help="The key of that certificate (.pem), without a password.")] = None,
+    browser: Annotated[bool, typer.Option("--open/--no-open", help="Open the stage and the console.")] = True,
+) -> None:
+    """Opens a show: serves stage and console, and keeps them alive."""
+    refuse_windows()
+    from omote.server.supervision.supervisor import PROGRAM, Supervisor
+
+    options = read_options(sacn, bindings, allow)
+    tls = open_certificate(host, certificate, key, made=https)
+    devices = open_devices(host, osc, options, OFF if artnet is None else artnet)
+    context.call_on_close(devices.close)
+    path, (lock, listening), board = prepare(file, host, port)
+    if osc is None:
+        devices = replace(devices, osc=open_usual_osc(host))
+        context.call_on_close(devices.close)
+    context.call_on_close(listening.close)
+    address, port = listening.getsockname()[:2]
+    scheme = note_place(lock, host, port, secure=tls is not None)
+    people, access = open_access(path, address, tls)
+    stack = context.with_resource(contextlib.ExitStack())
+    opened = partial(announce, host, port, browser=browser, osc=devices.osc, find=path.stem if find else None)
+    opened = partial(opened, heard=devices.heard, stack=stack, allow=allow, people=people, scheme=scheme)
+    words, handed = (*PROGRAM, *options.words, *access.words), devices.handed
+    supervisor = Supervisor(
+        listening, lock, path, report=say, opened=opened, program=words, notices=board.notices, handed=handed
+    )
+    say("the faces are getting ready ...")
+    raise typer.Exit(supervisor.run())
+
+
+def refuse_windows() -> None:
+    """Ends the command where a show cannot run."""
+    if sys.platform == "win32":
+        fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
+
+
+def read_options(sacn: str, bindings: Path | None, allow: str) -> DeviceOptions:
+    """What the operator asks for of devices, validated; ends the command where it cannot be."""
+    from omote.inputs.allowed_senders import read_senders
+    from omote.server.supervision.device_sockets import DeviceOptions, read_universes
+
+    try:
+        universes = read_universes(sacn)
+        if allow:
+            read_senders(allow)
+        if bindings is not None:
+            from omote.server.supervision.device_sources import load_bindings
+
+            load_bindings(bindings)
+    except (OSError, ValueError) as error:
+        fail_with(error)
+    return DeviceOptions(universes=universes, allow=allow, bindings="" if bindings is None else str(bindings.resolve()))
+
+
+def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int) -> DeviceSockets:
+    """The sockets that were asked for; ends the command where one cannot be had. Without any (`OFF`, None for OSC at
+    its usual port) there is none."""
+    from omote.server.supervision.device_sockets import DeviceSockets, listen_for_artnet, listen_for_sacn
+    from omote.server.supervision.listening_socket import listen_for_osc
+
+    try:
+        return DeviceSockets(
+            None if osc in (None, OFF) else listen_for_osc(host, osc or 0),
+            listen_for_sacn(host, options.universes) if options.universes else None,
+            None if artnet == OFF else listen_for_artnet(host, artnet),
+        )
+    except OSError as error:
+        fail_with(error)
+
+
+def open_usual_osc(host: str) -> OscSockets | None:
+    """The sockets of OSC at its usual port; None, with a word, where another program has that."""
+    from omote.server.supervision.listening_socket import listen_for_osc
+
+    try:
+        return listen_for_osc(host, OSC_PORT)
+    except OSError as error:
+        say(f"OSC is off: {error}")
+        return None
+
+
+def prepare(file: Path | None, host: str, port: int) -> tuple[Path, Prepared, NoticeBoard]:
+    """The show file, its lock, the listening socket, and what the crew is to know; ends the command where one of them
+    cannot be."""
+    from omote.server.persistence.lock import ShowLockedError
+    from omote.server.process.notice_board import NoticeBoard
+    from omote.server.supervision.preparation import prepare_show
+    from omote.showfile.identification import locate_show
+    from omote.showfile.schema import ShowFileError
+
+    board = NoticeBoard()
+    try:
+        path = locate_show(default_show() if file is None else file)
+        return path, prepare_show(path, host, port, tell=say, report=board.with_report(say)), board
+    except (OSError, ShowFileError, ShowLockedError) as error:
+        fail_with(error)
+
+
+def default_show() -> Path:
+    """The show file where none is named, in a folder that is made for it."""
+    from omote.showfile.show_file import default_path
+
+    path = default_path()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    return path
+
+
+def open_certificate(host: str, certificate: Path | None, key: Path | None, *, made: bool) -> CertificateFiles | None:
+    """What the show is to speak https with, made on the spot or of the operator's own; None for http. Ends the command
+    where it is of no use."""
+    from omote.server.access.certificates import CertificateFiles, load_context, make_usual_certificate
+
+    if (certificate is None) != (key is None):
+        fail("--certificate and --key belong together: name both, or --https for a certificate that is made here.")
+    if certificate is None and not made:
+        return None
+    try:
+        if certificate is not None and key is not None:
+            files = CertificateFiles(certificate.resolve(), key.resolve())
+        else:
+            files = make_usual_certificate(host)
+        load_context(files)
+    except (OSError, ValueError) as error:
+        fail_with(error)
+    return files
+
+
+def open_access(show: Path, address: str, tls: CertificateFiles | None) -> tuple[People | None, AccessOptions]:
+    """Who may play, None where only this machine reaches the show, and what its servers are told of that and of https;
+    ends the command where the list cannot be used. address: where the show listens."""
+    from omote.server.access.access_setup import AccessOptions
+    from omote.server.access.people_file import open_people, people_path
+    from omote.server.access.show_addresses import is_loopback
+
+    names = (tls.certificate, tls.key, tls.authority) if tls is not None else (None, None, None)
+    written = ["" if name is None else str(name) for name in names]
+    if is_loopback(address):
+        return None, AccessOptions("", *written)
+    try:
+        people = open_people(people_path(show))
+    except (OSError, ValueError) as error:
+        fail_with(error)
+    return people, AccessOptions(str(people_path(show)), *written)
+
+
+def announce(
+    host: str,
+    port: int,
+    *,
+    browser: bool,
+    osc: OscSockets | None = None,
+    find: str | None = None,
+    stack: contextlib.ExitStack | None = None,
+    allow: str = "",
+    people: People | None = None,
+    scheme: str = "http",
+    heard: Sequence[str] = (),
+) -> None:
+    """Prints the addresses of the pages, with tokens where the show asks for them, and of OSC; opens stage and console
+    where there is a screen, and announces the show to surfaces under the name `find` until `stack` is closed."""
+    from omote.server.access.show_addresses import local_address, own_entries, reachable_addresses
+
+    addresses = reachable_addresses(host, port, scheme)
+    if people is not None:
+        print_shared(people, addresses[-1])
+    else:
+        for url in addresses:
+            typer.echo(f"  stage    {url}/stage\n  console  {url}/console\n  editor   {url}/editor")
+    if osc is not None:
+        number = osc.datagrams.getsockname()[1]
+        typer.echo(f"  OSC      port {number}")
+        if find is not None and stack is not None:
+            start_announcement(stack, host, port, number, find)
+    if people is not None:
+        say_who_is_heard(allow, heard)
+    typer.echo("  Ctrl-C ends the show.")
+    if browser and has_screen():
+        for page in own_entries(local_address(host, port, scheme), people):
+            webbrowser.open(page)
+
+
+def say_who_is_heard(allow: str, heard: Sequence[str]) -> None:
+    """Says whose OSC, sACN and Art-Net play, which ask for no token; heard: those of them that are on."""
+    if not heard:
+        return
+    what = f"{' and '.join(heard)} {'is' if len(heard) == 1 else 'are'} heard from this machine"
+    say(
+        f"{what} and from {allow}, without a token."
+        if allow
+        else f"{what} alone: --allow 192.168.1.0/24 lets a network play."
+    )
+
+
+def start_announcement(stack: contextlib.ExitStack, host: str, port: int, osc: int, show: str) -> None:
+    """Announces the show beside it until the stack is closed; the show goes on where that cannot be."""
+    from omote.interchange.formats.error_reasons import explain_error
+    from omote.server.devices.announcement import announce_beside
+
+    try:
+        stack.enter_context(announce_beside(host, port, osc, show))
+    except OSError as error:
+        say(f"surfaces do not find the show by themselves ({explain_error(error)}).")

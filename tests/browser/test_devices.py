@@ -1,0 +1,155 @@
+"""Devices at a browser: MIDI (a fake of the standard's interface) and gamepads, from the hand to the picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from tests.browser.pictures import picture
+from tests.browser.test_console import DESK, TWO_FRAMES, wait_for
+from tests.browser.waiting import wait_until
+
+OpenPage = Callable[..., Page]
+
+FAKE_MIDI = Path(__file__).parents[2] / "web" / "node_modules" / "web-midi-test" / "wmt.js"
+# Chromium without a window refuses Web MIDI, also where it is granted.
+DEVICES = """
+navigator.requestMIDIAccess = WMT.requestMIDIAccess;
+window.dial = new WMT.MidiSrc("Dial");
+window.other = new WMT.MidiSrc("Other dial");
+window.pad = {
+    id: "Pad (STANDARD GAMEPAD Vendor: aaaa Product: bbbb)", index: 0, connected: true, mapping: "", axes: [0, 0],
+    buttons: [{ value: 0, pressed: false }],
+};
+window.pads = [];
+navigator.getGamepads = () => pads;
+"""
+BINDINGS = "document.querySelector('omote-console, omote-devices-page').context.devices.store.bindings"
+TURN = "(values) => { for (const value of values) dial.emit([0xb0, 7, value]); }"
+
+
+@pytest.fixture
+def open_with_devices(open_page: OpenPage) -> Callable[..., Page]:
+    """Opens a page of the show at a browser with devices, which it has been allowed to hear before."""
+
+    def open_one(path: str, **options: Any) -> Page:
+        page = open_page("/nothing", pictures=False, disposable=True, **options)
+        page.add_init_script(FAKE_MIDI.read_text() + DEVICES)
+        page.evaluate("localStorage.setItem('omote devices', JSON.stringify({ midi: true }))")
+        blocked: list[str] = []
+        page.on("console", lambda message: blocked.append(message.text) if "Security Policy" in message.text else None)
+        page.goto(page.url.replace("/nothing", path))
+        wait_until(page, "document.querySelector('omote-console, omote-devices-page')?.context.store.state")
+        wait_until(page, "document.querySelector('omote-console, omote-devices-page').context.store.manifest")
+        assert not blocked
+        return page
+
+    return open_one
+
+
+def bound(page: Page, count: int) -> None:
+    """Waits until so many controls are bound to the first character; presets bind pads to all."""
+    learned = f"{BINDINGS}.filter(({{ to }}) => to.startsWith('/omote/one/'))"
+    wait_until(page, f"{learned}.length === {count}", told=learned)
+
+
+def spot(page: Page, name: str) -> Locator:
+    """What marks a control of the page that can be bound."""
+    return page.get_by_role("button", name=f"Learn {name}").first
+
+
+def lean(page: Page, *values: float) -> None:
+    """The stick of the pad goes through these places, each of which the page sees."""
+    for value in values:
+        page.evaluate("(value) => { pad.axes[0] = value; }", value)
+        page.evaluate(TWO_FRAMES)
+
+
+def test_what_is_learned_by_touch_plays_to_the_picture_and_waits_for_its_device(
+    open_with_devices: Callable[..., Page], open_page: OpenPage
+) -> None:
+    page = open_with_devices("/console")
+    page.evaluate(f"{DESK}.arrange({{ tab: 'jaw', kind: 'performed' }})")
+    page.evaluate("dial.connect()")
+    page.keyboard.press("z")
+    page.locator(".spot[data-to='/omote/one/channel/jawOpen']").click()
+    page.evaluate(TURN, [100, 110, 120])
+    bound(page, 1)
+    spot(page, "expression Joy").click()
+    page.evaluate("dial.emit([0x90, 60, 100, 0x80, 60, 0])")
+    bound(page, 2)
+    page.keyboard.press("Escape")
+    expect(page.locator("omote-learn-mode")).to_have_count(0)
+    chip = page.locator("omote-binding-marks .chip").get_by_text("cc7", exact=True)
+    expect(chip).to_have_class("chip")
+
+    stage = open_page("/stage", width=320, height=180)
+    wait_until(stage, "window.omoteStage?.settled()")
+    shut = picture(stage)
+    page.evaluate(TURN, [0, 127])  # across the value on air, which picks it up
+    wait_for(page, "state.channels.jawOpen === 1")
+    wait_until(stage, "window.omoteStage.scene().characters.one.channels.jawOpen === 1 && window.omoteStage.settled()")
+    assert np.abs(picture(stage) - shut).max() > 50
+    stage.goto("about:blank")
+    page.evaluate("dial.emit([0x90, 60, 100])")
+    wait_for(page, "state.expression_call?.target === 'joy' || state.expressions.joy === 1")
+
+    page.evaluate("dial.disconnect(); other.connect()")
+    expect(chip).to_have_class("chip gone")
+    page.evaluate("for (const value of [127, 0, 64]) other.emit([0xb0, 7, value])")  # another's: it plays nothing
+    page.evaluate("dial.connect()")
+    expect(chip).to_have_class("chip")
+    page.evaluate(TURN, [127, 64])  # it waited: at the value on air it is picked up again
+    wait_for(page, "Math.abs(state.channels.jawOpen - 64 / 127) < 1e-6")
+
+    page.evaluate("pads[0] = pad")
+    page.evaluate(TWO_FRAMES)
+    page.keyboard.press("z")
+    spot(page, "head yaw of One").click()
+    lean(page, 0.3, 0.6, 0.9)
+    bound(page, 3)
+    lean(page, 1.0)
+    wait_for(page, "Math.abs(state.head[0]) > 0.5")
+    page.evaluate(f"for (let step = 0; step < 3; step += 1) {DESK}.undo()")
+    bound(page, 0)
+
+
+def test_the_devices_page_shows_edits_and_takes_back(open_with_devices: Callable[..., Page]) -> None:
+    page = open_with_devices("/devices", width=390, height=844)
+    page.evaluate("dial.connect()")
+    source = page.locator("article[data-device='Dial']")
+    page.evaluate(TURN, [127])
+    bar = source.locator(".bar[data-control='1/cc7']")
+    expect(bar.locator("i")).to_have_css("transform", "matrix(1, 0, 0, 1, 0, 0)")
+    expect(page.locator("omote-input-lines li").first).to_contain_text("1/cc7")
+
+    bar.click()
+    page.locator("input[name=to]").fill("/omote/one/nonsense")
+    page.get_by_role("button", name="Bind", exact=True).click()
+    expect(page.get_by_role("status")).to_contain_text("nonsense")
+    bar.click()
+    page.locator("input[name=to]").fill("/omote/one/channel/jawOpen")
+    page.get_by_label("High").fill("0.5")
+    page.get_by_role("button", name="Bind", exact=True).click()
+    row = page.locator("tr[data-binding='Dial|1/cc7']")
+    expect(row).to_contain_text("0.5")
+    row.get_by_role("button", name="Edit").click()
+    page.get_by_label("Curve").fill("2")
+    page.get_by_role("button", name="Keep").click()
+    expect(row.locator("[data-says=curve]")).to_have_text("2")
+    row.get_by_role("button", name="Delete").click()
+    expect(row).to_have_count(0)
+    page.keyboard.press("Control+z")
+    expect(row.locator("[data-says=curve]")).to_have_text("2")
+    page.keyboard.press("Control+z")
+    expect(row.locator("[data-says=curve]")).to_have_text("1")
+    page.keyboard.press("Control+z")
+    expect(row).to_have_count(0)
+    for width, height in ((390, 844), (768, 1024), (1024, 768), (1440, 900)):
+        page.set_viewport_size({"width": width, "height": height})
+        assert page.evaluate("document.documentElement.scrollWidth") <= width

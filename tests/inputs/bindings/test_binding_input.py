@@ -1,0 +1,63 @@
+"""Bindings at a session: a device plays as a console does, and consoles see its name."""
+
+import math
+
+import pytest
+
+from omote.inputs.bindings.binding_input import BindingInput
+from omote.inputs.bindings.bindings import Bindings
+from omote.inputs.bindings.control_binding import Binding
+from omote.inputs.bindings.target import read_target
+from omote.inputs.midi_stream import MidiDecoder
+from omote.inputs.reading import Reading
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+from tests import synthetic
+
+PAD = "nanoKONTROL2"
+
+
+@pytest.fixture
+def session() -> ShowSession:
+    return ShowSession(synthetic.cast())
+
+
+def bound(session: ShowSession, *bindings: Binding) -> BindingInput:
+    made = BindingInput(Bindings(bindings), lambda: session)
+    made.note_state(session.tick(0.0))
+    return made
+
+
+def test_a_dial_a_button_and_a_head_play(session: ShowSession) -> None:
+    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION, "Ana"), 0.0)
+    devices = bound(
+        session,
+        Binding(PAD, "1/cc1", read_target("/omote/one/channel/jawOpen")),
+        Binding(PAD, "1/note36", read_target("/omote/one/face", ["broad", 0.0])),
+        Binding(PAD, "1/cc2", read_target("/omote/one/head", axis="yaw"), -90.0, 90.0, pick_up=False),
+    )
+    devices.hear(MidiDecoder(PAD).feed(bytes.fromhex("b0 01 00 01 40 02 7f 90 24 50")), 0.1)
+    state = session.tick(0.2)
+    assert state.characters["one"].channels == {"jawOpen": pytest.approx(64 / 127)}
+    assert state.characters["one"].head[0] == pytest.approx(math.pi / 2)
+    assert state.characters["one"].faces == {"broad": 1.0}
+    (hands,) = session.hands_now(0.2)
+    assert isinstance(hands.message, wire.Hands)
+    assert set(hands.message.hands.values()) == {PAD}
+
+
+def test_what_the_show_rejects_is_counted_with_the_device(session: ShowSession) -> None:
+    devices = bound(session, Binding(PAD, "1/note36", read_target("/omote/one/face", ["nobody"])))
+    devices.hear([Reading(PAD, "1/note36", 1.0, key=True)], 0.1)
+    assert devices.osc.rejected == 1
+    assert devices.osc.last_rejection is not None
+    assert devices.osc.last_rejection.sender == PAD
+
+
+def test_a_device_that_is_unplugged_lets_go_and_leaves(session: ShowSession) -> None:
+    devices = bound(session, Binding(PAD, "1/note36", read_target("/omote/one/channel/jawOpen"), button="momentary"))
+    devices.hear([Reading(PAD, "1/note36", 1.0, key=True)], 0.1)
+    assert session.tick(0.2).characters["one"].channels == {"jawOpen": 1.0}
+    devices.unplug(PAD, 0.3)
+    assert session.tick(0.4).characters["one"].channels == {}
+    assert session.crew == {}

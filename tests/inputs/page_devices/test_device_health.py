@@ -1,0 +1,35 @@
+"""Health of devices and sources: rates, newest values, and looks that cost the same however much came."""
+
+import pytest
+
+from omote.inputs.page_devices.device_health import MOST_VALUES, DeviceHealth, SourceCounts, SourceHealth
+from omote.inputs.page_devices.input_log import InputLog
+from omote.inputs.rejection import Rejection
+
+
+def test_the_rate_is_of_the_last_second() -> None:
+    health = DeviceHealth(0.0)
+    for n in range(180):
+        health.note()
+        health.rate(n / 60)
+    assert health.rate(3.0) == pytest.approx(60.0, rel=0.05)
+    health.rate(4.1)
+    assert health.rate(5.2) == 0.0
+
+
+def test_the_newest_values_are_kept() -> None:
+    health = DeviceHealth(0.0)
+    for n in range(2 * MOST_VALUES):
+        health.read(f"cc{n}", n / 1000)
+    assert list(health.values) == [f"cc{n}" for n in range(MOST_VALUES, 2 * MOST_VALUES)]
+
+
+def test_a_look_at_a_source_logs_what_is_new_once() -> None:
+    log = InputLog()
+    counts = SourceCounts("OSC", "osc", "10.0.0.5", 40, 2, "/omote/panic", Rejection(0.0, "10.0.0.5", "no"))
+    source = SourceHealth(lambda: counts)
+    state = source.look(2.0, log)
+    assert (state.heard, state.rejected, state.where, state.rate) == (40, 2, "10.0.0.5", 20.0)
+    assert [(line.text, line.count) for line in log.lines] == [("/omote/panic", 40), ("10.0.0.5: no", 2)]
+    source.look(2.1, log)
+    assert len(log.lines) == 2

@@ -1,0 +1,334 @@
+"""Devices at pages: plugged in, played, told; whatever they send, the show goes on."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from omote.inputs.bindings.binding_changes import EditableBindings
+from omote.inputs.bindings.binding_document import decode_stored
+from omote.inputs.bindings.binding_input import BindingInput
+from omote.inputs.bindings.bindings import Bindings
+from omote.inputs.page_devices.binding_commands import BindingCommands
+from omote.inputs.page_devices.page_devices import MOST_DEVICES, TOLD_TICKS, PageDevices
+from omote.show import messages as wire
+from omote.show.outgoing import Outgoing
+from omote.show.session import ShowSession
+from tests import synthetic
+
+JAW = "/omote/one/channel/jawOpen"
+PAD = "my pad"
+
+
+class Room:
+    """A show with two consoles, Ana's and Ben's, and devices at them."""
+
+    def __init__(self) -> None:
+        self.session = ShowSession(synthetic.cast())
+        for who, name in (("a", "Ana"), ("b", "Ben")):
+            self.session.receive(who, wire.Hello("console", wire.PROTOCOL_VERSION, name), 0.0)
+        self.playing = BindingInput(Bindings(), lambda: self.session)
+        self.kept: list[bytes] = []
+        self.commands = BindingCommands(EditableBindings(), self.playing.bindings, {}, self.kept.append)
+        self.devices = PageDevices(lambda: self.session, self.playing, self.commands)
+        self.now = 0.0
+        self.tick()
+
+    def say(self, who: str, message: wire.DeviceMessage) -> list[Any]:
+        """What the page hears at once."""
+        assert self.session.receive(who, message, self.now) == []
+        found: list[Outgoing] = []
+        for each, said in self.session.take_device_messages():
+            found += self.devices.receive(each, said, self.now)
+        assert {each.who for each in found} <= {who}
+        return [each.message for each in found]
+
+    def tick(self, count: int = 1) -> list[Outgoing]:
+        found = []
+        for _ in range(count):
+            self.now += 1 / 60
+            found += self.devices.tick(self.session.tick(self.now), self.now)
+        return found
+
+    def told(self, kind: type[Any], outgoing: Sequence[Outgoing]) -> dict[str, Any]:
+        """The last message of a kind, by client."""
+        return {each.who: each.message for each in outgoing if isinstance(each.message, kind)}
+
+    @property
+    def jaw(self) -> float:
+        return self.session.tick(self.now).characters["one"].channels.get("jawOpen", 0.0)
+
+
+@pytest.fixture
+def room() -> Room:
+    return Room()
+
+
+def binding(control: str = "1/cc7", **more: Any) -> wire.BindingDocument:
+    return wire.BindingDocument(PAD, control, JAW, pick_up=False, **more)
+
+
+def midi(text: str, device: str = PAD) -> wire.MidiBytes:
+    return wire.MidiBytes(device, bytes.fromhex(text))
+
+
+def test_what_is_bound_is_played_in_the_same_tick(room: Room) -> None:
+    room.say("a", wire.Plug(PAD, "midi"))
+    (changed,) = room.say("a", wire.Bind("b1", binding()))
+    assert isinstance(changed, wire.BindingsChanged)
+    assert [each.control for each in changed.added] == ["1/cc7"]
+    assert room.say("a", midi("b0 07 7f")) == []
+    assert room.jaw == 1.0
+
+
+def test_all_consoles_are_told_of_bindings_and_the_show_file_keeps_them(room: Room) -> None:
+    room.say("a", wire.Bind("b1", binding()))
+    lists = room.told(wire.BindingList, room.tick())
+    assert set(lists) == {"a", "b"}
+    (told,) = lists["b"].bindings
+    assert (told.control, told.to, told.low, told.high) == ("1/cc7", JAW, 0.0, 1.0)
+    stored, _, wrong = decode_stored(room.kept[-1])
+    assert (stored, wrong) == (list(room.commands.editable.own), [])
+    assert room.told(wire.BindingList, room.tick(TOLD_TICKS)) == {}
+
+
+def test_a_change_is_taken_back_and_that_too(room: Room) -> None:
+    room.say("a", wire.Bind("b1", binding()))
+    room.say("a", wire.Bind("b2", binding(high=0.5)))
+    assert [each.high for each in room.commands.editable.own] == [0.5]
+    room.say("a", wire.RestoreBindings("r1", "b2"))
+    assert [each.high for each in room.commands.editable.own] == [1.0]
+    room.say("a", wire.RestoreBindings("r2", "r1"))
+    assert [each.high for each in room.commands.editable.own] == [0.5]
+    room.say("b", wire.Unbind("u1", binding(high=0.5)))
+    assert not room.commands.editable.own
+    room.say("b", wire.RestoreBindings("r3", "u1"))
+    assert [each.high for each in room.commands.editable.own] == [0.5]
+
+
+def test_an_id_executes_once(room: Room) -> None:
+    assert len(room.say("a", wire.Bind("b1", binding()))) == 1
+    assert room.say("a", wire.Bind("b1", binding(high=0.25))) == []
+
+
+def test_a_device_belongs_to_one_page_until_its_link_ends(room: Room) -> None:
+    room.say("a", wire.Plug(PAD, "midi"))
+    (refused,) = room.say("b", wire.Plug(PAD, "midi", id="p1"))
+    assert isinstance(refused, wire.Refused)
+    assert (refused.id, "Ana" in refused.reason) == ("p1", True)
+    (refused,) = room.say("b", midi("b0 07 7f"))
+    assert "is not plugged in at this page" in refused.reason
+    room.session.leave("a")
+    devices = room.told(wire.Devices, room.tick())["b"]
+    assert [(each.name, each.plugged) for each in devices.devices] == [(PAD, False)]
+    assert room.say("b", wire.Plug(PAD, "midi")) == []
+
+
+def test_a_key_that_is_held_is_let_go_when_its_page_goes(room: Room) -> None:
+    room.say("a", wire.Plug(PAD, "gamepad"))
+    room.say("a", wire.Bind("b1", binding("button4", button="momentary")))
+    room.say("a", wire.Controls(PAD, {"button4": 1.0}))
+    assert room.jaw == 1.0
+    room.session.leave("a")
+    room.tick()
+    assert room.jaw == 0.0
+
+
+def test_a_stick_plays_when_it_is_moved_alone_and_rests_in_its_middle(room: Room) -> None:
+    room.say("a", wire.Plug(PAD, "gamepad"))
+    room.say("a", wire.Bind("b1", wire.BindingDocument(PAD, "axis0", "/omote/one/head", "yaw", pick_up=False)))
+    for value in (0.5, 0.53, 0.47):
+        room.say("a", wire.Controls(PAD, {"axis0": value}))
+    assert room.session.tick(room.now).characters["one"].head[0] == 0.0
+    heard = room.playing.osc.heard
+    room.say("a", wire.Controls(PAD, {"axis0": 0.5}))
+    assert room.playing.osc.heard == heard
+    room.say("a", wire.Controls(PAD, {"axis0": 1.0}))
+    assert room.session.tick(room.now).characters["one"].head[0] == pytest.approx(3.14159 / 2, abs=1e-4)
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), -0.01, 1.01])
+def test_a_control_that_stands_nowhere_is_rejected_and_logged(room: Room, value: float) -> None:
+    room.say("a", wire.Plug(PAD, "gamepad"))
+    (refused,) = room.say("a", wire.Controls(PAD, {"axis0": value}))
+    assert "give 0 to 1" in refused.reason
+    assert room.devices.devices[PAD].health.rejected == 1
+    assert [line.rejected for line in room.devices.log.lines][-1]
+
+
+def test_learn_binds_what_moves_next_and_tells_who_asked(room: Room) -> None:
+    room.say("b", wire.Plug(PAD, "midi"))
+    assert room.say("a", wire.Learn("l1", JAW)) == []
+    (told,) = {id(each): each for each in room.told(wire.BindingList, room.tick()).values()}.values()
+    assert (told.learning.who, told.learning.to) == ("Ana", JAW)
+    found: list[Outgoing] = []
+    for n in range(10, 60, 5):
+        found += room.devices.receive("b", midi(f"b0 07 {n:02x}"), room.now)
+    (learned,) = found
+    assert learned.who == "a"
+    assert isinstance(learned.message, wire.BindingsChanged)
+    assert [(each.control, each.pick_up) for each in learned.message.added] == [("1/cc7", True)]
+    assert room.commands.list_now().learning is None
+    room.say("a", wire.RestoreBindings("r1", "l1"))
+    assert not room.commands.editable.own
+
+
+def test_what_is_moved_to_be_learned_plays_nothing(room: Room) -> None:
+    name = "Xbox 360 Controller (STANDARD GAMEPAD Vendor: 045e)"
+    room.say("a", wire.Plug(name, "gamepad"))
+    room.say("a", wire.Controls(name, {"trigger7": 0.25}))
+    assert room.jaw == 0.25
+    room.say("a", wire.Learn("l1", "/omote/one/channel/smile"))
+    room.say("a", wire.Controls(name, {"trigger7": 0.5}))
+    assert room.jaw == 0.25
+    room.say("a", wire.Learn("l2", ""))
+    room.say("a", wire.Controls(name, {"trigger7": 0.75}))
+    assert room.jaw == 0.75
+
+
+def test_learning_is_stopped_or_ends_by_itself(room: Room) -> None:
+    room.say("a", wire.Learn("l1", JAW))
+    room.say("a", wire.Learn("l2", ""))
+    assert room.commands.learner is None
+    room.say("a", wire.Learn("l3", JAW))
+    room.now += 31.0
+    room.tick()
+    assert room.commands.learner is None
+    (refused,) = room.say("a", wire.Learn("l4", "/omote/one/nose"))
+    assert "near are" in refused.reason
+
+
+def test_a_known_device_plays_as_soon_as_it_is_plugged_in_and_what_was_unbound_stays_so(room: Room) -> None:
+    room.say("a", wire.Plug("Xbox 360 Controller (STANDARD GAMEPAD Vendor: 045e)", "gamepad"))
+    name = "Xbox 360 Controller (STANDARD GAMEPAD Vendor: 045e)"
+    room.say("a", wire.Controls(name, {"trigger7": 0.75}))
+    assert room.jaw == 0.75
+    assert room.devices.devices_now(0.0).devices[-1].preset == "xbox"
+    for n, each in enumerate(room.commands.list_now().bindings):
+        room.say("a", wire.Unbind(f"u{n}", each))
+    room.say("a", wire.Unplug(name))
+    room.say("a", wire.Plug(name, "gamepad"))
+    assert not room.commands.editable.own
+    (changed,) = room.say("a", wire.LoadPreset("p1", name, "xbox", "one"))
+    assert {each.to.split("/")[2] for each in changed.added} == {"one", "panic"}
+    (refused,) = room.say("a", wire.LoadPreset("p2", name, "theremin"))
+    assert "there is no preset" in refused.reason
+
+
+def test_a_motor_fader_is_sent_what_is_on_air_but_not_while_it_is_touched(room: Room) -> None:
+    room.say("a", wire.Plug(PAD, "midi"))
+    room.say("a", wire.Bind("b1", binding("1/bend")))
+
+    def set_jaw(value: float) -> list[bytes]:
+        room.session.receive("b", wire.SetChannel("one", "jawOpen", value), room.now)
+        sent = room.told(wire.DeviceBytes, room.tick(2))
+        return [each.data for who, each in sent.items() if who == "a"]
+
+    assert set_jaw(1.0) == [bytes.fromhex("e0 7f 7f")]
+    assert set_jaw(1.0) == []
+    room.say("a", midi("90 68 7f e0 00 40"))
+    assert room.jaw == pytest.approx(0.5, abs=1e-3)
+    assert set_jaw(0.0) == []
+    room.say("a", midi("90 68 00"))
+    room.tick(60)
+    assert set_jaw(0.25) != []
+
+
+def test_a_fader_that_comes_back_where_it_was_sent_acts_with_its_next_step(room: Room) -> None:
+    room.session.receive("b", wire.SetChannel("one", "jawOpen", 1.0), room.now)
+    room.say("a", wire.Bind("b1", wire.BindingDocument(PAD, "1/cc7", JAW)))
+    room.tick()
+    room.say("a", wire.Plug(PAD, "midi"))
+    assert room.told(wire.DeviceBytes, room.tick(2))["a"].data == bytes.fromhex("b0 07 7f")
+    heard = room.playing.osc.heard
+    room.say("a", midi("b0 07 7f"))
+    assert room.playing.osc.heard == heard, "what comes back of what was sent plays nothing"
+    room.say("a", midi("b0 07 40"))
+    assert room.jaw == pytest.approx(64 / 127)
+
+
+def test_a_device_plays_for_the_seat_of_its_page(room: Room) -> None:
+    room.session.receive("c", wire.Hello("console", wire.PROTOCOL_VERSION, "Cleo", seat="cleo's seat"), room.now)
+    room.say("c", wire.Plug(PAD, "midi"))
+    room.say("c", wire.Bind("b1", binding()))
+    room.say("c", midi("b0 07 7f"))
+    assert room.session.crew[f"device {PAD}"].seat == room.session.crew["c"].seat
+    room.say("c", wire.Unplug(PAD))
+    room.say("a", wire.Plug(PAD, "midi"))
+    room.say("a", midi("b0 07 00"))
+    assert room.session.crew[f"device {PAD}"].seat == room.session.crew["a"].seat
+
+
+def test_banks_are_of_a_device(room: Room) -> None:
+    room.say("a", wire.Plug(PAD, "midi"))
+    room.say("a", wire.Bind("b1", binding(bank="B")))
+    room.say("a", midi("b0 07 7f"))
+    assert room.jaw == 0.0
+    room.say("b", wire.ChooseBank(PAD, "B"))
+    room.say("a", midi("b0 07 7e"))
+    assert room.jaw > 0.9
+    state = room.devices.devices_now(0.0).devices[-1]
+    assert (state.bank, state.banks) == ("B", ["B"])
+
+
+def test_pages_that_watch_hear_of_values_and_the_log(room: Room) -> None:
+    room.say("a", wire.Plug(PAD, "midi"))
+    room.say("b", wire.WatchDevices(on=True))
+    room.say("a", midi("b0 07 7f"))
+    told = room.tick(6)
+    devices = room.told(wire.Devices, told)["b"].devices
+    assert devices[-1].values == {"1/cc7": 1.0}
+    lines = room.told(wire.InputLog, told)["b"].lines
+    assert [line.text for line in lines] == ["plugged in at Ana", "1/cc7 1.000"]
+    assert set(room.told(wire.InputLog, told)) == {"b"}
+
+
+def test_too_many_devices_are_rejected_with_a_reason(room: Room) -> None:
+    for n in range(MOST_DEVICES):
+        assert room.say("a", wire.Plug(f"pad {n}", "midi")) == []
+    (refused,) = room.say("a", wire.Plug("one more", "midi"))
+    assert f"{MOST_DEVICES} devices" in refused.reason
+    room.say("a", wire.Unplug("pad 3"))
+    assert room.say("a", wire.Plug("one more", "midi")) == []
+    (refused,) = room.say("a", wire.Plug("sACN", "midi"))
+    assert "another source" in refused.reason
+
+
+def test_a_stage_has_no_devices(room: Room) -> None:
+    room.session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    (answer,) = room.session.receive("s", wire.Plug(PAD, "midi"), 0.0)
+    assert isinstance(answer.message, wire.Refused)
+    assert room.session.take_device_messages() == []
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(st.one_of(st.binary(max_size=12), st.lists(st.floats(), max_size=3)), max_size=8))
+def test_whatever_comes_no_state_is_spoiled(sent: list[bytes | list[float]]) -> None:
+    room = Room()
+    room.say("a", wire.Plug("nanoKONTROL2", "midi"))
+    room.say("a", wire.Plug("Xbox pad", "gamepad"))
+    room.say("a", wire.Learn("l1", JAW))
+    for n, each in enumerate(sent):
+        if isinstance(each, bytes):
+            room.devices.receive("a", wire.MidiBytes("nanoKONTROL2", each), room.now)
+        else:
+            values = {f"axis{axis}": value for axis, value in enumerate(each)}
+            room.devices.receive("a", wire.Controls("Xbox pad", values), room.now)
+        room.tick(n % 3 + 1)
+    (character,) = room.session.tick(room.now).characters.values()
+    numbers = [*character.channels.values(), *character.head, *character.gaze]
+    assert all(-2.0 < number < 2.0 for number in numbers)
+
+
+def test_a_device_plays_for_the_seat_of_its_page_wherever_it_is_plugged_in(room: Room) -> None:
+    room.say("a", wire.Bind("b1", binding()))
+    room.session.receive("a", wire.SetLeases("on", True), room.now)
+    for who in "ab":
+        room.say(who, wire.Plug(PAD, "midi"))
+        room.say(who, wire.MidiBytes(PAD, bytes([0xB0, 7, 64])))
+        table = room.session.leasing.table
+        assert table.held == {"one/channels": room.session.crew[who].seat}
+        room.session.receive(who, wire.ReleaseLease(f"release {who}", "*", "*"), room.now)
+        room.say(who, wire.Unplug(PAD))

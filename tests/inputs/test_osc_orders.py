@@ -1,0 +1,152 @@
+"""Messages of OSC: each address becomes its message, and what is wrong is said in words."""
+
+import math
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.inputs.osc_addresses import ADDRESSES, Address
+from omote.inputs.osc_orders import OrderReader, read_orders
+from omote.inputs.osc_packet import Argument, OscError, OscMessage
+from omote.perform.limits import GAZE_LIMITS
+from omote.show import messages as wire
+from tests import synthetic
+
+CAST = synthetic.cast()
+
+
+def orders(address: str, *arguments: Argument, there: tuple[str, ...] = ("one",)) -> tuple[wire.FromClient, ...]:
+    return read_orders(OscMessage(address, arguments), CAST, there, "c1")
+
+
+@pytest.mark.parametrize(
+    ("address", "arguments", "message"),
+    [
+        ("face", ["broad"], wire.CallFace("one", "c1", "broad", 1.0, "smooth")),
+        ("face", ["Broad", 2], wire.CallFace("one", "c1", "broad", 2.0, "smooth")),
+        ("face", ["broad", "0.25"], wire.CallFace("one", "c1", "broad", 0.25, "smooth")),
+        ("face", ["broad", "hand"], wire.CallFace("one", "c1", "broad", None, "smooth")),
+        ("expression", ["smile", 0.0], wire.CallExpression("one", "c1", "smile", 0.0, "smooth")),
+        ("expression/brows", ["smile"], wire.CallExpression("one", "c1", "smile", 1.0, "smooth", "brows")),
+        ("expression/Mouth", ["Smile", 0], wire.CallExpression("one", "c1", "smile", 0.0, "smooth", "mouth")),
+        ("channel/jawOpen", [0.5], wire.SetChannel("one", "jawOpen", 0.5)),
+        ("channel/jaw-open", ["1"], wire.SetChannel("one", "jawOpen", 1.0)),
+        ("channel/jawOpen", [True], wire.SetChannel("one", "jawOpen", 1.0)),
+        ("head", [90, "-90", 0.0], wire.SetHead("one", math.pi / 2, -math.pi / 2, 0.0)),
+        ("gaze", [40, -30], wire.SetGaze("one", GAZE_LIMITS["yaw"], -GAZE_LIMITS["pitch"])),
+        ("fade/face", [0.5], wire.FadeFace("one", 0.5)),
+        ("fade/expression", [1], wire.FadeExpression("one", 1.0)),
+        ("release/face", [], wire.ReleaseFace("one")),
+        ("release/expression", [1.0], wire.ReleaseExpression("one")),
+        ("panic", [], wire.Panic("one")),
+        ("enter", [], wire.EnterCharacter("c1", "one", 1.0)),
+        ("leave", ["2"], wire.LeaveCharacter("c1", "one", 2.0)),
+        ("place", [-1, 0.5, 2, 90], wire.PlaceCharacter("one", -1.0, 0.5, 2.0, math.pi / 2, 1.0, "c1")),
+        ("place", [0, 0, 1, 0, 3], wire.PlaceCharacter("one", 0.0, 0.0, 1.0, 0.0, 3.0, "c1")),
+    ],
+)
+def test_an_address_of_a_character_becomes_its_message(
+    address: str, arguments: list[Argument], message: wire.FromClient
+) -> None:
+    assert orders(f"/omote/one/{address}", *arguments) == (message,)
+    assert orders(f"/omote/*/{address}/", *arguments) == (message,), "all, where there is one"
+    three = ("one", "two", "three")
+    for_all = msgspec.structs.replace(message, character="*")
+    assert orders(f"/omote/*/{address}", *arguments, there=three) == (for_all,)
+    told = orders(f"/omote/t*/{address}", *arguments, there=three)
+    assert [getattr(each, "character", "") for each in told] == ["two", "three"]
+    ids = [name for each in told if (name := getattr(each, "id", ""))]
+    assert len({*ids}) == len(ids), "an id executes once"
+
+
+@pytest.mark.parametrize("pattern", ["four", "o", "ONE", "[!ot]*", ""])
+def test_an_address_of_nobody_is_rejected(pattern: str) -> None:
+    with pytest.raises(OscError, match=r"there is no (character|address)"):
+        orders(f"/omote/{pattern}/release/face", there=("one", "two"))
+
+
+@pytest.mark.parametrize(
+    ("address", "arguments", "message"),
+    [
+        ("light", ["Flat", 3], wire.CallLight("c1", "flat", 3.0, "smooth")),
+        ("framing", ["*"], wire.CallFraming("c1", [], 1.0, "smooth")),
+        ("framing", ["one", 2], wire.CallFraming("c1", ["one"], 2.0, "smooth")),
+        ("framing", ["two + one"], wire.CallFraming("c1", ["two", "one"], 1.0, "smooth")),
+        ("panic", [], wire.Panic("*")),
+        ("panic", [1], wire.Panic("*")),
+    ],
+)
+def test_an_address_of_the_show_names_no_character(
+    address: str, arguments: list[Argument], message: wire.FromClient
+) -> None:
+    assert orders(f"/omote/{address}", *arguments, there=("one", "two")) == (message,)
+
+
+@pytest.mark.parametrize("address", ["panic", "one/panic", "one/release/face", "*/release/expression"])
+@pytest.mark.parametrize("value", [0, 0.0, False, "0", -1], ids=repr)
+def test_a_button_that_is_let_go_does_nothing(address: str, value: Argument) -> None:
+    assert orders(f"/omote/{address}", value) == ()
+
+
+@pytest.mark.parametrize(
+    ("address", "arguments", "said"),
+    [
+        ("/omote/one/nose", [1], "there is no address '/omote/one/nose'; near are /omote/one/"),
+        ("/omote/dog/expresion", ["smile"], "near are /omote/dog/expression"),
+        ("/other", [1], "they are like /omote/{character}/face; /omote of the show's pages lists all"),
+        ("/omote/face", ["broad"], "there is no address"),
+        ("/omote//face", ["broad"], "there is no address"),
+        ("/other/one/face", ["broad"], "there is no address"),
+        ("/omote/one/face", [], "the name is missing"),
+        ("/omote/one/face", ["brood"], "there is no face 'brood' in this cast; near are broad"),
+        ("/omote/one/face", [7], "the name is '7'; expected the name of a face"),
+        ("/omote/one/face", ["broad", "soon"], "the seconds is 'soon'"),
+        ("/omote/one/face", ["broad", 1, 2], "3 values came; expected at most 2"),
+        ("/omote/one/expression/nose", ["smile"], "there is no region 'nose' to play in; expected one of brows, eyes"),
+        ("/omote/one/expression/brows", ["smile", "hand"], "the seconds is 'hand'"),
+        ("/omote/one/channel/jawOpen", [], "the weight is missing; expected a number from -0.5 to 1.5"),
+        ("/omote/one/channel/jawOpen", ["nan"], "the weight is 'nan'"),
+        ("/omote/one/channel/jawOpen", ["1_0"], "the weight is '1_0'"),
+        ("/omote/one/channel/jawOpen", [b"1"], "expected a number from -0.5 to 1.5"),
+        ("/omote/one/head", [1, 2], "the roll is missing"),
+        ("/omote/light", ["disco"], "there is no light 'disco'"),
+        ("/omote/framing", ["one+nobody"], "there is no character 'nobody'"),
+        ("/omote/framing", [""], "there is no character ''"),
+        ("/omote/framing", [1], "expected the name of a framing"),
+        ("/omote/one/enter", ["hand"], "the seconds is 'hand'"),
+        ("/omote/one/place", [0, 0, 1], "the turn is missing; expected a number from -180 to 180"),
+    ],
+)
+def test_what_is_wrong_is_said(address: str, arguments: list[Argument], said: str) -> None:
+    with pytest.raises(OscError) as raised:
+        orders(address, *arguments)
+    assert said in str(raised.value)
+
+
+def test_a_reader_says_the_same_each_time() -> None:
+    reader = OrderReader(CAST, ("one", "two"))
+    for _ in range(2):
+        (message,) = reader.read(OscMessage("/omote/t*/channel/jaw open", (0.5,)), "c1")
+        assert message == wire.SetChannel("two", "jawOpen", 0.5)
+        with pytest.raises(OscError, match="there is no face 'brood' in this cast; near are broad"):
+            reader.read(OscMessage("/omote/one/face", ("brood",)), "c1")
+
+
+def test_a_reader_fits_its_own_cast_and_characters_alone() -> None:
+    reader = OrderReader(CAST, ("one",))
+    assert reader.fits(CAST, ("one",))
+    assert not reader.fits(CAST, ("one", "two"))
+    assert not reader.fits(synthetic.cast.__wrapped__(), ("one",))
+
+
+@pytest.mark.parametrize("address", ADDRESSES, ids=lambda address: address.pattern)
+@given(st.lists(st.one_of(st.text(max_size=5), st.floats(), st.integers(), st.none(), st.binary()), max_size=5))
+def test_no_arguments_raise_anything_else(address: Address, given: list[Argument]) -> None:
+    written = address.pattern.replace("{character}", "one").replace("{name}", "smile").replace("{region}", "eyes")
+    try:
+        found = orders(written, *given)
+    except OscError:
+        return
+    assert all(isinstance(message, wire.Message) for message in found)

@@ -1,0 +1,107 @@
+"""The tree of addresses that surfaces read: each leaf is one that the parser obeys, and the other way round."""
+
+import pytest
+
+from omote.inputs.osc_addresses import ADDRESSES
+from omote.inputs.osc_orders import read_orders
+from omote.inputs.osc_packet import Argument, OscMessage
+from omote.inputs.oscquery_tree import NO_ACCESS, READ_WRITE, WRITE, Node, build_tree, find_node, host_info
+from omote.model.known_names import PLAY_REGIONS
+from omote.perform.easing import DEFAULT_EASING
+from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
+from omote.perform.lights import LIGHTS
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+from tests import synthetic
+
+CAST = synthetic.cast()
+
+
+@pytest.fixture
+def session() -> ShowSession:
+    return ShowSession(CAST)
+
+
+def leaves(node: Node) -> list[Node]:
+    own = [node] if "TYPE" in node else []
+    return own + [leaf for child in node.get("CONTENTS", {}).values() for leaf in leaves(child)]
+
+
+def nodes(node: Node) -> list[Node]:
+    return [node] + [below for child in node.get("CONTENTS", {}).values() for below in nodes(child)]
+
+
+def extremes(leaf: Node) -> list[list[Argument]]:
+    """The arguments at both ends of what a leaf says that it takes."""
+    ranges = leaf.get("RANGE", [])
+    lows = [each["VALS"][0] if "VALS" in each else each["MIN"] for each in ranges]
+    highs = [each["VALS"][-1] if "VALS" in each else each["MAX"] for each in ranges]
+    return [lows, highs] if ranges else [[True]]
+
+
+def test_all_that_the_tree_offers_is_obeyed_at_both_ends_of_its_range(session: ShowSession) -> None:
+    session.join("osc", "OSC")
+    for leaf in leaves(build_tree(CAST, None, ["one"])):
+        for arguments in extremes(leaf):
+            call = f"{leaf['FULL_PATH']}{arguments}"[-64:]
+            orders = read_orders(OscMessage(leaf["FULL_PATH"], tuple(arguments)), CAST, ["one"], call)
+            assert orders
+            assert [session.receive("osc", order, 0.0) for order in orders] == [[]] * len(orders)
+
+
+def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
+    paths = {leaf["FULL_PATH"] for leaf in leaves(build_tree(CAST, None, ["one", "two"]))}
+    wanted = set()
+    for address in ADDRESSES:
+        for owner in ["one"] if address.of_show else ["one", "two"]:
+            written = address.pattern.replace("{character}", owner)
+            layered = address.path.startswith("layer")
+            known = set(LAYERS) if layered else set(CAST.expressions) - {"neutral"}
+            names = known if "{name}" in written else {""}
+            regions = (LAYER_PARTS if layered else PLAY_REGIONS) if "{region}" in written else [""]
+            wanted |= {written.format(name=name, region=region) for name in names for region in regions}
+    assert paths == wanted
+
+
+def test_each_node_says_where_it_stands_and_what_may_be_done() -> None:
+    root = build_tree(CAST, None, ["one"])
+    for node in nodes(root):
+        assert find_node(root, node["FULL_PATH"]) is node
+        told = node.get("TYPE") not in (None, "I") and not node["FULL_PATH"].endswith(("/enter", "/leave"))
+        assert node["ACCESS"] == (NO_ACCESS if "TYPE" not in node else READ_WRITE if told else WRITE)
+        assert node["ACCESS"] != READ_WRITE or len(node["TYPE"]) == len(node["RANGE"])
+    assert find_node(root, "/omote/nobody/face") is None
+    assert find_node(root, "/omote/one/face/on") is None
+
+
+def test_ranges_are_the_names_of_the_cast_and_the_limits_of_numbers() -> None:
+    root = build_tree(CAST, None, ["one"])
+    face, head, light = (find_node(root, f"/omote/{path}") for path in ("one/face", "one/head", "light"))
+    assert face is not None
+    assert head is not None
+    assert light is not None
+    assert face["RANGE"] == [{"VALS": list(CAST.faces)}]
+    assert light["RANGE"] == [{"VALS": list(LIGHTS)}]
+    assert (head["TYPE"], head["UNIT"]) == ("fff", ["angle.degree"] * 3)
+    assert head["RANGE"] == [{"MIN": pytest.approx(-90.0), "MAX": pytest.approx(90.0)}] * 3
+
+
+def test_values_are_those_on_air(session: ShowSession) -> None:
+    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
+    session.receive("a", wire.SetChannel("one", "jawOpen", 0.25), 0.0)
+    session.receive("a", wire.CallFace("one", "c", "broad", 0.0, DEFAULT_EASING), 0.0)
+    root = build_tree(CAST, session.tick(0.0), ["one"])
+    values = {leaf["FULL_PATH"]: leaf.get("VALUE") for leaf in leaves(root)}
+    assert values["/omote/one/channel/jawOpen"] == [0.25]
+    assert values["/omote/one/face"] == ["broad"]
+    assert values["/omote/one/head"] == [0.0, 0.0, 0.0]
+    assert values["/omote/panic"] is None
+    quiet = [value for path, value in values.items() if "/channel/" in path and "jawOpen" not in path]
+    assert quiet == [[0.0]] * len(quiet)
+
+
+def test_the_host_says_its_port_and_what_it_does_not_do() -> None:
+    told = host_info("Omote", 9001)
+    assert (told["OSC_PORT"], told["OSC_TRANSPORT"]) == (9001, "UDP")
+    assert told["EXTENSIONS"]["VALUE"] is True
+    assert told["EXTENSIONS"]["LISTEN"] is False

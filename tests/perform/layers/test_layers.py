@@ -1,0 +1,287 @@
+"""Sources, calls and hands on one face: nothing jumps or leaves its range, and without a source all is as ever."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from omote.model.cast import Cast
+from omote.model.known_names import PLAY_REGIONS
+from omote.perform.blending.evaluate import evaluate, evaluate_parts
+from omote.perform.channels import channels_of, effective_channels
+from omote.perform.frame import Frame, Held
+from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
+from omote.perform.mix import mix_in
+from omote.perform.performer import Performer
+from tests.conftest import Command, commands, shows
+
+DT = 1.0 / 60.0
+FULL = {"jawOpen": 0.8, "smile": 0.4}
+
+
+def plain(frame: Frame) -> Frame:
+    """A frame without what it tells of layers."""
+    return replace(frame, layers={}, held=None)
+
+
+def played(
+    cast: Cast, performer: Performer, seconds: float, drive: Callable[[int], None] | None = None
+) -> Iterator[Frame]:
+    for n in range(round(seconds / DT)):
+        if drive is not None:
+            drive(n)
+        yield performer.advance(DT)
+
+
+def last(frames: Iterator[Frame]) -> Frame:
+    *_, frame = frames
+    return frame
+
+
+quiet_shows = st.lists(commands.filter(lambda each: each.name != "panic"), max_size=20)
+
+
+@given(quiet_shows)
+@settings(max_examples=30)
+def test_layers_that_nothing_drives_change_no_bit(cast: Cast, show: list[Command]) -> None:
+    performer, layered = Performer(cast), Performer(cast)
+    layered.set_layer("breath", influence=0.5)
+    for command in show:
+        command.play(performer)
+        command.play(layered)
+        frame, other = performer.advance(command.wait), layered.advance(command.wait)
+        assert set(other.layers) == {"breath"}
+        assert channels_of(cast.expressions, other) == channels_of(cast.expressions, frame)
+        assert (other.expressions, other.regions, other.head, other.gaze) == (
+            frame.expressions, frame.regions, frame.head, frame.gaze,
+        )  # fmt: skip
+
+
+@given(quiet_shows)
+@settings(max_examples=3)
+def test_positions_are_those_without_layers(cast: Cast, show: list[Command]) -> None:
+    performer, layered = Performer(cast), Performer(cast)
+    layered.set_layer("breath", influence=0.5)
+    for command in show:
+        command.play(performer)
+        command.play(layered)
+    frame, other = performer.advance(0.1), layered.advance(0.1)
+    assert np.abs(evaluate(cast, frame) - evaluate(cast, other)).max() < 1e-6, "a micrometre: sums in another order"
+    parts, others = evaluate_parts(cast, frame), evaluate_parts(cast, other)
+    assert all(np.abs(parts[name] - others[name]).max() < 1e-6 for name in parts)
+
+
+@given(shows)
+@settings(max_examples=20)
+def test_without_a_source_and_a_changed_layer_there_are_none(cast: Cast, show: list[Command]) -> None:
+    performer = Performer(cast)
+    for command in show:
+        command.play(performer)
+        frame = performer.advance(command.wait)
+        assert (frame.layers, frame.held, performer.snapshot().layers) == ({}, None, None)
+        assert channels_of(cast.expressions, frame) == effective_channels(cast.expressions, frame.channels, frame.gaze)
+
+
+def test_a_source_that_has_gone_leaves_a_performer_as_one_without(cast: Cast) -> None:
+    performer, other = Performer(cast), Performer(cast)
+    for each in (performer, other):
+        each.call_expression("smile", seconds=0.0)
+        each.set_channel("jawOpen", 0.25)
+    last(played(cast, performer, 2.0, lambda _: performer.drive(FULL, layer="tracker", head=(0.2, 0, 0))))
+    performer.leave_layer("tracker", "")
+    frame = last(played(cast, performer, 8.0))
+    assert replace(frame, time=0.0) == other.advance(0.0)
+    assert performer.snapshot().layers is None
+
+
+def test_a_tracker_takes_the_face_over_and_neutral_takes_the_rest(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.call_expression("smile", seconds=0.0)
+    frame = last(played(cast, performer, 6.0, lambda _: performer.drive({"jawOpen": 0.5}, layer="tracker")))
+    assert frame.expressions == {"neutral": pytest.approx(1.0)} or frame.expressions["neutral"] > 0.999
+    assert frame.channels["jawOpen"] == pytest.approx(0.5, abs=1e-3)
+
+
+def test_overlap_averages_and_never_doubles(cast: Cast) -> None:
+    performer = Performer(cast)
+
+    def both(_: int) -> None:
+        performer.drive({"jawOpen": 0.6}, layer="tracker")
+        performer.drive({"jawOpen": 0.6}, layer="playback")
+
+    performer.set_layer("playback", influence=0.5)
+    assert last(played(cast, performer, 6.0, both)).channels["jawOpen"] == pytest.approx(0.6, abs=1e-3)
+
+
+def test_silence_lets_a_source_go_and_its_return_brings_it_back_without_a_jump(cast: Cast) -> None:
+    performer = Performer(cast)
+    shown = [f.channels.get("jawOpen", 0.0) for f in played(cast, performer, 3.0, lambda _: performer.drive(FULL))]
+    assert shown[-1] == pytest.approx(0.8, abs=0.01)
+    lost = list(played(cast, performer, 0.4))
+    assert lost[-1].layers["playback"].trust == pytest.approx(1.0, abs=0.01), "half a second is waited for"
+    gone = last(played(cast, performer, 3.0))
+    assert gone.layers["playback"].trust < 0.01
+    back = list(played(cast, performer, 3.0, lambda _: performer.drive(FULL)))
+    shown += [f.channels.get("jawOpen", 0.0) for f in (*lost, gone)]
+    assert back[-1].channels["jawOpen"] == pytest.approx(0.8, abs=0.01)
+    assert np.abs(np.diff([f.channels.get("jawOpen", 0.0) for f in back])).max() < 0.03
+
+
+def test_a_source_that_does_not_see_its_performer_is_one_that_is_silent(cast: Cast) -> None:
+    silent, blind = Performer(cast), Performer(cast)
+    for each in (silent, blind):
+        last(played(cast, each, 2.0, lambda _, each=each: each.drive(FULL)))  # type: ignore[misc]
+    frames = played(cast, blind, 2.0, lambda _: blind.drive({"jawOpen": 1.5, "smile": 0.0}, found=False))
+    assert [plain(f) for f in frames] == [plain(f) for f in played(cast, silent, 2.0)]
+
+
+def test_a_recalibrated_source_lets_go_before_it_is_followed_again(cast: Cast) -> None:
+    performer = Performer(cast)
+    last(played(cast, performer, 3.0, lambda _: performer.drive({"jawOpen": 0.8})))
+    performer.recalibrate_layer("playback", "")
+    frames = list(played(cast, performer, 4.0, lambda _: performer.drive({"jawOpen": 0.2})))
+    trust = [frame.layers["playback"].trust for frame in frames]
+    assert min(trust) < 0.02
+    assert trust[-1] > 0.9
+    shown = np.array([frame.channels.get("jawOpen", 0.0) for frame in frames])
+    assert shown.min() < 0.01, "it lets go of the old measure before it shows the new one"
+    assert np.abs(np.diff(shown, 2)).max() < 0.01
+
+
+def test_a_hand_holds_a_channel_over_a_source_and_lets_it_go(cast: Cast) -> None:
+    performer = Performer(cast)
+    last(played(cast, performer, 3.0, lambda _: performer.drive(FULL)))
+    performer.set_channel("jawOpen", 0.1)
+    held = last(played(cast, performer, 3.0, lambda _: performer.drive(FULL)))
+    assert held.channels["jawOpen"] == pytest.approx(0.1, abs=1e-3)
+    assert held.channels["smile"] == pytest.approx(0.4, abs=1e-3)
+    assert held.held == Held({"jawOpen": 0.1})
+    performer.set_channel("jawOpen", 0.0)
+    free = last(played(cast, performer, 3.0, lambda _: performer.drive(FULL)))
+    assert free.channels["jawOpen"] == pytest.approx(0.8, abs=1e-3)
+
+
+def test_a_head_and_a_gaze_are_followed_and_left_alone_by_a_source_without(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.set_head(0.3, 0.0, 0.0)
+    frame = last(played(cast, performer, 3.0, lambda _: performer.drive({"jawOpen": 0.5}, gaze=(0.2, -0.1))))
+    assert frame.head.yaw == 0.3
+    assert [frame.gaze.yaw, frame.gaze.pitch] == pytest.approx([0.2, -0.1], abs=1e-3)
+    turned = last(played(cast, performer, 3.0, lambda _: performer.drive({"jawOpen": 0.5}, head=(-0.5, 0.1, 0.0))))
+    assert turned.head.yaw == pytest.approx(0.3, abs=1e-3), "a hand holds it"
+    performer.set_head(0.0, 0.0, 0.0)
+    turned = last(played(cast, performer, 3.0, lambda _: performer.drive({"jawOpen": 0.5}, head=(-0.5, 0.1, 0.0))))
+    assert turned.head.yaw == pytest.approx(-0.5, abs=1e-3)
+
+
+def test_breath_adds_a_little_and_what_is_more_is_refused(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.set_channel("jawOpen", 0.0)
+    frame = last(played(cast, performer, 3.0, lambda _: performer.drive({"jawOpen": 0.04}, layer="breath")))
+    assert frame.channels["jawOpen"] == pytest.approx(0.04, abs=1e-3)
+    with pytest.raises(ValueError, match=r"jawOpen of the layer breath is 0.4; give a number from -0.05 to 0.05"):
+        performer.drive({"jawOpen": 0.4}, layer="breath")
+    with pytest.raises(ValueError, match=r"the layer blink closes what is open; it takes no head and no gaze"):
+        performer.drive({"jawOpen": 0.4}, layer="blink", head=(0.1, 0.0, 0.0))
+
+
+def test_a_blink_closes_what_is_still_open(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.drive({"smile": 0.5}, layer="tracker")
+    performer.call_expression("smile", seconds=0.0)
+    alone = last(played(cast, performer, 3.0, lambda _: performer.drive({"smile": 1.0}, layer="blink")))
+    assert alone.channels.get("smile", 0.0) < 0.01, "the mix wears the whole of it already"
+    performer.call_expression("neutral", seconds=0.0)
+    free = last(played(cast, performer, 3.0, lambda _: performer.drive({"smile": 1.0}, layer="blink")))
+    assert free.channels["smile"] == pytest.approx(1.0, abs=1e-3)
+
+
+def test_a_panic_takes_sources_off_and_in_a_quarter_of_a_second_all_is_still(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.call_expression("smile", seconds=0.0)
+    performer.set_channel("jawOpen", 0.2)
+    before = last(
+        played(cast, performer, 1.0, lambda _: performer.drive({"browInnerUp": 1.0}, head=(0.4, 0, 0), layer="tracker"))
+    )
+    performer.panic()
+    frames = list(
+        played(cast, performer, 0.5, lambda _: performer.drive({"browInnerUp": 1.0}, head=(0.4, 0, 0), layer="tracker"))
+    )
+    assert abs(frames[0].head.yaw - before.head.yaw) < 0.06
+    assert abs(frames[0].expressions.get("smile", 0.0) - before.expressions["smile"]) < 0.2
+    for frame in frames[16:]:
+        assert (frame.channels, frame.head.yaw, dict(frame.expressions)) == ({}, 0.0, {"neutral": 1.0})
+        assert not frame.layers["tracker"].on
+    performer.set_layer("tracker", on=True)
+    again = last(
+        played(cast, performer, 4.0, lambda _: performer.drive({"browInnerUp": 1.0}, head=(0.4, 0, 0), layer="tracker"))
+    )
+    assert again.head.yaw == pytest.approx(0.4, abs=1e-3)
+
+
+names = st.sampled_from(["smile", "jawOpen", "browInnerUp"])
+drives = st.builds(
+    lambda layer, values, head, gaze: ("drive", values, {"layer": layer, "head": head, "gaze": gaze}),
+    st.sampled_from(["tracker", "lips", "playback", "gaze"]),
+    st.dictionaries(names, st.floats(-0.5, 1.5), max_size=3),
+    st.none() | st.tuples(*[st.floats(-1.5, 1.5)] * 3),
+    st.none() | st.tuples(st.floats(-0.69, 0.69), st.floats(-0.52, 0.52)),
+)
+sets = st.builds(
+    lambda layer, region, influence, on: ("set_layer", layer, {"region": region, "influence": influence, "on": on}),
+    st.sampled_from(LAYERS),
+    st.none() | st.sampled_from(LAYER_PARTS),
+    st.none() | st.floats(0.0, 1.0),
+    st.none() | st.booleans(),
+)
+hands = st.builds(lambda name, value: ("set_channel", name, {"value": value}), names, st.floats(-0.5, 1.5))
+blinks = st.builds(lambda value: ("drive", {"browInnerUp": value}, {"layer": "blink"}), st.floats(0.0, 1.0))
+deeds = st.lists(st.tuples(st.one_of(drives, drives, blinks, sets, hands), st.floats(0.0, 0.5)), max_size=25)
+
+
+@given(deeds, st.lists(commands, max_size=25))
+@settings(max_examples=20)
+def test_whatever_is_driven_set_and_called_stays_in_range_and_sums_to_one(
+    cast: Cast, show: list[tuple[tuple[str, Any, dict[str, Any]], float]], calls: list[Command]
+) -> None:
+    performer = Performer(cast)
+    for ((name, first, options), wait), command in zip(show, [*calls, *[Command("panic")] * 25], strict=False):
+        getattr(performer, name)(first, **options)
+        command.play(performer)
+        frame = performer.advance(wait)
+        assert all(CHANNEL_LOWEST <= value <= CHANNEL_HIGHEST for value in frame.channels.values())
+        for region in PLAY_REGIONS:
+            assert sum(mix_in(region, frame.expressions, frame.regions).values()) == pytest.approx(1.0, abs=1e-9)
+        for limits, turned in ((HEAD_LIMITS, frame.head), (GAZE_LIMITS, frame.gaze)):
+            assert all(abs(getattr(turned, name)) <= limit for name, limit in limits.items())
+
+
+@given(deeds)
+@settings(max_examples=20)
+def test_the_same_deeds_give_the_same_bits_and_a_snapshot_goes_on(
+    cast: Cast, show: list[tuple[tuple[str, Any, dict[str, Any]], float]]
+) -> None:
+    performer, again = Performer(cast), Performer(cast)
+    for (name, first, options), wait in show:
+        for each in (performer, again):
+            getattr(each, name)(first, **options)
+        again = Performer.restored(cast, again.snapshot())
+        assert performer.advance(wait) == again.advance(wait)
+    assert performer.snapshot() == again.snapshot()
+
+
+def test_a_cast_that_lacks_what_a_source_sends_is_refused_and_another_goes_on(cast: Cast) -> None:
+    performer, other = Performer(cast), Performer(cast)
+    for each in (performer, other):
+        last(played(cast, each, 0.5, lambda _, each=each: each.drive(FULL)))  # type: ignore[misc]
+    performer.recast(cast.with_expressions(beam=cast.expressions["smile"]))
+    assert performer.advance(DT) == other.advance(DT)
+    few = replace(cast, expressions={name: e for name, e in cast.expressions.items() if name != "jawOpen"}, titles={})
+    with pytest.raises(ValueError, match=r"there is no channel 'jawOpen' in this cast"):
+        performer.recast(few)
+    assert performer.advance(DT) == other.advance(DT)

@@ -1,0 +1,108 @@
+"""A program's link: obeyed or rejected before a call returns, alone in its turn, linked again when it breaks."""
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager, suppress
+
+import pytest
+
+from omote.server.client.program_link import ProgramLink
+from omote.show import messages as wire
+from tests.server.conftest import ShowHarness
+
+
+@asynccontextmanager
+async def ticking(harness: ShowHarness) -> AsyncIterator[None]:
+    """The show plays while the body runs."""
+
+    async def tick() -> None:
+        while True:
+            harness.tick()
+            await asyncio.sleep(0)
+
+    task = asyncio.create_task(tick())
+    try:
+        yield
+    finally:
+        task.cancel()
+        with suppress(asyncio.CancelledError):
+            await task
+
+
+@asynccontextmanager
+async def linked(harness: ShowHarness, timeout: float = 60.0) -> AsyncIterator[ProgramLink]:
+    """An open link to a show that plays."""
+    link = ProgramLink(str(harness.client.make_url(wire.LINK_PATH)), "robot", timeout)
+    async with ticking(harness):
+        await link.open()
+        yield link
+        await link.close()
+
+
+def call(link: ProgramLink, face: str) -> wire.CallFace:
+    return wire.CallFace("one", link.next_id(), face, 0.0, "smooth")
+
+
+@pytest.mark.asyncio
+async def test_a_call_is_on_air_when_it_returns(show_harness: ShowHarness) -> None:
+    async with linked(show_harness) as link:
+        await link.send(call(link, "broad"))
+        assert link.state is not None
+        assert link.state.characters["one"].faces == {"broad": 1.0}
+        assert [member.name for member in show_harness.show.session.crew.values()] == ["robot"]
+
+
+@pytest.mark.asyncio
+async def test_what_is_rejected_raises_the_reason_at_its_own_call(show_harness: ShowHarness) -> None:
+    async with linked(show_harness) as link:
+        done = await asyncio.gather(
+            *(link.send(call(link, face)) for face in ("broad", "nobody", "generic", "nobody")), return_exceptions=True
+        )
+        assert [type(each) for each in done] == [type(None), ValueError, type(None), ValueError]
+        assert "there is no face 'nobody'" in str(done[1])
+
+
+@pytest.mark.asyncio
+async def test_a_broken_link_comes_back_and_a_call_waits_for_it(show_harness: ShowHarness) -> None:
+    async with linked(show_harness) as link:
+        for _ in range(3):
+            await show_harness.show.links.close_all()
+            await link.send(call(link, "broad"))
+        assert link.state is not None
+        assert link.state.characters["one"].faces == {"broad": 1.0}
+
+
+@pytest.mark.asyncio
+async def test_a_show_that_does_not_come_back_is_told(show_harness: ShowHarness) -> None:
+    async with linked(show_harness, timeout=0.3) as link:
+        await show_harness.client.server.close()
+        with suppress(ConnectionError):  # it may still be obeyed
+            await link.send(wire.ReleaseFace("one"))
+        with pytest.raises(ConnectionError, match=r"for 0\.3 s.*start it with omote show"):
+            await link.send(wire.ReleaseFace("one"))
+        await link.close()
+        with pytest.raises(ConnectionError, match="the connection is closed"):
+            await link.send(wire.ReleaseFace("one"))
+
+
+@pytest.mark.asyncio
+async def test_where_no_show_is_nothing_opens() -> None:
+    link = ProgramLink("http://127.0.0.1:1/link", "robot", 0.2)
+    with pytest.raises(ConnectionError, match=r"no show at http://127.0.0.1:1 for 0.2 s"):
+        await link.open()
+
+
+@pytest.mark.asyncio
+async def test_a_show_of_another_version_says_so(show_harness: ShowHarness, monkeypatch: pytest.MonkeyPatch) -> None:
+    link = ProgramLink(str(show_harness.client.make_url(wire.LINK_PATH)), "robot", 60.0)
+    async with ticking(show_harness):
+        monkeypatch.setattr(wire, "PROTOCOL_VERSION", wire.PROTOCOL_VERSION - 1)
+        greeting = link._greet
+
+        async def greet(socket: object) -> None:
+            await greeting(socket)  # type: ignore[arg-type]
+            monkeypatch.undo()
+
+        monkeypatch.setattr(link, "_greet", greet)
+        with pytest.raises(ConnectionError, match="takes no program in: the page speaks version"):
+            await link.open()

@@ -1,0 +1,171 @@
+"""The calls of a program: each is one message that the session obeys as the engine obeys its own call."""
+
+import inspect
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from msgspec import structs
+
+from omote.model.cast import Cast
+from omote.perform.performer import Performer
+from omote.perform.scene.scene import Scene
+from omote.server.client.remote_show import RemoteCharacter, RemoteShow
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+
+NO_CALLS = {
+    "set_channels",  # of a session's own devices; a program sends a frame of many by `drive`
+    "advance",
+    "recast",
+    "restored",
+    "snapshot",
+    "call_light",
+    "drive_layer",
+    "leave_layer",
+    "recalibrate_layer",
+}
+"""What is the server's, and the scene's."""
+
+CALLS: dict[str, Callable[[Any], Any]] = {
+    "call_face": lambda one: one.call_face("broad", seconds=2, easing="gentle"),
+    "call_face by hand": lambda one: one.call_face("broad", seconds=math.inf),
+    "call_expression": lambda one: one.call_expression("smile", seconds=0.5),
+    "call_expression in a region": lambda one: one.call_expression("smile", seconds=0.5, region="brows"),
+    "call_expression of the whole again": lambda one: (
+        one.call_expression("smile", seconds=0, region="eyes"),
+        one.call_expression("jawOpen", seconds=0.5, easing="sharp"),
+    ),
+    "fade_face": lambda one: (one.call_face("broad", seconds=math.inf), one.fade_face(0.5)),
+    "fade_expression": lambda one: (one.call_expression("smile", seconds=math.inf), one.fade_expression(0.5)),
+    "release_face": lambda one: (one.call_face("broad"), one.fade_face(0.5), one.release_face()),
+    "release_expression": lambda one: (
+        one.call_expression("smile"),
+        one.fade_expression(0.5),
+        one.release_expression(),
+    ),
+    "set_channel": lambda one: one.set_channel("jawOpen", 0.4),
+    "set_head": lambda one: one.set_head(0.1, 0.2, 0.3),
+    "set_gaze": lambda one: one.set_gaze(0.1, -0.2),
+    "drive": lambda one: one.drive({"jawOpen": 0.5, "smile": 0.25}, layer="lips", head=(0.125, 0, 0), gaze=(0, 0.25)),
+    "drive not found": lambda one: (
+        one.drive({"jawOpen": 0.5}, layer="blink"),
+        one.drive({"jawOpen": 1.0}, found=False, layer="blink"),
+    ),
+    "set_layer": lambda one: one.set_layer("emotion", region="mouth", influence=0.5),
+    "set_layer off": lambda one: one.set_layer("emotion", on=False),
+    "set_home": lambda one: one.set_home("broad", seconds=3),
+    "panic": lambda one: (one.set_channel("jawOpen", 0.4), one.panic()),
+}
+
+
+class Wired:
+    """A session in this process, a show that plays it, and its clock."""
+
+    def __init__(self, cast: Cast) -> None:
+        self.session, self.now, self.sent = ShowSession(cast, epoch=1), 0.0, 0
+        self.session.receive("p", wire.Hello("console", wire.PROTOCOL_VERSION, "program"), 0.0)
+        self.state = self.session.tick(0.0)
+        self.show = RemoteShow[None](self.send, lambda: self.state, self.next_id, self.drive)
+
+    def send(self, message: wire.FromClient) -> None:
+        assert self.session.receive("p", message, self.now) == []
+        self.state = self.session.tick(self.now)
+
+    def drive(self, source: wire.Source, frame: wire.Drive) -> None:
+        (opened,) = self.session.receive("p", source, self.now)
+        assert isinstance(opened.message, wire.SourceIs)
+        self.send(structs.replace(frame, index=opened.message.index))
+
+    def next_id(self) -> str:
+        self.sent += 1
+        return str(self.sent)
+
+    def later(self, seconds: float) -> None:
+        self.now += seconds
+        self.state = self.session.tick(self.now)
+
+
+def test_a_program_has_every_call_of_a_performer() -> None:
+    calls = {name for name, _ in inspect.getmembers(Performer, inspect.isfunction) if not name.startswith("_")}
+    assert {name.split()[0] for name in CALLS} == calls - NO_CALLS
+    for name in calls - NO_CALLS:
+        theirs, ours = (inspect.signature(getattr(kind, name)) for kind in (Performer, RemoteCharacter))
+        assert list(theirs.parameters.values()) == list(ours.parameters.values()), name
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_a_call_over_the_wire_does_what_the_engine_does(cast: Cast, name: str) -> None:
+    wired, scene = Wired(cast), Scene.begun(cast)
+    CALLS[name](wired.show["one"])
+    CALLS[name](scene["one"])
+    wired.later(0.4)
+    expected = scene.advance(0.4).characters["one"].frame
+    frame = wired.show["one"].frame
+    layers = {
+        layer: replace(each, source="") for layer, each in frame.layers.items()
+    }  # a source over the wire has a name
+    assert replace(frame, layers=layers) == expected
+
+
+def test_a_program_has_every_call_of_a_scene() -> None:
+    calls = {name for name, _ in inspect.getmembers(Scene, inspect.isfunction) if not name.startswith("_")}
+    for name in calls - NO_CALLS - {"call_light"}:
+        theirs, ours = (inspect.signature(getattr(kind, name)) for kind in (Scene, RemoteShow))
+        wanted = [each for each in theirs.parameters.values() if (name, each.name) != ("remove", "seconds")]
+        assert wanted == list(ours.parameters.values()), name
+
+
+def test_what_is_asked_of_all_or_of_a_text_is_refused_in_words(cast: Cast) -> None:
+    show, wrong = Wired(cast).show, cast_to_any("one")
+    with pytest.raises(ValueError, match="\\* means all characters; what is on air is of one: one"):
+        _ = show["*"].frame
+    with pytest.raises(TypeError, match="are the text 'one'; give a list of their names"):
+        show.call_framing(wrong)
+    with pytest.raises(ValueError, match="there is no character 'two' in this scene"):
+        show.call_framing(["two"])
+    with pytest.raises(KeyError, match="there is no character 'two' in this scene"):
+        show.place("two", x=0.1)
+    assert (repr(show), repr(show["one"])) == (
+        "<running show with the characters one>", "<character 'one' of a running show>",
+    )  # fmt: skip
+
+
+def cast_to_any(value: object) -> Any:
+    return value
+
+
+def test_characters_come_enter_move_are_framed_and_go(cast: Cast) -> None:
+    wired = Wired(cast)
+    show = wired.show
+    show.add("two", face="broad", label="Beta")
+    assert (show.characters, list(show), len(show)) == (("one", "two"), ["one", "two"], 2)
+    two = show["two"]
+    assert (two.frame.faces, two.presence) == ({"broad": 1.0}, 0.0)
+    show.enter("two", seconds=0.5)
+    show.place("two", x=0.4, depth=0.1, size=1.2, seconds=0)
+    show.place("two", turn=-0.3, seconds=0.5)
+    show.call_framing(["one", "two"], seconds=0.5)
+    show.call_light("flat", seconds=0.5)
+    show.rename("two", "Gamma")
+    show["*"].call_expression("smile", seconds=0.5)
+    wired.later(1.0)
+    state = show.state
+    assert (two.presence, two.place) == (1.0, wire.Place(0.4, 0.1, 1.2, -0.3))
+    assert (state.framing, state.light, state.characters["two"].label) == ({"one+two": 1.0}, {"flat": 1.0}, "Gamma")
+    assert [show[name].frame.expressions for name in show] == [{"smile": 1.0}] * 2
+    show.panic()
+    show.leave("two", seconds=0.5)
+    wired.later(1.0)
+    assert [show[name].frame.expressions for name in show] == [{"neutral": 1.0}] * 2
+    assert two.presence == 0.0
+    show.call_framing(seconds=0)
+    show.remove("two")
+    wired.later(5.0)
+    assert show.characters == ("one",)
+    with pytest.raises(ValueError, match="there is no character 'two' in this scene"):
+        _ = two.frame
+    with pytest.raises(KeyError, match="there is no character 'two' in this scene; near are one"):
+        _ = show["two"]

@@ -1,0 +1,95 @@
+"""Devices of a server, on the sockets of its supervisor."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from omote.model.cast import Cast
+from omote.server.access.show_addresses import own_address
+from omote.server.devices.dmx_listener import DmxListener
+from omote.server.devices.osc_listener import OscListener
+from omote.server.devices.page_device_source import PageDeviceSource
+from omote.server.supervision.device_sockets import DeviceOptions, listen_for_artnet
+from omote.server.supervision.device_sources import load_bindings, start_devices
+from omote.server.supervision.listening_socket import listen_for_osc
+from omote.show import messages as wire
+from omote.show.wire import encode
+from tests.server.conftest import ShowHarness, answer, open_edit_harness
+
+HOST = "127.0.0.1"
+BOUND = '[[binding]]\ndevice = "Art-Net"\ncontrol = "3/1"\nto = "/omote/panic"\n'
+
+
+@pytest.mark.asyncio
+async def test_what_was_asked_for_is_heard(show_harness: ShowHarness, tmp_path: Path) -> None:
+    (tmp_path / "desk.toml").write_text(BOUND)
+    with listen_for_artnet(HOST, 0) as artnet:
+        osc = listen_for_osc(HOST, 0)
+        options = DeviceOptions(
+            osc.datagrams.fileno(), artnet=artnet.fileno(), allow="10.0.0.7", bindings=str(tmp_path / "desk.toml")
+        )
+        started = await start_devices(show_harness.show, options, lambda _: None)
+        assert [id(each) for each in show_harness.show.sources] == [id(each) for each in started]
+        heard, dmx, pages = started
+        assert isinstance(heard, OscListener)
+        assert isinstance(dmx, DmxListener)
+        assert isinstance(pages, PageDeviceSource)
+        assert [each.name for each in pages.devices.devices_now(0.0).devices] == ["OSC", "Art-Net"]
+        assert heard._reader.hears("10.0.0.7")
+        assert heard._reader.hears(own_address() or HOST)
+        assert not heard._reader.hears("10.0.0.8")
+        assert show_harness.show.oscquery is not None
+        assert dmx.bindings.bindings.controls == [("Art-Net", "3/1")]
+        for each in started:
+            await each.close()
+        osc.close()
+
+
+@pytest.mark.asyncio
+async def test_a_file_of_bindings_that_is_gone_does_not_stop_the_show(show_harness: ShowHarness) -> None:
+    said: list[str] = []
+    with listen_for_artnet(HOST, 0) as artnet:
+        options = DeviceOptions(artnet=artnet.fileno(), bindings="gone.toml")
+        for each in await start_devices(show_harness.show, options, said.append):
+            await each.close()
+    assert said == ["gone.toml cannot be read (it is not there); nothing is bound."]
+
+
+@pytest.mark.asyncio
+async def test_pages_alone_have_devices_where_nothing_else_was_asked_for(show_harness: ShowHarness) -> None:
+    (pages,) = await start_devices(show_harness.show, DeviceOptions(), lambda _: None)
+    assert isinstance(pages, PageDeviceSource)
+    await pages.close()
+
+
+@pytest.mark.asyncio
+async def test_what_a_page_binds_lies_in_the_show_file_and_plays_after_a_restart(cast: Cast, tmp_path: Path) -> None:
+    bound = wire.BindingDocument("pad", "1/cc7", "/omote/one/channel/jawOpen", pick_up=False)
+    for expected in (0.0, 1.0):
+        async with open_edit_harness(cast, tmp_path / "a.omote") as harness:
+            (pages,) = await start_devices(harness.show, DeviceOptions(), harness.said.append)
+            desk = await harness.link()
+            said = (
+                wire.Plug("pad", "midi"),
+                wire.MidiBytes("pad", bytes([0xB0, 7, 127])),
+                wire.Bind(f"b {expected}", bound),
+            )
+            for each in (*said, wire.Ping(1.0)):
+                await desk.send_bytes(encode(each))
+            assert isinstance(await answer(desk), wire.Pong)  # the server has heard all
+            harness.tick()
+            heard: dict[type, Any] = {}
+            while wire.BindingList not in heard:
+                message = await answer(desk)
+                heard[type(message)] = message
+            assert heard[wire.State].characters["one"].channels.get("jawOpen", 0.0) == expected
+            assert heard[wire.BindingList].bindings == heard[wire.BindingsChanged].added
+            assert harness.said == []
+            await pages.close()
+
+
+def test_what_is_wrong_with_a_file_names_it(tmp_path: Path) -> None:
+    (tmp_path / "desk.toml").write_text("[[binding")
+    with pytest.raises(ValueError, match=r"desk\.toml: it is no TOML"):
+        load_bindings(tmp_path / "desk.toml")

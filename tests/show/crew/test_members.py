@@ -1,0 +1,48 @@
+"""Who is connected; the session's tests have the messages."""
+
+import pytest
+
+from omote.show import messages as wire
+from omote.show.crew.members import LOST_SECONDS, Members
+from omote.show.validation import Refusal
+
+HELLO = wire.Hello("console", wire.PROTOCOL_VERSION, "Mia", "page")
+
+
+def test_who_said_no_hello_is_nobody() -> None:
+    members = Members()
+    with pytest.raises(Refusal, match="before hello"):
+        members["a"]
+    with pytest.raises(Refusal, match="before hello"):
+        members.report("a", wire.StageReport(60.0, "high"), 0.0)
+    assert members.present == {}
+
+
+def test_a_name_that_is_claimed_is_taken_from_who_was_given_it() -> None:
+    members = Members()
+    assert members.admit("a", wire.Hello("console", wire.PROTOCOL_VERSION)) == ["a"]
+    given = members["a"].name
+    claims = wire.Hello("console", wire.PROTOCOL_VERSION, given)
+    assert members.admit("b", claims) == ["b", "a"]
+    assert members.consoles()["b"] == given != members.consoles()["a"]
+
+
+def test_roles_are_told_apart() -> None:
+    members = Members()
+    members.admit("a", HELLO)
+    members.admit("s", wire.Hello("stage", wire.PROTOCOL_VERSION))
+    members.join("o", "OSC")
+    assert (members.consoles(), members.sources()) == ({"a": "Mia"}, {"o": "OSC"})
+    assert members.links_of_page("page") == ["a"]
+    assert members.links_of_page("") == []
+    assert members.now(0.0) == wire.Crew([None], 1)
+
+
+def test_only_a_stage_whose_link_broke_is_missed() -> None:
+    members = Members()
+    members.admit("a", HELLO)
+    members.admit("s", wire.Hello("stage", wire.PROTOCOL_VERSION))
+    for who in ("a", "s"):
+        members.leave(who, lost=5.0)
+    assert members.now(5.0) == wire.Crew([], 0, 1)
+    assert members.now(5.1 + LOST_SECONDS) == wire.Crew([], 0, 0)

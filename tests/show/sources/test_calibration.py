@@ -1,0 +1,80 @@
+"""A performer's measure: rest is nothing, the largest move all, lids are scaled alone, nothing leaves its range."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.perform.frame import Gaze, Head
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
+from omote.show.sources.calibration import AS_IT_IS, Calibration, measure_of
+
+NAMES = ("jawOpen", "eyeBlinkLeft", "eyeBlinkRight", "mouthLeft", "mouthRight")
+sent = st.lists(st.floats(CHANNEL_LOWEST, CHANNEL_HIGHEST), min_size=5, max_size=5).map(np.array)
+calibrations = st.builds(
+    Calibration,
+    st.dictionaries(st.sampled_from(NAMES), st.floats(-0.2, 0.4)),
+    st.dictionaries(st.sampled_from(NAMES), st.floats(0.3, 1.2)),
+    st.booleans(),
+    st.floats(0.0, 0.5),
+    st.floats(-1.0, 1.0),
+    st.floats(0.0, 4.0),
+)
+
+
+def weights(calibration: Calibration, values: list[float]) -> list[float]:
+    found: list[float] = (
+        measure_of(calibration, NAMES).weights(np.array(values), CHANNEL_LOWEST, CHANNEL_HIGHEST).tolist()
+    )
+    return found
+
+
+@given(sent)
+def test_without_a_measure_all_comes_through_unchanged(values: np.ndarray) -> None:
+    assert weights(AS_IT_IS, values.tolist()) == values.tolist()
+
+
+def test_rest_is_nothing_and_the_largest_move_is_all() -> None:
+    measured = Calibration({"jawOpen": 0.1}, {"jawOpen": 0.6})
+    assert weights(measured, [0.1, 0, 0, 0, 0])[0] == 0.0
+    assert weights(measured, [0.6, 0, 0, 0, 0])[0] == pytest.approx(1.0)
+    assert weights(measured, [0.35, 0, 0, 0, 0])[0] == pytest.approx(0.5)
+
+
+def test_lids_are_scaled_and_not_shifted() -> None:
+    measured = Calibration({"eyeBlinkLeft": 0.2}, {"eyeBlinkLeft": 0.8})
+    assert weights(measured, [0, 0.8, 0, 0, 0])[1] == pytest.approx(1.0)
+    assert weights(measured, [0, 0.2, 0, 0, 0])[1] == pytest.approx(0.25)
+
+
+def test_a_mirror_swaps_the_sides_with_their_measures() -> None:
+    mirrored = Calibration({}, {"mouthLeft": 0.5}, mirror=True)
+    assert weights(mirrored, [0.3, 0.1, 0.2, 0.25, 0.75]) == [0.3, 0.2, 0.1, 0.75, 0.5]
+    head, gaze = measure_of(mirrored, NAMES).turn(Head(0.1, 0.2, 0.3), Gaze(0.1, 0.2))
+    assert (head, gaze) == (Head(-0.1, 0.2, -0.3), Gaze(-0.1, 0.2))
+    assert measure_of(AS_IT_IS, NAMES).turn(None, Gaze(0.1)) == (None, Gaze(0.1))
+
+
+def test_a_dead_zone_swallows_trembling_and_the_ends_stay() -> None:
+    dull = Calibration(dead_zone=0.2)
+    assert weights(dull, [0.2, -0.1, 0.6, 1.0, -0.6]) == [0.0, 0.0, pytest.approx(0.5), 1.0, pytest.approx(-0.5)]
+    assert weights(Calibration(curve=1.0), [0.5, 1.0, 0.0, 1.2, 0.0]) == [0.75, 1.0, 0.0, 1.2, 0.0]
+
+
+@given(calibrations, sent, sent)
+def test_what_grows_stays_in_range_and_never_falls(calibration: Calibration, one: np.ndarray, step: np.ndarray) -> None:
+    lower, higher = np.minimum(one, step), np.maximum(one, step)
+    before, after = weights(calibration, lower.tolist()), weights(calibration, higher.tolist())
+    assert all(CHANNEL_LOWEST <= value <= CHANNEL_HIGHEST for value in (*before, *after))
+    assert all(low <= high + 1e-12 for low, high in zip(before, after, strict=True))
+
+
+def test_what_is_out_of_range_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"jawOpen in the largest move of a performer is 3.0"):
+        Calibration(highest={"jawOpen": 3.0})
+    with pytest.raises(ValueError, match=r"the dead zone of a source is 0.7; give a number from 0 to 0.5"):
+        Calibration(dead_zone=0.7)
+    with pytest.raises(ValueError, match=r"the curve of a source is -2.0"):
+        Calibration(curve=-2.0)
+    with pytest.raises(ValueError, match=r"the gain of a source is 9.0"):
+        Calibration(gain=9.0)

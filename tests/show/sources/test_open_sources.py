@@ -1,0 +1,225 @@
+"""Sources of a session: opened once, driven by the frame, routed, measured, and gone with their link."""
+
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+from omote.model.cast import Cast
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+from omote.show.session_snapshot import read_session_snapshot
+from omote.show.wire import encode
+
+DT = 1.0 / 60.0
+
+
+class Show:
+    """A session with a console, a phone and its clock."""
+
+    def __init__(self, cast: Cast) -> None:
+        self.session, self.now, self.calls = ShowSession(cast), 0.0, 0
+        for who in ("console", "phone"):
+            self.session.receive(who, wire.Hello("console", wire.PROTOCOL_VERSION, who), 0.0)
+        self.session.receive("console", wire.AddCharacter("two", "two", "Two", "generic"), 0.0)
+
+    def open(self, kind: wire.StreamKind = "tracker", name: str = "face", who: str = "phone", **more: Any) -> int:
+        more = {"names": ["jawOpen", "smile"], "characters": ["one"], **more}
+        (answer,) = self.session.receive_bytes(who, encode(wire.Source(name, kind, **more)), self.now)
+        assert isinstance(answer.message, wire.SourceIs), answer.message
+        return answer.message.index
+
+    def drive(self, index: int, values: list[float], **more: Any) -> None:
+        frame = wire.Drive(index, np.array(values, "<f4").tobytes(), **more)
+        assert self.session.receive_bytes("phone", encode(frame), self.now) == []
+
+    def play(self, seconds: float, index: int = 0, values: list[float] | None = None, **more: Any) -> wire.State:
+        for _ in range(round(seconds / DT)):
+            if values is not None:
+                self.drive(index, values, **more)
+            self.now += DT
+            state = self.session.tick(self.now)
+        return state
+
+    def change(self, message: Any, who: str = "console") -> None:
+        assert self.session.receive(who, message, self.now) == []
+
+    def refused(self, message: Any, who: str = "phone") -> str:
+        (answer,) = self.session.receive(who, message, self.now)
+        assert isinstance(answer.message, wire.Refused)
+        return answer.message.reason
+
+    def told(self) -> list[wire.SourceState]:
+        self.now += 1.0
+        return self.news()[-1].sources
+
+    def news(self) -> list[wire.Sources]:
+        told = [each.message for each in self.session.hands_now(self.now) if each.who == "console"]
+        return [each for each in told if isinstance(each, wire.Sources)]
+
+
+def jaw(state: wire.State, character: str = "one") -> float:
+    return state.characters[character].channels.get("jawOpen", 0.0)
+
+
+def test_a_source_drives_its_characters_and_no_others(cast: Cast) -> None:
+    show = Show(cast)
+    state = show.play(4.0, show.open(), [0.75, 0.25])
+    assert jaw(state) == pytest.approx(0.75, abs=1e-3)
+    layer = state.characters["one"].layers["tracker"]
+    assert layer.source == "face"
+    assert layer.trust == pytest.approx(1.0, abs=1e-3)
+    assert (jaw(state, "two"), state.characters["two"].layers) == (0.0, {})
+
+
+def test_all_characters_are_driven_by_a_source_for_all(cast: Cast) -> None:
+    show = Show(cast)
+    state = show.play(4.0, show.open(characters=["*"]), [0.75, 0.25])
+    assert jaw(state) == jaw(state, "two") == pytest.approx(0.75, abs=1e-3)
+
+
+def test_a_route_moves_a_source_elsewhere_and_what_it_left_fades(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    show.play(3.0, index, [0.75, 0.25])
+    show.change(wire.RouteSource("r1", "face", ["two"], "playback", ["mouth", "brows", "eyes", "rest"]))
+    state = show.play(6.0, index, [0.75, 0.25])
+    assert [jaw(state), jaw(state, "two")] == pytest.approx([0.0, 0.75], abs=1e-3)
+    assert (state.characters["one"].layers, list(state.characters["two"].layers)) == ({}, ["playback"])
+    assert show.told()[0].characters == ["two"]
+
+
+def test_the_end_of_a_link_is_a_loss(cast: Cast) -> None:
+    show = Show(cast)
+    shown = jaw(show.play(3.0, show.open(), [0.75, 0.25]))
+    show.session.leave("phone")
+    values = [shown, *(jaw(show.play(DT)) for _ in range(300))]
+    assert values[-1] == 0.0
+    assert np.abs(np.diff(values)).max() < 0.03, "it fades out"
+    assert show.told() == []
+
+
+def test_a_source_that_ends_is_gone_and_its_index_too(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    show.play(1.0, index, [0.75, 0.25])
+    show.change(wire.LeaveSource(index), "phone")
+    assert (
+        show.refused(wire.Drive(index, bytes(8)))
+        == f"this link has no source {index}; send source first, source_is has its index."
+    )
+
+
+def test_a_source_of_another_link_cannot_be_driven_nor_its_name_taken(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    assert "this link has no source" in show.refused(wire.Drive(index, bytes(8)), "console")
+    taken = wire.Source("face", "lips", ["smile"])
+    assert show.refused(taken, "console") == "another link sends as face already; choose another name."
+
+
+def test_what_cannot_be_played_is_refused_and_changes_nothing(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    before = show.play(1.0, index, [0.5, 0.0])
+    assert "face sent 4 bytes for 2 channels" in show.refused(wire.Drive(index, bytes(4)))
+    bad = np.array([0.0, np.nan], "<f4").tobytes()
+    assert "smile of face is no number (NaN)" in show.refused(wire.Drive(index, bad))
+    assert "the head's yaw (radians) is 9.0" in show.refused(wire.Drive(index, bytes(8), head=(9.0, 0.0, 0.0)))
+    assert "there is no channel 'gone'" in show.refused(wire.Source("x", "lips", ["gone"]))
+    assert "there is no character 'three'" in show.refused(wire.Source("x", "lips", ["smile"], ["three"]))
+    assert "there is no source 'x'" in show.refused(wire.CalibrateSource("c", "x", "neutral"), "console")
+    assert "there is no layer for a source 'hands'" in show.refused(
+        wire.RouteSource("r", "face", [], "hands"), "console"
+    )
+    assert "is not listened to" in show.refused(wire.CalibrateSource("d", "face", "done"), "console")
+    show.open(name="new")
+    assert "new has not sent a frame yet" in show.refused(wire.CalibrateSource("n", "new", "neutral"), "console")
+    assert jaw(show.play(DT)) >= jaw(before)
+
+
+def test_a_performer_is_measured_and_the_layer_lets_go_meanwhile(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open(performer="Aki")
+    show.play(3.0, index, [0.25, 0.0])
+    show.change(wire.CalibrateSource("n", "face", "neutral"))
+    show.change(wire.CalibrateSource("r", "face", "range"))
+    show.play(0.5, index, [0.75, 0.5])
+    show.change(wire.CalibrateSource("d", "face", "done"))
+    assert show.told()[0].calibrated
+    assert jaw(show.play(6.0, index, [0.5, 0.0])) == pytest.approx(0.5, abs=1e-3)
+    assert jaw(show.play(4.0, index, [0.25, 0.0])) == pytest.approx(0.0, abs=1e-3)
+    show.change(wire.TuneSource("t", "face", mirror=True, dead_zone=0.1, curve=0.0, gain=0.5))
+    assert jaw(show.play(6.0, index, [0.75, 0.0])) == pytest.approx(0.5, abs=1e-3)
+    show.change(wire.CalibrateSource("x", "face", "reset"))
+    assert (show.told()[0].mirror, show.told()[0].calibrated) == (True, False)
+
+
+def test_routes_and_measures_stay_with_the_show(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    show.play(1.0, index, [0.25, 0.0])
+    show.change(wire.CalibrateSource("n", "face", "neutral"))
+    show.change(wire.RouteSource("r", "face", ["two"], "playback"))
+    show.play(0.5, index, [0.25, 0.0])
+    saved = msgspec.msgpack.decode(msgspec.msgpack.encode(show.session.snapshot()))
+    snapshot, _ = read_session_snapshot(saved)
+    assert snapshot == show.session.snapshot()
+    show.session = ShowSession.restored(cast, snapshot, epoch=2)
+    show.session.receive("phone", wire.Hello("console", wire.PROTOCOL_VERSION, "phone"), show.now)
+    show.session.receive("console", wire.Hello("console", wire.PROTOCOL_VERSION, "console"), show.now)
+    index = show.open(characters=[])
+    (told,) = show.told()
+    assert (told.characters, told.layer, told.calibrated) == (["two"], "playback", True)
+    assert jaw(show.play(5.0, index, [1.25, 0.0]), "two") == pytest.approx(1.0, abs=1e-3)
+
+
+def test_a_show_goes_on_bit_for_bit_from_its_snapshot(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    show.play(0.3, index, [0.75, 0.25], head=(0.2, 0.0, 0.0))
+    snapshot, _ = read_session_snapshot(msgspec.msgpack.decode(msgspec.msgpack.encode(show.session.snapshot())))
+    again = ShowSession.restored(cast, snapshot, epoch=1)
+    again.tick(show.now)
+    for n in range(1, 120):
+        state, other = show.session.tick(show.now + n * DT), again.tick(show.now + n * DT)
+        assert other.characters == state.characters
+
+
+def test_a_log_of_messages_replays_bit_for_bit(cast: Cast) -> None:
+    rng = np.random.default_rng(5)
+    shows = Show(cast), Show(cast)
+    for show in shows:
+        show.open(), show.open("lips", "mic", names=["jawOpen"], characters=["*"])
+    for n in range(200):
+        values = rng.random(2).tolist()
+        states = []
+        for show in shows:
+            show.drive(1, values, gaze=(0.1, 0.0) if n % 7 else None)
+            if n % 3 == 0:
+                show.drive(2, values[:1], found=n % 9 != 0)
+            if n % 40 == 0:
+                show.change(wire.SetLayer("one", "tracker", "mouth", values[0]))
+                show.change(wire.SetChannel("one", "smile", values[1]))
+            states.append(encode(show.play(DT)))
+        assert states[0] == states[1]
+
+
+def test_consoles_are_told_once_a_second_and_with_each_change(cast: Cast) -> None:
+    show = Show(cast)
+    assert show.news() == []
+    index = show.open()
+    assert len(show.news()) == 1
+    assert show.news() == []
+    show.play(0.5, index, [0.5, 0.5])
+    (now,) = show.told()
+    assert (now.rate, now.found, now.console, now.kind) == (30, True, "phone", "tracker")
+    show.drive(index, [0.5, 0.5], found=False)
+    assert not show.told()[0].found
+
+
+def test_a_stage_drives_nothing(cast: Cast) -> None:
+    show = Show(cast)
+    show.session.receive("stage", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    assert "only a console plays" in show.refused(wire.Source("x", "lips", ["smile"]), "stage")

@@ -1,0 +1,91 @@
+/** The devices panel: what is at this browser, every source of the show, all bindings, and what came in. */
+
+import { css, html } from "lit";
+import { customElement, query } from "lit/decorators.js";
+import { base } from "../../ui/theme";
+import type { BindingTable } from "./binding_table";
+import { DevicesElement } from "./devices_element";
+import type { ControlPicked } from "./source_list";
+import "./binding_table";
+import "./browser_ports";
+import "./input_lines";
+import "./source_list";
+
+@customElement("omote-devices")
+export class DevicesPanel extends DevicesElement {
+  @query("omote-bindings") private table!: BindingTable;
+
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: grid;
+        grid-template: "ports bindings" auto "sources bindings" minmax(0, 1fr) "sources lines" minmax(0, 0.6fr) / minmax(
+            300px,
+            0.8fr
+          ) minmax(0, 1.4fr);
+        gap: 8px;
+        min-height: 0;
+      }
+      .panel {
+        padding: 10px 12px;
+        min-width: 0;
+        overflow: auto;
+      }
+      omote-browser-ports {
+        grid-area: ports;
+      }
+      omote-sources {
+        grid-area: sources;
+      }
+      omote-bindings {
+        grid-area: bindings;
+      }
+      omote-input-lines {
+        grid-area: lines;
+      }
+      @media (max-width: 899px) {
+        :host {
+          display: block;
+        }
+        .panel {
+          margin-bottom: 8px;
+          overflow: visible;
+        }
+        omote-input-lines {
+          height: 50vh;
+        }
+      }
+    `,
+  ];
+
+  protected override listen(): (() => void)[] {
+    return [];
+  }
+
+  /** The show sends what moves only to pages that show it. */
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.devices.watch(true);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.devices.watch(false);
+  }
+
+  override render() {
+    const { context } = this;
+    return html`
+      <omote-browser-ports class="panel" .context=${context}></omote-browser-ports>
+      <omote-sources class="panel" .context=${context} @bind=${this.#bind}></omote-sources>
+      <omote-bindings class="panel" .context=${context}></omote-bindings>
+      <omote-input-lines class="panel" .context=${context}></omote-input-lines>
+    `;
+  }
+
+  readonly #bind = (event: ControlPicked): void => {
+    const { device, control } = event.detail;
+    this.table.begin(device, control);
+  };
+}

@@ -1,0 +1,95 @@
+/** What came in, and why something was rejected: the newest first, to be filtered and held still. */
+
+import { css, html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import type { InputLine } from "../../link/messages";
+import { base, entry } from "../../ui/theme";
+import { DevicesElement, section } from "./devices_element";
+
+@customElement("omote-input-lines")
+export class InputLines extends DevicesElement {
+  @state() private filter = "";
+  @state() private rejectedAlone = false;
+  /** What is shown while it is held still; null: what comes. */
+  @state() private held: readonly InputLine[] | null = null;
+
+  static override styles = [
+    base,
+    section,
+    css`
+      :host {
+        display: grid;
+        grid-template-rows: auto auto minmax(0, 1fr);
+      }
+      input[type="search"] {
+        ${entry}
+        flex: 1 1 120px;
+        min-height: 26px;
+      }
+      label {
+        display: flex;
+        align-items: center;
+        gap: 4px;
+      }
+      ol {
+        min-height: 60px;
+        margin: 6px 0 0;
+        padding: 0;
+        overflow: auto;
+        list-style: none;
+        font-size: 12px;
+        user-select: text;
+        -webkit-user-select: text;
+      }
+      li {
+        display: grid;
+        grid-template-columns: 62px minmax(60px, 150px) minmax(0, 1fr);
+        gap: 6px;
+        padding: 3px 0;
+        border-top: 1px solid var(--line);
+        overflow-wrap: anywhere;
+      }
+      time,
+      .source {
+        color: var(--dim);
+      }
+    `,
+  ];
+
+  protected override listen(changed: () => void): (() => void)[] {
+    const heard = (): void => {
+      if (this.held === null) changed();
+    };
+    return [this.devices.listen("log", heard)];
+  }
+
+  /** The lines that pass the filter, the newest first. */
+  get shown(): readonly InputLine[] {
+    const wanted = this.filter.trim().toLowerCase();
+    const passes = ({ source, text, rejected }: InputLine): boolean =>
+      (rejected || !this.rejectedAlone) && `${source} ${text}`.toLowerCase().includes(wanted);
+    return (this.held ?? this.devices.lines).filter(passes).toReversed();
+  }
+
+  override render() {
+    const { shown, held } = this;
+    return html`<h2>What came in</h2>
+      <div class="row">
+        <input type="search" placeholder="filter" aria-label="Filter what came in" .value=${this.filter}
+          @input=${(event: Event) => {
+            this.filter = (event.target as HTMLInputElement).value;
+          }} />
+        <label><input type="checkbox" .checked=${this.rejectedAlone} @change=${(event: Event) => {
+          this.rejectedAlone = (event.target as HTMLInputElement).checked;
+        }} />Rejected alone</label>
+        <button data-pause aria-pressed=${held !== null} @click=${() => {
+          this.held = held === null ? this.devices.lines : null;
+        }}>${held === null ? "Pause" : "Go on"}</button>
+      </div>
+      <ol tabindex="0" aria-label="What came in">${shown.map(
+        ({ time, source, text, rejected, count }) => html`<li class=${rejected ? "attention" : ""}>
+          <time>${new Date(time * 1000).toLocaleTimeString([], { hour12: false })}</time><span class="source">${source}</span>
+          <span>${rejected ? "rejected: " : ""}${text}${count > 1 ? html` <b>×${count}</b>` : nothing}</span></li>`,
+      )}${shown.length === 0 ? html`<li><span></span><span></span><span>${this.devices.lines.length === 0 ? "Nothing came yet." : "Nothing of it passes the filter."}</span></li>` : nothing}</ol>`;
+  }
+}

@@ -1,0 +1,102 @@
+/** What a control of a device can play, as an address of OSC, and how people read it. */
+
+import type { BindingDocument } from "../../link/messages";
+import type { Axis } from "../store/axis";
+import type { ConsoleStore } from "../store/console_store";
+import type { Seconds } from "../store/timing";
+
+/** An address with the part of it that is moved (`axis`), or with what a call is given (`arguments`). */
+export type Target = Pick<BindingDocument, "to" | "axis" | "arguments">;
+
+/** What reading a target needs: labels of the cast and of characters. */
+export interface Labels {
+  label(axis: Axis, name: string): string;
+  character(name: string): string;
+}
+
+/** The labels that a console has. */
+export const labelsOf = (store: ConsoleStore): Labels => ({
+  label: (axis, name) => store.label(axis, name),
+  character: (name) => (name === "*" ? "all" : (store.state?.characters[name]?.label ?? name)),
+});
+
+const ROOT = "/omote";
+
+/** Characters as an address names them: one, all, or those in braces. */
+export const whoOf = (names: readonly string[]): string =>
+  names.length === 1 ? (names[0] as string) : `{${names.join(",")}}`;
+
+const moved = (who: string, path: string, axis = ""): Target => ({ to: `${ROOT}/${who}/${path}`, axis, arguments: [] });
+
+export const channelTarget = (who: string, name: string): Target => moved(who, `channel/${name}`);
+export const barTarget = (who: string, axis: Axis): Target => moved(who, `fade/${axis}`);
+export const layerTarget = (who: string, layer: string, part: string | null): Target =>
+  moved(who, part === null ? `layer/${layer}` : `layer/${layer}/${part}`);
+export const directionTarget = (who: string, what: "head" | "gaze", part: string): Target => moved(who, what, part);
+export const panicTarget = (who: string): Target => moved(who, "panic");
+export const releaseTarget = (who: string, axis: Axis): Target => moved(who, `release/${axis}`);
+export const lightTarget = (name: string, seconds: number): Target => ({
+  to: `${ROOT}/light`,
+  axis: "",
+  arguments: [name, seconds],
+});
+
+/** A call of a face or an expression; without seconds it is by hand. */
+export const callTarget = (who: string, axis: Axis, name: string, seconds: Seconds): Target => ({
+  to: `${ROOT}/${who}/${axis}`,
+  axis: "",
+  arguments: [name, seconds ?? "hand"],
+});
+
+/** Equal for targets that play the same; the seconds of a call do not count. */
+export const targetKey = ({ to, axis, arguments: [name] }: Target): string => JSON.stringify([to, axis, name ?? ""]);
+
+/** Whether a fader moves it; a key alone plays the rest. */
+export const isLevel = ({ to }: Pick<Target, "to">): boolean =>
+  /\/(channel\/[^/]+|layer\/[^/]+(\/[^/]+)?|head|gaze|fade\/\w+|place)$/.test(to);
+
+/** The character of an address, "" for what is the whole show's. */
+export function characterOf(to: string): string {
+  const [, , who, ...rest] = to.split("/");
+  return rest.length > 0 ? (who ?? "") : "";
+}
+
+/** What a target does, without whom it plays. */
+export function targetLabel(target: Target, labels: Pick<Labels, "label">): string {
+  if (target.to.startsWith("bank:")) return `turn to bank ${target.to.slice("bank:".length)}`;
+  const [, , ...path] = target.to.split("/");
+  const [what = "", name = "", part = ""] = characterOf(target.to) === "" ? path : path.slice(1);
+  const [called, seconds] = target.arguments;
+  const time = seconds === undefined ? "" : typeof seconds === "number" ? `, ${seconds} s` : ", by hand";
+  if (what === "channel") return labels.label("expression", name);
+  if (what === "layer") return `influence of ${name}${part === "" ? "" : ` on ${part}`}`;
+  if (what === "fade") return `${name} T-bar`;
+  if (what === "release") return `let go of the ${name} T-bar`;
+  if (what === "face" || what === "expression") return `${what} ${labels.label(what, String(called))}${time}`;
+  if (called !== undefined) return `${what} ${called}${time}`;
+  return target.axis === "" ? what : `${what} ${target.axis}`;
+}
+
+/** The same with whom it plays. */
+export function targetText(target: Target, labels: Labels): string {
+  const who = characterOf(target.to);
+  return who === "" ? targetLabel(target, labels) : `${targetLabel(target, labels)} of ${labels.character(who)}`;
+}
+
+/** A control's name where there is little room: `cc7`, `n60`, `b3`. */
+export function shortControl(control: string): string {
+  return control
+    .replace(/^1\//, "")
+    .replace(/\b(note|button|axis|trigger|program)(?=\d)/, (word) => word[0] as string)
+    .replace("pressure", "prs");
+}
+
+/** Bindings by what they play, as `targetKey` tells it apart. */
+export function bindingsByTarget(
+  bindings: readonly BindingDocument[],
+  key: (binding: BindingDocument) => string = targetKey,
+): ReadonlyMap<string, readonly BindingDocument[]> {
+  const found = new Map<string, BindingDocument[]>();
+  for (const binding of bindings) found.set(key(binding), [...(found.get(key(binding)) ?? []), binding]);
+  return found;
+}

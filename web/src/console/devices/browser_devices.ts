@@ -1,0 +1,205 @@
+/** The devices at this browser, told to the show: which there are, what they send, and what the browser lets us have. */
+
+import type { DeviceState, FromClient } from "../../link/messages";
+import { TopicStore } from "../../link/topics";
+import { ByteBatches } from "./byte_batches";
+import { type BrowserStore, DeviceNames, storedObject, storeObject } from "./device_names";
+import { Gamepads, type PadState } from "./gamepads";
+import { type DeviceKind, MidiPorts } from "./midi_ports";
+import { type Hid, SpaceMice } from "./space_mice";
+
+/** What a browser offers; what it has not is left out. `secure`: https, or this machine itself. */
+export interface Browser {
+  readonly secure: boolean;
+  readonly store: BrowserStore;
+  readonly requestMidi: (() => Promise<MIDIAccess>) | null;
+  readonly gamepads: (() => readonly (PadState | null)[]) | null;
+  readonly hid: Hid | null;
+  readonly now: () => number;
+  readonly later: (call: () => void, milliseconds: number) => void;
+}
+
+/** Whether devices of a kind are heard here: `insecure` and `missing`: they cannot be, `denied`: the browser refused. */
+export type Hearing = "off" | "asking" | "on" | "denied" | "missing" | "insecure";
+
+const KEY = "omote devices";
+
+export class BrowserDevices extends TopicStore<"devices"> {
+  readonly hearing: Record<DeviceKind, Hearing>;
+  /** What is plugged in at this browser, and for each that the show does not take from here the reason. */
+  readonly here = new Map<string, { readonly kind: DeviceKind; refused: string | null }>();
+  /** Asked for, and not rejected yet: the device by the id of the message. */
+  readonly #plugs = new Map<string, string>();
+  readonly #midi: MidiPorts;
+  readonly #pads: Gamepads;
+  readonly #mice: SpaceMice | null;
+  readonly #batches: ByteBatches;
+  #online = false;
+  #hidden = false;
+  #count = 0;
+
+  constructor(
+    private readonly browser: Browser,
+    private readonly send: (message: FromClient) => void,
+    private readonly id: string,
+  ) {
+    super();
+    const names = new DeviceNames(browser.store);
+    const may = (found: unknown, safe: boolean): Hearing =>
+      safe && !browser.secure ? "insecure" : found === null ? "missing" : "off";
+    this.hearing = {
+      midi: may(browser.requestMidi, true),
+      gamepad: may(browser.gamepads, false),
+      space_mouse: may(browser.hid, true),
+    };
+    this.#batches = new ByteBatches(this.#sendBytes, browser.now, browser.later);
+    this.#midi = new MidiPorts(names, this, (device, data) => this.#batches.add(device, data));
+    this.#mice = browser.hid === null ? null : new SpaceMice(names, this, this.#moved, browser.hid);
+    const passed = (pad: PadState): boolean =>
+      this.#mice?.has(pad.id.replace(/.*Vendor: (\w{4}) Product: (\w{4}).*/i, "$1:$2")) ?? false;
+    this.#pads = new Gamepads(names, this, this.#moved, browser.gamepads ?? (() => []), passed);
+  }
+
+  /** Hears again what was heard the last time; gamepads need no permission. */
+  async start(): Promise<void> {
+    const kept = storedObject(this.browser.store, KEY);
+    if (kept.gamepad !== false && this.hearing.gamepad === "off") this.#set("gamepad", "on");
+    if (kept.midi === true) await this.hear("midi", true);
+    if (kept.space_mouse === true && this.hearing.space_mouse === "off" && ((await this.#mice?.open()) ?? 0) > 0)
+      this.#set("space_mouse", "on");
+  }
+
+  /** Hears devices of a kind from now on, or no more; the browser may ask the operator. */
+  async hear(kind: DeviceKind, on: boolean): Promise<void> {
+    if (this.hearing[kind] === "missing" || this.hearing[kind] === "insecure") return;
+    storeObject(this.browser.store, KEY, { ...storedObject(this.browser.store, KEY), [kind]: on });
+    if (kind === "midi") await (on ? this.#openMidi() : this.#close("midi", () => this.#midi.close()));
+    else if (kind === "space_mouse") await (on ? this.#openMice() : this.#close(kind, () => this.#mice?.close()));
+    else if (on) this.#set("gamepad", "on");
+    else this.#close("gamepad", () => this.#pads.close());
+  }
+
+  /** Looks at what tells of no change by itself: each frame. */
+  look(): void {
+    if (this.hearing.gamepad === "on" && !this.#hidden) this.#pads.look();
+    this.#mice?.look();
+  }
+
+  /** The page is out of sight, where browsers freeze gamepads: what was held is let go, and another page can have them. */
+  hide(hidden: boolean): void {
+    if (hidden === this.#hidden) return;
+    this.#hidden = hidden;
+    if (hidden) this.#pads.close();
+  }
+
+  /** The link came up, where the show knows of none of our devices, or was lost. */
+  setOnline(online: boolean): void {
+    this.#online = online;
+    this.#plugs.clear();
+    if (online) for (const [device, { kind }] of this.here) this.#plug(device, kind);
+  }
+
+  /** What is plugged in anywhere: what another page had and has no more is taken from here. */
+  receive(devices: readonly DeviceState[]): void {
+    for (const [device, here] of this.here)
+      if (here.refused !== null && !devices.some(({ name, plugged }) => name === device && plugged))
+        this.#plug(device, here.kind);
+  }
+
+  /** A message was rejected; whether it was one from here. */
+  receiveRefused(reason: string, id: string): boolean {
+    const device = this.#plugs.get(id);
+    if (device === undefined) return false;
+    this.#plugs.delete(id);
+    const here = this.here.get(device);
+    if (here !== undefined) here.refused = reason;
+    this.tell("devices");
+    return true;
+  }
+
+  /** The show sends something to a device. */
+  receiveBytes(device: string, data: Uint8Array): void {
+    this.#midi.send(device, data);
+  }
+
+  plugged(device: string, kind: DeviceKind): void {
+    this.here.set(device, { kind, refused: null });
+    if (this.#online) this.#plug(device, kind);
+    this.tell("devices");
+  }
+
+  unplugged(device: string): void {
+    this.#batches.forget(device);
+    if (this.#heard(device)) this.send({ type: "unplug", device });
+    this.here.delete(device);
+    this.tell("devices");
+  }
+
+  #plug(device: string, kind: DeviceKind): void {
+    this.#count += 1;
+    const id = `${this.id}-plug-${this.#count}`;
+    this.#plugs.set(id, device);
+    this.here.set(device, { kind, refused: null });
+    this.send({ type: "plug", device, kind, id });
+    this.tell("devices");
+  }
+
+  /** Whether the show hears a device from here. */
+  #heard(device: string): boolean {
+    return this.#online && this.here.get(device)?.refused === null;
+  }
+
+  readonly #sendBytes = (device: string, data: Uint8Array): void => {
+    if (this.#heard(device)) this.send({ type: "midi_bytes", device, data });
+  };
+
+  readonly #moved = (device: string, values: Record<string, number>): void => {
+    if (this.#heard(device)) this.send({ type: "controls", device, values });
+  };
+
+  async #openMidi(): Promise<void> {
+    if (this.hearing.midi === "on" || this.browser.requestMidi === null) return;
+    this.#set("midi", "asking");
+    try {
+      this.#midi.open(await this.browser.requestMidi());
+      this.#set("midi", "on");
+    } catch {
+      this.#set("midi", "denied");
+    }
+  }
+
+  async #openMice(): Promise<void> {
+    this.#set("space_mouse", "asking");
+    try {
+      const found = (await this.#mice?.ask()) ?? 0;
+      this.#set("space_mouse", found > 0 ? "on" : "off");
+    } catch {
+      this.#set("space_mouse", "denied");
+    }
+  }
+
+  #close(kind: DeviceKind, close: () => void): void {
+    close();
+    this.#set(kind, "off");
+  }
+
+  #set(kind: DeviceKind, hearing: Hearing): void {
+    this.hearing[kind] = hearing;
+    this.tell("devices");
+  }
+}
+
+/** This browser. */
+export function thisBrowser(): Browser {
+  const { hid } = navigator as Navigator & { hid?: Hid };
+  const midi = isSecureContext && "requestMIDIAccess" in navigator;
+  return {
+    secure: isSecureContext,
+    store: () => localStorage,
+    requestMidi: midi ? () => navigator.requestMIDIAccess({ sysex: false }) : null,
+    gamepads: "getGamepads" in navigator ? () => navigator.getGamepads() : null,
+    hid: hid ?? null,
+    now: () => performance.now(),
+    later: (call, milliseconds) => setTimeout(call, milliseconds),
+  };
+}

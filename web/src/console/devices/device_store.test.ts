@@ -1,0 +1,94 @@
+import { expect, it } from "vitest";
+import type { BindingDocument, FromClient } from "../../link/messages";
+import { TopicStore } from "../../link/topics";
+import type { Step } from "../store/undo_history";
+import { FIRST_BINDING } from "./binding_fields";
+import { channelTarget } from "./binding_target";
+import { DeviceStore, stepOf } from "./device_store";
+
+class Host extends TopicStore<"link"> {
+  online = true;
+  said: string[] = [];
+  steps: [string, Step][] = [];
+
+  label(_: string, name: string): string {
+    return name;
+  }
+
+  say(notice: string): void {
+    this.said.push(notice);
+  }
+
+  offerUndo(done: string, step: Step): void {
+    this.steps.push([done, step]);
+  }
+}
+
+function store() {
+  const [host, sent] = [new Host(), [] as FromClient[]];
+  return { host, sent, made: new DeviceStore(host, (message) => sent.push(message), "page") };
+}
+
+const binding = (control: string): BindingDocument => ({
+  ...FIRST_BINDING,
+  device: "Dial",
+  control,
+  to: "/omote/one/channel/jawOpen",
+});
+const idOf = (message: FromClient | undefined): string => (message as { id: string }).id;
+
+it("offers to take back what it has bound, once the show has done it", () => {
+  const { host, sent, made } = store();
+  made.bind(binding("1/cc7"));
+  expect(host.steps).toEqual([]);
+  made.receive({ type: "bindings_changed", id: "somebody else's", added: [binding("1/cc8")], removed: [] });
+  made.receive({ type: "bindings_changed", id: idOf(sent[0]), added: [binding("1/cc7")], removed: [] });
+  expect(host.steps.map(([done]) => done)).toEqual(["Bound: Dial 1/cc7 plays jawOpen."]);
+  expect(host.steps[0]?.[1].undo).toEqual([{ type: "unbind", binding: binding("1/cc7") }]);
+});
+
+it("names what it has learned, and stops to learn", () => {
+  const { host, sent, made } = store();
+  const target = channelTarget("one", "jawOpen");
+  made.learn(target);
+  expect(sent[0]).toMatchObject({ type: "learn", to: "/omote/one/channel/jawOpen", axis: "", arguments: [], bank: "" });
+  made.stopLearning(); // the show has not said that it learns
+  const learning = { id: "a", who: "Left", ...target };
+  made.receive({ type: "binding_list", bindings: [], fixed: [], presets: [], learning });
+  made.receive({ type: "bindings_changed", id: idOf(sent[0]), added: [binding("1/cc7")], removed: [] });
+  made.stopLearning();
+  expect(host.steps.map(([done]) => done)).toEqual(["Bound: Dial 1/cc7 plays jawOpen."]);
+  expect(sent.slice(1)).toMatchObject([{ type: "learn", to: "" }]);
+});
+
+it("says why something was rejected, and that nothing goes over a lost link", () => {
+  const { host, sent, made } = store();
+  made.unbind(binding("1/cc7"));
+  expect(made.receiveRefused("No such binding.", "another")).toBe(false);
+  expect(made.receiveRefused("No such binding.", idOf(sent[0]))).toBe(true);
+  host.online = false;
+  made.unbind(binding("1/cc7"));
+  made.chooseBank("Dial", "a");
+  expect([host.said.length, sent.length, host.said[0]]).toEqual([3, 1, "No such binding."]);
+});
+
+it("asks again to be told when the link is back", () => {
+  const { host, sent, made } = store();
+  made.watch(true);
+  host.online = false;
+  made.setOnline(false);
+  host.online = true;
+  made.setOnline(true);
+  made.watch(false);
+  expect(sent.map((message) => message.type === "watch_devices" && message.on)).toEqual([true, true, false]);
+});
+
+it("makes of each change one that takes it back, and one that does it again", () => {
+  const [old, one, other] = [binding("a"), binding("b"), binding("c")];
+  const edited = stepOf("edit", [one], [old]);
+  expect(edited.undo).toEqual([{ type: "bind", binding: old, replaces: one }]);
+  expect(edited.redo).toEqual([{ type: "bind", binding: one, replaces: old }]);
+  const loaded = stepOf("preset", [one, other], [old]);
+  expect(loaded.undo.map(({ type }) => type)).toEqual(["unbind", "unbind", "bind"]);
+  expect(loaded.redo.map(({ type }) => type)).toEqual(["unbind", "bind", "bind"]);
+});

@@ -1,0 +1,141 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import { LAYER_PARTS } from "../../link/constants";
+import type { CharacterState, FromClient, LayerState, SourceState, State } from "../../link/messages";
+import { ConsoleStore } from "../store/console_store";
+import { LayerCommands, withCharacter } from "./layer_commands";
+
+const SET: LayerState = {
+  influence: [1, 0.5, 0.2, 0, 1, 1],
+  on: false,
+  trust: 1,
+  source: "phone",
+  share: 1,
+  strongest: {},
+};
+const character = (layers: CharacterState["layers"]): CharacterState =>
+  ({
+    label: "One",
+    presence: 1,
+    panics: 0,
+    face_call: null,
+    expression_call: null,
+    home_face: "generic",
+    regions: {},
+    channels: {},
+    held: null,
+    layers,
+  }) as never;
+const SOURCE: SourceState = {
+  name: "phone",
+  kind: "tracker",
+  console: "",
+  characters: ["one"],
+  layer: "tracker",
+  regions: ["mouth"],
+  performer: "phone",
+  rate: 30,
+  found: true,
+  calibrated: false,
+  ranging: false,
+  mirror: false,
+  dead_zone: 0.1,
+  curve: 0,
+  gain: 1,
+};
+
+let sent: FromClient[];
+let store: ConsoleStore;
+let commands: LayerCommands;
+
+beforeEach(() => {
+  sent = [];
+  store = new ConsoleStore(
+    (message) => sent.push(message),
+    () => 0,
+    "a",
+  );
+  commands = new LayerCommands(store);
+  store.setOnline(true);
+  store.receiveState({ characters: { one: character({ tracker: SET }), two: character({}) } } as unknown as State);
+  store.play(["one", "two"]);
+});
+
+/** What was sent, without the ids. */
+function said(): unknown[] {
+  store.flush();
+  return sent.splice(0).map((message) => ({ ...message, id: undefined }));
+}
+
+describe("a layer", () => {
+  const layer = (name: string, change: object) => ({
+    type: "set_layer",
+    character: name,
+    layer: "tracker",
+    region: null,
+    influence: null,
+    on: null,
+    id: undefined,
+    ...change,
+  });
+
+  it("is switched as the first one played is not, and taken back to what each was", () => {
+    commands.switch("tracker");
+    expect(said()).toEqual([layer("one", { on: true }), layer("two", { on: true })]);
+    store.undo();
+    expect(said()).toEqual([layer("one", { on: false }), layer("two", { on: true })]);
+    store.redo();
+    expect(said()).toEqual([layer("one", { on: true }), layer("two", { on: true })]);
+  });
+
+  it("shows again as at first in every part, and as before once that is taken back", () => {
+    store.play(["one"]);
+    commands.reset("tracker");
+    expect(said()).toEqual(LAYER_PARTS.map((region) => layer("one", { region, influence: 1 })));
+    store.undo();
+    expect(said()).toEqual(LAYER_PARTS.map((region, at) => layer("one", { region, influence: SET.influence[at] })));
+  });
+
+  it("is faded on the whole and by part, one message a frame", () => {
+    store.play(["one"]);
+    for (const value of [0.8, 0.4]) store.layer("tracker", null).grip(value);
+    store.layer("tracker", "mouth").nudge(0.6);
+    expect(said()).toEqual([layer("one", { influence: 0.4 }), layer("one", { region: "mouth", influence: 0.6 })]);
+    expect(store.layer("tracker", "mouth").control).toBe("set_layer:tracker:mouth");
+    store.receiveHands({ "one/set_layer:tracker": "Ben" });
+    expect(store.otherOn(store.layer("tracker", null))).toBe("Ben");
+  });
+});
+
+describe("a source", () => {
+  const route = { type: "route_source", source: "phone", characters: ["one"], layer: "tracker", regions: ["mouth"] };
+  const tuning = { type: "tune_source", source: "phone", mirror: false, dead_zone: 0.1, curve: 0, gain: 1 };
+
+  it("is routed elsewhere in the same parts, and back", () => {
+    commands.route(SOURCE, { characters: ["one", "two"] });
+    expect(said()).toEqual([{ ...route, characters: ["one", "two"] }]);
+    store.undo();
+    expect(said()).toEqual([route]);
+    commands.route(SOURCE, { layer: "playback" });
+    expect(said()).toEqual([{ ...route, layer: "playback" }]);
+  });
+
+  it("is tuned in one thing alone, and back", () => {
+    commands.tune(SOURCE, { mirror: true });
+    expect(said()).toEqual([{ ...tuning, mirror: true }]);
+    store.undo();
+    expect(said()).toEqual([tuning]);
+  });
+
+  it("is measured without a way back", () => {
+    commands.calibrate(SOURCE, "neutral");
+    expect(said()).toEqual([{ type: "calibrate_source", source: "phone", step: "neutral" }]);
+    expect(store.history.next("undo")).toBeNull();
+    expect(store.notice).toContain("at rest");
+  });
+});
+
+it("a press on a character takes it into a route, or out of it, also of all", () => {
+  expect(withCharacter(["one"], "two", ["one", "two"])).toEqual(["one", "two"]);
+  expect(withCharacter(["*"], "two", ["one", "two"])).toEqual(["one"]);
+  expect(withCharacter(["one"], "one", ["one", "two"])).toEqual([]);
+});

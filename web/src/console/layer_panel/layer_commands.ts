@@ -1,0 +1,120 @@
+/** What an operator does to layers and to what feeds them, each to be taken back where it can be. */
+
+import { LAYER_PARTS } from "../../link/constants";
+import type { CalibrateSource, SourceState } from "../../link/messages";
+import { firstInfluence, type LayerName, layerOf } from "../layers/layer_state";
+import type { ConsoleStore } from "../store/console_store";
+import type { Change } from "../store/undo_history";
+
+/** Layer names as people read them. */
+export const layerLabel = (layer: LayerName): string => `${layer[0]?.toUpperCase()}${layer.slice(1)}`;
+
+/** How a source is read. */
+export type Tuning = Pick<SourceState, "mirror" | "dead_zone" | "curve" | "gain">;
+/** Whom a source drives, and on which layer. */
+export type Route = Pick<SourceState, "characters" | "layer" | "regions">;
+
+/** The characters of a route after a press on one: in it or not any more. */
+export const withCharacter = (characters: readonly string[], one: string, all: readonly string[]): string[] => {
+  const now = characters.includes("*") ? all : characters;
+  return now.includes(one) ? now.filter((other) => other !== one) : [...now, one];
+};
+
+export class LayerCommands {
+  constructor(private readonly store: ConsoleStore) {}
+
+  /** Switches a layer of those that are played on or off, as the first of them is not. */
+  switch(layer: LayerName): void {
+    const { air } = this.store;
+    if (air === null) return;
+    const on = !layerOf(air, layer).on;
+    const to = (wanted: (was: boolean) => boolean): Change[] =>
+      this.#each(([character, was]) => [switched(character, layer, wanted(was))], layer);
+    this.#do(`${layerLabel(layer)} is ${on ? "on" : "off"}.`, `switch ${layer} ${on ? "on" : "off"}`, {
+      undo: to((was) => was),
+      redo: to(() => on),
+    });
+  }
+
+  /** The influence of a layer as it was at first, in every part. */
+  reset(layer: LayerName): void {
+    const to = (wanted: (influence: readonly number[]) => readonly number[]): Change[] =>
+      this.#each(
+        ([character, , influence]) =>
+          wanted(influence).map((value, at) => influenced(character, layer, LAYER_PARTS[at] ?? null, value)),
+        layer,
+      );
+    this.#do(`${layerLabel(layer)} shows as at first.`, `reset ${layer}`, {
+      undo: to((influence) => influence),
+      redo: to(() => firstInfluence(layer)),
+    });
+  }
+
+  /** Whom a source drives, on which layer. */
+  route(source: SourceState, change: Partial<Route>): void {
+    const to = ({ characters, layer, regions }: Route): Change[] => [
+      { type: "route_source", source: source.name, characters, layer, regions },
+    ];
+    const does = change.layer === undefined ? "drives others now" : `drives ${change.layer} now`;
+    this.#do(`${source.name} ${does}.`, `route ${source.name}`, {
+      undo: to(source),
+      redo: to({ ...source, ...change }),
+    });
+  }
+
+  /** How a source is read. */
+  tune(source: SourceState, change: Partial<Tuning>): void {
+    const to = ({ mirror, dead_zone, curve, gain }: Tuning): Change[] => [
+      { type: "tune_source", source: source.name, mirror, dead_zone, curve, gain },
+    ];
+    this.#do(`${source.name} is read otherwise.`, `tune ${source.name}`, {
+      undo: to(source),
+      redo: to({ ...source, ...change }),
+    });
+  }
+
+  /** Measures the performer before a source: the show does not keep the measure of before, so it is not taken back. */
+  calibrate({ name }: SourceState, step: CalibrateSource["step"]): void {
+    if (this.store.ask({ type: "calibrate_source", source: name, step }))
+      this.store.say(CALIBRATED[step](name), "done");
+  }
+
+  /** Changes for each character that is played; its name, its switch and its influence are given. */
+  #each(make: (of: readonly [string, boolean, readonly number[]]) => Change[], layer: LayerName): Change[] {
+    const characters = this.store.state?.characters ?? {};
+    return this.store.played.names.flatMap((name) => {
+      const character = characters[name];
+      if (character === undefined) return [];
+      const { on, influence } = layerOf(character, layer);
+      return make([name, on, influence]);
+    });
+  }
+
+  #do(done: string, what: string, { undo, redo }: Record<"undo" | "redo", Change[]>): void {
+    const step = { what, undo, redo };
+    if (redo.length > 0 && this.store.takeStep(step, "redo", () => undefined)) this.store.offerUndo(done, step);
+  }
+}
+
+const switched = (character: string, layer: LayerName, on: boolean): Change => ({
+  type: "set_layer",
+  character,
+  layer,
+  region: null,
+  influence: null,
+  on,
+});
+
+const influenced = (
+  character: string,
+  layer: LayerName,
+  region: (typeof LAYER_PARTS)[number] | null,
+  influence: number,
+): Change => ({ type: "set_layer", character, layer, region, influence, on: null });
+
+const CALIBRATED: Readonly<Record<CalibrateSource["step"], (name: string) => string>> = {
+  neutral: (name) => `What ${name} sends now is the face at rest.`,
+  range: (name) => `${name} is listened to: make your largest faces, then press Done.`,
+  done: (name) => `The largest faces of ${name} are known.`,
+  reset: (name) => `${name} is read as it sends.`,
+};

@@ -1,0 +1,123 @@
+/** The fader of a layer's influence: on the whole, or on one part of the character. */
+
+import { css, html } from "lit";
+import { customElement, property, query } from "lit/decorators.js";
+import { LAYER_PARTS } from "../../link/constants";
+import { type Drag, onArrows, onDrag, onWheel } from "../../ui/gestures";
+import { base } from "../../ui/theme";
+import { stepped, UNIT, within } from "../../ui/travel";
+import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { faderStyle } from "../controls/fader_style";
+import { otherStyle, paintOther } from "../controls/other_hand";
+import { firstInfluence, type LayerName, type LayerPart, layerOf } from "../layers/layer_state";
+import type { Knob } from "../store/knob";
+import { LayerCommands } from "./layer_commands";
+
+const STEP = 0.05;
+
+/** 0..1; the red column beside the whole is how much of the layer is on air. */
+@customElement("omote-layer-fader")
+export class LayerFader extends AnimatedElement {
+  @property() layer: LayerName = "emotion";
+  /** `null`: the whole. */
+  @property({ attribute: false }) region: LayerPart | null = null;
+  @query(".slot") private slotElement!: HTMLElement;
+  @query(".share") private share!: HTMLElement;
+  @query(".carrier") private carrier!: HTMLElement;
+  @query(".number") private number!: HTMLElement;
+  @query(".other") private other!: HTMLElement;
+  readonly #written = new StyleWriter();
+  #travel = 0;
+  #era = 0;
+
+  static override styles = [
+    base,
+    faderStyle,
+    css`
+      .number {
+        color: var(--dim);
+      }
+      .share {
+        position: absolute;
+        left: 50%;
+        width: 4px;
+        margin-left: -2px;
+        bottom: 0;
+        height: 100%;
+        transform-origin: bottom;
+        transform: scaleY(0);
+        background: var(--air);
+      }
+    `,
+    otherStyle,
+  ];
+
+  override render() {
+    const what = this.region === null ? "" : `, ${this.region}`;
+    return html`<div class="number"></div>
+      <div class="slot" role="slider" tabindex="0" aria-orientation="vertical" aria-valuemin="0" aria-valuemax="1"
+        aria-label="Influence of ${this.layer}${what}" data-layer=${this.layer} data-part=${this.region ?? ""}>
+        <div class="groove"></div>
+        <div class="share"></div>
+        <div class="carrier"></div>
+        <span class="other"></span>
+      </div>`;
+  }
+
+  override firstUpdated(): void {
+    onDrag(this.slotElement, this.#drag());
+    onWheel(this.slotElement, (steps) => this.#step(steps));
+    onArrows(
+      this.slotElement,
+      (dx, dy) => this.#step(dx + dy),
+      () => this.#rest(),
+    );
+  }
+
+  get #knob(): Knob {
+    return this.store.layer(this.layer, this.region);
+  }
+
+  #drag(): Drag {
+    const read = (): void => {
+      this.#travel = this.#knob.value(performance.now());
+    };
+    return {
+      start: () => {
+        this.#era = this.store.era;
+        read();
+      },
+      move: (_dx, dy) => {
+        if (this.#era !== this.store.era || dy === 0) return;
+        if (!this.#knob.gripped()) read();
+        this.#travel = within(this.#travel + dy, UNIT);
+        this.#knob.grip(this.#travel);
+      },
+      end: () => this.#knob.leave(),
+      double: () => this.#rest(),
+    };
+  }
+
+  #step(steps: number): void {
+    this.#knob.nudge(stepped(this.#knob.value(performance.now()), steps * STEP, UNIT));
+  }
+
+  /** As at first. */
+  #rest(): void {
+    if (this.region === null) new LayerCommands(this.store).reset(this.layer);
+    else this.#knob.nudge(firstInfluence(this.layer)[LAYER_PARTS.indexOf(this.region)] ?? 1);
+  }
+
+  paint(now: number): void {
+    const { air } = this.store;
+    if (air === null || this.offsetParent === null) return;
+    const write = this.#written;
+    const influence = this.#knob.value(now);
+    write.style(this.carrier, "transform", `translateY(${-100 * influence}%)`);
+    write.text(this.number, String(Math.round(100 * influence)));
+    write.attribute(this.slotElement, "aria-valuenow", influence.toFixed(2));
+    const share = this.region === null ? layerOf(air, this.layer).share : 0;
+    write.style(this.share, "transform", `scaleY(${share.toFixed(3)})`);
+    paintOther(write, this.other, this.store, this.#knob, now);
+  }
+}

@@ -1,0 +1,170 @@
+/** The layers of the character that is played, as a mixer in the place of faders and pads. */
+
+import { html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { LAYER_PARTS, LAYERS } from "../../link/constants";
+import type { CharacterState } from "../../link/messages";
+import { base } from "../../ui/theme";
+import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { feedWords, followTrend, isDriven, type LayerName, layerOf, type Trend } from "../layers/layer_state";
+import type { Topic } from "../store/page_store";
+import { LayerCommands, layerLabel } from "./layer_commands";
+import { style } from "./layer_panel_style";
+import "./layer_fader";
+import "./source_settings";
+
+/** What a layer is, and how it adds to those below it. */
+const TITLES: Readonly<Record<LayerName, string>> = {
+  breath: "A little is added to all below",
+  gaze: "Takes the place of the gaze below",
+  emotion: "What is called: faces' expressions",
+  blink: "Closes what is open",
+  tracker: "A performer's face, in the place of what is below",
+  lips: "Speech, in the place of what is below",
+  playback: "A recording or a program, in the place of what is below",
+  hands: "Faders and pads, in the place of all below",
+};
+const ROWS = [0, 1, 2];
+
+/** A strip for each layer, the lowest first; beside them the parts and the sources of one. Tells `close`. */
+@customElement("omote-layer-panel")
+export class LayerPanel extends AnimatedElement {
+  /** The layer whose parts and sources are shown; `null`: the first that a source drives. */
+  @state() private chosen: LayerName | null = null;
+  readonly #trends = new Map<string, Trend>();
+  readonly #written = new StyleWriter();
+  #seen: LayerName | null = null;
+
+  static override styles = [base, style];
+
+  protected override topics(): readonly Topic[] {
+    return ["cast", "characters", "link", "sources"];
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.addEventListener("keydown", this.#key);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.removeEventListener("keydown", this.#key);
+  }
+
+  get #shown(): LayerName {
+    return this.chosen ?? this.store.sources[0]?.layer ?? "emotion";
+  }
+
+  get #commands(): LayerCommands {
+    return new LayerCommands(this.store);
+  }
+
+  override render() {
+    const label = this.store.air?.label ?? "";
+    return html`<div class="strips" role="region" aria-label="Layers of ${label}">${LAYERS.map((layer) => this.#strip(layer))}</div>
+      <section class="detail">
+        <header><h2>${layerLabel(this.#shown)}</h2><span class="of">${label}</span>
+          <button class="reset" title="Its influence as at first" @click=${() => this.#commands.reset(this.#shown)}>Reset</button>
+          <button class="close" aria-label="Close the layers" @click=${this.#close}>Close</button></header>
+        ${this.#parts()} ${this.#sources()}
+      </section>`;
+  }
+
+  #strip(layer: LayerName) {
+    return html`<div class="strip" data-layer=${layer}>
+      <button class="name" aria-pressed=${layer === this.#shown} title="${TITLES[layer]}; its parts and sources"
+        @click=${() => this.#choose(layer)}>${layerLabel(layer)}</button>
+      <div class="feed"></div>
+      <div class="play">
+        <omote-layer-fader .context=${this.context} .layer=${layer}></omote-layer-fader>
+        <div class="bars" aria-label="What ${layer} does now">${ROWS.map(() => html`<div class="bar"><i></i><span></span></div>`)}</div>
+      </div>
+      <button class="on" aria-pressed="true" aria-label="${layerLabel(layer)} on" @click=${() => this.#commands.switch(layer)}>On</button>
+    </div>`;
+  }
+
+  /** What is chosen is in sight, also where strips scroll sideways. */
+  override updated(): void {
+    const strip = this.renderRoot.querySelector(`.strip[data-layer=${this.#shown}]`);
+    if (this.#seen !== this.#shown) strip?.scrollIntoView({ block: "nearest", inline: "nearest" });
+    this.#seen = this.#shown;
+  }
+
+  #choose(layer: LayerName): void {
+    this.chosen = layer;
+  }
+
+  #parts() {
+    const layer = this.#shown;
+    return html`<div class="parts" role="group" aria-label="Influence of ${layer} by part">${LAYER_PARTS.map(
+      (part) =>
+        html`<div><omote-layer-fader .context=${this.context} .layer=${layer} .region=${part}></omote-layer-fader><span>${part}</span></div>`,
+    )}</div>`;
+  }
+
+  /** The sources of the layer that is shown, and where the others are. */
+  #sources() {
+    const layer = this.#shown;
+    if (!isDriven(layer)) return nothing;
+    const { sources } = this.store;
+    const others = sources.filter((one) => one.layer !== layer);
+    return html`${sources
+      .filter((one) => one.layer === layer)
+      .map(
+        (source) => html`<omote-source-settings .context=${this.context} .source=${source}></omote-source-settings>`,
+      )}
+      ${sources.length === 0 ? html`<p class="none">No source sends. A tracker or a program that does appears here.</p>` : nothing}
+      ${others.length === 0 ? nothing : html`<div class="others">${others.map((one) => html`<button @click=${() => this.#choose(one.layer)}>${one.name}: ${one.layer}</button>`)}</div>`}`;
+  }
+
+  paint(): void {
+    const { air } = this.store;
+    if (air === null || this.offsetParent === null) return;
+    for (const strip of this.renderRoot.querySelectorAll<HTMLElement>(".strip")) this.#paintStrip(strip, air);
+  }
+
+  #paintStrip(strip: HTMLElement, air: CharacterState): void {
+    const [layer, write] = [strip.dataset.layer as LayerName, this.#written];
+    const told = layerOf(air, layer);
+    const key = `${this.store.played.lead}/${layer}/${told.source}`;
+    const trend = followTrend(this.#trends.get(key) ?? null, told.trust);
+    this.#trends.set(key, trend);
+    const feed = strip.querySelector(".feed") as HTMLElement;
+    const words = feedWords(layer, told, trend);
+    write.text(feed, words);
+    write.attribute(feed, "title", words);
+    write.flag(feed, "wanted", told.source !== "" && told.trust < 0.5);
+    write.flag(strip, "off", !told.on);
+    write.flag(strip, "idle", isDriven(layer) && told.source === "");
+    const on = strip.querySelector(".on") as HTMLElement;
+    write.attribute(on, "aria-pressed", String(told.on));
+    write.text(on, told.on ? "On" : "Off");
+    this.#paintBars(strip, told.strongest);
+  }
+
+  #paintBars(strip: HTMLElement, strongest: Readonly<Record<string, number>>): void {
+    const [write, shown] = [
+      this.#written,
+      Object.entries(strongest).sort(([one], [other]) => ORDER.compare(one, other)),
+    ];
+    for (const [at, bar] of [...strip.querySelectorAll<HTMLElement>(".bar")].entries()) {
+      const [name, weight] = shown[at] ?? ["", 0];
+      const [fill, text] = bar.children as unknown as [HTMLElement, HTMLElement];
+      write.text(text, name === "" ? "" : this.store.label("expression", name));
+      write.attribute(bar, "title", name === "" ? "" : `${name} ${weight.toFixed(2)}`);
+      write.style(fill, "transform", `scaleX(${Math.min(1, Math.abs(weight)).toFixed(3)})`);
+      write.flag(bar, "below", weight < 0);
+    }
+  }
+
+  readonly #key = (event: KeyboardEvent): void => {
+    if (event.key === "Escape") this.#close();
+  };
+
+  readonly #close = (): void => {
+    this.dispatchEvent(new CustomEvent("close"));
+  };
+}
+
+/** Bars stay in their order while they grow and shrink. */
+const ORDER = new Intl.Collator("en");

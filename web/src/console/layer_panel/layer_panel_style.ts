@@ -1,0 +1,203 @@
+import { css } from "lit";
+import { low, narrow } from "../controls/screen_sizes";
+
+/** Strips beside each other, which scroll sideways where there is no room, and beside them what belongs to one. */
+export const style = css`
+  :host {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) minmax(262px, 330px);
+    grid-template-rows: minmax(0, 1fr);
+    gap: 10px;
+    padding: 8px 10px;
+    min-height: 0;
+    min-width: 0;
+    overflow: hidden;
+  }
+  .strips {
+    display: flex;
+    gap: 6px;
+    min-height: 0;
+    overflow: auto;
+    scrollbar-width: thin;
+  }
+  .strip {
+    flex: 1 1 118px;
+    min-width: 118px;
+    display: grid;
+    grid-template-columns: minmax(0, 1fr);
+    grid-template-rows: auto 30px minmax(72px, 1fr) auto;
+    gap: 4px;
+    min-height: 0;
+    padding: 4px;
+    border: 1px solid var(--line);
+    border-radius: 6px;
+  }
+  .strip.idle {
+    flex: 0 0 70px; /* nothing to see but its fader */
+    min-width: 70px;
+  }
+  .strip.idle .name {
+    font-weight: 400;
+  }
+  .strip.idle .bars {
+    display: none;
+  }
+  .strip.idle .play {
+    justify-content: center;
+    grid-template-columns: auto;
+  }
+  .strip.idle .name:not([aria-pressed="true"]),
+  .strip.idle .feed {
+    color: var(--faint);
+  }
+  .strip.off .play {
+    opacity: 0.4;
+  }
+  .name {
+    font-weight: 600;
+    color: var(--text);
+    min-width: 0;
+    padding: 0;
+  }
+  .feed {
+    display: -webkit-box;
+    -webkit-box-orient: vertical;
+    -webkit-line-clamp: 2;
+    overflow: hidden;
+    font-size: 12px;
+    line-height: 15px;
+    text-align: center;
+    overflow-wrap: anywhere;
+    color: var(--dim);
+  }
+  .feed.wanted {
+    color: var(--attention);
+  }
+  .play {
+    display: grid;
+    grid-template-columns: auto minmax(0, 1fr);
+    gap: 4px;
+    min-height: 0;
+  }
+  .bars {
+    display: grid;
+    align-content: center;
+    gap: 3px;
+  }
+  .bar {
+    position: relative;
+    height: 18px;
+    padding: 0 3px;
+    overflow: hidden;
+    font-size: 10.5px;
+    line-height: 18px;
+    white-space: nowrap;
+    text-overflow: ellipsis;
+    border-radius: 2px;
+    background: #000;
+  }
+  .bar i {
+    position: absolute;
+    inset: 0;
+    transform-origin: left;
+    transform: scaleX(0);
+    background: var(--air-deep);
+  }
+  .bar.below i {
+    transform-origin: right;
+    background: var(--edge);
+  }
+  .bar span {
+    position: relative;
+  }
+  .on[aria-pressed="true"] {
+    color: var(--text);
+    background: var(--edge);
+    border-color: var(--edge);
+  }
+  .on[aria-pressed="false"] {
+    color: var(--attention);
+    border-color: var(--attention);
+  }
+  .detail {
+    display: flex;
+    flex-direction: column;
+    gap: 6px;
+    min-height: 0;
+    overflow: auto;
+    scrollbar-width: thin;
+  }
+  header {
+    display: flex;
+    align-items: center;
+    gap: 6px;
+    flex: none;
+  }
+  .of {
+    flex: 1 1 0;
+    min-width: 0;
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+    color: var(--dim);
+  }
+  .parts {
+    display: grid;
+    grid-template-columns: repeat(6, minmax(0, 1fr));
+    flex: 1 0 118px;
+    max-height: 190px;
+    text-align: center;
+    font-size: 11px;
+    color: var(--dim);
+  }
+  .parts div {
+    display: grid;
+    grid-template-rows: minmax(0, 1fr) auto;
+    min-height: 0;
+  }
+  omote-source-settings {
+    flex: none;
+  }
+  .none {
+    margin: 0;
+    color: var(--dim);
+  }
+  .others {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 4px;
+  }
+  @media (max-height: 720px) {
+    .strip {
+      grid-template-rows: auto 15px minmax(72px, 1fr) auto;
+      gap: 2px;
+    }
+    .feed {
+      -webkit-line-clamp: 1;
+    }
+  }
+  @media (max-width: 1100px) {
+    :host {
+      grid-template-columns: minmax(0, 1fr) 262px;
+    }
+  }
+  @media ${narrow} or ${low} {
+    :host {
+      display: flex;
+      flex-direction: column;
+      overflow: auto;
+      gap: 8px;
+      padding: 6px 8px;
+    }
+    .strips {
+      flex: 1 0 232px;
+    }
+    .detail {
+      overflow: visible;
+      flex: none;
+    }
+    .close {
+      display: none; /* its tab stands above */
+    }
+  }
+`;

@@ -1,0 +1,136 @@
+/** The controls of the page that a device can play: which there are, where they are seen, and what each plays. */
+
+import type { BindingDocument } from "../../link/messages";
+import { CHANNEL, fractionOf, type Range, UNIT } from "../../ui/travel";
+import type { Fader } from "../controls/fader";
+import type { Pad } from "../controls/pad";
+import type { TBar } from "../controls/t_bar";
+import {
+  barTarget,
+  bindingsByTarget,
+  callTarget,
+  channelTarget,
+  characterOf,
+  directionTarget,
+  layerTarget,
+  lightTarget,
+  type Target,
+  targetKey,
+  whoOf,
+} from "../devices/binding_target";
+import type { LayerFader } from "../layer_panel/layer_fader";
+import type { Palette } from "../palette/palette";
+import type { ConsoleStore } from "../store/console_store";
+
+export interface BindableControl {
+  readonly element: HTMLElement;
+  /** What it plays; of a pad one target for each of its axes. */
+  readonly targets: readonly Target[];
+  /** The range of an upright fader, on which a second mark can stand; null for all else. */
+  readonly travel: Range | null;
+}
+
+/** Where something is seen, in pixels of the page. */
+export interface Box {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+type Found = readonly [selector: string, read: (part: HTMLElement) => readonly Target[], travel?: Range];
+
+/** What of an element of the console can be bound, by its tag. */
+const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who: string) => readonly Found[]>> = {
+  "omote-fader": (element, _, who) => [[".slot", () => [channelTarget(who, (element as Fader).channel)], CHANNEL]],
+  "omote-tbar": (element, _, who) => [[".track", () => [barTarget(who, (element as TBar).axis)], UNIT]],
+  "omote-layer-fader": (element, _, who) => {
+    const { layer, region } = element as LayerFader;
+    return [[".slot", () => [layerTarget(who, layer, region)], UNIT]];
+  },
+  "omote-pad": (element, _, who) => {
+    const { what } = element as Pad;
+    const turns = (...parts: string[]) => parts.map((part) => directionTarget(who, what, part));
+    return [
+      [".field", () => turns("yaw", "pitch")],
+      [".tilt", () => turns("roll")],
+    ];
+  },
+  "omote-palette": (element, store, who) => {
+    const { axis } = element as Palette;
+    return [[".tile", (tile) => [callTarget(who, axis, tile.dataset.name ?? "", store.callSeconds(axis))]]];
+  },
+  "omote-lights": (_, store) => [
+    ["[data-light]", (key) => [lightTarget(key.dataset.light ?? "", store.timing.face.seconds)]],
+  ],
+};
+const TAGS = Object.keys(PARTS).join(",");
+/** Elements that hold others of these. */
+const HOLDERS = "omote-bank,omote-layer-panel";
+
+/** All of them below a root, in the order of the page. */
+export function findControls(root: ParentNode, store: ConsoleStore): BindableControl[] {
+  const who = whoOf(store.played.targets);
+  const found: BindableControl[] = [];
+  for (const element of root.querySelectorAll(`${TAGS},${HOLDERS}`)) {
+    const inside = element.shadowRoot;
+    const parts = PARTS[element.localName];
+    if (inside === null) continue;
+    if (parts === undefined) found.push(...findControls(inside, store));
+    else
+      for (const [selector, read, travel = null] of parts(element, store, who))
+        for (const part of inside.querySelectorAll<HTMLElement>(selector))
+          found.push({ element: part, targets: read(part), travel });
+  }
+  return found;
+}
+
+/** The bindings of each target as `targetKey` has it: one of all characters plays the controls of those played here. */
+export function bindingsShown(
+  bindings: readonly BindingDocument[],
+  store: ConsoleStore,
+): ReturnType<typeof bindingsByTarget> {
+  const { names, targets } = store.played;
+  return bindingsByTarget(bindings, (one) => {
+    const who = characterOf(one.to);
+    const here = who === "*" || names.includes(who);
+    return targetKey(here ? { ...one, to: one.to.replace(`/${who}/`, `/${whoOf(targets)}/`) } : one);
+  });
+}
+
+/** The part of a control that is seen: what scrolls out of its panel is not; null for nothing of it. */
+export function seenBox(element: HTMLElement): Box | null {
+  let { left, top, right, bottom } = element.getBoundingClientRect();
+  for (const frame of framesOf(element)) {
+    const edge = frame.getBoundingClientRect();
+    left = Math.max(left, edge.left);
+    top = Math.max(top, edge.top);
+    right = Math.min(right, edge.right);
+    bottom = Math.min(bottom, edge.bottom);
+  }
+  return right - left > SEEN && bottom - top > SEEN ? { left, top, right, bottom } : null;
+}
+
+/** Pixels of a control that count as something of it. */
+const SEEN = 6;
+const frames = new WeakMap<Element, readonly Element[]>();
+
+/** What a control can scroll out of: it stays the same, so it is looked up once. */
+function framesOf(element: Element): readonly Element[] {
+  const known = frames.get(element);
+  if (known !== undefined) return known;
+  const found: Element[] = [];
+  for (let one = parentOf(element); one !== null; one = parentOf(one))
+    if (getComputedStyle(one).overflow !== "visible") found.push(one);
+  frames.set(element, found);
+  return found;
+}
+
+function parentOf(element: Element): Element | null {
+  if (element.parentElement !== null) return element.parentElement;
+  const root = element.getRootNode();
+  return root instanceof ShadowRoot ? root.host : null;
+}
+
+/** How far up a fader's mark stands, in parts of the fader. */
+export const markHeight = (value: number, travel: Range): number => Math.max(0, Math.min(1, fractionOf(value, travel)));

@@ -1,0 +1,142 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import type { CharacterState, FromClient, Leases, SeatState, State } from "../../link/messages";
+import { ConsoleStore } from "../store/console_store";
+import { ConsoleLeases } from "./console_leases";
+
+const seat = (number: number, name: string, manager = false): SeatState => ({
+  number,
+  name,
+  colour: "#70ccee",
+  manager,
+  here: true,
+});
+const [ANA, ME] = [seat(1, "Ana", true), seat(2, "Me")];
+const character = {
+  faces: { generic: 1 },
+  channels: { jawOpen: 0.25 },
+  head: [0, 0, 0],
+  face_call: null,
+  expression_call: null,
+  face_fader: 0,
+  expression_fader: 0,
+  panics: 0,
+  home_face: "generic",
+  label: "One",
+  presence: 1,
+} as unknown as CharacterState;
+
+let sent: FromClient[];
+let store: ConsoleStore;
+let leases: ConsoleLeases;
+let now: number;
+
+/** The show tells who holds what. */
+const tell = (held: Leases["held"], on = true): void =>
+  leases.receive({ type: "leases", on, held, seats: [ANA, ME], you: 2 });
+/** What was sent, without the ids. */
+const said = () => sent.splice(0).map((message) => ({ ...message, id: undefined }));
+/** What the operator reads, and can do about it. */
+const notice = () => [store.notice, store.offers.map(({ label }) => label)];
+const press = (label: string): void => {
+  const offer = store.offers.find((one) => one.label === label);
+  if (offer !== undefined && "act" in offer) offer.act();
+};
+
+beforeEach(() => {
+  [sent, now] = [[], 0];
+  store = new ConsoleStore(
+    (message) => sent.push(message),
+    () => now,
+    "me",
+  );
+  leases = new ConsoleLeases(store);
+  store.setOnline(true);
+  store.receiveState({ characters: { one: character } } as unknown as State);
+});
+
+describe("leases at a console", () => {
+  it("bar nothing while they are off", () => {
+    tell({}, false);
+    store.channel("jawOpen").grip(0.5);
+    store.flush();
+    expect(said()).toMatchObject([{ type: "set_channel", value: 0.5 }]);
+    expect([leases.seat, store.notice]).toEqual([ME, null]);
+  });
+
+  it("bar a hand from what another holds, show what is on air, say who it is once, and offer to take over", () => {
+    store.channel("jawOpen").grip(0.5);
+    tell({ "one/channels": ANA });
+    const before = store.told.length;
+    for (const value of [0.6, 0.7]) store.channel("jawOpen").grip(value);
+    store.channel("jawOpen").nudge(0.8);
+    expect(store.channel("jawOpen").value(now)).toBe(0.25);
+    store.flush();
+    expect(said()).toMatchObject([{ type: "set_channel", value: 0.5 }]); // of before
+    expect(notice()).toEqual(["Ana holds the channels of One.", ["Take over"]]);
+    expect(store.told.length).toBe(before + 1);
+    press("Take over");
+    expect(said()).toMatchObject([{ type: "lease", character: "one", part: "channels", take_over: true }]);
+    expect(notice()).toEqual(["Taken over: the channels of One. Ana is told.", ["Release"]]);
+  });
+
+  it("let a hand move what is free or its own", () => {
+    tell({ "one/channels": ANA, "one/head": ME });
+    store.head("yaw").grip(0.1);
+    store.bar("face").grip(0.5);
+    store.flush();
+    expect(said().map(({ type }) => type)).toEqual(["set_head", "fade_face"]);
+    expect([leases.own("head"), leases.mine]).toEqual([["one/head"], ["one/head"]]);
+  });
+
+  it("say why the show rejected a call, with the same offer by key", () => {
+    tell({ "one/face": ANA });
+    leases.takeOverWanted();
+    expect(notice()[0]).toMatch(/^Nothing to take over/);
+    leases.receiveRefused("Ana holds the face of one: take it over.", "me-1", ["one/face"]);
+    expect(notice()).toEqual(["Ana holds the face of One.", ["Take over"]]);
+    leases.takeOverWanted();
+    expect(said()).toMatchObject([{ type: "lease", part: "face", take_over: true }]);
+    leases.receiveRefused("no such face.", "me-2", []);
+    expect(notice()).toEqual(["no such face.", []]);
+  });
+
+  it("tell a holder who wants its part and who has taken it, and what can be done", () => {
+    tell({ "one/face": ME });
+    leases.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: false });
+    expect(notice()).toEqual(["Ana wants the face of One, which you hold.", ["Release"]]);
+    press("Release");
+    expect(said()).toMatchObject([{ type: "release_lease", character: "one", part: "face" }]);
+    press("Hold again");
+    expect(said()).toMatchObject([{ type: "lease", part: "face", take_over: false }]);
+    leases.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: true });
+    expect(notice()).toEqual(["Ana has taken over the face of One.", ["Take back"]]);
+    press("Take back");
+    expect(said()).toMatchObject([{ type: "lease", part: "face", take_over: true }]);
+  });
+
+  it("are the stage manager's to take, to switch and to pass on", () => {
+    tell({});
+    expect([leases.isManager, leases.manager]).toEqual([false, ANA]);
+    leases.takeAll();
+    leases.switch(false);
+    leases.appoint(1);
+    leases.releaseAll();
+    expect(said()).toMatchObject([
+      { type: "lease", character: "*", part: "*", take_over: true },
+      { type: "set_leases", on: false },
+      { type: "appoint_manager", seat: 1 },
+      { type: "release_lease", character: "*", part: "*" },
+    ]);
+  });
+
+  it("are forgotten with the link, and pages hear when they change", () => {
+    let heard = 0;
+    store.listen("leases", () => {
+      heard += 1;
+    });
+    tell({ "one/face": ANA });
+    tell({ "one/face": ANA });
+    store.setOnline(false);
+    expect([heard, leases.told.on]).toEqual([2, false]);
+  });
+});

@@ -1,0 +1,167 @@
+/** The leases at this console: what others hold bars its hands and says so, and what can be done about it. */
+
+import { ALL } from "../../link/constants";
+import type { LeaseClaim, Leases, SeatState } from "../../link/messages";
+import type { ConsoleStore } from "../store/console_store";
+import { explain, heldByOthers, heldHere, keysOf, listed, NOBODY, type Part, partOf, wordsOf } from "./held_parts";
+
+export class ConsoleLeases {
+  /** Who holds what, as the show told last. */
+  told: Leases = NOBODY;
+  /** What was touched in vain last, until it is taken over or anything else is told. */
+  #wanted: readonly string[] = [];
+
+  constructor(private readonly store: ConsoleStore) {
+    store.mayPlay = (control) => this.#mayPlay(control);
+    store.listen("link", () => {
+      if (!store.online) this.#set(NOBODY);
+    });
+  }
+
+  receive(message: Leases | LeaseClaim): void {
+    if (message.type === "lease_claim") this.#hearClaim(message);
+    else if (JSON.stringify(message) !== JSON.stringify(this.told)) this.#set(message);
+  }
+
+  #set(leases: Leases): void {
+    const before = this.told;
+    this.told = leases;
+    if (before.on !== leases.on && this.store.online) this.store.say(...switched(leases));
+    this.store.tell("leases");
+  }
+
+  /** This console's own seat; null before the show has told. */
+  get seat(): SeatState | null {
+    return this.told.seats.find(({ number }) => number === this.told.you) ?? null;
+  }
+
+  /** The stage manager, where one is there. */
+  get manager(): SeatState | null {
+    return this.told.seats.find(({ manager }) => manager) ?? null;
+  }
+
+  get isManager(): boolean {
+    return this.told.on && this.seat?.manager === true;
+  }
+
+  /** What others hold of a part of those that this console plays. */
+  others(part: Part): ReadonlyMap<string, SeatState> {
+    return heldByOthers(this.told, keysOf(this.store.played.names, part));
+  }
+
+  /** What this seat holds of a part of those that this console plays. */
+  own(part: Part): readonly string[] {
+    return heldHere(this.told, keysOf(this.store.played.names, part));
+  }
+
+  /** All that this seat holds. */
+  get mine(): readonly string[] {
+    return heldHere(this.told, Object.keys(this.told.held));
+  }
+
+  words(key: string): string {
+    return wordsOf(key, (character) => this.store.state?.characters[character]?.label ?? character);
+  }
+
+  /** Whether a hand of this console may move a control; else the operator reads who holds it. */
+  #mayPlay(control: string): boolean {
+    const part = partOf(control);
+    const held = part === null ? new Map<string, SeatState>() : this.others(part);
+    if (held.size > 0) this.offer(held);
+    return held.size === 0;
+  }
+
+  /** The show rejected a message; `held`: because others hold these parts, which can be taken over. */
+  receiveRefused(reason: string, id: string, held: readonly string[]): void {
+    const holders = heldByOthers(this.told, held);
+    this.store.receiveRefused(reason, id, holders.size > 0 ? () => this.offer(holders) : undefined);
+  }
+
+  /** Says who holds parts, and offers to take them over; while it stands there it is not said again. */
+  offer(held: ReadonlyMap<string, SeatState>): void {
+    const text = `${explain(held, (name) => this.store.state?.characters[name]?.label ?? name)}.`;
+    this.#wanted = [...held.keys()];
+    if (this.store.notice === text) return;
+    this.store.say(text, "attention", [{ label: "Take over", act: () => this.takeOver([...held.keys()]) }]);
+  }
+
+  /** Takes over what was touched in vain last. */
+  takeOverWanted(): void {
+    if (this.#wanted.length > 0) this.takeOver(this.#wanted);
+    else this.store.say("Nothing to take over: nobody else holds what you touched last.");
+  }
+
+  takeOver(keys: readonly string[]): void {
+    this.#wanted = [];
+    const from = new Set([...heldByOthers(this.told, keys).values()].map(({ name }) => name));
+    if (!this.#lease(keys, true)) return;
+    const told = from.size === 0 ? "" : ` ${listed([...from])} ${from.size === 1 ? "is" : "are"} told.`;
+    this.store.say(`Taken over: ${this.#list(keys)}.${told}`, "done", [this.#releaseOffer(keys)]);
+  }
+
+  /** Holds what is free. */
+  hold(keys: readonly string[]): void {
+    this.#lease(keys, false);
+  }
+
+  release(keys: readonly string[]): void {
+    if (keys.length === 0 || !keys.every((key) => this.store.ask({ type: "release_lease", ...split(key) }))) return;
+    const again = { label: "Hold again", act: () => this.hold(keys) };
+    this.store.say(`Released: ${this.#list(keys)}.`, "done", [again]);
+  }
+
+  /** Everything of everybody: the stage manager's. */
+  takeAll(): void {
+    this.store.ask({ type: "lease", character: ALL, part: ALL, take_over: true });
+  }
+
+  releaseAll(): void {
+    if (this.store.ask({ type: "release_lease", character: ALL, part: ALL }))
+      this.store.say("Released: all that you held.", "done");
+  }
+
+  /** Switches leases on, which makes this seat the stage manager where there is none, or off. */
+  switch(on: boolean): void {
+    this.store.ask({ type: "set_leases", on });
+  }
+
+  appoint(seat: number): void {
+    this.store.ask({ type: "appoint_manager", seat });
+  }
+
+  #lease(keys: readonly string[], takes: boolean): boolean {
+    return keys.every((key) => this.store.ask({ type: "lease", ...split(key), take_over: takes }));
+  }
+
+  #hearClaim({ parts, by, taken }: LeaseClaim): void {
+    const what = this.#list(parts);
+    const back = { label: "Take back", act: () => this.takeOver(parts) };
+    if (taken) this.store.say(`${by.name} has taken over ${what}.`, "attention", [back]);
+    else this.store.say(`${by.name} wants ${what}, which you hold.`, "attention", this.#give(parts));
+  }
+
+  #give(keys: readonly string[]) {
+    const own = heldHere(this.told, keys);
+    return own.length === 0 ? [] : [this.#releaseOffer(own)];
+  }
+
+  #releaseOffer(keys: readonly string[]) {
+    return { label: "Release", act: () => this.release(keys) };
+  }
+
+  #list(keys: readonly string[]): string {
+    return listed(keys.map((key) => this.words(key)));
+  }
+}
+
+const split = (key: string): { character: string; part: Part } => {
+  const [character, part] = key.split("/") as [string, Part];
+  return { character, part };
+};
+
+/** What is said when leases are switched. */
+function switched({ on, seats }: Leases): [string, "done"] {
+  const manager = seats.find((seat) => seat.manager)?.name;
+  const who = manager === undefined ? "" : ` ${manager} is the stage manager.`;
+  return [on ? `Leases are on: what you touch first is yours.${who}` : "Leases are off: the last touch wins.", "done"];
+}

@@ -1,0 +1,82 @@
+/** Who holds which parts, as pages read it: names of parts, and what is in the way of a hand. */
+
+import { ALL } from "../../link/constants";
+import type { Lease, Leases, SeatState } from "../../link/messages";
+
+export type Part = Lease["part"];
+/** The parts of a character, in the order of lists. */
+export const CHARACTER_PARTS: readonly Part[] = [
+  "face",
+  "expression",
+  "brows",
+  "eyes",
+  "mouth",
+  "channels",
+  "head",
+  "gaze",
+  "place",
+];
+/** The parts of the scene, whose character is `*`. */
+export const SCENE_PARTS: readonly Part[] = ["light", "framing"];
+const REGIONS: readonly Part[] = ["brows", "eyes", "mouth"];
+export const NOBODY: Leases = { type: "leases", on: false, held: {}, seats: [], you: 0 };
+
+/** The parts that messages of hands play, as `Hands` names these behind the character. */
+const PLAYED: Readonly<Record<string, Part>> = {
+  fade_face: "face",
+  fade_expression: "expression",
+  set_channel: "channels",
+  set_head: "head",
+  set_gaze: "gaze",
+};
+
+/** The part that a control of a character plays; null for none. */
+export const partOf = (control: string): Part | null => PLAYED[control.split(":")[0] as string] ?? null;
+
+/** The names of a part in `Leases.held`: of each of these characters, or of the scene. */
+export const keysOf = (characters: readonly string[], part: Part): readonly string[] =>
+  SCENE_PARTS.includes(part) ? [`${ALL}/${part}`] : characters.map((name) => `${name}/${part}`);
+
+/** Who may play a part: its holder, or that of the expression whose region it is; null while it is free. */
+function holderOf({ held }: Leases, key: string): SeatState | null {
+  const [character, part] = key.split("/") as [string, Part];
+  const whole = REGIONS.includes(part) ? held[`${character}/expression`] : undefined;
+  return held[key] ?? whole ?? null;
+}
+
+/** What others hold of some parts, in the way of who plays them: a whole expression moves its regions too. */
+export function heldByOthers(leases: Leases, keys: readonly string[]): ReadonlyMap<string, SeatState> {
+  const found = new Map<string, SeatState>();
+  for (const key of leases.on ? keys.flatMap((one) => [one, ...regionsOf(one)]) : []) {
+    const holder = holderOf(leases, key);
+    if (holder !== null && holder.number !== leases.you) found.set(key, holder);
+  }
+  return found;
+}
+
+function regionsOf(key: string): readonly string[] {
+  const [character, part] = key.split("/");
+  return part === "expression" ? REGIONS.map((region) => `${character}/${region}`) : [];
+}
+
+/** What this console's own seat holds of some parts. */
+export const heldHere = (leases: Leases, keys: readonly string[]): readonly string[] =>
+  keys.filter((key) => leases.held[key]?.number === leases.you);
+
+/** A part in words: `the face of Kaori`, `the light`; `label`: what people call a character. */
+export function wordsOf(key: string, label: (character: string) => string): string {
+  const [character, part] = key.split("/") as [string, string];
+  return character === ALL ? `the ${part}` : `the ${part} of ${label(character)}`;
+}
+
+/** Who holds what, in one sentence: `Ana holds the face of One, Ben the light`. */
+export function explain(held: ReadonlyMap<string, SeatState>, label: (character: string) => string): string {
+  const parts = new Map<string, string[]>();
+  for (const [key, { name }] of held) parts.set(name, [...(parts.get(name) ?? []), wordsOf(key, label)]);
+  const said = [...parts].map(([name, keys], at) => `${name} ${at === 0 ? "holds " : ""}${listed(keys)}`);
+  return said.join(", ");
+}
+
+/** Words in a row: `a, b and c`. */
+export const listed = (words: readonly string[]): string =>
+  words.length < 2 ? words.join() : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;

@@ -1,0 +1,86 @@
+/** Where the next calls of expressions go: the whole face, or one region of it alone. */
+
+import { css, html } from "lit";
+import { customElement } from "lit/decorators.js";
+import { base } from "../../ui/theme";
+import { ConsoleElement, chosenIn } from "../controls/console_element";
+import { PLACES, type PlayRegion } from "../regions/region_calls";
+import type { Topic } from "../store/page_store";
+
+const WHOLE = "whole";
+const labelOf = (place: PlayRegion | null): string => place ?? WHOLE;
+const TITLE = "Where the next expressions are called: on the whole face, or in one region of it, in its own time (D)";
+
+/** The whole face or a region, as buttons; where there is little room and for fingers as a list. */
+@customElement("omote-regions")
+export class RegionRow extends ConsoleElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: flex;
+        min-width: 0;
+        container-type: inline-size;
+      }
+      .row {
+        display: flex;
+        flex: 1;
+        gap: 2px;
+        min-width: 0;
+      }
+      button {
+        flex: 1 1 0;
+        min-width: 0;
+        padding: 0 2px;
+        font-size: 12px;
+      }
+      select {
+        display: none;
+        width: 100%;
+        min-width: 0;
+      }
+      select.chosen {
+        border-color: var(--hand);
+        color: var(--hand);
+      }
+      @container (max-width: 220px) {
+        .row {
+          display: none;
+        }
+        select {
+          display: block;
+        }
+      }
+      @media (pointer: coarse) {
+        .row {
+          display: none;
+        }
+        select {
+          display: block;
+        }
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["timing"];
+  }
+
+  override render() {
+    const { region } = this.store;
+    return html`<div class="row" role="radiogroup" aria-label="Where expressions are called" title=${TITLE}>
+        ${PLACES.map(
+          (place) => html`<button role="radio" data-region=${labelOf(place)} aria-checked=${place === region}
+            @click=${() => this.store.chooseRegion(place)}>${labelOf(place)}</button>`,
+        )}
+      </div>
+      <select class=${region === null ? "" : "chosen"} aria-label="Where expressions are called" title=${TITLE} @change=${this.#chosen}>
+        ${PLACES.map((place) => html`<option value=${labelOf(place)} .selected=${place === region}>${labelOf(place)}</option>`)}
+      </select>`;
+  }
+
+  readonly #chosen = (event: Event): void => {
+    const chosen = chosenIn(event);
+    this.store.chooseRegion(PLACES.find((place) => labelOf(place) === chosen) ?? null);
+  };
+}

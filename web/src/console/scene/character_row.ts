@@ -1,0 +1,137 @@
+/** The characters of the scene, beside the picture: which of them this console plays. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import type { CharacterState } from "../../link/messages";
+import { base } from "../../ui/theme";
+import { standing } from "../characters/played_characters";
+import { ConsoleElement } from "../controls/console_element";
+import { low, narrow } from "../controls/screen_sizes";
+import type { Topic } from "../store/page_store";
+import { SceneCommands } from "./scene_commands";
+
+/** A key for each character, one for all, one for places and framing, one for its layers, one to add another (a double click is one). Tells `scene`, `layers`. */
+@customElement("omote-characters")
+export class CharacterRow extends ConsoleElement {
+  static override styles = [
+    base,
+    css`
+      :host {
+        z-index: 2;
+        min-width: 0;
+        padding: 6px;
+        pointer-events: none;
+      }
+      .row {
+        display: flex;
+        flex-wrap: wrap;
+        justify-content: flex-end;
+        gap: 4px;
+      }
+      button {
+        pointer-events: auto;
+        min-height: 30px;
+        min-width: 30px;
+        max-width: 120px;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+        flex: none;
+      }
+      button.off {
+        border: 1px dashed var(--edge);
+        color: var(--dim);
+        line-height: 13px;
+      }
+      button.off[aria-pressed="true"] {
+        color: #000;
+        background: #9aa0a7;
+      }
+      small {
+        display: block;
+        font-size: 10px;
+        line-height: 10px;
+      }
+      @media (max-width: 899px) {
+        .view {
+          display: none; /* they stand with what is shown below */
+        }
+      }
+      @media ${low} {
+        .view {
+          display: block;
+        }
+      }
+      @media ${narrow} {
+        :host {
+          padding: 4px;
+        }
+        .row {
+          flex-wrap: nowrap;
+          gap: 2px;
+          justify-content: safe center;
+          overflow-x: auto;
+          pointer-events: auto;
+        }
+      }
+      @media (pointer: coarse) {
+        button {
+          min-height: 44px;
+          min-width: 44px;
+        }
+      }
+      @media (pointer: coarse) and (min-width: 900px) {
+        .row {
+          height: 100%;
+          align-content: space-between; /* a second line stands below the heads, not on them */
+        }
+      }
+      @media ${narrow} {
+        button {
+          min-width: 40px;
+          padding: 0 4px;
+          font-size: 12px;
+        }
+      }
+    `,
+  ];
+
+  protected override topics(): readonly Topic[] {
+    return ["characters", "link", "layout"];
+  }
+
+  /** To the first key. */
+  override focus(): void {
+    this.renderRoot.querySelector("button")?.focus();
+  }
+
+  override render() {
+    const characters = Object.entries(this.store.state?.characters ?? {});
+    const commands = new SceneCommands(this.store);
+    const why = commands.whyFull;
+    return html`<div class="row" role="group" aria-label="Characters">
+      ${characters.length > 1 ? this.#choice(characters) : nothing}
+      <button class="view layers" aria-label="Layers" title="Layers as a mixer (;)" aria-pressed=${this.store.layout.view === "layers"}
+        @click=${() => this.dispatchEvent(new CustomEvent("layers"))}>Layers</button>
+      <button class="add" aria-label="Add a character" title=${why ?? "Add a character"} ?disabled=${why !== null}
+        @click=${(event: MouseEvent) => event.detail < 2 && commands.add()}>+</button>
+    </div>`;
+  }
+
+  #choice(characters: readonly (readonly [string, CharacterState])[]) {
+    const played = this.store.played.names;
+    const all = characters.map(([name]) => name);
+    return html`${characters.map(([name, character]) => this.#key(name, character))}
+      <button class="all" aria-pressed=${played.length === all.length} title="Play all characters" @click=${() => this.store.play(all)}>All</button>
+      <button class="view" aria-label="Scene: places, framing, names" title="Places, framing, names (P)"
+        aria-pressed=${this.store.layout.view === "scene"} @click=${() => this.dispatchEvent(new CustomEvent("scene"))}>Scene</button>`;
+  }
+
+  #key(name: string, character: CharacterState) {
+    const [stands, { label }] = [standing(character), character];
+    return html`<button data-character=${name} class=${stands === "" ? "" : "off"} aria-pressed=${this.store.played.names.includes(name)}
+      title="Play ${label}${stands === "" ? "" : ` (${stands})`}; with Shift beside the others"
+      @click=${(event: MouseEvent) => this.store.play(this.store.played.pressed(name, event.shiftKey))}
+      >${label}${stands === "" ? nothing : html`<small>${stands}</small>`}</button>`;
+  }
+}

@@ -1,0 +1,105 @@
+/** What an operator does to the scene: characters come, go, are named; the picture holds some of them. */
+
+import { MOST_CHARACTERS } from "../../link/constants";
+import type { CharacterState } from "../../link/messages";
+import { freeLabel, nameOf } from "../characters/character_names";
+import type { ConsoleStore } from "../store/console_store";
+import type { Change, Step } from "../store/undo_history";
+
+/** Seconds of coming and going, and of a change of the framing, where nobody has chosen others. */
+export const SECONDS = 1;
+
+export class SceneCommands {
+  /** `seconds`: of coming, going and framing. */
+  constructor(
+    private readonly store: ConsoleStore,
+    private readonly seconds = SECONDS,
+  ) {}
+
+  get characters(): Readonly<Record<string, CharacterState>> {
+    return this.store.state?.characters ?? {};
+  }
+
+  /** Why no other character can be added; null where it can. */
+  get whyFull(): string | null {
+    const count = this.store.played.taken.length;
+    return count < MOST_CHARACTERS ? null : `a scene holds ${MOST_CHARACTERS} characters at most`;
+  }
+
+  /** Adds a character with the face of the one that is played, brings it onto the stage and plays it. */
+  add(label: string = freeLabel(this.characters, this.store.played.taken)): void {
+    const { played } = this.store;
+    const [character, key, seconds] = [nameOf(label, played.taken), freshKey(), this.seconds];
+    const step: Step = {
+      what: `add ${label}`,
+      undo: [{ type: "remove_character", character, key }],
+      redo: [{ type: "restore_character", key, seconds }],
+    };
+    const refused = (reason: string): void => this.#refused(character, step, reason);
+    const face = faceOf(this.store.air);
+    if (!this.store.ask({ type: "add_character", character, label, face }, { refused })) return;
+    this.store.ask({ type: "enter_character", character, seconds }, { refused: () => this.store.say(null) });
+    played.expect(character);
+    this.store.play([character]);
+    this.store.offerUndo(`Added ${label}.`, step);
+  }
+
+  /** Somebody else has just added a character of the same name: this one gets another. */
+  #refused(character: string, step: Step, reason: string): void {
+    const { store } = this;
+    store.history.skip(step);
+    store.played.expect(character, false);
+    if (character in this.characters && this.whyFull === null) this.add();
+    else store.say(reason);
+  }
+
+  /** Takes a character out of the scene; taken back, it comes with all that it had. */
+  remove(character: string): void {
+    const before = this.characters[character];
+    if (before === undefined) return;
+    const [key, seconds] = [freshKey(), this.seconds];
+    const redo: Change[] = [{ type: "remove_character", character, key }];
+    const undo: Change[] = [{ type: "restore_character", key, seconds }];
+    if (this.#ask(redo))
+      this.store.offerUndo(`Removed ${before.label}.`, { what: `remove ${before.label}`, undo, redo });
+  }
+
+  rename(character: string, label: string): void {
+    const before = this.characters[character]?.label;
+    if (before === undefined || before === label || label.trim() === "") return;
+    const to = (name: string): Change => ({ type: "rename_character", character, label: name });
+    if (!this.#ask([to(label)])) return;
+    this.store.offerUndo(`${before} is now called ${label}.`, {
+      what: `rename ${before}`,
+      undo: [to(before)],
+      redo: [to(label)],
+    });
+  }
+
+  /** Brings a character onto the stage, or takes it off. */
+  move(character: string, enters: boolean): void {
+    this.#ask([{ type: enters ? "enter_character" : "leave_character", character, seconds: this.seconds }]);
+  }
+
+  /** A shot of these characters; of none: of all that are on the stage. */
+  frame(characters: readonly string[]): void {
+    const { easing } = this.store.timing.face;
+    this.#ask([{ type: "call_framing", characters: [...characters], seconds: this.seconds, easing }]);
+  }
+
+  #ask(changes: readonly Change[]): boolean {
+    return changes.every(
+      (change) => change.type !== "set_home" && change.type !== "set_channel" && this.store.ask(change),
+    );
+  }
+}
+
+/** What a removal is found by again; `randomUUID` is not there on a LAN without https. */
+const freshKey = (): string =>
+  [...crypto.getRandomValues(new Uint32Array(3))].map((part) => part.toString(36)).join("");
+
+/** The face that weighs most. */
+function faceOf(character: CharacterState | null): string {
+  const faces = Object.entries(character?.faces ?? { generic: 1 });
+  return faces.reduce((one, other) => (other[1] > one[1] ? other : one))[0];
+}

@@ -1,0 +1,254 @@
+/** One character as it is drawn: its blend on the GPU, its head, hair, light and shadow, and where it stands. */
+
+import * as THREE from "three";
+import type { Library } from "../link/assets";
+import type { Anatomy } from "./anatomy/anatomy";
+import { type AssetResidency, namesOf } from "./blend/asset_residency";
+import type { Blender, BlendTarget } from "./blend/blender";
+import type { Eyeballs } from "./blend/sum_pass";
+import { type Point, type Shot, shotOfHead } from "./framing";
+import { Hair } from "./hair/hair";
+import type { HairStock } from "./hair/hair_assignment";
+import { FEET } from "./head/collar";
+import { eyeTraitsOf, writeEyeTraits } from "./head/eye_traits";
+import type { FaceLooks } from "./head/face_looks";
+import type { HeadUniforms } from "./head/head";
+import { type CharacterUniforms, characterUniforms, copyHead, type HeadTemplate } from "./head/head_template";
+import { writeLight } from "./light/light_uniforms";
+import { type Light, lightTurned } from "./light/lights";
+import { Shadow } from "./light/shadow";
+import { dropOf, placed, placeMatrix } from "./placement";
+import { headOf } from "./pose/head_answer";
+import { type Pose, writeTurn } from "./pose/pose";
+import type { CharacterPose } from "./pose/scene_pose";
+import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
+import type { Features } from "./quality/quality_levels";
+import type { Clearance, PlacedHead } from "./scene_framing";
+
+/** Seconds in which a character rises that came on the stage before all of it was here. */
+const RISE = 0.6;
+
+/** What a head with its hair and the black figure below it lies in, metres. */
+const BOUNDS = new THREE.Box3(new THREE.Vector3(-0.32, FEET, -0.32), new THREE.Vector3(0.32, 0.32, 0.32));
+
+/** What all characters share. */
+export interface SharedParts {
+  readonly library: Library;
+  readonly anatomy: Anatomy;
+  readonly looks: FaceLooks;
+  readonly hairStock: HairStock;
+  readonly residency: AssetResidency;
+}
+
+/** Names that will be needed soon. */
+export interface Coming {
+  readonly faces: readonly string[];
+  readonly expressions: readonly string[];
+}
+
+/** A character on the stage. */
+export class DrawnCharacter {
+  private readonly eyeballs: Eyeballs;
+  private readonly allowed: Float32Array;
+  private readonly hair: Hair;
+  private readonly sourceCrossfade: SourceCrossfade;
+  private readonly bounds = new THREE.Box3();
+  private uniforms!: CharacterUniforms;
+  private target!: BlendTarget;
+  private shadow!: Shadow;
+  private blended = "";
+  private pose: Pose; // by source, as it is drawn
+  private whole = false;
+  private points: readonly Point[] = [];
+  /** Its farthest points as they were drawn last; none where no part of it was in the picture. */
+  seen: readonly Point[] = [];
+  /** Its head at the level that is drawn. */
+  head = new THREE.Group();
+
+  /** How far it stands in its place as far as it is present, 0..1. */
+  private risen = 1;
+
+  /** `first`: the picture begins with it, so that it stands there at once when all of it has come. */
+  constructor(
+    private readonly parts: SharedParts,
+    private called: CharacterPose,
+    private readonly first: boolean,
+  ) {
+    const { anatomy, library } = parts;
+    this.eyeballs = {
+      rows: anatomy.eyeRows,
+      centres: new Float32Array(6),
+      radii: new Float32Array(2),
+      turns: new Float32Array(18),
+    };
+    this.allowed = new Float32Array(anatomy.correctives?.size ?? 0);
+    this.hair = new Hair(library, anatomy, parts.hairStock);
+    this.sourceCrossfade = new SourceCrossfade(library);
+    this.pose = called;
+  }
+
+  /** Makes its part of the GPU's memory, on a new graphics context too; `common`: the textures that hold for everybody. */
+  build(blender: Blender, common: HeadUniforms): void {
+    this.target = blender.createTarget();
+    this.uniforms = characterUniforms(this.target.positions, this.target.normals, common);
+    this.shadow = new Shadow(this.uniforms.shared);
+    this.blended = "";
+  }
+
+  /** A head at another level, with hair; `exchange` puts it on the stage. */
+  prepare(template: HeadTemplate, features: Features): THREE.Group {
+    const head = copyHead(template, this.uniforms);
+    this.hair.on(head, this.uniforms.shared, features);
+    return head;
+  }
+
+  /** Draws this head from now on, where the other one was. */
+  exchange(head: THREE.Group): void {
+    head.visible = this.head.visible;
+    head.matrix.copy(this.head.matrix);
+    head.matrixWorldNeedsUpdate = true;
+    this.forget(this.head);
+    this.head = head;
+  }
+
+  /** Forgets a head that is not drawn, or no more. */
+  forget(head: THREE.Group): void {
+    head.removeFromParent();
+    this.hair.drop(head);
+    for (const part of head.children) ((part as THREE.Mesh).material as THREE.Material).dispose();
+  }
+
+  /** What the next frame draws of it, and what will be needed soon. */
+  show(pose: CharacterPose, coming: Coming): void {
+    this.called = pose;
+    const names = namesOf(pose);
+    const faces = this.sourceCrossfade.wanted("faces", [...names.faces, ...coming.faces]);
+    const expressions = this.sourceCrossfade.wanted("expressions", [...names.expressions, ...coming.expressions]);
+    this.parts.residency.want(faces, expressions);
+    this.hair.want(faces);
+  }
+
+  /** Its pose by source, `seconds` after the last frame. */
+  advance(seconds: number, blender: Blender, atOnce: boolean): Pose {
+    const arrival: Arrival = (faces, worn) => this.parts.residency.arrival(faces, worn, blender);
+    this.pose = this.sourceCrossfade.pose(this.called, seconds, arrival, atOnce);
+    if (atOnce || this.called.presence === 0) this.risen = 1;
+    else if (this.whole) this.risen = Math.min(1, this.risen + seconds / RISE);
+    else this.risen = this.first ? 1 : 0;
+    return this.pose;
+  }
+
+  /** Where it stands, for the camera; all of its faces count, loaded or not, so that a wall's tiles agree. */
+  place(shot: Shot, centred: boolean): PlacedHead {
+    const { uniforms, called, parts, head } = this;
+    this.turnHead();
+    placeMatrix(called.place, 0, head.matrix);
+    const framed = { ...uniforms.shared, straight: parts.looks.extremes(this.pose), centred };
+    const { shot: near, points } = shotOfHead(shot, framed);
+    const { shot: own, points: standing } = placed(near, points, called.place, head.matrix);
+    this.points = standing;
+    return { shot: own, points: standing, presence: called.presence };
+  }
+
+  /**
+   * Puts it where the camera sees it, or beside and below the picture where that is of others; returns its points there,
+   * none where no part of it is in the picture.
+   */
+  stand(camera: THREE.PerspectiveCamera, frustum: THREE.Frustum, { aside, sunk }: Clearance): readonly Point[] {
+    const { head, called, bounds } = this;
+    const presence = called.presence * (1 - sunk) * this.risen * this.risen * (3 - 2 * this.risen);
+    const half = Math.tan((camera.fov * Math.PI) / 360);
+    const drop = dropOf(presence, this.points, called.place.size, camera.position.toArray(), half);
+    placeMatrix({ ...called.place, x: called.place.x + aside }, drop, head.matrix);
+    head.matrixWorldNeedsUpdate = true;
+    this.uniforms.shared.viewPoint.value.copy(camera.position).applyMatrix4(head.matrix.clone().invert());
+    bounds.copy(BOUNDS).applyMatrix4(head.matrix);
+    head.visible = presence > 0 && frustum.intersectsBox(bounds);
+    this.seen = head.visible ? this.points.map(([x, y, z]) => [x + aside, y - drop, z]) : [];
+    return this.seen;
+  }
+
+  /** Has what is seen of it blended on the GPU where it has changed, and dresses its hair; true where `finish` has to draw. */
+  blend(blender: Blender, seconds: number, atOnce: boolean): boolean {
+    const { residency } = this.parts;
+    if (this.whole && !this.head.visible) return false;
+    const touched = this.blendFace(blender);
+    this.hair.dress(residency.faces(this.pose, blender), seconds, atOnce || !this.whole);
+    this.whole ||= this.blended !== "" && (atOnce || this.hair.here); // at once: what is wanted for later may be on its way
+    this.head.visible &&= this.whole;
+    return touched;
+  }
+
+  /** Dresses it in its faces' looks and in the light. */
+  dress(renderer: THREE.WebGLRenderer, light: Light, shadow: number): void {
+    const { pose, parts, uniforms } = this;
+    const local = lightTurned(light, this.called.place.turn);
+    parts.looks.dress(pose, uniforms.shared, uniforms.eyes);
+    writeEyeTraits(eyeTraitsOf(pose, parts.library), uniforms.shared);
+    writeLight(local, uniforms.shared);
+    this.turnEyes();
+    this.shadow.draw(renderer, local, this.head, shadow);
+  }
+
+  /** Whether all of its pose shows in full. */
+  settled(blender: Blender): boolean {
+    const { residency } = this.parts;
+    if (!this.sourceCrossfade.settled(this.called) || !residency.settled(this.pose, blender)) return false;
+    return this.whole && (!this.head.visible || (this.hair.settled && this.risen === 1));
+  }
+
+  /** Waits for all of its hair. */
+  complete(): Promise<void> {
+    return this.hair.complete();
+  }
+
+  /** Its blended positions, read back from the GPU. */
+  readPositions(blender: Blender): Float32Array {
+    return blender.readPositions(this.target);
+  }
+
+  /** Frees its part of the GPU's memory. */
+  dispose(blender: Blender): void {
+    this.forget(this.head);
+    this.hair.dispose();
+    this.shadow.dispose();
+    blender.drop(this.target);
+  }
+
+  private blendFace(blender: Blender): boolean {
+    const { pose, eyeballs, parts } = this;
+    const mix = parts.residency.mix(pose, blender, this.allowed);
+    if (mix.entries.length === 0) return false; // nothing loaded yet: what shows stays
+    const key = JSON.stringify([mix.entries, mix.regional, pose.eyes]);
+    if (key === this.blended) return false;
+    this.blended = key;
+    parts.looks.writeCentres(pose, eyeballs.centres);
+    parts.looks.writeRadii(pose, eyeballs.radii);
+    writeTurn(pose.eyes[0], pose.eyes[1], eyeballs.turns, 0);
+    writeTurn(pose.eyes[2], pose.eyes[3], eyeballs.turns, 9);
+    blender.blend(mix, eyeballs, this.target);
+    return true;
+  }
+
+  /** Head: yaw, then pitch, then roll; + is the character's left, up, tilt to its left. */
+  private turnHead(): void {
+    const { shared } = this.uniforms;
+    const [yaw, pitch, roll] = headOf(this.pose, this.parts.library);
+    const turn = new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(-pitch, yaw, -roll, "YXZ"));
+    shared.headTurn.value.setFromMatrix4(turn);
+  }
+
+  /** The eyeballs as they are blended, turned with the head. */
+  private turnEyes(): void {
+    const { shared, eyes } = this.uniforms;
+    const pivot = shared.pivot.value;
+    eyes.forEach((eye, side) => {
+      eye.centre.value
+        .fromArray(this.eyeballs.centres, 3 * side)
+        .sub(pivot)
+        .applyMatrix3(shared.headTurn.value)
+        .add(pivot);
+      eye.eyeTurn.value.fromArray(this.eyeballs.turns, 9 * side).premultiply(shared.headTurn.value);
+    });
+  }
+}
