@@ -11,7 +11,8 @@ from omote.builtin import BakedMesh
 from omote.interchange.export_face import ExportContext
 from omote.interchange.formats.png import png_bytes
 from omote.interchange.skin_texture import LAYERS
-from omote.model.cast import Cast, Title
+from omote.model.cast import Cast
+from omote.model.space.expression import Title
 from tests import synthetic
 
 SIZE = 16

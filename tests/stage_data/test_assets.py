@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from omote.builtin import BakedMesh
-from omote.model.cast import Cast, Title
+from omote.model.cast import Cast
+from omote.model.space.expression import Title
 from omote.model.space.gain import Gain
 from omote.model.transfer.compound import compound, compound_parts
 from omote.perform.blending.evaluate import evaluate, evaluate_parts

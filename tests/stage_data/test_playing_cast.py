@@ -6,8 +6,8 @@ import msgspec
 import numpy as np
 import pytest
 
-from omote.model.cast import Cast, Look, Title
-from omote.model.space.expression import Expression
+from omote.model.cast import Cast, Look
+from omote.model.space.expression import Expression, Title
 from omote.model.space.face import Face
 from omote.perform.layers.columns import columns_of
 from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE

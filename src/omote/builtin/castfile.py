@@ -27,10 +27,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin.binding import PARTS, PartMesh, head_space
-from omote.model.cast import Cast, Look, Title
+from omote.model.cast import Cast, Look
 from omote.model.hair import HairStyle
 from omote.model.known_names import GENERIC
-from omote.model.space.expression import Expression
+from omote.model.space.expression import Expression, Title
 from omote.model.space.face import Face
 from omote.model.space.gain import Gain
 from omote.model.space.parameter_space import ParameterSpace

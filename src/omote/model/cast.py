@@ -12,7 +12,7 @@ import numpy as np
 
 from omote.model.hair import HairStyle
 from omote.model.known_names import GENERIC, NEUTRAL, KnownNames
-from omote.model.space.expression import Expression, refuse_name
+from omote.model.space.expression import Expression, Title, refuse_name
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace, Transfer
@@ -85,16 +85,6 @@ def _validate_trait(name: str, value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
         raise ValueError(f"{name} of a look is {value!r}; expected a number from {low:g} to {high:g}")
     return float(value)
-
-
-@dataclass(frozen=True)
-class Title:
-    """How an expression is presented: label, kind ("neutral", "performed", "arkit", "makehuman", "omote", "own") and
-    region."""
-
-    label: str
-    kind: str = "own"
-    region: str = "whole"
 
 
 def _numbers(expression: Expression) -> list[np.ndarray]:

@@ -7,9 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from omote.model.cast import Title
 from omote.model.known_names import PlayRegion, check_play_region
-from omote.model.space.expression import Expression
+from omote.model.space.expression import Expression, Title
 from omote.perform.axis import Axis, Call
 from omote.perform.channels import with_channel
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing

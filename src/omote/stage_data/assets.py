@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
 from omote.model.action_units import ACTION_UNITS, action_units, read_action_unit
-from omote.model.cast import Cast, Look, Title
+from omote.model.cast import Cast, Look
 from omote.model.hair import LINKS, HairStyle, place_strands
 from omote.model.recipes.recipe import KEY
-from omote.model.space.expression import Expression
+from omote.model.space.expression import Expression, Title
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.transfer.compound import apply_expression, compile_answer, move_parts

@@ -10,8 +10,9 @@ from pathlib import Path
 
 from omote.builtin import load_cast
 from omote.interchange.formats.error_reasons import explain_error
-from omote.model.cast import Cast, Title
+from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL
+from omote.model.space.expression import Title
 from omote.model.space.face_fit import fit
 from omote.perform.name_lookup import find_name
 from omote.showfile.changes import Item, Stored

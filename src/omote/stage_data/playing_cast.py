@@ -11,10 +11,10 @@ from types import MappingProxyType
 
 import msgspec
 
-from omote.model.cast import Cast, Title
+from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL
 from omote.model.recipes.recipe import KEY
-from omote.model.space.expression import Expression
+from omote.model.space.expression import Expression, Title
 from omote.perform.name_lookup import OWN
 from omote.show.messages import ExpressionDocument, FaceDocument, Manifest
 from omote.showfile.changes import Kind

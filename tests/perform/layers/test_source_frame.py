@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from omote.model.cast import Cast, Title
+from omote.model.cast import Cast
+from omote.model.space.expression import Title
 from omote.perform.frame import Gaze, Head
 from omote.perform.layers.columns import make_columns
 from omote.perform.layers.layer_names import LAYER_PARTS

@@ -22,6 +22,7 @@ class Disk:
         self.free = threading.Event()
         self.free.set()
         self.broken = False
+        self.opened_by: threading.Thread | None = None
 
     def write_journal(self, entry: JournalEntry) -> None:
         self.reached.set()
@@ -33,6 +34,7 @@ class Disk:
         self.written.append(entry.epoch)
 
     def again(self) -> "Flusher":
+        self.opened_by = threading.current_thread()
         return Flusher(self)
 
     def close(self) -> None:
@@ -130,3 +132,12 @@ def test_a_real_file_flushes(tmp_path: Path) -> None:
     assert alone.execute("SELECT epoch FROM journal").fetchone() == (4,)
     alone.close()
     show.close()
+
+
+def test_the_file_is_opened_a_second_time_before_any_thread_runs() -> None:
+    """Later it may be moved away at any instant, and a thread that fails to open it would end without a word."""
+    disk = Disk()
+    journal = JournalWriter(disk, list[str]().append)  # type: ignore[arg-type]
+    assert disk.opened_by is threading.current_thread()
+    journal.close()
+    assert disk.closed.is_set()

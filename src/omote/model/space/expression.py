@@ -123,6 +123,16 @@ def refuse_name(name: object, what: str, /) -> None:
         )
 
 
+@dataclass(frozen=True)
+class Title:
+    """How an expression is presented: label, kind ("neutral", "performed", "arkit", "makehuman", "omote", "own") and
+    region."""
+
+    label: str
+    kind: str = "own"
+    region: str = "whole"
+
+
 def _validate(value: ArrayLike, name: str, shape: tuple[int, ...]) -> Values:
     result = mesh.validate_numbers(value, name=f"{name} of an expression")
     if result.shape != shape:

@@ -10,9 +10,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.cast import Title
 from omote.model.known_names import PLAY_REGIONS
-from omote.model.space.expression import Expression
+from omote.model.space.expression import Expression, Title
 from omote.perform.channels import GAZE_UNITS
 from omote.perform.layers.follower import Values, rate_of
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, part_of_channel

@@ -19,7 +19,7 @@ class JournalWriter:
     """Writes the newest state in a thread; older states that it could not write in time are dropped.
 
     A second thread flushes: syncing a disk takes tens of milliseconds, and a state must not wait for it. gate: passed
-    for each use of the file.
+    for each use of the file. sqlite3.Error where the file cannot be opened a second time.
     """
 
     def __init__(
@@ -31,6 +31,8 @@ class JournalWriter:
         flush_seconds: float = FLUSH_SECONDS,
     ) -> None:
         self._show, self._report, self._gate = show, report, gate or FileGate()
+        with self._gate:  # now: once the threads run, the file may be moved away at any time
+            self._flushed = show.again()
         self._newest: JournalEntry | None = None
         self._closing = False
         self._waiting = threading.Condition()
@@ -68,12 +70,10 @@ class JournalWriter:
             self._show.close()
 
     def _flush(self) -> None:
-        with self._gate:
-            show = self._show.again()
         while not self._done.wait(self._flush_seconds):
-            self._try_write(show.flush)
+            self._try_write(self._flushed.flush)
         with self._gate:
-            show.close()
+            self._flushed.close()
 
     def _try_write(self, work: Callable[[], None]) -> bool:
         try:
