@@ -16,6 +16,7 @@ from typing import Literal
 from omote.inputs.osc_packet import OscError
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL
+from omote.perform.motion.motion_settings import DETAIL_LIMIT, DETAILS
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene_frame import PLACE_LIMITS
 from omote.show import messages as wire
@@ -91,6 +92,10 @@ def _turn(message: Callable[..., wire.FromClient]) -> Callable[..., wire.FromCli
     return lambda who, _, *degrees: message(who, *map(math.radians, degrees))
 
 
+def _motion_detail(detail: str) -> Callable[..., wire.FromClient]:
+    return lambda who, _, value: wire.SetMotion(who, **{detail: value})
+
+
 ADDRESSES: tuple[Address, ...] = (
     Address(
         "face",
@@ -133,6 +138,21 @@ ADDRESSES: tuple[Address, ...] = (
         "switches a layer on (above 0) or off",
         (Value("name", "layer"), Value("on")),
         lambda who, _, layer, on: wire.SetLayer(who, layer, None, None, on > 0.0),
+    ),
+    Address(
+        "motion",
+        "sets how much it moves by itself: lids, eyes, head, breath; 0.5 as people move",
+        (Value("liveliness", low=0.0, high=1.0),),
+        lambda who, _, liveliness: wire.SetMotion(who, liveliness),
+    ),
+    *(
+        Address(
+            f"motion/{detail}",
+            f"sets the {detail} of its own motion, beside all else of it; 1 at first",
+            (Value(detail, low=0.0, high=DETAIL_LIMIT),),
+            _motion_detail(detail),
+        )
+        for detail in DETAILS
     ),
     Address("head", "turns the head", _angles(HEAD_LIMITS), _turn(wire.SetHead)),
     Address("gaze", "turns the eyes, relative to the head", _angles(GAZE_LIMITS), _turn(wire.SetGaze)),

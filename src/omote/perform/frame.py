@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 from omote.model.known_names import GENERIC, PlayRegion
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_within
+from omote.perform.motion.motion_settings import MotionSettings
 
 Frozen = TypeVar("Frozen")
 
@@ -103,7 +104,7 @@ class Frame:
     show another than the rest of the face does, each sums to one; `region_calls`: their own calls. `held`: what hands
     hold where layers mix it with what sources send, None where `channels`, `head` and `gaze` are theirs alone; layers
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
-    at first.
+    at first. `motion`: what is set of the automatic motion, None where nothing is.
     """
 
     faces: Mapping[str, float]
@@ -125,6 +126,7 @@ class Frame:
     region_calls: Mapping[PlayRegion, CallStatus] = field(default_factory=dict)
     layers: Mapping[str, LayerStatus] = field(default_factory=dict)
     held: Held | None = None
+    motion: MotionSettings | None = None
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

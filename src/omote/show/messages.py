@@ -349,6 +349,19 @@ class SetLayer(Message, frozen=True):
     id: RequestId = ""
 
 
+class SetMotion(Message, frozen=True):
+    """How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
+    `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is."""
+
+    character: CharacterName
+    liveliness: float | None = None
+    blinks: float | None = None
+    gaze: float | None = None
+    breath: float | None = None
+    seed: int | None = None
+    id: RequestId = ""
+
+
 class Source(Message, frozen=True):
     """Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
     that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
@@ -755,6 +768,16 @@ class HeldState(msgspec.Struct, frozen=True):
     gaze: tuple[float, float]
 
 
+class MotionState(msgspec.Struct, frozen=True):
+    """What is set of a character's automatic motion, as of `set_motion`."""
+
+    liveliness: float
+    blinks: float
+    gaze: float
+    breath: float
+    seed: int
+
+
 class CharacterState(msgspec.Struct, frozen=True):
     """All that a character has on air.
 
@@ -765,6 +788,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
     `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
+    `motion`: what is set of its automatic motion, `None` where nothing was.
     """
 
     faces: dict[str, float]
@@ -790,6 +814,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     region_calls: dict[PlayRegion, CallState] = {}
     layers: dict[LayerName, LayerState] = {}
     held: HeldState | None = None
+    motion: MotionState | None = None
 
 
 class State(Message, frozen=True):
@@ -1018,6 +1043,7 @@ FromClient = (
     | ChooseBank
     | WatchDevices
     | SetLayer
+    | SetMotion
     | Source
     | Drive
     | LeaveSource

@@ -2,22 +2,31 @@
 
 import itertools
 import math
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from omote.model.cast import Cast
+from omote.perform.frame import Gaze, Head
+from omote.perform.layers.source_frame import AUTOMATIC
 from omote.perform.motion.automatic_motion import (
     LIDS,
+    MOTION_LAYERS,
     AutomaticMotion,
     advance_motion,
     motion_frames,
     set_motion,
 )
-from omote.perform.motion.breathing import BREATH_CHANNELS, NOISE_CHANNELS
+from omote.perform.motion.blinks import Blinks
+from omote.perform.motion.breathing import BREATH_CHANNELS, NOISE_CHANNELS, Breath
+from omote.perform.motion.gaze_motion import GazeMotion
 from omote.perform.motion.head_following import Turn
 from omote.perform.motion.motion_settings import MotionSettings
+from omote.perform.performer import Performer
 
 NAMES = {*LIDS, *BREATH_CHANNELS, *NOISE_CHANNELS}
 SEEDS = st.integers(0, 2**31 - 1)
@@ -97,7 +106,7 @@ def test_nothing_jumps_when_it_is_set_otherwise(seed: int, given_values: list[fl
 @pytest.mark.parametrize("yaw", [0.5, -0.5, 0.9])
 def test_eyes_and_head_together_look_at_what_is_seen(yaw: float) -> None:
     """The eyes turn back by what the head has come, so that the look stays."""
-    motion, seen = set_motion(AutomaticMotion(), MotionSettings(0.5, gaze=0.0)), Turn(yaw)
+    motion, seen = set_motion(AutomaticMotion(), MotionSettings(0.5, gaze=0.0, breath=0.0)), Turn(yaw)
     for _ in range(240):
         motion = advance_motion(motion, 1 / 60, seen=seen)
     shown = motion_frames(motion, NAMES)["gaze"]
@@ -128,3 +137,85 @@ def test_channels_that_there_are_not_are_left_out() -> None:
     frames = motion_frames(play(PEOPLE, 1)[0], {"jawOpen"})
     assert frames["breath"].names == ("jawOpen",)
     assert frames["blink"].names == ()
+
+
+def lively(cast: Cast, liveliness: float = 0.5) -> Performer:
+    """A performer that moves by itself for two seconds."""
+    performer = Performer(cast)
+    performer.set_motion(liveliness, seed=5)
+    for _ in range(120):
+        performer.advance(1 / 60)
+    return performer
+
+
+def test_a_character_that_moves_by_itself_drives_layers_that_no_source_drives(cast: Cast) -> None:
+    performer = lively(cast)
+    frame = performer.advance(1 / 60)
+    assert {layer: each.source for layer, each in frame.layers.items()} == dict.fromkeys(MOTION_LAYERS, AUTOMATIC)
+    assert frame.motion == MotionSettings(0.5, seed=5)
+    for _ in range(240):
+        performer.drive({}, layer="gaze", gaze=(0.3, 0.0))
+        frame = performer.advance(1 / 60)
+    assert frame.layers["gaze"].source == ""
+    assert frame.gaze.yaw == pytest.approx(0.3, abs=1e-3)
+    for _ in range(300):  # the source is silent: it fades out, and stays the one that drives
+        frame = performer.advance(1 / 60)
+    assert frame.layers["gaze"].trust < 0.01
+
+
+def test_it_goes_on_from_a_snapshot_bit_for_bit(cast: Cast) -> None:
+    performer = lively(cast)
+    other = Performer.restored(cast, performer.snapshot())
+    for _ in range(120):
+        assert performer.advance(1 / 60) == other.advance(1 / 60)
+
+
+def test_panic_ends_it_and_it_can_be_set_again_at_once(cast: Cast) -> None:
+    """No layer is switched off by it: only sources are."""
+    performer = lively(cast, 1.0)
+    performer.panic()
+    frames = [performer.advance(1 / 60) for _ in range(60)]
+    assert frames[-1].motion == MotionSettings(0.0, seed=5)
+    assert (frames[-1].head, frames[-1].gaze, dict(frames[-1].channels)) == (Head(), Gaze(), {})
+    assert frames[-1].layers == {}
+    performer.set_motion(0.5)
+    assert all(each.on for each in performer.advance(1 / 60).layers.values())
+
+
+def test_what_is_switched_off_fades_out_and_leaves_nothing(cast: Cast) -> None:
+    performer = lively(cast, 1.0)
+    performer.set_motion(0.0)
+    heads = [performer.advance(1 / 60).head for _ in range(600)]
+    steps = [abs(later.yaw - before.yaw) for before, later in itertools.pairwise(heads)]
+    assert max(steps) < 0.02
+    assert performer.advance(1 / 60).layers == {}
+    assert performer.snapshot().layers is None
+
+
+def test_settings_that_do_nothing_change_no_bit(cast: Cast) -> None:
+    performer, plain = Performer(cast), Performer(cast)
+    performer.set_motion(0.0, blinks=2.0)
+    for each in (performer, plain):
+        each.call_expression("smile", seconds=1.0)
+    for _ in range(90):
+        frame = performer.advance(1 / 60)
+        assert replace(frame, motion=None) == plain.advance(1 / 60)
+
+
+@pytest.mark.parametrize(
+    "broken",
+    [
+        {"time": math.nan},
+        {"depth": (0.0, 9.0)},
+        {"blinks": Blinks(depth=2.0)},
+        {"breath": Breath(seconds=0.0)},
+        {"gaze": GazeMotion(seen=Turn(99.0))},
+        {"gaze": GazeMotion(fixation=math.inf)},
+    ],
+    ids=["time", "depth", "lids", "breath", "gaze", "fixation"],
+)
+def test_a_snapshot_that_none_can_have_written_is_rejected(cast: Cast, broken: dict[str, Any]) -> None:
+    snapshot = lively(cast).snapshot()
+    assert snapshot.motion is not None
+    with pytest.raises(ValueError, match=r"expected|between|finite|is"):
+        Performer.restored(cast, replace(snapshot, motion=replace(snapshot.motion, **broken)))

@@ -353,6 +353,21 @@ export interface SetLayer {
 }
 
 /**
+ * How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
+ * `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is.
+ */
+export interface SetMotion {
+  type: "set_motion";
+  character: string;
+  liveliness: number | null;
+  blinks: number | null;
+  gaze: number | null;
+  breath: number | null;
+  seed: number | null;
+  id: string;
+}
+
+/**
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
@@ -778,6 +793,15 @@ export interface HeldState {
   gaze: [number, number];
 }
 
+/** What is set of a character's automatic motion, as of `set_motion`. */
+export interface MotionState {
+  liveliness: number;
+  blinks: number;
+  gaze: number;
+  breath: number;
+  seed: number;
+}
+
 /**
  * All that a character has on air.
  * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
@@ -787,6 +811,7 @@ export interface HeldState {
  * been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
  * `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
+ * `motion`: what is set of its automatic motion, `None` where nothing was.
  */
 export interface CharacterState {
   faces: Record<string, number>;
@@ -812,6 +837,7 @@ export interface CharacterState {
   region_calls: Partial<Record<"brows" | "eyes" | "mouth" | "rest", CallState>>;
   layers: Partial<Record<"breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands", LayerState>>;
   held: HeldState | null;
+  motion: MotionState | null;
 }
 
 /**
@@ -1262,6 +1288,7 @@ export type FromClient =
   | ChooseBank
   | WatchDevices
   | SetLayer
+  | SetMotion
   | Source
   | Drive
   | LeaveSource

@@ -20,11 +20,13 @@ from omote.perform.layers.layer_names import (
     LayerPart,
     LayerSetting,
 )
-from omote.perform.layers.source_frame import LOSS_SECONDS, Driver, SourceFrame, fits, parts_of
+from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, Driver, SourceFrame, fits, parts_of
 
 UPRIGHT, STRAIGHT = Head(), Gaze()
 LET_GO = 0.01
 """A layer that weighs less has let go: another measure no longer shows."""
+SPOKEN = 0.1
+"""Lips that are moved by more speak."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,10 +103,13 @@ def leave(layers: Layers, layer: LayerName, source: str) -> Layers:
 
 
 def switch_off(layers: Layers, yielded: Values) -> Layers:
-    """The layers after a panic: sources are switched off; yielded: what the mix does without, (4,), until all is still.
+    """The layers after a panic: sources are switched off, the character's own motion ends; yielded: what the mix does
+    without, (4,), until all is still.
 
     What was on air of them the caller eases to rest.
     """
+    sources = {layer: driver for layer, driver in layers.drivers.items() if driver.source != AUTOMATIC}
+    layers = replace(layers, drivers=sources)
     settings = {
         layer: replace(each, on=each.on and layer not in layers.drivers) for layer, each in layers.settings.items()
     }
@@ -132,6 +137,21 @@ def advance(cast: HasExpressions, layers: Layers, held: Held, dt: float, *, stil
         layers = _with_share_goal(replace(layers, drivers=drivers))
     calm = not _plays(layers) and _are_hands_settled(layers)
     return replace(layers, calm=True) if calm else layers
+
+
+def is_free(layers: Layers, layer: LayerName) -> bool:
+    """Whether no source drives a layer but the character's own motion."""
+    driver = layers.drivers.get(layer)
+    return driver is None or driver.source == AUTOMATIC
+
+
+def is_speaking(layers: Layers) -> bool:
+    """Whether lips that a source drives move."""
+    driver = layers.drivers.get("lips")
+    if driver is None or not driver.is_trusted:
+        return False
+    lips = layers.columns.rows(layers.second, "streams")[DRIVEN.index("lips")]
+    return bool(lips[: len(layers.columns.names)].max(initial=0.0) > SPOKEN)
 
 
 def recast(cast: HasExpressions, layers: Layers) -> Layers:
@@ -243,11 +263,11 @@ def _streamed(
                 stream[columns.index[unit]] = turned.get(unit, 0.0)
     columns.rows(goal, "trust")[row] = 1.0
     later = Layers(columns, goal, layers.first, layers.second, layers.settings, drivers, layers.held, calm=False)
-    return later if _trust(later, layer) else _from_there(later, row)
+    return later if _trust(later, layer) and not frame.direct else _from_there(later, row)
 
 
 def _from_there(layers: Layers, row: int) -> Layers:
-    """The stream of a layer that does not show is where it goes."""
+    """The stream of a layer that does not show, or that is smooth already, is where it goes."""
     columns, first, second = layers.columns, layers.first.copy(), layers.second.copy()
     stream = columns.rows(layers.goal, "streams")[row]
     columns.rows(first, "streams")[row] = columns.rows(second, "streams")[row] = stream

@@ -18,12 +18,16 @@ LOSS_SECONDS = 0.5
 """Seconds of silence, or of a performer who is not found, after which a source counts as lost."""
 
 
+AUTOMATIC = "automatic"
+"""The source of a character's own motion; no other has this name."""
+
+
 @dataclass(frozen=True, eq=False)
 class SourceFrame:
     """One frame of a source: the weights of its channels, float64 in the order of `names`, checked by `check_frame`.
 
     head, gaze: None where it sends none. found: False while it does not see its performer; all else is then ignored.
-    parts: which parts of the face it may play.
+    parts: which parts of the face it may play. direct: it is smooth already and knows what comes, so it shows as it is.
     """
 
     names: tuple[str, ...]
@@ -33,6 +37,7 @@ class SourceFrame:
     found: bool = True
     source: str = ""
     parts: tuple[LayerPart, ...] = LAYER_PARTS
+    direct: bool = False
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ import numpy as np
 from omote.perform.frame import Gaze, Head
 from omote.perform.layers.follower import rate_of, steps_of
 from omote.perform.layers.layer_names import RANGES, LayerName
-from omote.perform.layers.source_frame import SourceFrame
-from omote.perform.limits import GAZE_LIMITS
+from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
+from omote.perform.limits import FOREVER, GAZE_LIMITS, check_within
 from omote.perform.motion.blinks import Blinks, advance_blinks, begin_blink, closed
 from omote.perform.motion.breathing import (
     BREATH_CHANNELS,
@@ -28,10 +28,9 @@ from omote.perform.motion.gaze_motion import GazeMotion, advance_gaze, looked_at
 from omote.perform.motion.head_following import AHEAD, FollowingHead, Turn, follow_gaze
 from omote.perform.motion.motion_settings import MotionSettings
 
-SOURCE = "automatic"
-"""The name under which automatic motion drives layers."""
 LIDS = ("eyeBlinkLeft", "eyeBlinkRight")
 MOST_OFFSET = RANGES["offset"][1]
+SHORTEST_SPAN, FARTHEST, DEEPEST = 1e-3, 8.0, 4.0 + 1e-6
 DEPTH_SECONDS = 1.0
 """In which breath and noise follow what is set."""
 MOTION_LAYERS: tuple[LayerName, ...] = ("breath", "gaze", "blink")
@@ -53,6 +52,27 @@ class AutomaticMotion:
 def set_motion(motion: AutomaticMotion, settings: MotionSettings) -> AutomaticMotion:
     """The motion under other settings: what shows goes on from where it is."""
     return replace(motion, settings=settings)
+
+
+def check_motion(motion: AutomaticMotion | None) -> AutomaticMotion | None:
+    """Returns a motion that was read; ValueError where none can be so."""
+    if motion is None:
+        return None
+    check_within(motion.time, 0.0, FOREVER, "the time of the automatic motion (seconds)")
+    blinks, gaze, breath = motion.blinks, motion.gaze, motion.breath
+    check_within(blinks.depth, 0.0, 1.0, "the depth of a blink")
+    spans = blinks.down, blinks.up, breath.seconds, gaze.saccade.seconds
+    for seconds in spans:
+        check_within(seconds, SHORTEST_SPAN, FOREVER, "a span of the automatic motion (seconds)")
+    turns = gaze.seen, gaze.saccade.origin, gaze.saccade.goal, motion.head.first, motion.head.second
+    for turn in turns:
+        for angle in (turn.yaw, turn.pitch):
+            check_within(angle, -FARTHEST, FARTHEST, "an angle of the automatic motion (radians)")
+    for depth in motion.depth:
+        check_within(depth, 0.0, DEEPEST, "the depth of the breath")
+    for at in (blinks.began, blinks.due, gaze.spell, gaze.fixation, gaze.saccade.began, breath.began):
+        check_within(at, -FOREVER, FOREVER, "a time of the automatic motion (seconds)")
+    return motion
 
 
 def advance_motion(
@@ -107,18 +127,28 @@ def motion_frames(motion: AutomaticMotion, names: Container[str]) -> dict[LayerN
     lids = tuple(name for name in LIDS if name in names)
     shut = closed(motion.blinks, motion.time)
     return {
-        "breath": SourceFrame(has, _breath_values(motion, has), _breath_head(motion), source=SOURCE),
+        "breath": SourceFrame(has, _breath_values(motion, has), _breath_head(motion), source=AUTOMATIC, direct=True),
         "gaze": _gaze_frame(motion),
-        "blink": SourceFrame(lids, np.full(len(lids), shut), source=SOURCE),
+        "blink": SourceFrame(lids, np.full(len(lids), shut), source=AUTOMATIC, direct=True),
     }
 
 
 def _gaze_frame(motion: AutomaticMotion) -> SourceFrame:
-    """Eyes and head: the eyes turn back by what the head has come (the vestibulo-ocular reflex)."""
-    head = motion.head.second
+    """Eyes and head: the eyes turn back by what the head has come (the vestibulo-ocular reflex).
+
+    The layer replaces what lies below, so that the head has breath and noise in it here too.
+    """
+    head, drawn = motion.head.second, _breath_head(motion)
     eyes = looked_at(motion.gaze, motion.time) - head
     gaze = Gaze(_within(eyes.yaw, GAZE_LIMITS["yaw"]), _within(eyes.pitch, GAZE_LIMITS["pitch"]))
-    return SourceFrame((), np.zeros(0), Head(head.yaw, head.pitch, 0.0), gaze, source=SOURCE)
+    return SourceFrame(
+        (),
+        np.zeros(0),
+        Head(head.yaw + drawn.yaw, head.pitch + drawn.pitch, drawn.roll),
+        gaze,
+        source=AUTOMATIC,
+        direct=True,
+    )
 
 
 def _within(angle: float, limit: float) -> float:
