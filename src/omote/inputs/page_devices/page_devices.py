@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 from omote.inputs.bindings.binding_input import BindingInput
 from omote.inputs.page_devices.binding_commands import BindingCommands
@@ -107,7 +108,8 @@ class PageDevices:
         preset, where = self._commands.greet(name, message.kind), self._name_of(who)
         if known is None:
             self._make_room()
-            self.devices[name] = PluggedDevice(name, message.kind, who, where, now, preset)
+            is_bound = partial(self._bindings.bindings.is_bound, name)
+            self.devices[name] = PluggedDevice(name, message.kind, who, where, now, preset, is_bound)
         else:
             known.plug(message.kind, who, where, preset)
         self._plugs += 1
