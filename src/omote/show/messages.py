@@ -936,21 +936,26 @@ class LearningState(msgspec.Struct, frozen=True):
 
 class BindingList(Message, frozen=True):
     """All bindings in their order: complete, to consoles after the welcome and with each change. `fixed`: those of
-    these that a file of the command line has made, which no page changes."""
+    these that a file of the command line has made, which no page changes. `missing`: for each of the bindings why it
+    waits, where it names a face, an expression or a character that is not there, else ""."""
 
     bindings: list[BindingDocument]
     fixed: list[BindingDocument]
     learning: LearningState | None
     presets: list[PresetDocument]
+    missing: list[str] = []
 
 
 class BindingsChanged(Message, frozen=True):
     """Answers bind, unbind, learn (when a control has been bound), load_preset and restore_bindings: what is new and
-    what is gone; `restore_bindings` takes it back."""
+    what is gone; `restore_bindings` takes it back. `preset`: nobody asked, the preset of this label was loaded when its
+    device was plugged in for the first time: all consoles are told, `here` says whether it was at this one."""
 
     id: str
     added: list[BindingDocument]
     removed: list[BindingDocument]
+    preset: str = ""
+    here: bool = True
 
 
 class InputLine(msgspec.Struct, frozen=True):

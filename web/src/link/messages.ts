@@ -961,7 +961,8 @@ export interface LearningState {
 
 /**
  * All bindings in their order: complete, to consoles after the welcome and with each change. `fixed`: those of
- * these that a file of the command line has made, which no page changes.
+ * these that a file of the command line has made, which no page changes. `missing`: for each of the bindings why it
+ * waits, where it names a face, an expression or a character that is not there, else "".
  */
 export interface BindingList {
   type: "binding_list";
@@ -969,17 +970,21 @@ export interface BindingList {
   fixed: BindingDocument[];
   learning: LearningState | null;
   presets: PresetDocument[];
+  missing: string[];
 }
 
 /**
  * Answers bind, unbind, learn (when a control has been bound), load_preset and restore_bindings: what is new and
- * what is gone; `restore_bindings` takes it back.
+ * what is gone; `restore_bindings` takes it back. `preset`: nobody asked, the preset of this label was loaded when its
+ * device was plugged in for the first time: all consoles are told, `here` says whether it was at this one.
  */
 export interface BindingsChanged {
   type: "bindings_changed";
   id: string;
   added: BindingDocument[];
   removed: BindingDocument[];
+  preset: string;
+  here: boolean;
 }
 
 /**
