@@ -4,29 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
 
 from omote.inputs.rejection import PacketError, Rejection
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES, ChannelNames
-from omote.inputs.trackers.head_angles import limit_gaze, limit_head
+from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, limit_gaze, limit_head
 from omote.inputs.trackers.tracker_frame import Decode, TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
 from omote.model.known_names import NEUTRAL
+from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 
 MOST_PERFORMERS = 8
 """Performers of one protocol at a time, by host and name; the one that was silent longest makes room."""
 LONGEST_NAME = 80
+MOST_BARS = 59
+"""Channels of which a page is told, beside five angles."""
 
 
 @dataclass
 class Performer:
     """One performer before a tracker: a source of the session. names: its channels; values: what it sent last.
 
-    sent: the names of its newest frame, of which those at `taken` are the channels at `places`; cast: whose names.
+    head, gaze: its angles as far as ours turn. sent: the names of its newest frame, of which those at `taken` are the
+    channels at `places`; cast: whose names.
 
     turns, looks: whether its head and its eyes have ever turned: senders that know no angles send zeros for ever.
     """
@@ -39,6 +44,8 @@ class Performer:
     newest: TrackerFrame | None = None
     turns: bool = False
     looks: bool = False
+    head: HeadAngles = (0.0, 0.0, 0.0)
+    gaze: GazeAngles = (0.0, 0.0)
     cast: ChannelNames | None = None
     sent: tuple[str, ...] = ()
     taken: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, np.intp))
@@ -54,7 +61,7 @@ class TrackerInput:
         self._performers: dict[tuple[str, str], Performer] = {}
         self._names: tuple[object, ChannelNames] | None = None
         self.heard = self.rejected = 0
-        self.where = self.newest = ""
+        self.where = ""
         self.last_rejection: Rejection | None = None
         self._last: Performer | None = None
 
@@ -77,13 +84,23 @@ class TrackerInput:
 
     def values(self) -> dict[str, float]:
         """What the newest performer sent last, by channel, and its angles; as far as bars show it."""
-        return {} if self._last is None else dict(zip(self._last.names, self._last.values.tolist(), strict=True))
+        last = self._last
+        if last is None:
+            return {}
+        weights = dict(islice(zip(last.names, last.values.tolist(), strict=True), MOST_BARS))
+        turned = zip(HEAD_LIMITS.items(), last.head, strict=True) if last.turns else ()
+        looks = zip(GAZE_LIMITS.items(), last.gaze, strict=True) if last.looks else ()
+        angles = {f"head {name}": 0.5 + 0.5 * angle / most for (name, most), angle in turned}
+        return {**weights, **angles, **{f"gaze {name}": 0.5 + 0.5 * angle / most for (name, most), angle in looks}}
 
-    def close(self) -> None:
-        """All performers leave the session."""
-        for performer in self._performers.values():
-            self._session().leave(performer.who)
-        self._performers.clear()
+    @property
+    def newest(self) -> str:
+        """The newest frame in words: whose it is, and what is strongest in it."""
+        last = self._last
+        if last is None or not len(last.values):
+            return ""
+        strongest = int(np.argmax(last.values))
+        return f"{last.name}: {last.names[strongest]} {last.values[strongest]:.2f}"
 
     def _decoder(self, host: str) -> Decode:
         if host not in self._decoders:
@@ -115,8 +132,12 @@ class TrackerInput:
             _take_names(performer, sent, names)
         values = np.fromiter(frame.weights.values(), np.float32, len(sent))
         performer.values[performer.places] = values[performer.taken]
-        performer.turns = performer.turns or any(frame.head or ())
-        performer.looks = performer.looks or any(frame.gaze or ())
+        if frame.head is not None:
+            performer.head = limit_head(frame.head)
+            performer.turns = performer.turns or any(performer.head)
+        if frame.gaze is not None:
+            performer.gaze = limit_gaze(frame.gaze)
+            performer.looks = performer.looks or any(performer.gaze)
 
     def _channel_names(self) -> ChannelNames:
         """The names of the cast that plays, ARKit's first."""
@@ -141,9 +162,9 @@ class TrackerInput:
             if not found:
                 return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
             performer.index = found[0].index
-        head = limit_head(frame.head) if performer.turns and frame.head is not None else None
-        gaze = limit_gaze(frame.gaze) if performer.looks and frame.gaze is not None else None
-        drive = wire.Drive(performer.index, performer.values.astype("<f4").tobytes(), head, gaze, frame.found)
+        values = performer.values.astype("<f4").tobytes()
+        head, gaze = performer.head if performer.turns else None, performer.gaze if performer.looks else None
+        drive = wire.Drive(performer.index, values, head, gaze, frame.found)
         answers = session.receive(performer.who, drive, now)
         return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
 

@@ -15,6 +15,7 @@ const KINDS: Readonly<Record<DeviceState["kind"], string>> = {
   osc: "OSC",
   sacn: "sACN",
   artnet: "Art-Net",
+  tracker: "tracker",
 };
 /** Kinds whose controls are bound by a preset. */
 const AT_PAGES: readonly DeviceState["kind"][] = ["midi", "gamepad", "space_mouse"];
@@ -100,8 +101,14 @@ export class SourceList extends DevicesElement {
       .bar span {
         position: relative;
       }
-      .presets {
-        margin-top: 6px;
+      .presets,
+      .advice {
+        margin: 6px 0 0;
+      }
+      .advice {
+        font-size: 12px;
+        user-select: text;
+        -webkit-user-select: text;
       }
     `,
   ];
@@ -142,6 +149,7 @@ export class SourceList extends DevicesElement {
       <header><span class="lamp ${one.plugged ? "on" : ""}"></span><b>${one.name}</b>
         <span class="kind">${KINDS[one.kind]}${one.where === "" ? "" : `, ${one.plugged ? "at" : "was at"} ${one.where}`}${one.plugged ? "" : "; not plugged in, its bindings wait"}</span>
         <span class="numbers"></span></header>
+      ${one.advice ? html`<p class="advice">${one.advice[0]?.toUpperCase()}${one.advice.slice(1)}.</p>` : nothing}
       ${controls.length === 0 ? nothing : html`<div class="bars" role="group" aria-label="Controls of ${one.name}">${controls.map((control) => this.#bar(one, control))}</div>`}
       ${AT_PAGES.includes(one.kind) ? this.#presets(one) : nothing}
     </article>`;
@@ -150,7 +158,7 @@ export class SourceList extends DevicesElement {
   #bar({ name, kind }: DeviceState, control: string) {
     const pick = (): boolean =>
       this.dispatchEvent(new CustomEvent("bind", { detail: { device: name, control } }) satisfies ControlPicked);
-    const may = kind !== "osc";
+    const may = kind !== "osc" && kind !== "tracker";
     return html`<button class="bar" data-control=${control} ?disabled=${!may} title="${control}${may ? ": bind it" : ""}" @click=${pick}>
       <i></i><em hidden></em><span>${control}</span></button>`;
   }
