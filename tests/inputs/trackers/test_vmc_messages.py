@@ -1,5 +1,7 @@
 """Messages of VMC: what a sender says is complete when it says so, its bones turn head and eyes, damage is rejected."""
 
+import struct
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -68,6 +70,19 @@ def test_bones_beside_values_wait_for_the_values() -> None:
 def test_a_sender_says_when_it_sees_nobody(said: tuple[int, ...], found: bool | None) -> None:
     frames = heard(encode_message("/VMC/Ext/OK", *said))
     assert [frame.found for frame in frames] == ([] if found is None else [found])
+
+
+def test_a_value_may_come_as_any_number_each_time() -> None:
+    """What stands before a float's bytes is remembered; a double begins alike and ends otherwise."""
+    double = b"/VMC/Ext/Blend/Val\0\0,sd\0A\0\0\0" + struct.pack(">d", 0.75)
+    other = double[:-4] + struct.pack(">d", 0.75000001)[-4:]
+    frames = heard(
+        *(
+            encode_bundle([each, encode_message(APPLY)])
+            for each in (double, other, value("A", 1), value("A", 0.5), value("A", 0.25))
+        )
+    )
+    assert [frame.weights["A"] for frame in frames] == pytest.approx([0.75, 0.75, 1.0, 0.5, 0.25])
 
 
 def test_senders_do_not_mix() -> None:

@@ -6,11 +6,21 @@ decoder for each sender. Bones are local rotations of Unity (left-handed, y up, 
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from omote.inputs.osc_packet import Argument, OscMessage, decode_packet, encode_bundle, encode_message
+from omote.inputs.osc_packet import (
+    BUNDLE,
+    MOST_MESSAGES,
+    Argument,
+    OscMessage,
+    decode_packet,
+    encode_bundle,
+    encode_message,
+    split_bundle,
+)
 from omote.inputs.trackers.head_angles import (
     GazeAngles,
     HeadAngles,
@@ -30,6 +40,7 @@ MOST_NAMES = 256
 MOST_VALUES = 26
 """Values of one bundle that we send: it stays below 1,500 bytes, which the protocol asks for."""
 LONGEST_NAME = 80
+FLOAT = struct.Struct(">f")
 NO_TURN: Quaternion = (0.0, 0.0, 0.0, 1.0)
 BONES: Mapping[str, str] = MappingProxyType(
     {"head": "Head", "neck": "Neck", "lefteye": "LeftEye", "righteye": "RightEye"}
@@ -75,14 +86,21 @@ class VmcDecoder:
 
     def __init__(self) -> None:
         self._said = _Said()
+        self._names: dict[bytes, str] = {}
 
     def decode(self, data: bytes) -> list[TrackerFrame]:
         """The frame that a packet completes, if it does; TrackerError or OscError where it is none, and nothing has
         changed."""
         before = self._said
         said = _Said(dict(before.weights), dict(before.bones), before.found, before.time)
-        for message in decode_packet(data):
-            said.hear(message)
+        elements = split_bundle(data) if data.startswith(BUNDLE) else [data]
+        for element in elements if len(elements) <= MOST_MESSAGES else [data]:
+            name = self._names.get(element[: -FLOAT.size])
+            if name is None:
+                self._hear(element, said)
+                continue
+            (value,) = FLOAT.unpack_from(element, len(element) - FLOAT.size)
+            said.weights[name] = check_weight(name, value)
         if len(said.weights) > MOST_NAMES:
             raise TrackerError(
                 f"the sender has named {len(said.weights)} expressions, but at most {MOST_NAMES} are kept"
@@ -90,6 +108,17 @@ class VmcDecoder:
         self._said = said
         turned = said.bones != before.bones and not said.weights  # who sends bones alone never says that it is complete
         return [said.frame()] if said.complete or turned else []
+
+    def _hear(self, element: bytes, said: _Said) -> None:
+        """Notes the messages of an element. What stands before the number of a value is read once: it comes again with
+        each frame, and reading it takes ten times as long as the number."""
+        messages = decode_packet(element)
+        for message in messages:
+            said.hear(message)
+        if len(messages) == 1 and messages[0].address == VALUE and len(self._names) < MOST_NAMES:
+            name, before = str(messages[0].arguments[0]), element[: -FLOAT.size]
+            if before == encode_message(VALUE, name, 0.0)[: -FLOAT.size]:  # and no double, whose end is no number
+                self._names[before] = name
 
 
 def encode_vmc(weights: Mapping[str, float], head: HeadAngles, gaze: GazeAngles, time: float) -> list[bytes]:

@@ -84,6 +84,10 @@ export class SourceList extends DevicesElement {
         color: var(--text);
         background: #000;
       }
+      .bar:disabled {
+        opacity: 1;
+        color: var(--dim);
+      }
       .bar i {
         position: absolute;
         inset: 0;
@@ -146,7 +150,7 @@ export class SourceList extends DevicesElement {
   #source(one: DeviceState) {
     const controls = controlsOf(one);
     return html`<article class=${one.plugged ? "" : "gone"} data-device=${one.name}>
-      <header><span class="lamp ${one.plugged ? "on" : ""}"></span><b>${one.name}</b>
+      <header><span class="lamp"></span><b>${one.name}</b>
         <span class="kind">${KINDS[one.kind]}${one.where === "" ? "" : `, ${one.plugged ? "at" : "was at"} ${one.where}`}${one.plugged ? "" : "; not plugged in, its bindings wait"}</span>
         <span class="numbers"></span></header>
       ${one.advice ? html`<p class="advice">${one.advice[0]?.toUpperCase()}${one.advice.slice(1)}.</p>` : nothing}
@@ -202,6 +206,8 @@ export class SourceList extends DevicesElement {
       const one = this.devices.device(article.dataset.device as string);
       if (one === null) continue;
       const rejected = one.rejected > 0 ? `, ${one.rejected} rejected` : "";
+      const there = one.plugged && (one.kind !== "tracker" || one.rate > 0);
+      article.querySelector(".lamp")?.classList.toggle("on", there);
       write.text(article.querySelector(".numbers") as Element, `${rate(one.rate)}/s, ${one.heard} heard${rejected}`);
       for (const bar of article.querySelectorAll<HTMLElement>(".bar")) this.#paintBar(bar, one);
     }
