@@ -114,6 +114,11 @@ export class SourceList extends DevicesElement {
         user-select: text;
         -webkit-user-select: text;
       }
+      .missing {
+        margin: 4px 0 0;
+        font-size: 12px;
+        color: var(--attention);
+      }
     `,
   ];
 
@@ -154,9 +159,20 @@ export class SourceList extends DevicesElement {
         <span class="kind">${KINDS[one.kind]}${one.where === "" ? "" : `, ${one.plugged ? "at" : "was at"} ${one.where}`}${one.plugged ? "" : "; not plugged in, its bindings wait"}</span>
         <span class="numbers"></span></header>
       ${one.advice ? html`<p class="advice">${one.advice[0]?.toUpperCase()}${one.advice.slice(1)}.</p>` : nothing}
+      ${this.#missing(one)}
       ${controls.length === 0 ? nothing : html`<div class="bars" role="group" aria-label="Controls of ${one.name}">${controls.map((control) => this.#bar(one, control))}</div>`}
       ${AT_PAGES.includes(one.kind) ? this.#presets(one) : nothing}
     </article>`;
+  }
+
+  /** How many of its bindings wait for a name that is not there; the table says which. */
+  #missing({ name }: DeviceState) {
+    const count = this.devices.bindings.filter(
+      (one) => one.device === name && this.devices.whyMissing(one) !== "",
+    ).length;
+    if (count === 0) return nothing;
+    const says = count === 1 ? "binding waits: what it plays" : "bindings wait: what they play";
+    return html`<p class="missing">${count} ${says} is not there. The table says why.</p>`;
   }
 
   #bar({ name, kind }: DeviceState, control: string) {
