@@ -47,7 +47,7 @@ LeasePart = Literal[
 DeviceName = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 ControlName = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 DeviceKind = Literal["midi", "gamepad", "space_mouse"]
-SourceKind = Literal["midi", "gamepad", "space_mouse", "osc", "sacn", "artnet"]
+SourceKind = Literal["midi", "gamepad", "space_mouse", "osc", "sacn", "artnet", "tracker"]
 StreamKind = Literal["tracker", "lips", "playback", "program", "breath", "gaze", "blink"]
 CalibrationStep = Literal["neutral", "range", "done", "reset"]
 MOST_NAMES = 200
@@ -916,6 +916,7 @@ class DeviceState(msgspec.Struct, frozen=True):
     `rate`: readings or packets a second; `heard`, `rejected`: counts since the server began. `values`: where its
     controls stood last, 0..1, the newest sixty-four; `waiting`: controls that wait to be picked up, and the position
     at which they will be. `bank`: the one that it is turned to, of its `banks`; `preset`: the one it was given.
+    `advice`: what to do at whoever sends it, such as what to type into a phone.
     """
 
     name: str
@@ -930,6 +931,7 @@ class DeviceState(msgspec.Struct, frozen=True):
     bank: str = ""
     banks: list[str] = []
     preset: str = ""
+    advice: str = ""
 
 
 class PresetDocument(msgspec.Struct, frozen=True):

@@ -940,10 +940,11 @@ export interface Crew {
  * `rate`: readings or packets a second; `heard`, `rejected`: counts since the server began. `values`: where its
  * controls stood last, 0..1, the newest sixty-four; `waiting`: controls that wait to be picked up, and the position
  * at which they will be. `bank`: the one that it is turned to, of its `banks`; `preset`: the one it was given.
+ * `advice`: what to do at whoever sends it, such as what to type into a phone.
  */
 export interface DeviceState {
   name: string;
-  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet";
+  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet" | "tracker";
   where: string;
   plugged: boolean;
   rate: number;
@@ -954,6 +955,7 @@ export interface DeviceState {
   bank: string;
   banks: string[];
   preset: string;
+  advice: string;
 }
 
 /**
@@ -963,7 +965,7 @@ export interface DeviceState {
 export interface PresetDocument {
   name: string;
   label: string;
-  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet";
+  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet" | "tracker";
   matches: string[];
 }
 
