@@ -16,8 +16,8 @@ from typing import Literal
 
 from omote.inputs.osc_packet import OscError
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.frame import DETAIL_LIMIT, DETAILS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL
-from omote.perform.motion.motion_settings import DETAIL_LIMIT, DETAILS
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene_frame import PLACE_LIMITS
 from omote.show import messages as wire

@@ -20,8 +20,6 @@ from omote.perform.layers.layers import (
     begin,
     drive,
     is_at_rest,
-    is_free,
-    is_speaking,
     leave,
     recalibrate,
     set_layer,
@@ -38,6 +36,7 @@ from omote.perform.motion.automatic_motion import (
     motion_frames,
     set_motion,
 )
+from omote.perform.motion.free_layers import is_free, is_speaking
 from omote.perform.panic import (
     PANIC_EASING,
     PANIC_SECONDS,

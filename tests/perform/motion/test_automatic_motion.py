@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
-from omote.perform.frame import Gaze, Head
+from omote.perform.frame import Gaze, Head, MotionSettings
 from omote.perform.layers.source_frame import AUTOMATIC
 from omote.perform.motion.automatic_motion import (
     LIDS,
@@ -25,7 +25,6 @@ from omote.perform.motion.blinks import Blinks
 from omote.perform.motion.breathing import BREATH_CHANNELS, NOISE_CHANNELS, Breath
 from omote.perform.motion.gaze_motion import GazeMotion
 from omote.perform.motion.head_following import Turn
-from omote.perform.motion.motion_settings import MotionSettings
 from omote.perform.performer import Performer
 
 NAMES = {*LIDS, *BREATH_CHANNELS, *NOISE_CHANNELS}

@@ -5,7 +5,7 @@ from itertools import pairwise
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.motion.blinks import Blinks, advance_blinks, begin_blink, closed, is_blinking
+from omote.perform.motion.blinks import Blinks, advance_blinks, begin_blink, is_blinking, lid_closure
 from omote.perform.motion.quantiles import BLINK_DOWN, BLINK_UP
 
 SEEDS = st.integers(0, 2**31 - 1)
@@ -16,7 +16,7 @@ def test_a_blink_closes_and_opens_without_a_jump_in_its_time(seed: int) -> None:
     blink = begin_blink(Blinks(), seed, 1.0)
     assert BLINK_DOWN.values[0] <= blink.down <= BLINK_DOWN.values[-1]
     assert BLINK_UP.values[0] <= blink.up <= BLINK_UP.values[-1]
-    curve = [closed(blink, 1.0 + step / 1000) for step in range(500)]
+    curve = [lid_closure(blink, 1.0 + step / 1000) for step in range(500)]
     assert curve[0] == curve[-1] == 0.0
     assert max(curve) <= blink.depth <= 1.0
     assert max(abs(later - before) for before, later in pairwise(curve)) < 0.03

@@ -25,8 +25,6 @@ from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, Driver, S
 UPRIGHT, STRAIGHT = Head(), Gaze()
 LET_GO = 0.01
 """A layer that weighs less has let go: another measure no longer shows."""
-SPOKEN = 0.1
-"""Lips that are moved by more speak."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,21 +135,6 @@ def advance(cast: HasExpressions, layers: Layers, held: Held, dt: float, *, stil
         layers = _with_share_goal(replace(layers, drivers=drivers))
     calm = not _plays(layers) and _are_hands_settled(layers)
     return replace(layers, calm=True) if calm else layers
-
-
-def is_free(layers: Layers, layer: LayerName) -> bool:
-    """Whether no source drives a layer but the character's own motion."""
-    driver = layers.drivers.get(layer)
-    return driver is None or driver.source == AUTOMATIC
-
-
-def is_speaking(layers: Layers) -> bool:
-    """Whether lips that a source drives move."""
-    driver = layers.drivers.get("lips")
-    if driver is None or not driver.is_trusted:
-        return False
-    lips = layers.columns.rows(layers.second, "streams")[DRIVEN.index("lips")]
-    return bool(lips[: len(layers.columns.names)].max(initial=0.0) > SPOKEN)
 
 
 def recast(cast: HasExpressions, layers: Layers) -> Layers:

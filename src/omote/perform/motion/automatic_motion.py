@@ -7,12 +7,12 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from omote.perform.frame import Gaze, Head
+from omote.perform.frame import Gaze, Head, MotionSettings
 from omote.perform.layers.follower import rate_of, steps_of
 from omote.perform.layers.layer_names import RANGES, LayerName
 from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
 from omote.perform.limits import FOREVER, GAZE_LIMITS, check_within
-from omote.perform.motion.blinks import Blinks, advance_blinks, begin_blink, closed
+from omote.perform.motion.blinks import Blinks, advance_blinks, begin_blink, lid_closure
 from omote.perform.motion.breathing import (
     BREATH_CHANNELS,
     BREATH_PITCH,
@@ -26,7 +26,6 @@ from omote.perform.motion.breathing import (
 )
 from omote.perform.motion.gaze_motion import GazeMotion, advance_gaze, looked_at
 from omote.perform.motion.head_following import AHEAD, FollowingHead, Turn, follow_gaze
-from omote.perform.motion.motion_settings import MotionSettings
 
 LIDS = ("eyeBlinkLeft", "eyeBlinkRight")
 MOST_OFFSET = RANGES["offset"][1]
@@ -125,7 +124,7 @@ def motion_frames(motion: AutomaticMotion, names: Container[str]) -> dict[LayerN
         return {}
     has = tuple(name for name in _CHANNELS if name in names)
     lids = tuple(name for name in LIDS if name in names)
-    shut = closed(motion.blinks, motion.time)
+    shut = lid_closure(motion.blinks, motion.time)
     return {
         "breath": SourceFrame(has, _breath_values(motion, has), _breath_head(motion), source=AUTOMATIC, direct=True),
         "gaze": _gaze_frame(motion),

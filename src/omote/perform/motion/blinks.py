@@ -30,7 +30,7 @@ class Blinks:
     speaking: bool = False
 
 
-def closed(blinks: Blinks, now: float) -> float:
+def lid_closure(blinks: Blinks, now: float) -> float:
     """How far lids are closed at a time (seconds), 0..1."""
     since = now - blinks.began
     if since <= 0.0 or since >= blinks.down + blinks.up:

@@ -45,7 +45,7 @@ class Saccade:
     def at(self, now: float) -> Turn:
         """Where the eyes are at a time."""
         share = min(max((now - self.began) / self.seconds, 0.0), 1.0)
-        return self.origin + (self.goal - self.origin).scaled(_BALLISTIC.value(share))
+        return self.origin + (self.goal - self.origin).scale(_BALLISTIC.value(share))
 
 
 @dataclass(frozen=True)

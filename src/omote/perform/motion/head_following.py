@@ -30,7 +30,7 @@ class Turn:
         """What leads from the other to this."""
         return Turn(self.yaw - other.yaw, self.pitch - other.pitch)
 
-    def scaled(self, factor: float) -> Turn:
+    def scale(self, factor: float) -> Turn:
         """The same so many times."""
         return Turn(self.yaw * factor, self.pitch * factor)
 
@@ -58,8 +58,8 @@ def follow_gaze(head: FollowingHead, looked: Turn, dt: float) -> FollowingHead:
         z = rate_of(HEAD_SECONDS) * step
         left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
         ahead = head.first - goal
-        second = goal + ((head.second - goal) + ahead.scaled(z)).scaled(left)
-        head = FollowingHead(goal + ahead.scaled(left), second)
+        second = goal + ((head.second - goal) + ahead.scale(z)).scale(left)
+        head = FollowingHead(goal + ahead.scale(left), second)
     return head
 
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus
-from omote.perform.motion.motion_settings import MotionSettings
+from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus, MotionSettings
 from omote.show.messages import CallState, CharacterState, HeldState, LayerState, State
 
 
