@@ -94,7 +94,7 @@ export class Tools extends EditorElement {
             html`<button data-view=${view} title="${label} (${key})" @click=${() => this.#view(view)}>${label}</button>`,
         )}
       </div>
-      <omote-faces-choice .context=${this.context}></omote-faces-choice>
+      ${store.face === null ? html`<omote-faces-choice .context=${this.context}></omote-faces-choice>` : nothing}
     `;
   }
 
