@@ -76,6 +76,11 @@ export class Tools extends EditorElement {
           max-width: 90px;
         }
       }
+      @media (max-width: 940px) {
+        select {
+          max-width: 130px;
+        }
+      }
     `,
   ];
 
