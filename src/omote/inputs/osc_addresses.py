@@ -33,8 +33,8 @@ REMEMBERED_LENGTH = 120
 """Characters of an address that is remembered when it was found: a fader sends the same one again and again."""
 
 Kind = Literal[
-    "face", "expression", "region", "channel", "light", "framing", "layer", "part", "number", "switch", "seconds",
-    "time", "press",
+    "face", "expression", "region", "channel", "light", "framing", "layer", "part", "lease", "scene_lease",
+    "number", "switch", "seconds", "time", "press",
 ]  # fmt: skip
 
 
@@ -104,6 +104,35 @@ def _motion_detail(detail: str) -> Callable[..., wire.FromClient]:
 
 def _turn(message: Callable[..., wire.FromClient], angles: Sequence[Value]) -> Callable[..., wire.FromClient]:
     return lambda who, _, *degrees: message(who, *map(_radians, angles, degrees))
+
+
+def _leases(kind: Kind, *, of_show: bool) -> tuple[Address, ...]:
+    """The addresses by which a sender holds, takes over and releases parts: of a character, or of the scene."""
+    part = Value("part", kind)
+    whose = "of the scene (light, framing, or all of all characters)" if of_show else "of it (face, head ..., or all)"
+    return (
+        Address(
+            "lease/{part}",
+            f"holds a part {whose}: nobody else plays it, while leases are on",
+            (part, PRESS),
+            lambda who, call, part: wire.Lease(call, who, part),
+            of_show,
+        ),
+        Address(
+            "take_over/{part}",
+            f"takes over a part {whose} that another holds",
+            (part, PRESS),
+            lambda who, call, part: wire.Lease(call, who, part, take_over=True),
+            of_show,
+        ),
+        Address(
+            "release_lease/{part}",
+            f"releases a part {whose}, or wants no more what another holds",
+            (part, PRESS),
+            lambda who, call, part: wire.ReleaseLease(call, who, part),
+            of_show,
+        ),
+    )
 
 
 HEAD, GAZE = _angles(HEAD_LIMITS), _angles(GAZE_LIMITS)
@@ -201,6 +230,7 @@ ADDRESSES: tuple[Address, ...] = (
             who, x, depth, size, _radians(PLACE[3], turn), seconds, call
         ),
     ),
+    *_leases("lease", of_show=False),
     Address(
         "light",
         "brings a light on air",
@@ -222,6 +252,7 @@ ADDRESSES: tuple[Address, ...] = (
         lambda _, __: wire.Panic(ALL),
         of_show=True,
     ),
+    *_leases("scene_lease", of_show=True),
 )
 
 

@@ -366,7 +366,8 @@ class Source(Message, frozen=True):
     """Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
     that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
     made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
-    own. Answered with `source_is`; the end of its link is its end."""
+    own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
+    with `source_is`; the end of its link is its end."""
 
     name: Name
     kind: StreamKind
@@ -374,6 +375,7 @@ class Source(Message, frozen=True):
     characters: Annotated[list[CharacterName], msgspec.Meta(max_length=MOST_CHARACTERS)] = []
     performer: Annotated[str, msgspec.Meta(max_length=80)] = ""
     id: RequestId = ""
+    smoothing: float = 0.0
 
 
 class Drive(Message, frozen=True):
@@ -416,7 +418,8 @@ class CalibrateSource(Message, frozen=True):
 
 class TuneSource(Message, frozen=True):
     """How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
-    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels."""
+    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels; `smoothing` 0..2: seconds in which a step
+    is followed, where that is slower than of all sources."""
 
     id: CallId
     source: Name
@@ -424,6 +427,7 @@ class TuneSource(Message, frozen=True):
     dead_zone: float
     curve: float
     gain: float
+    smoothing: float = 0.0
 
 
 class Cancel(Message, frozen=True):
@@ -727,6 +731,7 @@ class SourceState(msgspec.Struct, frozen=True):
     dead_zone: float
     curve: float
     gain: float
+    smoothing: float = 0.0
 
 
 class Sources(Message, frozen=True):

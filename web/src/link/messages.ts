@@ -371,7 +371,8 @@ export interface SetMotion {
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
- * own. Answered with `source_is`; the end of its link is its end.
+ * own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
+ * with `source_is`; the end of its link is its end.
  */
 export interface Source {
   type: "source";
@@ -381,6 +382,7 @@ export interface Source {
   characters: string[];
   performer: string;
   id: string;
+  smoothing: number;
 }
 
 /**
@@ -429,7 +431,8 @@ export interface CalibrateSource {
 
 /**
  * How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
- * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels.
+ * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels; `smoothing` 0..2: seconds in which a step
+ * is followed, where that is slower than of all sources.
  */
 export interface TuneSource {
   type: "tune_source";
@@ -439,6 +442,7 @@ export interface TuneSource {
   dead_zone: number;
   curve: number;
   gain: number;
+  smoothing: number;
 }
 
 /**
@@ -753,6 +757,7 @@ export interface SourceState {
   dead_zone: number;
   curve: number;
   gain: number;
+  smoothing: number;
 }
 
 /** All sources that send: complete, to consoles once a second and with each change. */

@@ -81,6 +81,8 @@ def drive(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceF
     drivers = layers.drivers if driver.silent == 0.0 else {**layers.drivers, layer: with_fields(driver, silent=0.0)}
     if driver.waits:
         return replace(layers, drivers=drivers)
+    if driver.smoothing != frame.smoothing:
+        drivers = {**drivers, layer: replace(drivers[layer], smoothing=frame.smoothing)}
     return _streamed(cast, layers, drivers, layer, frame)
 
 
@@ -203,14 +205,18 @@ def _stepped(layers: Layers, dt: float) -> Layers:
         goal = goal.copy()
         columns.rows(goal, "trust")[:] = wanted
     settles = not any(driver.is_trusted for driver in drivers.values())  # while a source plays nothing comes to rest
-    first, second = follow(layers.first, layers.second, goal, columns.rate, columns.haste, dt, settles=settles)
+    rate, haste = columns.followed({DRIVEN.index(layer): driver.smoothing for layer, driver in drivers.items()})
+    first, second = follow(layers.first, layers.second, goal, rate, haste, dt, settles=settles)
     return Layers(columns, goal, first, second, layers.settings, drivers, layers.held, layers.calm)
 
 
 def _later(layers: Layers, layer: LayerName, driver: Driver, dt: float) -> Driver:
     """What drives a layer, `dt` seconds later."""
     silent, waits = min(driver.silent + dt, LOSS_SECONDS), driver.waits and _trust(layers, layer) >= LET_GO
-    return Driver(driver.source, driver.names, driver.head, driver.gaze, driver.parts, silent, waits, driver.leaves)
+    return Driver(
+        driver.source, driver.names, driver.head, driver.gaze, driver.parts, silent, waits, driver.leaves,
+        driver.smoothing,
+    )  # fmt: skip
 
 
 def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:

@@ -98,11 +98,13 @@ class RemoteCharacter(Generic[Sent]):
         head: tuple[float, float, float] | None = None,
         gaze: tuple[float, float] | None = None,
         found: bool = True,
+        smoothing: float = 0.0,
     ) -> Sent:
         """One frame of a source of this program: the newest wins, and the layer follows it without a jump. The same
-        names in each frame; radians for head and gaze; after half a second without a frame the layer fades out."""
+        names in each frame; radians for head and gaze; after half a second without a frame the layer fades out.
+        smoothing: seconds, to 2, in which a step is followed, where that is slower than of all sources."""
         kind = next(each for each in STREAM_KINDS if each == check_driven(layer))
-        source = wire.Source(f"{layer} {self.name}", kind, list(channels), [self.name])
+        source = wire.Source(f"{layer} {self.name}", kind, list(channels), [self.name], smoothing=smoothing)
         values = struct.pack(f"<{len(channels)}f", *channels.values())
         return self._show.drive(source, wire.Drive(0, values, head, gaze, found))
 

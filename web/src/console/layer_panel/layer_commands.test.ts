@@ -39,6 +39,7 @@ const SOURCE: SourceState = {
   ranging: false,
   mirror: false,
   dead_zone: 0.1,
+  smoothing: 0.5,
   curve: 0,
   gain: 1,
 };
@@ -131,7 +132,15 @@ describe("what moves by itself", () => {
 
 describe("a source", () => {
   const route = { type: "route_source", source: "phone", characters: ["one"], layer: "tracker", regions: ["mouth"] };
-  const tuning = { type: "tune_source", source: "phone", mirror: false, dead_zone: 0.1, curve: 0, gain: 1 };
+  const tuning = {
+    type: "tune_source",
+    source: "phone",
+    mirror: false,
+    dead_zone: 0.1,
+    curve: 0,
+    gain: 1,
+    smoothing: 0.5,
+  };
 
   it("is routed elsewhere in the same parts, and back", () => {
     commands.route(SOURCE, { characters: ["one", "two"] });
