@@ -69,9 +69,9 @@ INTERVALS = """seconds => new Promise((done) => {
     };
     requestAnimationFrame(look);
 })"""
-# Resolves with the page's clock (ms) when the mouth's pixels are no longer those of now: of a frame that the stage draws
-# (what it does not draw again reads as nothing) while its pose stands still. Pixels are read back only from the frame on
-# in which the stage draws another pose, because reading waits for the renderer and would slow every frame.
+# Resolves with the page's clock (ms) when the mouth's pixels are no longer those of now: of a frame that the stage
+# draws (what it does not draw again reads as nothing) while its pose stands still. Pixels are read back only from the
+# frame on in which the stage draws another pose, because reading waits for the renderer and would slow every frame.
 FIRST_CHANGE = """() => {
     const gl = document.querySelector("canvas").getContext("webgl2");
     const read = () => {
