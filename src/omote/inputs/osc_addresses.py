@@ -1,14 +1,15 @@
 """Every address of OSC that a show obeys, once: the parser, the documentation and what surfaces are told use this list.
 
-Angles are in degrees. A number comes as float, integer, boolean or numeric text; as OSC's buttons send 1 when they are
-pressed and 0 when they are let go, a command without a value happens at a number above 0 or without any.
+Angles are in degrees. A number comes as float, integer, boolean or numeric text, a switch as 0, 1, true or false; as
+OSC's buttons send 1 when they are pressed and 0 when they are let go, a command without a value happens at a number
+above 0 or without any.
 """
 
 from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
@@ -31,8 +32,9 @@ REMEMBERED_LENGTH = 120
 """Characters of an address that is remembered when it was found: a fader sends the same one again and again."""
 
 Kind = Literal[
-    "face", "expression", "region", "channel", "light", "framing", "layer", "part", "number", "seconds", "time", "press"
-]
+    "face", "expression", "region", "channel", "light", "framing", "layer", "part", "number", "switch", "seconds",
+    "time", "press",
+]  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -82,15 +84,24 @@ PLACE = *(Value(name, low=low, high=high, unit=_UNITS[name]) for name, (low, hig
 
 def _angles(limits: Mapping[str, float]) -> tuple[Value, ...]:
     return tuple(
-        Value(name, low=-math.degrees(limit), high=math.degrees(limit), unit="degrees")
+        Value(name, low=-round(math.degrees(limit), 9), high=round(math.degrees(limit), 9), unit="degrees")
         for name, limit in limits.items()
     )
 
 
-def _turn(message: Callable[..., wire.FromClient]) -> Callable[..., wire.FromClient]:
-    return lambda who, _, *degrees: message(who, *map(math.radians, degrees))
+def _radians(value: Value, degrees: float) -> float:
+    """An angle as messages have it; ValueError, in the degrees that came, where it is out of its range."""
+    if not value.low <= degrees <= value.high:
+        span = f"{value.low:g} to {value.high:g}"
+        raise ValueError(f"the {value.name} is {degrees:g} degrees; give a number from {span}")
+    return math.radians(degrees)
 
 
+def _turn(message: Callable[..., wire.FromClient], angles: Sequence[Value]) -> Callable[..., wire.FromClient]:
+    return lambda who, _, *degrees: message(who, *map(_radians, angles, degrees))
+
+
+HEAD, GAZE = _angles(HEAD_LIMITS), _angles(GAZE_LIMITS)
 ADDRESSES: tuple[Address, ...] = (
     Address(
         "face",
@@ -130,12 +141,12 @@ ADDRESSES: tuple[Address, ...] = (
     ),
     Address(
         "layer_on/{name}",
-        "switches a layer on (above 0) or off",
-        (Value("name", "layer"), Value("on")),
-        lambda who, _, layer, on: wire.SetLayer(who, layer, None, None, on > 0.0),
+        "switches a layer on (1 or true) or off (0 or false)",
+        (Value("name", "layer"), Value("on", "switch")),
+        lambda who, _, layer, on: wire.SetLayer(who, layer, None, None, on == 1.0),
     ),
-    Address("head", "turns the head", _angles(HEAD_LIMITS), _turn(wire.SetHead)),
-    Address("gaze", "turns the eyes, relative to the head", _angles(GAZE_LIMITS), _turn(wire.SetGaze)),
+    Address("head", "turns the head", HEAD, _turn(wire.SetHead, HEAD)),
+    Address("gaze", "turns the eyes, relative to the head", GAZE, _turn(wire.SetGaze, GAZE)),
     Address("fade/face", "moves the T-bar of the faces", (FADER,), lambda who, _, x: wire.FadeFace(who, x)),
     Address(
         "fade/expression", "moves the T-bar of the expressions", (FADER,), lambda who, _, x: wire.FadeExpression(who, x)
@@ -167,7 +178,7 @@ ADDRESSES: tuple[Address, ...] = (
         "moves it: to the picture's right, behind the front line, larger, turned",
         PLACE,
         lambda who, call, x, depth, size, turn, seconds: wire.PlaceCharacter(
-            who, x, depth, size, math.radians(turn), seconds, call
+            who, x, depth, size, _radians(PLACE[3], turn), seconds, call
         ),
     ),
     Address(

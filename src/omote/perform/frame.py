@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
@@ -11,6 +12,17 @@ from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_within
 
 Frozen = TypeVar("Frozen")
+
+
+def _describe_angles(whose: str, limits: Mapping[str, float]) -> dict[str, str]:
+    """What error messages call angles: whoever thinks in degrees reads that these are none."""
+    return {
+        name: f"the {whose}'s {name} (radians; {math.degrees(limit):.0f} degrees at most)"
+        for name, limit in limits.items()
+    }
+
+
+_HEAD_ANGLES, _GAZE_ANGLES = _describe_angles("head", HEAD_LIMITS), _describe_angles("gaze", GAZE_LIMITS)
 
 
 @dataclass(frozen=True)
@@ -24,7 +36,7 @@ class Head:
     def __post_init__(self) -> None:
         """Rejects angles beyond a head's range."""
         for name, limit in HEAD_LIMITS.items():
-            value = check_within(getattr(self, name), -limit, limit, f"the head's {name} (radians)")
+            value = check_within(getattr(self, name), -limit, limit, _HEAD_ANGLES[name])
             object.__setattr__(self, name, value)
 
 
@@ -38,7 +50,7 @@ class Gaze:
     def __post_init__(self) -> None:
         """Rejects angles beyond an eye's range."""
         for name, limit in GAZE_LIMITS.items():
-            value = check_within(getattr(self, name), -limit, limit, f"the gaze's {name} (radians)")
+            value = check_within(getattr(self, name), -limit, limit, _GAZE_ANGLES[name])
             object.__setattr__(self, name, value)
 
 

@@ -515,7 +515,7 @@ class Performer:
         ValueError
             On a layer or a region that there is not, and on an influence out of range.
         TypeError
-            On an influence that is no number.
+            On an influence that is no number, and on a switch that is neither True nor False.
 
         Examples
         --------

@@ -438,9 +438,9 @@ class Drawing(Message, frozen=True):
 
 
 class Lease(Message, frozen=True):
-    """Holds a part of a character: nobody else may play it until it is released. Rejected where another seat holds it,
-    but for `take_over`; all parts of others are the stage manager's to take over. An `id` executes once, as of the
-    messages below."""
+    """Holds a part of a character: nobody else may play it until it is released; of one that the seat holds already,
+    answers those who want it that it is kept. Rejected where another seat holds it, but for `take_over`; all parts of
+    others are the stage manager's to take over. An `id` executes once, as of the messages below."""
 
     id: CallId
     character: CharacterName
@@ -449,7 +449,7 @@ class Lease(Message, frozen=True):
 
 
 class ReleaseLease(Message, frozen=True):
-    """Releases a part; "*" all that the seat holds of a character, or of all."""
+    """Releases a part, or takes back the wish for one that another holds; "*": all of a character, or of all."""
 
     id: CallId
     character: CharacterName
@@ -654,25 +654,38 @@ class SeatState(msgspec.Struct, frozen=True):
     here: bool = True
 
 
+class LeaseWish(msgspec.Struct, frozen=True):
+    """A part that somebody holds, as in `Leases.held`, the number of the seat that wants it, and for how many seconds.
+    It stands until the part is released or taken over, its holder holds it again (`lease`), or the seat takes the wish
+    back (`release_lease`) or has gone."""
+
+    part: str
+    by: int
+    seconds: int
+
+
 class Leases(Message, frozen=True):
     """Who holds what, complete, to consoles once leases have been switched on: when it changes and once a second.
     `held`: by character and part (`one/face`; the character of light and framing is `*`); `seats`: all operators, and
-    what else holds something; `you`: the number of this console's own. While leases are not `on` the last touch wins.
+    what else holds or wants something; `you`: the number of this console's own. While leases are not `on` the last
+    touch wins.
     """
 
     on: bool
     held: dict[str, SeatState]
     seats: list[SeatState]
     you: int
+    wishes: list[LeaseWish] = []
 
 
 class LeaseClaim(Message, frozen=True):
-    """To the consoles of a seat: another touched parts that it holds, or has `taken` them over. `parts`: as in
-    `Leases.held`."""
+    """To the consoles of a seat: another touched parts that it holds, or has `taken` them over, or, holding what it
+    wanted, has `kept` them. `parts`: as in `Leases.held`."""
 
     parts: list[str]
     by: SeatState
     taken: bool
+    kept: bool = False
 
 
 class SourceIs(Message, frozen=True):
@@ -923,21 +936,26 @@ class LearningState(msgspec.Struct, frozen=True):
 
 class BindingList(Message, frozen=True):
     """All bindings in their order: complete, to consoles after the welcome and with each change. `fixed`: those of
-    these that a file of the command line has made, which no page changes."""
+    these that a file of the command line has made, which no page changes. `missing`: for each of the bindings why it
+    waits, where it names a face, an expression or a character that is not there, else ""."""
 
     bindings: list[BindingDocument]
     fixed: list[BindingDocument]
     learning: LearningState | None
     presets: list[PresetDocument]
+    missing: list[str] = []
 
 
 class BindingsChanged(Message, frozen=True):
     """Answers bind, unbind, learn (when a control has been bound), load_preset and restore_bindings: what is new and
-    what is gone; `restore_bindings` takes it back."""
+    what is gone; `restore_bindings` takes it back. `preset`: nobody asked, the preset of this label was loaded when its
+    device was plugged in for the first time: all consoles are told, `here` says whether it was at this one."""
 
     id: str
     added: list[BindingDocument]
     removed: list[BindingDocument]
+    preset: str = ""
+    here: bool = True
 
 
 class InputLine(msgspec.Struct, frozen=True):

@@ -126,7 +126,8 @@ def test_what_cannot_be_played_is_refused_and_changes_nothing(cast: Cast) -> Non
     assert "face sent 4 bytes for 2 channels" in show.refused(wire.Drive(index, bytes(4)))
     bad = np.array([0.0, np.nan], "<f4").tobytes()
     assert "smile of face is no number (NaN)" in show.refused(wire.Drive(index, bad))
-    assert "the head's yaw (radians) is 9.0" in show.refused(wire.Drive(index, bytes(8), head=(9.0, 0.0, 0.0)))
+    far = show.refused(wire.Drive(index, bytes(8), head=(9.0, 0.0, 0.0)))
+    assert "the head's yaw (radians; 90 degrees at most) is 9.0" in far
     assert "there is no channel 'gone'" in show.refused(wire.Source("x", "lips", ["gone"]))
     assert "there is no character 'three'" in show.refused(wire.Source("x", "lips", ["smile"], ["three"]))
     assert "there is no source 'x'" in show.refused(wire.CalibrateSource("c", "x", "neutral"), "console")

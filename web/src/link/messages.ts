@@ -449,9 +449,9 @@ export interface Drawing {
 }
 
 /**
- * Holds a part of a character: nobody else may play it until it is released. Rejected where another seat holds it,
- * but for `take_over`; all parts of others are the stage manager's to take over. An `id` executes once, as of the
- * messages below.
+ * Holds a part of a character: nobody else may play it until it is released; of one that the seat holds already,
+ * answers those who want it that it is kept. Rejected where another seat holds it, but for `take_over`; all parts of
+ * others are the stage manager's to take over. An `id` executes once, as of the messages below.
  */
 export interface Lease {
   type: "lease";
@@ -461,7 +461,7 @@ export interface Lease {
   take_over: boolean;
 }
 
-/** Releases a part; "*" all that the seat holds of a character, or of all. */
+/** Releases a part, or takes back the wish for one that another holds; "*": all of a character, or of all. */
 export interface ReleaseLease {
   type: "release_lease";
   id: string;
@@ -674,9 +674,21 @@ export interface SeatState {
 }
 
 /**
+ * A part that somebody holds, as in `Leases.held`, the number of the seat that wants it, and for how many seconds.
+ * It stands until the part is released or taken over, its holder holds it again (`lease`), or the seat takes the wish
+ * back (`release_lease`) or has gone.
+ */
+export interface LeaseWish {
+  part: string;
+  by: number;
+  seconds: number;
+}
+
+/**
  * Who holds what, complete, to consoles once leases have been switched on: when it changes and once a second.
  * `held`: by character and part (`one/face`; the character of light and framing is `*`); `seats`: all operators, and
- * what else holds something; `you`: the number of this console's own. While leases are not `on` the last touch wins.
+ * what else holds or wants something; `you`: the number of this console's own. While leases are not `on` the last
+ * touch wins.
  */
 export interface Leases {
   type: "leases";
@@ -684,17 +696,19 @@ export interface Leases {
   held: Record<string, SeatState>;
   seats: SeatState[];
   you: number;
+  wishes: LeaseWish[];
 }
 
 /**
- * To the consoles of a seat: another touched parts that it holds, or has `taken` them over. `parts`: as in
- * `Leases.held`.
+ * To the consoles of a seat: another touched parts that it holds, or has `taken` them over, or, holding what it
+ * wanted, has `kept` them. `parts`: as in `Leases.held`.
  */
 export interface LeaseClaim {
   type: "lease_claim";
   parts: string[];
   by: SeatState;
   taken: boolean;
+  kept: boolean;
 }
 
 /** Answers source: the index by which this link's frames name it. */
@@ -947,7 +961,8 @@ export interface LearningState {
 
 /**
  * All bindings in their order: complete, to consoles after the welcome and with each change. `fixed`: those of
- * these that a file of the command line has made, which no page changes.
+ * these that a file of the command line has made, which no page changes. `missing`: for each of the bindings why it
+ * waits, where it names a face, an expression or a character that is not there, else "".
  */
 export interface BindingList {
   type: "binding_list";
@@ -955,17 +970,21 @@ export interface BindingList {
   fixed: BindingDocument[];
   learning: LearningState | null;
   presets: PresetDocument[];
+  missing: string[];
 }
 
 /**
  * Answers bind, unbind, learn (when a control has been bound), load_preset and restore_bindings: what is new and
- * what is gone; `restore_bindings` takes it back.
+ * what is gone; `restore_bindings` takes it back. `preset`: nobody asked, the preset of this label was loaded when its
+ * device was plugged in for the first time: all consoles are told, `here` says whether it was at this one.
  */
 export interface BindingsChanged {
   type: "bindings_changed";
   id: string;
   added: BindingDocument[];
   removed: BindingDocument[];
+  preset: string;
+  here: boolean;
 }
 
 /**

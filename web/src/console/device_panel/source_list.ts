@@ -103,6 +103,11 @@ export class SourceList extends DevicesElement {
       .presets {
         margin-top: 6px;
       }
+      .missing {
+        margin: 4px 0 0;
+        font-size: 12px;
+        color: var(--attention);
+      }
     `,
   ];
 
@@ -142,9 +147,20 @@ export class SourceList extends DevicesElement {
       <header><span class="lamp ${one.plugged ? "on" : ""}"></span><b>${one.name}</b>
         <span class="kind">${KINDS[one.kind]}${one.where === "" ? "" : `, ${one.plugged ? "at" : "was at"} ${one.where}`}${one.plugged ? "" : "; not plugged in, its bindings wait"}</span>
         <span class="numbers"></span></header>
+      ${this.#missing(one)}
       ${controls.length === 0 ? nothing : html`<div class="bars" role="group" aria-label="Controls of ${one.name}">${controls.map((control) => this.#bar(one, control))}</div>`}
       ${AT_PAGES.includes(one.kind) ? this.#presets(one) : nothing}
     </article>`;
+  }
+
+  /** How many of its bindings wait for a name that is not there; the table says which. */
+  #missing({ name }: DeviceState) {
+    const count = this.devices.bindings.filter(
+      (one) => one.device === name && this.devices.whyMissing(one) !== "",
+    ).length;
+    if (count === 0) return nothing;
+    const says = count === 1 ? "binding waits: what it plays" : "bindings wait: what they play";
+    return html`<p class="missing">${count} ${says} is not there. The table says why.</p>`;
   }
 
   #bar({ name, kind }: DeviceState, control: string) {
