@@ -57,7 +57,7 @@ class UnitWeights:
         if name in ARKIT_NAMES:
             return {name: 1.0}
         wanted = _moves(self._expressions[name]) if name != NEUTRAL and name in self._expressions else np.zeros(0)
-        if len(wanted) != self._moves.shape[1]:
+        if not self.names or len(wanted) != self._moves.shape[1]:  # SciPy's solver ends the process on an empty matrix
             return {}
         weights, _ = nnls(self._factor.T, np.linalg.solve(self._factor, self._moves @ wanted))
         return {unit: float(each) for unit, each in zip(self.names, weights, strict=True) if each > LEAST_WEIGHT}
