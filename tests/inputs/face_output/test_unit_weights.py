@@ -13,13 +13,11 @@ from omote.model.space.expression import Expression
 
 def mixed(cast: Cast, **weights: float) -> Expression:
     """An expression that moves what units do, each by its weight."""
-    parts = [(weight, cast.expressions[name]) for name, weight in weights.items()]
-    dtheta, dh = (
-        sum(weight * np.asarray(getattr(unit, field)) for weight, unit in parts) for field in ("dtheta", "dh")
-    )
-    ratio = 1.0 + sum(weight * (np.asarray(unit.ratio) - 1.0) for weight, unit in parts)
-    neutral = cast.expressions["neutral"]
-    return replace(neutral, dtheta=dtheta, dh=dh, ratio=ratio)
+    units, shares = [cast.expressions[name] for name in weights], np.array(list(weights.values()))
+    dtheta = shares @ np.stack([unit.dtheta for unit in units])
+    dh = shares @ np.stack([unit.dh for unit in units])
+    ratio = 1.0 + shares @ np.stack([unit.ratio - 1.0 for unit in units])
+    return replace(cast.expressions["neutral"], dtheta=dtheta, dh=dh, ratio=ratio)
 
 
 def moved(weights: dict[str, float]) -> dict[str, float]:
