@@ -28,3 +28,12 @@ def test_what_is_no_tracker_ends_the_command(text: str, capsys: pytest.CaptureFi
     with pytest.raises(typer.Exit):
         read_options("off", None, "", text)
     assert capsys.readouterr().err
+
+
+def test_where_faces_are_sent_is_read_and_never_to_the_show_itself(capsys: pytest.CaptureFixture[str]) -> None:
+    options = read_options("off", None, "", "vmc", "vmc:10.0.0.5, osc:127.0.0.1:9001=dog")
+    assert options.send == "vmc:10.0.0.5:39539,osc:127.0.0.1:9001=dog"
+    for send in ("vmc:localhost", "vmc"):
+        with pytest.raises(typer.Exit):
+            read_options("off", None, "", "vmc", send)
+    assert "its own face" in capsys.readouterr().err

@@ -80,6 +80,10 @@ def show(
             metavar="TRACKERS", help="Face trackers to hear: vmc,livelink,ifacialmocap@PHONE,openseeface:PORT."
         ),
     ] = "",
+    send: Annotated[
+        str,
+        typer.Option(metavar="RECEIVERS", help="Where the face on air is sent: vmc:HOST:PORT,livelink:HOST,osc:HOST."),
+    ] = "",
     allow: Annotated[
         str,
         typer.Option(metavar="NETWORKS", help="Who may send beside this machine: 192.168.1.0/24,10.0.0.7 or any."),
@@ -100,7 +104,7 @@ def show(
     refuse_windows()
     from omote.server.supervision.supervisor import PROGRAM, Supervisor
 
-    options = read_options(sacn, bindings, allow, listen)
+    options = read_options(sacn, bindings, allow, listen, send)
     tls = open_certificate(host, certificate, key, made=https)
     devices = open_devices(host, osc, options, OFF if artnet is None else artnet)
     context.call_on_close(devices.close)

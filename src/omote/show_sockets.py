@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from omote.terminal import fail_with, say
+from omote.terminal import fail, fail_with, say
 
 if TYPE_CHECKING:
     from omote.server.devices.osc_listener import OscSockets
@@ -17,14 +17,15 @@ if TYPE_CHECKING:
 OSC_PORT, OFF = 9000, -1
 
 
-def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "") -> DeviceOptions:
+def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "", send: str = "") -> DeviceOptions:
     """What the operator asks for of devices, validated; ends the command where it cannot be."""
     from omote.inputs.allowed_senders import read_senders
+    from omote.inputs.face_output.face_target import read_targets
     from omote.server.supervision.device_sockets import DeviceOptions, read_universes
-    from omote.server.supervision.tracker_sockets import find_phones, read_trackers
+    from omote.server.supervision.tracker_sockets import find_phones, find_receivers, read_trackers
 
     try:
-        wishes = find_phones(read_trackers(listen))
+        wishes, targets = find_phones(read_trackers(listen)), find_receivers(read_targets(send))
         universes = read_universes(sacn)
         if allow:
             read_senders(allow)
@@ -35,8 +36,11 @@ def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "")
     except (OSError, ValueError) as error:
         fail_with(error)
     path = "" if bindings is None else str(bindings.resolve())
-    words = ",".join(wish.word for wish in wishes)
-    return DeviceOptions(universes=universes, allow=allow, bindings=path, listen=words)
+    words, sent = ",".join(wish.word for wish in wishes), ",".join(target.word for target in targets)
+    for target in targets:
+        if target.host.startswith("127.") and target.port in (wish.port for wish in wishes):
+            fail(f"{target.word} would send the show its own face; name another port.")
+    return DeviceOptions(universes=universes, allow=allow, bindings=path, listen=words, send=sent)
 
 
 def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int) -> DeviceSockets:

@@ -4,11 +4,13 @@ import socket
 
 import pytest
 
+from omote.inputs.face_output.face_target import read_targets
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.server.supervision.tracker_sockets import (
     TrackerWish,
     explain_trackers,
     find_phones,
+    find_receivers,
     listen_for_trackers,
     read_trackers,
 )
@@ -44,8 +46,13 @@ def test_what_is_no_list_is_said(text: str, why: str) -> None:
 def test_a_phone_is_kept_by_its_address() -> None:
     (found,) = find_phones(read_trackers("ifacialmocap@localhost"))
     assert found.phone == "127.0.0.1"
-    with pytest.raises(OSError, match="no address of the phone"):
+    with pytest.raises(OSError, match="no address of xxx"):
         find_phones(read_trackers("ifacialmocap@" + "x" * 300))
+
+
+def test_a_receiver_is_kept_by_its_address() -> None:
+    (found,) = find_receivers(read_targets("vmc:localhost"))
+    assert found.word == "vmc:127.0.0.1:39539"
 
 
 def test_sockets_are_opened_and_explained_and_one_that_is_taken_is_said() -> None:

@@ -9,9 +9,9 @@ from types import MappingProxyType
 from omote.inputs.trackers.face_text import FACEMOTION3D_START, IFACIALMOCAP_START, decode_face_text
 from omote.inputs.trackers.live_link_face import decode_live_link_face
 from omote.inputs.trackers.open_see_face import decode_open_see_face
+from omote.inputs.trackers.phone_frame import decode_phone_frame, request_frames
 from omote.inputs.trackers.tracker_frame import Decode
 from omote.inputs.trackers.vmc_messages import open_vmc
-from omote.inputs.trackers.vtube_studio import decode_phone_frame, request_frames
 
 Ask = Callable[[int], bytes]
 """What asks a phone for frames at a port of ours."""

@@ -60,7 +60,8 @@ class DeviceSockets:
 class DeviceOptions:
     """What a server is told of devices: descriptors of sockets, and what the operator asked for, as it was typed.
 
-    trackers: descriptors by the names of their protocols; listen: what was asked for of them.
+    trackers: descriptors by the names of their protocols; listen: what was asked for of them; send: where faces
+    are sent.
     """
 
     osc: int | None = None
@@ -72,12 +73,13 @@ class DeviceOptions:
     bindings: str = ""
     trackers: Mapping[str, int] = field(default_factory=dict)
     listen: str = ""
+    send: str = ""
 
     @property
     def words(self) -> list[str]:
         """The words of a standby's command line that say the same, but for descriptors."""
         universes = [word for number in self.universes for word in ("--universe", str(number))]
-        named = {"--allow": self.allow, "--bindings": self.bindings, "--trackers": self.listen}
+        named = {"--allow": self.allow, "--bindings": self.bindings, "--trackers": self.listen, "--send": self.send}
         return universes + [word for name, value in named.items() if value for word in (name, value)]
 
 
@@ -91,7 +93,7 @@ def add_device_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--universe", type=int, action="append", default=[])
     for name in TRACKER_PROTOCOLS:
         parser.add_argument(OPTION + name, type=int, default=None)
-    for name in ("--allow", "--bindings", "--trackers"):
+    for name in ("--allow", "--bindings", "--trackers", "--send"):
         parser.add_argument(name, default="")
 
 
@@ -101,7 +103,13 @@ def read_device_options(options: argparse.Namespace) -> DeviceOptions:
     given = {name: getattr(options, f"{OPTION}{name}".strip("-").replace("-", "_")) for name in TRACKER_PROTOCOLS}
     trackers = {name: descriptor for name, descriptor in given.items() if descriptor is not None}
     return DeviceOptions(
-        *descriptors, tuple(options.universe), options.allow, options.bindings, trackers, options.trackers
+        *descriptors,
+        tuple(options.universe),
+        options.allow,
+        options.bindings,
+        trackers,
+        options.trackers,
+        options.send,
     )
 
 

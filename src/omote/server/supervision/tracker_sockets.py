@@ -7,6 +7,7 @@ import socket
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
+from omote.inputs.face_output.face_target import FaceTarget
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS, TrackerProtocol, advise
 from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.limits import check_known
@@ -56,16 +57,21 @@ def _read_wish(word: str) -> TrackerWish:
 
 def find_phones(wishes: Iterable[TrackerWish]) -> tuple[TrackerWish, ...]:
     """The same with phones by their numeric addresses; OSError with a message where one has none."""
-    return tuple(replace(wish, phone=_find_phone(wish.phone)) if wish.phone else wish for wish in wishes)
+    return tuple(replace(wish, phone=find_host(wish.phone)) if wish.phone else wish for wish in wishes)
 
 
-def _find_phone(phone: str) -> str:
+def find_receivers(targets: Iterable[FaceTarget]) -> tuple[FaceTarget, ...]:
+    """The same with receivers by their numeric addresses, which no tick looks up; OSError with a message where one has
+    none."""
+    return tuple(replace(target, host=find_host(target.host)) for target in targets)
+
+
+def find_host(name: str) -> str:
+    """The numeric address of a host; OSError with a message where it has none."""
     try:
-        return socket.gethostbyname(phone)
+        return socket.gethostbyname(name)
     except (OSError, UnicodeError) as error:
-        raise OSError(
-            f"no address of the phone {phone[:60]} is known: type the one of its network settings."
-        ) from error
+        raise OSError(f"no address of {name[:60]} is known: type the one of its network settings.") from error
 
 
 def listen_for_trackers(wishes: Iterable[TrackerWish]) -> dict[str, socket.socket]:

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
+from omote.inputs.trackers.phone_frame import decode_phone_frame, request_frames
 from omote.inputs.trackers.tracker_frame import TrackerError
-from omote.inputs.trackers.vtube_studio import decode_phone_frame, request_frames
 
 FRAME: dict[str, Any] = {
     "Timestamp": 1664817520079,
