@@ -16,6 +16,7 @@ from typing import Literal
 
 from omote.inputs.osc_packet import OscError
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.frame import DETAIL_LIMIT, DETAILS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene_frame import PLACE_LIMITS
@@ -97,6 +98,10 @@ def _radians(value: Value, degrees: float) -> float:
     return math.radians(degrees)
 
 
+def _motion_detail(detail: str) -> Callable[..., wire.FromClient]:
+    return lambda who, _, value: wire.SetMotion(who, **{detail: value})
+
+
 def _turn(message: Callable[..., wire.FromClient], angles: Sequence[Value]) -> Callable[..., wire.FromClient]:
     return lambda who, _, *degrees: message(who, *map(_radians, angles, degrees))
 
@@ -173,6 +178,21 @@ ADDRESSES: tuple[Address, ...] = (
         "switches a layer on (1 or true) or off (0 or false)",
         (Value("name", "layer"), Value("on", "switch")),
         lambda who, _, layer, on: wire.SetLayer(who, layer, None, None, on == 1.0),
+    ),
+    Address(
+        "motion",
+        "sets how much it moves by itself: lids, eyes, head, breath; 0.5 as people move",
+        (Value("liveliness", low=0.0, high=1.0),),
+        lambda who, _, liveliness: wire.SetMotion(who, liveliness),
+    ),
+    *(
+        Address(
+            f"motion/{detail}",
+            f"sets the {detail} of its own motion, beside all else of it; 1 at first",
+            (Value(detail, low=0.0, high=DETAIL_LIMIT),),
+            _motion_detail(detail),
+        )
+        for detail in DETAILS
     ),
     Address("head", "turns the head", HEAD, _turn(wire.SetHead, HEAD)),
     Address("gaze", "turns the eyes, relative to the head", GAZE, _turn(wire.SetGaze, GAZE)),

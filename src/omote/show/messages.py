@@ -47,7 +47,7 @@ LeasePart = Literal[
 DeviceName = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 ControlName = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 DeviceKind = Literal["midi", "gamepad", "space_mouse"]
-SourceKind = Literal["midi", "gamepad", "space_mouse", "osc", "sacn", "artnet"]
+SourceKind = Literal["midi", "gamepad", "space_mouse", "osc", "sacn", "artnet", "tracker"]
 StreamKind = Literal["tracker", "lips", "playback", "program", "breath", "gaze", "blink"]
 CalibrationStep = Literal["neutral", "range", "done", "reset"]
 MOST_NAMES = 200
@@ -346,6 +346,19 @@ class SetLayer(Message, frozen=True):
     region: LayerPart | None = None
     influence: float | None = None
     on: bool | None = None
+    id: RequestId = ""
+
+
+class SetMotion(Message, frozen=True):
+    """How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
+    `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is."""
+
+    character: CharacterName
+    liveliness: float | None = None
+    blinks: float | None = None
+    gaze: float | None = None
+    breath: float | None = None
+    seed: int | None = None
     id: RequestId = ""
 
 
@@ -773,6 +786,16 @@ class HeldState(msgspec.Struct, frozen=True):
     gaze: tuple[float, float]
 
 
+class MotionState(msgspec.Struct, frozen=True):
+    """What is set of a character's automatic motion, as of `set_motion`."""
+
+    liveliness: float
+    blinks: float
+    gaze: float
+    breath: float
+    seed: int
+
+
 class CharacterState(msgspec.Struct, frozen=True):
     """All that a character has on air.
 
@@ -783,6 +806,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
     `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
+    `motion`: what is set of its automatic motion, `None` where nothing was.
     """
 
     faces: dict[str, float]
@@ -808,6 +832,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     region_calls: dict[PlayRegion, CallState] = {}
     layers: dict[LayerName, LayerState] = {}
     held: HeldState | None = None
+    motion: MotionState | None = None
 
 
 class State(Message, frozen=True):
@@ -896,6 +921,7 @@ class DeviceState(msgspec.Struct, frozen=True):
     `rate`: readings or packets a second; `heard`, `rejected`: counts since the server began. `values`: where its
     controls stood last, 0..1, the newest sixty-four; `waiting`: controls that wait to be picked up, and the position
     at which they will be. `bank`: the one that it is turned to, of its `banks`; `preset`: the one it was given.
+    `advice`: what to do at whoever sends it, such as what to type into a phone.
     """
 
     name: str
@@ -910,6 +936,7 @@ class DeviceState(msgspec.Struct, frozen=True):
     bank: str = ""
     banks: list[str] = []
     preset: str = ""
+    advice: str = ""
 
 
 class PresetDocument(msgspec.Struct, frozen=True):
@@ -1041,6 +1068,7 @@ FromClient = (
     | ChooseBank
     | WatchDevices
     | SetLayer
+    | SetMotion
     | Source
     | Drive
     | LeaveSource

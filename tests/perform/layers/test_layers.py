@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.model.known_names import PLAY_REGIONS
-from omote.perform.blending.evaluate import evaluate, evaluate_parts
-from omote.perform.channels import channels_of, effective_channels
+from omote.perform.blending.evaluate import check_playable, evaluate, evaluate_parts
+from omote.perform.channels import GAZE_UNITS, channels_of, effective_channels
 from omote.perform.frame import Frame, Held
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
@@ -22,6 +22,7 @@ from tests.conftest import Command, commands, shows
 
 DT = 1.0 / 60.0
 FULL = {"jawOpen": 0.8, "smile": 0.4}
+yaws, pitches = (st.floats(-limit, limit) for limit in GAZE_LIMITS.values())
 
 
 def plain(frame: Frame) -> Frame:
@@ -74,6 +75,43 @@ def test_positions_are_those_without_layers(cast: Cast, show: list[Command]) -> 
     assert np.abs(evaluate(cast, frame) - evaluate(cast, other)).max() < 1e-6, "a micrometre: sums in another order"
     parts, others = evaluate_parts(cast, frame), evaluate_parts(cast, other)
     assert all(np.abs(parts[name] - others[name]).max() < 1e-6 for name in parts)
+
+
+@pytest.fixture(scope="session")
+def slow_eyes(cast: Cast) -> Cast:
+    """A cast like the built-in one, whose units turn an eye by so little that a wide gaze makes a weight of three."""
+    units = {name: cast.expressions[name] for name in GAZE_UNITS}
+    return cast.with_expressions(**{name: replace(unit, eyes=0.4 * unit.eyes) for name, unit in units.items()})
+
+
+@given(yaws, pitches)
+@settings(max_examples=20)
+def test_eyes_look_as_far_with_layers_as_without(slow_eyes: Cast, yaw: float, pitch: float) -> None:
+    performer, layered = Performer(slow_eyes), Performer(slow_eyes)
+    layered.set_layer("breath", influence=0.5)
+    for each in (performer, layered):
+        each.set_gaze(yaw, pitch)
+    frame, other = performer.advance(DT), layered.advance(DT)
+    assert channels_of(slow_eyes.expressions, other) == channels_of(slow_eyes.expressions, frame)
+    check_playable(slow_eyes, other)
+
+
+@given(yaws, pitches)
+@settings(max_examples=20)
+def test_a_show_whose_eyes_look_far_is_restored(slow_eyes: Cast, yaw: float, pitch: float) -> None:
+    performer = Performer(slow_eyes)
+    last(played(slow_eyes, performer, 1.0, lambda _: performer.drive(FULL, gaze=(yaw, pitch))))
+    assert Performer.restored(slow_eyes, performer.snapshot()).snapshot() == performer.snapshot()
+    performer.panic()
+    assert Performer.restored(slow_eyes, performer.snapshot()).advance(0.1) == performer.advance(0.1)
+
+
+def test_eyes_that_another_cast_turns_farther_stay_in_its_range(cast: Cast, slow_eyes: Cast) -> None:
+    performer = Performer(slow_eyes)
+    last(played(slow_eyes, performer, 1.0, lambda _: performer.drive(FULL, gaze=(GAZE_LIMITS["yaw"], 0.0))))
+    performer.recast(cast)
+    performer.advance(DT)
+    assert Performer.restored(cast, performer.snapshot()).snapshot() == performer.snapshot()
 
 
 @given(shows)

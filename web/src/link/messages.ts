@@ -353,6 +353,21 @@ export interface SetLayer {
 }
 
 /**
+ * How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
+ * `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is.
+ */
+export interface SetMotion {
+  type: "set_motion";
+  character: string;
+  liveliness: number | null;
+  blinks: number | null;
+  gaze: number | null;
+  breath: number | null;
+  seed: number | null;
+  id: string;
+}
+
+/**
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
@@ -797,6 +812,15 @@ export interface HeldState {
   gaze: [number, number];
 }
 
+/** What is set of a character's automatic motion, as of `set_motion`. */
+export interface MotionState {
+  liveliness: number;
+  blinks: number;
+  gaze: number;
+  breath: number;
+  seed: number;
+}
+
 /**
  * All that a character has on air.
  * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
@@ -806,6 +830,7 @@ export interface HeldState {
  * been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
  * `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
+ * `motion`: what is set of its automatic motion, `None` where nothing was.
  */
 export interface CharacterState {
   faces: Record<string, number>;
@@ -831,6 +856,7 @@ export interface CharacterState {
   region_calls: Partial<Record<"brows" | "eyes" | "mouth" | "rest", CallState>>;
   layers: Partial<Record<"breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands", LayerState>>;
   held: HeldState | null;
+  motion: MotionState | null;
 }
 
 /**
@@ -919,10 +945,11 @@ export interface Crew {
  * `rate`: readings or packets a second; `heard`, `rejected`: counts since the server began. `values`: where its
  * controls stood last, 0..1, the newest sixty-four; `waiting`: controls that wait to be picked up, and the position
  * at which they will be. `bank`: the one that it is turned to, of its `banks`; `preset`: the one it was given.
+ * `advice`: what to do at whoever sends it, such as what to type into a phone.
  */
 export interface DeviceState {
   name: string;
-  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet";
+  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet" | "tracker";
   where: string;
   plugged: boolean;
   rate: number;
@@ -933,6 +960,7 @@ export interface DeviceState {
   bank: string;
   banks: string[];
   preset: string;
+  advice: string;
 }
 
 /**
@@ -942,7 +970,7 @@ export interface DeviceState {
 export interface PresetDocument {
   name: string;
   label: string;
-  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet";
+  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet" | "tracker";
   matches: string[];
 }
 
@@ -1286,6 +1314,7 @@ export type FromClient =
   | ChooseBank
   | WatchDevices
   | SetLayer
+  | SetMotion
   | Source
   | Drive
   | LeaveSource

@@ -20,13 +20,17 @@ LOSS_SECONDS = 0.5
 """Seconds of silence, or of a performer who is not found, after which a source counts as lost."""
 
 
+AUTOMATIC = "automatic"
+"""The source of a character's own motion; no other has this name."""
+
+
 @dataclass(frozen=True, eq=False)
 class SourceFrame:
     """One frame of a source: the weights of its channels, float64 in the order of `names`, checked by `check_frame`.
 
     head, gaze: None where it sends none. found: False while it does not see its performer; all else is then ignored.
     parts: which parts of the face it may play. smoothing: seconds in which it is followed, where that is slower than
-    all sources are.
+    all sources are. direct: it is smooth already and knows what comes, so it shows as it is.
     """
 
     names: tuple[str, ...]
@@ -37,6 +41,7 @@ class SourceFrame:
     source: str = ""
     parts: tuple[LayerPart, ...] = LAYER_PARTS
     smoothing: float = 0.0
+    direct: bool = False
 
 
 @dataclass(frozen=True)

@@ -115,6 +115,18 @@ class RemoteCharacter(Generic[Sent]):
         part = None if region is None else check_part(region)
         return self._send(wire.SetLayer(self.name, check_layer(layer), part, influence, on))
 
+    def set_motion(
+        self,
+        liveliness: float | None = None,
+        *,
+        blinks: float | None = None,
+        gaze: float | None = None,
+        breath: float | None = None,
+        seed: int | None = None,
+    ) -> Sent:
+        """Sets how much the character moves by itself: 0 nothing, 0.5 as people move, 1 lively; the details 0 to 2."""
+        return self._send(wire.SetMotion(self.name, liveliness, blinks, gaze, breath, seed))
+
     def set_home(self, face: str, *, seconds: float = 2.0) -> Sent:
         """Chooses the face that a second panic brings on air."""
         return self._send(wire.SetHome(self.name, face, seconds))

@@ -50,6 +50,7 @@ FREE: tuple[type[wire.Message], ...] = (
     *get_args(wire.LeaseMessage),
     *get_args(wire.DeviceMessage),
     wire.SetLayer,  # an influence is followed: it takes nothing out of a hand
+    wire.SetMotion,
     wire.Source,
     wire.Drive,
     wire.LeaveSource,

@@ -10,7 +10,7 @@ import numpy as np
 
 from omote.perform.frame import Gaze, Head
 from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, check_driven
-from omote.perform.layers.source_frame import SourceFrame, check_names, check_smoothing
+from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_smoothing
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
@@ -80,6 +80,8 @@ class OpenSources:
     def begin(self, who: str, asked: wire.Source, scene: Scene, cast: Playable) -> wire.SourceIs:
         """A source opens; one of the same link and name takes its place. Refusal where it cannot be."""
         names = check_names(asked.names, cast.expressions)
+        if asked.name == AUTOMATIC:
+            raise Refusal(f"{AUTOMATIC} is what a character does by itself; choose another name.")
         if ALL not in asked.characters:
             for character in asked.characters:
                 check_known(character, scene, "character")
