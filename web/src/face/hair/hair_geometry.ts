@@ -71,6 +71,9 @@ function texture(
   return made;
 }
 
+/** How much wider fewer ribbons are: to the power of 1 they would cover as much as all, but lie on the head like slats. */
+const WIDENED = 0.75;
+
 /** Fewer ribbons are wider, so that they cover the head as all of them do. */
 export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
   const kin = features.detail ? KIN.count : 1;
@@ -81,7 +84,7 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
     ...shared,
     ...own,
     pixel,
-    width: { value: (style.hair.width / 2) * share ** -0.6 * (features.detail ? KIN.width : 1) },
+    width: { value: (style.hair.width / 2) * share ** -WIDENED * (features.detail ? KIN.width : 1) },
   });
   look.defines = { ...definesOf(features), KIN: kin, ...(features.multisample ? { SOFT: "" } : {}) };
   look.side = THREE.DoubleSide;
