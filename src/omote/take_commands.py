@@ -34,7 +34,7 @@ def play_take(
     except (OSError, ValueError) as error:
         fail_with(error if isinstance(error, OSError) else ValueError(f"{take}: {error}"))
     with exit_on_refusal(), connect(address, name="take", authority=authority) as show:
-        driven = show[character or next(iter(show.state.characters))]
+        drive = show[character or next(iter(show.state.characters))].drive
         say(f"{take.name} plays: {len(read.times)} frames in {read.seconds:.1f} s.")
-        while play(read, driven, layer=layer) and loop:
+        while play(read, drive, layer=layer) and loop:
             pass

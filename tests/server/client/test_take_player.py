@@ -30,7 +30,7 @@ class Character:
 @pytest.mark.parametrize("seconds", [0.0, 0.13, 10.0])
 def test_frames_are_played_at_their_times(seconds: float) -> None:
     character = Character(seconds)
-    sent = play_take(TAKE, character, clock=lambda: character.now, sleep=character.sleep, layer="tracker")
+    sent = play_take(TAKE, character.drive, clock=lambda: character.now, sleep=character.sleep, layer="tracker")
     assert sent == len(character.frames)
     assert all(weight == TAKE.values[TAKE.frame_at(time)][0] for time, weight in character.frames)
     assert character.frames[-1][1] == 0.75
