@@ -19,8 +19,11 @@ def play_take(
     clock: Callable[[], float] = time.monotonic,
     sleep: Callable[[float], None] = time.sleep,
 ) -> int:
-    """Plays a recording once, to its end; returns how many frames were sent. drive: of a character of a running show. A frame that is late is left out for the
-    newer one; one that lasts is sent again, so that the layer does not count as lost."""
+    """Plays a recording once, to its end; returns how many frames were sent. drive: of a character of a running show.
+
+    A frame that is late is left out for the newer one; one that lasts is sent again, so that the layer does not count
+    as lost.
+    """
     begun, sent = clock(), 0
     while True:
         now = clock() - begun
