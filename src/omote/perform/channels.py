@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from omote.model.known_names import NEUTRAL
 from omote.model.space.expression import STILL_EYES, Expression
 from omote.perform.frame import Frame, Gaze
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, check_known, check_within
 
 LEFT, RIGHT = 0, 1
 YAW, PITCH = 0, 1
@@ -26,6 +26,15 @@ GAZE_UNITS: Mapping[str, tuple[int, int]] = {
     "eyeLookDownRight": (RIGHT, PITCH),
 }
 """The units that turn an eyeball, and which angle of which eye each one turns; its sign is the unit's own."""
+
+
+def highest_weight(expressions: Mapping[str, Expression], name: str) -> float:
+    """The largest weight that a channel has on air: of a unit that turns an eye, what the widest gaze makes of it."""
+    if name not in GAZE_UNITS or name not in expressions:
+        return CHANNEL_HIGHEST
+    eye, direction = GAZE_UNITS[name]
+    own, widest = abs(float(expressions[name].eyes[eye, direction])), tuple(GAZE_LIMITS.values())[direction]
+    return max(CHANNEL_HIGHEST, widest / own) if own else CHANNEL_HIGHEST
 
 
 def with_channel(

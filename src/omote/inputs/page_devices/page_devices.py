@@ -14,12 +14,13 @@ from omote.inputs.page_devices.device_health import SourceCounts, SourceHealth
 from omote.inputs.page_devices.input_log import InputLog
 from omote.inputs.page_devices.plugged_device import PluggedDevice
 from omote.inputs.reading import Reading
+from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES
 from omote.show import messages as wire
 from omote.show.outgoing import Outgoing
 from omote.show.session import ShowSession
 
 MOST_DEVICES = 64
-RESERVED = ("OSC", "sACN", "Art-Net")
+RESERVED = ("OSC", "sACN", "Art-Net", *TRACKER_TITLES)
 """Names of sources that are no devices at a page."""
 FEEDBACK_TICKS, WATCHED_TICKS, TOLD_TICKS = 2, 6, 60
 """Ticks between what devices are sent, what pages that watch are told, and what all consoles are."""
