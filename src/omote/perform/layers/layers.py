@@ -109,11 +109,8 @@ def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
     What was on air of them the caller eases to rest.
     """
     sources = {layer: driver for layer, driver in layers.drivers.items() if driver.source != AUTOMATIC}
-    layers = replace(layers, drivers=sources)
-    settings = {
-        layer: replace(each, on=each.on and layer not in layers.drivers) for layer, each in layers.settings.items()
-    }
-    layers = _with_share_goal(replace(layers, settings=settings))
+    settings = {layer: replace(each, on=each.on and layer not in sources) for layer, each in layers.settings.items()}
+    layers = _with_share_goal(replace(layers, settings=settings, drivers=sources))
     columns, goal = layers.columns, layers.goal.copy()
     for section in ("streams", "hands", "hold", "trust"):
         goal[columns.sections[section]] = 0.0
