@@ -41,6 +41,10 @@ def orders(address: str, *arguments: Argument, there: tuple[str, ...] = ("one",)
         ("release/face", [], wire.ReleaseFace("one")),
         ("release/expression", [1.0], wire.ReleaseExpression("one")),
         ("panic", [], wire.Panic("one")),
+        ("lease/face", [], wire.Lease("c1", "one", "face")),
+        ("lease/Head", [1], wire.Lease("c1", "one", "head")),
+        ("take_over/all", [1.0], wire.Lease("c1", "one", "*", take_over=True)),
+        ("release_lease/gaze", [], wire.ReleaseLease("c1", "one", "gaze")),
         ("enter", [], wire.EnterCharacter("c1", "one", 1.0)),
         ("leave", ["2"], wire.LeaveCharacter("c1", "one", 2.0)),
         ("place", [-1, 0.5, 2, 90], wire.PlaceCharacter("one", -1.0, 0.5, 2.0, math.pi / 2, 1.0, "c1")),
@@ -76,6 +80,9 @@ def test_an_address_of_nobody_is_rejected(pattern: str) -> None:
         ("framing", ["two + one"], wire.CallFraming("c1", ["two", "one"], 1.0, "smooth")),
         ("panic", [], wire.Panic("*")),
         ("panic", [1], wire.Panic("*")),
+        ("lease/light", [], wire.Lease("c1", "*", "light")),
+        ("take_over/framing", [1], wire.Lease("c1", "*", "framing", take_over=True)),
+        ("release_lease/all", [], wire.ReleaseLease("c1", "*", "*")),
     ],
 )
 def test_an_address_of_the_show_names_no_character(
@@ -84,7 +91,9 @@ def test_an_address_of_the_show_names_no_character(
     assert orders(f"/omote/{address}", *arguments, there=("one", "two")) == (message,)
 
 
-@pytest.mark.parametrize("address", ["panic", "one/panic", "one/release/face", "*/release/expression"])
+@pytest.mark.parametrize(
+    "address", ["panic", "one/panic", "one/lease/face", "take_over/light", "one/release/face", "*/release/expression"]
+)
 @pytest.mark.parametrize("value", [0, 0.0, False, "0", -1], ids=repr)
 def test_a_button_that_is_let_go_does_nothing(address: str, value: Argument) -> None:
     assert orders(f"/omote/{address}", value) == ()
@@ -121,6 +130,8 @@ def test_a_button_that_is_let_go_does_nothing(address: str, value: Argument) -> 
         ("/omote/one/gaze", [0, "-31"], "the pitch is -31 degrees; give a number from -30 to 30"),
         ("/omote/one/head", [0.0, 0.0, float("nan")], "the roll is nan degrees"),
         ("/omote/one/place", [0, 0, 1, 181], "the turn is 181 degrees; give a number from -180 to 180"),
+        ("/omote/one/lease/nose", [], "there is no part of a character to hold 'nose'"),
+        ("/omote/lease/brows", [], "there is no part of the scene to hold 'brows'"),
         ("/omote/one/layer_on/tracker", [2], "the on is 2; expected 1 or true for on, 0 or false for off"),
         ("/omote/one/layer_on/tracker", [0.5], "the on is 0.5; expected 1 or true for on"),
         ("/omote/one/layer_on/tracker", ["yes"], "the on is 'yes'; expected 1 or true for on"),

@@ -16,6 +16,7 @@ from typing import Literal
 
 from omote.inputs.osc_packet import OscError
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.frame import DETAIL_LIMIT, DETAILS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene_frame import PLACE_LIMITS
@@ -32,8 +33,8 @@ REMEMBERED_LENGTH = 120
 """Characters of an address that is remembered when it was found: a fader sends the same one again and again."""
 
 Kind = Literal[
-    "face", "expression", "region", "channel", "light", "framing", "layer", "part", "number", "switch", "seconds",
-    "time", "press",
+    "face", "expression", "region", "channel", "light", "framing", "layer", "part", "lease", "scene_lease",
+    "number", "switch", "seconds", "time", "press",
 ]  # fmt: skip
 
 
@@ -97,8 +98,41 @@ def _radians(value: Value, degrees: float) -> float:
     return math.radians(degrees)
 
 
+def _motion_detail(detail: str) -> Callable[..., wire.FromClient]:
+    return lambda who, _, value: wire.SetMotion(who, **{detail: value})
+
+
 def _turn(message: Callable[..., wire.FromClient], angles: Sequence[Value]) -> Callable[..., wire.FromClient]:
     return lambda who, _, *degrees: message(who, *map(_radians, angles, degrees))
+
+
+def _leases(kind: Kind, *, of_show: bool) -> tuple[Address, ...]:
+    """The addresses by which a sender holds, takes over and releases parts: of a character, or of the scene."""
+    part = Value("part", kind)
+    whose = "of the scene (light, framing, or all of all characters)" if of_show else "of it (face, head ..., or all)"
+    return (
+        Address(
+            "lease/{part}",
+            f"holds a part {whose}: nobody else plays it, while leases are on",
+            (part, PRESS),
+            lambda who, call, part: wire.Lease(call, who, part),
+            of_show,
+        ),
+        Address(
+            "take_over/{part}",
+            f"takes over a part {whose} that another holds",
+            (part, PRESS),
+            lambda who, call, part: wire.Lease(call, who, part, take_over=True),
+            of_show,
+        ),
+        Address(
+            "release_lease/{part}",
+            f"releases a part {whose}, or wants no more what another holds",
+            (part, PRESS),
+            lambda who, call, part: wire.ReleaseLease(call, who, part),
+            of_show,
+        ),
+    )
 
 
 HEAD, GAZE = _angles(HEAD_LIMITS), _angles(GAZE_LIMITS)
@@ -145,6 +179,21 @@ ADDRESSES: tuple[Address, ...] = (
         (Value("name", "layer"), Value("on", "switch")),
         lambda who, _, layer, on: wire.SetLayer(who, layer, None, None, on == 1.0),
     ),
+    Address(
+        "motion",
+        "sets how much it moves by itself: lids, eyes, head, breath; 0.5 as people move",
+        (Value("liveliness", low=0.0, high=1.0),),
+        lambda who, _, liveliness: wire.SetMotion(who, liveliness),
+    ),
+    *(
+        Address(
+            f"motion/{detail}",
+            f"sets the {detail} of its own motion, beside all else of it; 1 at first",
+            (Value(detail, low=0.0, high=DETAIL_LIMIT),),
+            _motion_detail(detail),
+        )
+        for detail in DETAILS
+    ),
     Address("head", "turns the head", HEAD, _turn(wire.SetHead, HEAD)),
     Address("gaze", "turns the eyes, relative to the head", GAZE, _turn(wire.SetGaze, GAZE)),
     Address("fade/face", "moves the T-bar of the faces", (FADER,), lambda who, _, x: wire.FadeFace(who, x)),
@@ -181,6 +230,7 @@ ADDRESSES: tuple[Address, ...] = (
             who, x, depth, size, _radians(PLACE[3], turn), seconds, call
         ),
     ),
+    *_leases("lease", of_show=False),
     Address(
         "light",
         "brings a light on air",
@@ -202,6 +252,7 @@ ADDRESSES: tuple[Address, ...] = (
         lambda _, __: wire.Panic(ALL),
         of_show=True,
     ),
+    *_leases("scene_lease", of_show=True),
 )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 from omote.inputs.character_patterns import characters_meant
@@ -17,10 +18,12 @@ from omote.perform.name_lookup import find_name
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable
 from omote.show import messages as wire
+from omote.show.leases.leased_parts import find_part
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 CHECKS: Mapping[str, Callable[[str], str]] = {
     "region": check_play_region, "layer": check_layer, "part": check_part,
+    "lease": partial(find_part, of_scene=False), "scene_lease": partial(find_part, of_scene=True),
 }  # fmt: skip
 """What finds the names that every show has."""
 MOST_REMEMBERED = 1024
@@ -78,10 +81,11 @@ class OrderReader:
 
     def channel_set(self, message: OscMessage) -> Level | None:
         """The address of a message that sets a channel to a weight in its range, where it was read before."""
-        level = self._levels.get(message.address)
-        if level is None or not level.channel or len(message.arguments) != 1:
+        address, arguments = message
+        level = self._levels.get(address)
+        if level is None or not level.channel or len(arguments) != 1:
             return None
-        weight = message.arguments[0]
+        weight = arguments[0]
         return level if type(weight) is float and CHANNEL_LOWEST <= weight <= CHANNEL_HIGHEST else None
 
     def _read(self, message: OscMessage, call: str) -> tuple[wire.FromClient, ...]:

@@ -16,6 +16,7 @@ from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable
+from omote.show.leases.leased_parts import CHARACTER_PARTS, SCENE_PARTS, WORD_FOR_ALL
 from omote.show.messages import State
 
 Node = dict[str, Any]
@@ -115,7 +116,10 @@ def _range(value: Value, known: Names) -> dict[str, Any]:
 def _names(value: Value, known: Names) -> list[str]:
     if value.kind == "framing":
         return [ALL, *known.characters]
-    listed: dict[str, Sequence[str]] = {"region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS}
+    listed: dict[str, Sequence[str]] = {
+        "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
+        "lease": (*CHARACTER_PARTS, WORD_FOR_ALL), "scene_lease": (*SCENE_PARTS, WORD_FOR_ALL),
+    }  # fmt: skip
     if value.kind in listed:
         return [*listed[value.kind]]
     cast = known.cast

@@ -349,11 +349,25 @@ class SetLayer(Message, frozen=True):
     id: RequestId = ""
 
 
+class SetMotion(Message, frozen=True):
+    """How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
+    `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is."""
+
+    character: CharacterName
+    liveliness: float | None = None
+    blinks: float | None = None
+    gaze: float | None = None
+    breath: float | None = None
+    seed: int | None = None
+    id: RequestId = ""
+
+
 class Source(Message, frozen=True):
     """Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
     that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
     made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
-    own. Answered with `source_is`; the end of its link is its end."""
+    own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
+    with `source_is`; the end of its link is its end."""
 
     name: Name
     kind: StreamKind
@@ -361,6 +375,7 @@ class Source(Message, frozen=True):
     characters: Annotated[list[CharacterName], msgspec.Meta(max_length=MOST_CHARACTERS)] = []
     performer: Annotated[str, msgspec.Meta(max_length=80)] = ""
     id: RequestId = ""
+    smoothing: float = 0.0
 
 
 class Drive(Message, frozen=True):
@@ -403,7 +418,8 @@ class CalibrateSource(Message, frozen=True):
 
 class TuneSource(Message, frozen=True):
     """How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
-    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels."""
+    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels; `smoothing` 0..2: seconds in which a step
+    is followed, where that is slower than of all sources."""
 
     id: CallId
     source: Name
@@ -411,6 +427,7 @@ class TuneSource(Message, frozen=True):
     dead_zone: float
     curve: float
     gain: float
+    smoothing: float = 0.0
 
 
 class Cancel(Message, frozen=True):
@@ -714,6 +731,7 @@ class SourceState(msgspec.Struct, frozen=True):
     dead_zone: float
     curve: float
     gain: float
+    smoothing: float = 0.0
 
 
 class Sources(Message, frozen=True):
@@ -768,6 +786,16 @@ class HeldState(msgspec.Struct, frozen=True):
     gaze: tuple[float, float]
 
 
+class MotionState(msgspec.Struct, frozen=True):
+    """What is set of a character's automatic motion, as of `set_motion`."""
+
+    liveliness: float
+    blinks: float
+    gaze: float
+    breath: float
+    seed: int
+
+
 class CharacterState(msgspec.Struct, frozen=True):
     """All that a character has on air.
 
@@ -778,6 +806,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
     `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
+    `motion`: what is set of its automatic motion, `None` where nothing was.
     """
 
     faces: dict[str, float]
@@ -803,6 +832,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     region_calls: dict[PlayRegion, CallState] = {}
     layers: dict[LayerName, LayerState] = {}
     held: HeldState | None = None
+    motion: MotionState | None = None
 
 
 class State(Message, frozen=True):
@@ -1038,6 +1068,7 @@ FromClient = (
     | ChooseBank
     | WatchDevices
     | SetLayer
+    | SetMotion
     | Source
     | Drive
     | LeaveSource

@@ -353,10 +353,26 @@ export interface SetLayer {
 }
 
 /**
+ * How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
+ * `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is.
+ */
+export interface SetMotion {
+  type: "set_motion";
+  character: string;
+  liveliness: number | null;
+  blinks: number | null;
+  gaze: number | null;
+  breath: number | null;
+  seed: number | null;
+  id: string;
+}
+
+/**
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
- * own. Answered with `source_is`; the end of its link is its end.
+ * own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
+ * with `source_is`; the end of its link is its end.
  */
 export interface Source {
   type: "source";
@@ -366,6 +382,7 @@ export interface Source {
   characters: string[];
   performer: string;
   id: string;
+  smoothing: number;
 }
 
 /**
@@ -414,7 +431,8 @@ export interface CalibrateSource {
 
 /**
  * How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
- * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels.
+ * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels; `smoothing` 0..2: seconds in which a step
+ * is followed, where that is slower than of all sources.
  */
 export interface TuneSource {
   type: "tune_source";
@@ -424,6 +442,7 @@ export interface TuneSource {
   dead_zone: number;
   curve: number;
   gain: number;
+  smoothing: number;
 }
 
 /**
@@ -738,6 +757,7 @@ export interface SourceState {
   dead_zone: number;
   curve: number;
   gain: number;
+  smoothing: number;
 }
 
 /** All sources that send: complete, to consoles once a second and with each change. */
@@ -792,6 +812,15 @@ export interface HeldState {
   gaze: [number, number];
 }
 
+/** What is set of a character's automatic motion, as of `set_motion`. */
+export interface MotionState {
+  liveliness: number;
+  blinks: number;
+  gaze: number;
+  breath: number;
+  seed: number;
+}
+
 /**
  * All that a character has on air.
  * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
@@ -801,6 +830,7 @@ export interface HeldState {
  * been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
  * `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
+ * `motion`: what is set of its automatic motion, `None` where nothing was.
  */
 export interface CharacterState {
   faces: Record<string, number>;
@@ -826,6 +856,7 @@ export interface CharacterState {
   region_calls: Partial<Record<"brows" | "eyes" | "mouth" | "rest", CallState>>;
   layers: Partial<Record<"breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands", LayerState>>;
   held: HeldState | null;
+  motion: MotionState | null;
 }
 
 /**
@@ -1283,6 +1314,7 @@ export type FromClient =
   | ChooseBank
   | WatchDevices
   | SetLayer
+  | SetMotion
   | Source
   | Drive
   | LeaveSource

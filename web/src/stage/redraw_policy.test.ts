@@ -22,14 +22,14 @@ describe("which frames are drawn", () => {
     expect(drawn(new RedrawPolicy(), Array(50).fill("a"), false)).not.toContain(false);
   });
 
-  it("draws what stands still a few times, then four times a second", () => {
+  it("draws what stands still a few times, then twice a second", () => {
     const policy = new RedrawPolicy();
     const frames = drawn(policy, Array(60 * 10).fill("a"));
     expect(frames.slice(0, 3)).toEqual([true, true, true]);
     expect(policy.still).toBe(true);
     const late = frames.slice(60);
-    expect(late.filter(Boolean).length).toBe(late.length / 15);
-    for (let at = 0; at + 15 <= late.length; at++) expect(late.slice(at, at + 15)).toContain(true);
+    expect(late.filter(Boolean).length).toBe(late.length / 30);
+    for (let at = 0; at + 30 <= late.length; at++) expect(late.slice(at, at + 30)).toContain(true);
   });
 
   it("draws again at once in another size", () => {

@@ -1,7 +1,7 @@
 /** Decides which frames of a stage are drawn: those that show another picture than the last. */
 
-/** Frames between two pictures of a scene that stands still: a quarter of a second at 60 Hz. */
-const REFRESH = 15;
+/** Frames between two pictures of a scene that stands still: half a second at 60 Hz. */
+const REFRESH = 30;
 /** How often the same picture is drawn before it counts as standing still. */
 const SURE = 3;
 

@@ -160,6 +160,7 @@ export class Stage {
   private showEarly(time: number): void {
     if (this.early || !this.redraw.still || this.held !== undefined || this.parameters.tile !== undefined) return;
     this.show(Math.max(time, this.last + Math.min(this.interval, LONGEST_INTERVAL)));
+    this.view.context.flush(); // or the browser hands it over with its next frame
     this.early = true;
   }
 

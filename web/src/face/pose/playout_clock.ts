@@ -10,7 +10,7 @@ const SPARE = 0.001;
 const GLIDE = 0.1;
 /** Seconds per second by which playout is at most slower, and faster, while something moves. */
 const SLOWER = 0.5;
-const FASTER = 0.05;
+const FASTER = 0.1;
 /** Seconds per second by which it is at most faster after a pause of the link, until it is no later than allowed. */
 const CATCHING_UP = 1;
 /** Seconds without a change from which on a rest is skipped; a source of 30 Hz, which changes every other state, has none. */

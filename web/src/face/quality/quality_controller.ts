@@ -72,6 +72,7 @@ export class QualityController {
   /** Another size of picture: what proved too much may not be so now. */
   forget(): void {
     this.failures.clear();
+    this.unproved = PROVED;
     this.rest();
   }
 
@@ -100,6 +101,7 @@ export class QualityController {
   }
 
   private change(level: Level | undefined): void {
+    if (level !== undefined) this.unproved = PROVED;
     this.level = level ?? this.level;
     this.rest();
   }
@@ -110,7 +112,6 @@ export class QualityController {
     this.lateFor = 0;
     this.spareFor = 0;
     this.unjudged = SETTLING;
-    this.unproved = PROVED;
   }
 }
 
