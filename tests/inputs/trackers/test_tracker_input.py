@@ -56,6 +56,7 @@ FACES: dict[str, Callable[[], bytes]] = {
     "openseeface": lambda: open_see_face(features={"mouth_open": 0.5}),
     "vtubestudio": lambda: PHONE,
     "meowface": lambda: PHONE,
+    "mediapipe": lambda: b'{"faceBlendshapes":[{"categories":[{"score":0.5,"categoryName":"jawOpen"}]}]}',
     "vmc-performer": lambda: apply(jawopen=0.5),
 }
 
