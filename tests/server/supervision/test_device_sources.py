@@ -12,6 +12,7 @@ from omote.model.cast import Cast
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
+from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.osc_listener import OscListener
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.tracker_listener import TrackerListener
@@ -61,16 +62,18 @@ async def test_trackers_are_heard_and_faces_sent(show_harness: ShowHarness) -> N
     osc = listen_for_osc(HOST, 0)
     descriptors = {name: each.fileno() for name, each in opened.items()}
     options = DeviceOptions(
-        osc.datagrams.fileno(), trackers=descriptors, listen="vmc:0,meowface:0@127.0.0.1",
+        osc.datagrams.fileno(), trackers=descriptors, listen="vmc:0,meowface:0@127.0.0.1,mediapipe",
         send="vmc:127.0.0.1:9,osc:127.0.0.1:9",
     )  # fmt: skip
     started = await start_devices(show_harness.show, options, lambda _: None)
-    surfaces, trackers, faces, pages = started
+    surfaces, trackers, browsers, faces, pages = started
+    assert isinstance(browsers, MediapipeLink)
+    assert show_harness.show._respond_to_trackers == browsers.respond
     assert isinstance(surfaces, OscListener)
     assert isinstance(trackers, TrackerListener)
     assert isinstance(faces, FaceOutput)
     assert isinstance(pages, PageDeviceSource)
-    assert [each.name for each in pages.devices.devices_now(0.0).devices] == ["OSC", "VMC", "MeowFace"]
+    assert [each.name for each in pages.devices.devices_now(0.0).devices] == ["OSC", "VMC", "MeowFace", "MediaPipe"]
     assert surfaces.osc.news(show_harness.show.session.tick(0.0), 1e6)  # a surface that was named is told for ever
     for closing in started:
         await closing.close()

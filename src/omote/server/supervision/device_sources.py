@@ -27,6 +27,7 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
+from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
@@ -57,7 +58,7 @@ async def start_devices(
     allowed = allowed.with_host(own_address())  # a desk's program here sends to groups by a network card
     log = RejectionLog(report)
     bindings, commands = _open_bindings(server, options, report)
-    started: list[OscListener | DmxListener | TrackerListener | FaceOutput | PageDeviceSource] = []
+    started: list[OscListener | DmxListener | TrackerListener | MediapipeLink | FaceOutput | PageDeviceSource] = []
     if options.osc is not None:
         connections = None if options.osc_connections is None else _copy(options.osc_connections)
         sockets = OscSockets(_copy(options.osc), connections)
@@ -71,6 +72,10 @@ async def start_devices(
         started.append(_hear_dmx(bindings, options, log, allowed, report))
     if options.trackers:
         started.append(_hear_trackers(server, options, log, allowed))
+    if any(wish.protocol.port is None for wish in read_trackers(options.listen)):
+        link = MediapipeLink(lambda: server.session, log)
+        server.enable_trackers(link.respond)
+        started.append(link)
     targets = read_targets(options.send)
     if faces := [target for target in targets if target.protocol != SURFACE]:
         started.append(FaceOutput(faces, lambda: server.session))
