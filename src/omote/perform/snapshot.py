@@ -25,6 +25,7 @@ from omote.perform.limits import (
     check_within,
 )
 from omote.perform.mix import HIGHEST, LOWEST, Weights
+from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
 from omote.perform.panic import PANIC_SECONDS, SAME_PRESS, Settling
 
 
@@ -58,7 +59,7 @@ class Snapshot:
 
     `panicked`: the time of the last panic, None once something has been played after it; `panics` counts all of them.
     `regions`: the expressions of the regions that go their own way; all others go with `expression`. `layers`: None
-    while nothing but calls and hands plays.
+    while nothing but calls and hands plays. `motion`: the automatic one, None while none has been set.
     """
 
     face: Axis
@@ -74,6 +75,7 @@ class Snapshot:
     panics: int = 0
     regions: Mapping[PlayRegion, Axis] = field(default_factory=dict)
     layers: LayersSnapshot | None = None
+    motion: AutomaticMotion | None = None
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -110,6 +112,7 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
         with_channel({}, cast.expressions, name, 0.0)
         check_within(value, CHANNEL_LOWEST, highest_weight(cast.expressions, name), f"the channel {name}")
     restored(cast, snapshot.layers)
+    check_motion(snapshot.motion)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.settling is not None:

@@ -323,3 +323,32 @@ def test_a_cast_that_lacks_what_a_source_sends_is_refused_and_another_goes_on(ca
     with pytest.raises(ValueError, match=r"there is no channel 'jawOpen' in this cast"):
         performer.recast(few)
     assert performer.advance(DT) == other.advance(DT)
+
+
+@given(st.lists(st.sampled_from([0.0, 0.2, 0.8]), min_size=2, max_size=6), st.sampled_from([0.5, 1.0, 2.0]))
+@settings(max_examples=5)
+def test_a_source_that_is_smoothed_moves_slower_never_farther_and_arrives(
+    cast: Cast, steps: list[float], smoothing: float
+) -> None:
+    plain, smooth = Performer(cast), Performer(cast)
+    ways = [0.0, 0.0]
+    for goal in [*[0.0] * 6, *steps, *[steps[-1]] * 20]:
+        for _ in range(30):
+            shown = []
+            for place, (performer, seconds) in enumerate([(plain, 0.0), (smooth, smoothing)]):
+                before = performer.advance(0.0).channels.get("jawOpen", 0.0)
+                performer.drive({"jawOpen": goal}, smoothing=seconds)
+                shown.append(performer.advance(DT).channels.get("jawOpen", 0.0))
+                ways[place] = max(ways[place], abs(shown[-1] - before))
+            assert -1e-9 <= min(shown) <= max(shown) <= 0.8 + 1e-9
+    assert shown[1] == pytest.approx(shown[0], abs=1e-3)
+    assert ways[1] <= ways[0] + 1e-9
+
+
+def test_a_smoothed_source_goes_nine_tenths_of_a_step_in_its_seconds(cast: Cast) -> None:
+    performer = Performer(cast)
+    last(played(cast, performer, 2.0, lambda _: performer.drive({"jawOpen": 0.0}, smoothing=1.0)))
+    frame = last(played(cast, performer, 1.0, lambda _: performer.drive({"jawOpen": 0.8}, smoothing=1.0)))
+    assert 0.85 <= frame.channels["jawOpen"] / 0.8 <= 0.97
+    with pytest.raises(ValueError, match=r"the smoothing of a source \(seconds\) is 3.0; give a number from 0 to 2"):
+        performer.drive({"jawOpen": 0.8}, smoothing=3.0)

@@ -11,12 +11,16 @@ from omote.inputs.osc_packet import encode_message
 from omote.model.cast import Cast
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.dmx_listener import DmxListener
+from omote.server.devices.face_output import FaceOutput
+from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.osc_listener import OscListener
 from omote.server.devices.page_device_source import PageDeviceSource
+from omote.server.devices.tracker_listener import TrackerListener
 from omote.server.supervision.device_sockets import DeviceOptions, listen_for_artnet
 from omote.server.supervision.device_sources import load_bindings, start_devices
 from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.listening_socket import listen_for_osc
+from omote.server.supervision.tracker_sockets import listen_for_trackers, read_trackers
 from omote.show import messages as wire
 from omote.show.wire import encode
 from tests.server.conftest import ShowHarness, answer, open_edit_harness, send_and_wait
@@ -50,6 +54,32 @@ async def test_what_was_asked_for_is_heard(show_harness: ShowHarness, tmp_path: 
         for each in started:
             await each.close()
         osc.close()
+
+
+@pytest.mark.asyncio
+async def test_trackers_are_heard_and_faces_sent(show_harness: ShowHarness) -> None:
+    opened = listen_for_trackers(read_trackers("vmc:0,meowface:0@127.0.0.1"))
+    osc = listen_for_osc(HOST, 0)
+    descriptors = {name: each.fileno() for name, each in opened.items()}
+    options = DeviceOptions(
+        osc.datagrams.fileno(), trackers=descriptors, listen="vmc:0,meowface:0@127.0.0.1,mediapipe",
+        send="vmc:127.0.0.1:9,osc:127.0.0.1:9",
+    )  # fmt: skip
+    started = await start_devices(show_harness.show, options, lambda _: None)
+    surfaces, trackers, browsers, faces, pages = started
+    assert isinstance(browsers, MediapipeLink)
+    assert show_harness.show._respond_to_trackers == browsers.respond
+    assert isinstance(surfaces, OscListener)
+    assert isinstance(trackers, TrackerListener)
+    assert isinstance(faces, FaceOutput)
+    assert isinstance(pages, PageDeviceSource)
+    assert [each.name for each in pages.devices.devices_now(0.0).devices] == ["OSC", "VMC", "MeowFace", "MediaPipe"]
+    assert surfaces.osc.news(show_harness.show.session.tick(0.0), 1e6)  # a surface that was named is told for ever
+    for closing in started:
+        await closing.close()
+    osc.close()
+    for each in opened.values():
+        each.close()
 
 
 @pytest.mark.asyncio

@@ -108,6 +108,10 @@ class Bindings:
         value = values[binding.target.axis] if binding.target.axis < len(values) else None
         return binding.position_of(float(value)) if isinstance(value, int | float) else None
 
+    def is_bound(self, device: str, control: str) -> bool:
+        """Whether a control plays anything, in whichever bank."""
+        return (device, control) in self._of
+
     @property
     def controls(self) -> list[tuple[str, str]]:
         """The controls that are bound, each with its device."""
@@ -243,6 +247,8 @@ class Bindings:
         """The message that moves one axis of a target and leaves its others where they are now."""
         target = self.bindings[index].target
         count, axis = len(target.values), target.axis
+        if target.values[axis].kind == "switch":
+            value = float(value >= PRESSED)
         values: tuple[Argument, ...] = (value,)
         if count > 1:
             others = now if len(now) == count else (0.0,) * count

@@ -87,6 +87,18 @@ class Columns:
         found = vector[self.sections[section]]
         return found.reshape(self.shapes[section]) if section in self.shapes else found
 
+    def stream_rates(self, smoothing: Mapping[int, float]) -> tuple[Values, Values]:
+        """The rate and the haste of all followers where some streams are smoothed more: by row, in how many seconds.
+        Never less than all are, so that nothing can jump."""
+        slower = {row: STREAM_SECONDS / seconds for row, seconds in smoothing.items() if seconds > STREAM_SECONDS}
+        if not slower:
+            return self.rate, self.haste
+        rate, haste = self.rate.copy(), self.haste.copy()
+        for row, share in slower.items():
+            self.rows(rate, "streams")[row] *= share
+            self.rows(haste, "streams")[row] *= share
+        return rate, haste
+
     def places(self, names: tuple[str, ...]) -> NDArray[np.intp]:
         """The columns of some channels."""
         found = self._places.get(names)

@@ -20,7 +20,7 @@ from omote.perform.layers.layer_names import (
     LayerPart,
     LayerSetting,
 )
-from omote.perform.layers.source_frame import LOSS_SECONDS, Driver, SourceFrame, fits, parts_of
+from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, Driver, SourceFrame, fits, parts_of
 
 UPRIGHT, STRAIGHT = Head(), Gaze()
 LET_GO = 0.01
@@ -81,6 +81,8 @@ def drive(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceF
     drivers = layers.drivers if driver.silent == 0.0 else {**layers.drivers, layer: with_fields(driver, silent=0.0)}
     if driver.waits:
         return replace(layers, drivers=drivers)
+    if driver.smoothing != frame.smoothing:
+        drivers = {**drivers, layer: replace(drivers[layer], smoothing=frame.smoothing)}
     return _streamed(cast, layers, drivers, layer, frame)
 
 
@@ -101,15 +103,14 @@ def leave(layers: Layers, layer: LayerName, source: str) -> Layers:
 
 
 def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
-    """The layers after a panic: sources are switched off; kept: how much of the mix shows in each play region, which
-    stays so until all is still.
+    """The layers after a panic: sources are switched off, the character's own motion ends; kept: how much of the mix
+    shows in each play region, which stays so until all is still.
 
     What was on air of them the caller eases to rest.
     """
-    settings = {
-        layer: replace(each, on=each.on and layer not in layers.drivers) for layer, each in layers.settings.items()
-    }
-    layers = _with_share_goal(replace(layers, settings=settings))
+    sources = {layer: driver for layer, driver in layers.drivers.items() if driver.source != AUTOMATIC}
+    settings = {layer: replace(each, on=each.on and layer not in sources) for layer, each in layers.settings.items()}
+    layers = _with_share_goal(replace(layers, settings=settings, drivers=sources))
     columns, goal = layers.columns, layers.goal.copy()
     for section in ("streams", "hands", "hold", "trust"):
         goal[columns.sections[section]] = 0.0
@@ -201,7 +202,8 @@ def _stepped(layers: Layers, dt: float) -> Layers:
         goal = goal.copy()
         columns.rows(goal, "trust")[:] = wanted
     settles = not any(driver.is_trusted for driver in drivers.values())  # while a source plays nothing comes to rest
-    first, second = follow(layers.first, layers.second, goal, columns.rate, columns.haste, dt, settles=settles)
+    rate, haste = columns.stream_rates({DRIVEN.index(layer): driver.smoothing for layer, driver in drivers.items()})
+    first, second = follow(layers.first, layers.second, goal, rate, haste, dt, settles=settles)
     return with_fields(layers, goal=goal, first=first, second=second, drivers=drivers)
 
 
@@ -242,11 +244,11 @@ def _streamed(
         stream[columns.places(columns.eyes)] = [turned.get(unit, 0.0) for unit in columns.eyes]
     columns.rows(goal, "trust")[row] = 1.0
     later = with_fields(layers, goal=goal, drivers=drivers, calm=False)
-    return later if _trust(later, layer) else _from_there(later, row)
+    return later if _trust(later, layer) and not frame.direct else _from_there(later, row)
 
 
 def _from_there(layers: Layers, row: int) -> Layers:
-    """The stream of a layer that does not show is where it goes."""
+    """The stream of a layer that does not show, or that is smooth already, is where it goes."""
     columns, first, second = layers.columns, layers.first.copy(), layers.second.copy()
     stream = columns.rows(layers.goal, "streams")[row]
     columns.rows(first, "streams")[row] = columns.rows(second, "streams")[row] = stream
