@@ -6,7 +6,8 @@ import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
 import { AssetResidency } from "./blend/asset_residency";
 import { Blender } from "./blend/blender";
 import { type Coming, DrawnCharacter, type SharedParts } from "./drawn_character";
-import { type Box, PORTRAIT, portraitCamera, type Shot, type Tile, tileView } from "./framing";
+import type { FaceViewOptions } from "./face_view_options";
+import { type Box, PORTRAIT, portraitCamera, tileView } from "./framing";
 import { EdgeSmoothing } from "./gpu/edge_smoothing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
 import { createRenderer, NO_WEBGL2 } from "./gpu/renderer";
@@ -16,30 +17,12 @@ import { type HeadUniforms, headUniforms } from "./head/head";
 import { type HeadTemplate, headTemplate } from "./head/head_template";
 import { Backdrop } from "./light/backdrop";
 import { before, mixLights } from "./light/lights";
-import type { Triple } from "./light/tone";
 import { type Pose, restPose } from "./pose/pose";
 import { alone, lightOf, type ScenePose } from "./pose/scene_pose";
 import { FEATURES, type Features, featuresOf, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
 import { drawsInSoftware, hasWebGL2 } from "./quality/software_rendering";
 import { frameScene, headBoxes } from "./scene_framing";
 import { applyLayers } from "./skin/skin_layers";
-
-/** How a view draws; everything may be left out. */
-export interface FaceViewOptions {
-  /** The page shows through (premultiplied alpha), no backdrop. */
-  transparent?: boolean;
-  /** A colour behind the head, in linear light, instead of the light's own. */
-  background?: Triple | undefined;
-  /** A light instead of the pose's. */
-  light?: string | undefined;
-  /** This view's place on a wall. */
-  tile?: Tile | undefined;
-  /** Device pixels per CSS pixel, at most. */
-  pixelRatio?: number;
-  /** What the picture may cost; by default what suits the machine. */
-  level?: Level | undefined;
-  shot?: Shot;
-}
 
 const NOTHING: Coming = { faces: [], expressions: [] };
 
