@@ -6,8 +6,7 @@ import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
 import { AssetResidency } from "./blend/asset_residency";
 import { Blender } from "./blend/blender";
 import { type Coming, DrawnCharacter, type SharedParts } from "./drawn_character";
-import type { FaceViewOptions } from "./face_view_options";
-import { type Box, PORTRAIT, portraitCamera, tileView } from "./framing";
+import { type Box, PORTRAIT, portraitCamera, type Shot, type Tile, tileView } from "./framing";
 import { EdgeSmoothing } from "./gpu/edge_smoothing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
 import { createRenderer, NO_WEBGL2 } from "./gpu/renderer";
@@ -17,6 +16,7 @@ import { type HeadUniforms, headUniforms } from "./head/head";
 import { type HeadTemplate, headTemplate } from "./head/head_template";
 import { Backdrop } from "./light/backdrop";
 import { before, mixLights } from "./light/lights";
+import type { Triple } from "./light/tone";
 import { type Pose, restPose } from "./pose/pose";
 import { alone, lightOf, type ScenePose } from "./pose/scene_pose";
 import { FEATURES, type Features, featuresOf, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
@@ -24,7 +24,22 @@ import { drawsInSoftware, hasWebGL2 } from "./quality/software_rendering";
 import { frameScene, headBoxes } from "./scene_framing";
 import { applyLayers } from "./skin/skin_layers";
 
-const NOTHING: Coming = { faces: [], expressions: [] };
+/** How a view draws; everything may be left out. */
+export interface FaceViewOptions {
+  /** The page shows through (premultiplied alpha), no backdrop. */
+  transparent?: boolean;
+  /** A colour behind the head, in linear light, instead of the light's own. */
+  background?: Triple | undefined;
+  /** A light instead of the pose's. */
+  light?: string | undefined;
+  /** This view's place on a wall. */
+  tile?: Tile | undefined;
+  /** Device pixels per CSS pixel, at most. */
+  pixelRatio?: number;
+  /** What the picture may cost; by default what suits the machine. */
+  level?: Level | undefined;
+  shot?: Shot;
+}
 
 const featuresHere = (level: Level): Features => featuresOf(level, drawsInSoftware());
 
@@ -49,11 +64,12 @@ export class FaceView {
   private template!: HeadTemplate;
   private called: ScenePose;
   private light: Pose["light"];
-  private drawnAt: number | undefined;
   private readonly crossfade: PictureCrossfade;
   private readonly smoothing: EdgeSmoothing;
   private next: NextLevel | undefined;
   private wanted: Level;
+  /** When the picture was last shown, in seconds: what comes later begins from here. */
+  shownAt: number | undefined;
   /** The level of quality that is drawn. */
   level: Level;
   /** False while the graphics context is lost. */
@@ -97,13 +113,8 @@ export class FaceView {
     return new FaceView(canvas, library, anatomy, layers, options);
   }
 
-  /** One character alone in the next `render`; `coming`: names that will be needed soon and are fetched ahead. */
-  show(pose: Pose, coming = NOTHING): void {
-    this.showScene(alone(pose), () => coming);
-  }
-
   /** What the next `render` draws; `coming`: names that a character will need soon. */
-  showScene(scene: ScenePose, coming: (name: string) => Coming = () => NOTHING): void {
+  showScene(scene: ScenePose, coming: (name: string) => Coming = () => ({ faces: [], expressions: [] })): void {
     this.called = scene;
     this.light = lightOf(scene) ?? this.light;
     for (const [name, character] of this.characters)
@@ -113,7 +124,7 @@ export class FaceView {
       }
     for (const [name, pose] of Object.entries(scene.characters)) {
       const character =
-        this.characters.get(name) ?? this.add(name, new DrawnCharacter(this.parts, pose, this.drawnAt === undefined));
+        this.characters.get(name) ?? this.add(name, new DrawnCharacter(this.parts, pose, this.shownAt === undefined));
       character.show(pose, coming(name));
     }
   }
@@ -142,8 +153,8 @@ export class FaceView {
   /** Draws; `atOnce` shows everything that is loaded in full, without catching up. False while the context is lost. */
   render(time = performance.now() / 1000, atOnce = false): boolean {
     if (!this.alive) return false;
-    const seconds = Math.min(0.1, Math.max(0, time - (this.drawnAt ?? time)));
-    this.drawnAt = time;
+    const seconds = Math.min(0.1, Math.max(0, time - (this.shownAt ?? time)));
+    this.shownAt = time;
     const characters = [...this.characters.values()];
     const poses = characters.map((character) => character.advance(seconds, this.blender, atOnce));
     this.parts.residency.advance(poses, this.blender, seconds, atOnce);
@@ -157,11 +168,6 @@ export class FaceView {
     this.paint(columns);
     this.crossfade.paint(seconds);
     return true;
-  }
-
-  /** The frame of `time`, in seconds, shows the picture that is there: what comes later begins from here. */
-  keep(time: number): void {
-    this.drawnAt = time;
   }
 
   /** Fetches all that a pose needs, then draws it in full, as at `time` in seconds; fetches for `next` meanwhile. */
