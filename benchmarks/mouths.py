@@ -32,10 +32,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import omote
 from benchmarks.maps.mouth_views import TURNS, MouthViews, Seen
 from omote.builtin import load_cast
+from omote.edit.compute.layer_correction import LayerCorrection
 from omote.model.cast import Cast
 from omote.model.controls.default_net import default_net
+from omote.model.controls.net_field import build_net_field
 from omote.model.known_names import NEUTRAL
-from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import Layer, Recipe
 from omote.model.space.face import Face
 from omote.model.transfer.compound import compound_parts
@@ -103,7 +104,7 @@ def wear(cast: Cast, face: str, channels: Mapping[str, float], *, layered: bool)
     net = default_net(cast.space)
     layers = tuple(Layer(name, name, weight=weight) for name, weight in channels.items())
     recipe = Recipe(net, ((0.0, 0.0, 1.0),) * len(net), layers=layers)
-    expression = compose_expression(cast.space, recipe, cast.expressions)
+    expression = LayerCorrection(cast.space).compose(recipe, cast.expressions, build_net_field(cast.space, net))
     wearer = cast.faces[face]
     skin = omote.compound(cast.space, wearer, expression).astype(np.float64)
     return skin, compound_parts(cast.space, wearer, expression)

@@ -79,7 +79,10 @@ def draw_one_by_one(pages: dict[str, Page], request: GridRequest, path: Path) ->
 
 
 class ProcessorTime:
-    """Counts the processors' seconds of this process and all below it while it is open; Linux only, else 0."""
+    """Counts the processors' seconds of this process and all below it while it is open; Linux only, else 0.
+
+    What the counting itself takes is left out: it lasts as long as the work waits for a processor.
+    """
 
     def __enter__(self) -> Self:
         self._spent: dict[int, float] = {}
@@ -92,11 +95,12 @@ class ProcessorTime:
     def __exit__(self, *_: object) -> None:
         self._ended.set()
         self._thread.join()
-        self.seconds = self._look() - self._first
+        self.seconds = self._look() - self._first - self._counting
 
     def _watch(self) -> None:
         while not self._ended.wait(0.1):
             self._look()
+        self._counting = time.thread_time()
 
     def _look(self) -> float:
         """Processes that have ended count as they were last seen."""

@@ -69,8 +69,9 @@ INTERVALS = """seconds => new Promise((done) => {
     };
     requestAnimationFrame(look);
 })"""
-# Resolves with the page's clock (ms) when the mouth's pixels are no longer those of now. Pixels are read back only from
-# the frame on in which the stage draws another pose, because reading waits for the renderer and would slow every frame.
+# Resolves with the page's clock (ms) when the mouth's pixels are no longer those of now: of a frame that the stage
+# draws (what it does not draw again reads as nothing) while its pose stands still. Pixels are read back only from the
+# frame on in which the stage draws another pose, because reading waits for the renderer and would slow every frame.
 FIRST_CHANGE = """() => {
     const gl = document.querySelector("canvas").getContext("webgl2");
     const read = () => {
@@ -80,18 +81,24 @@ FIRST_CHANGE = """() => {
         gl.readPixels(left, bottom, 96, 96, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
         return pixels;
     };
-    return new Promise((ready) => requestAnimationFrame(() => {
-        const [pixels, pose] = [read(), JSON.stringify(window.omoteStage.pose())];
-        window.changed = new Promise((done) => {
-            const look = () => {
-                const other = JSON.stringify(window.omoteStage.pose()) !== pose;
-                if (other && read().some((value, at) => value !== pixels[at])) done(performance.now());
-                else requestAnimationFrame(look);
-            };
-            requestAnimationFrame(look);
-        });
-        ready();
-    }));
+    const posed = () => JSON.stringify(window.omoteStage.pose());
+    return new Promise((ready) => {
+        let pose = "";
+        const begin = () => {
+            const [before, pixels] = [pose, read()];
+            pose = posed();
+            if (pose !== before || pixels[3] === 0) return requestAnimationFrame(begin);
+            window.changed = new Promise((done) => {
+                const look = () => {
+                    if (posed() !== pose && read().some((value, at) => value !== pixels[at])) done(performance.now());
+                    else requestAnimationFrame(look);
+                };
+                requestAnimationFrame(look);
+            });
+            ready();
+        };
+        requestAnimationFrame(begin);
+    });
 }"""
 
 Play = Callable[[], Awaitable[None]]

@@ -116,6 +116,8 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Performer.drive", ValueError): lambda: performer.drive({"jawOpen": 4.0}),
         ("Performer.drive", TypeError): lambda: performer.drive({"jawOpen": words}),
         ("Performer.set_layer", ValueError): lambda: performer.set_layer("lips", influence=4.0),
+        ("Performer.set_motion", ValueError): lambda: performer.set_motion(4.0),
+        ("Performer.set_motion", TypeError): lambda: performer.set_motion(words),
         ("Performer.set_layer", TypeError): lambda: performer.set_layer("lips", influence=words),
         ("Performer.set_gaze", ValueError): lambda: performer.set_gaze(4, 0),
         ("Performer.set_gaze", TypeError): lambda: performer.set_gaze(words, 0),

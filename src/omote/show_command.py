@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omote.access_commands import note_place, print_shared
+from omote.show_sockets import OFF, open_devices, open_usual_osc, print_trackers, read_options
 from omote.terminal import complete_show, fail, fail_with, has_screen, say
 
 if TYPE_CHECKING:
@@ -21,12 +22,10 @@ if TYPE_CHECKING:
     from omote.server.access.certificates import CertificateFiles
     from omote.server.devices.osc_listener import OscSockets
     from omote.server.process.notice_board import NoticeBoard
-    from omote.server.supervision.device_sockets import DeviceOptions, DeviceSockets
     from omote.server.supervision.preparation import Prepared
     from omote.show.access.people_list import People
 
 HIGHEST_PORT = 65535
-OSC_PORT, OFF = 9000, -1
 
 
 def read_port_or_off(text: str | int) -> int:
@@ -75,6 +74,16 @@ def show(
     bindings: Annotated[
         Path | None, typer.Option(help="What controls of devices play (.toml), before what pages have bound.")
     ] = None,
+    listen: Annotated[
+        str,
+        typer.Option(
+            metavar="TRACKERS", help="Face trackers to hear: vmc,livelink,ifacialmocap@PHONE,openseeface:PORT."
+        ),
+    ] = "",
+    send: Annotated[
+        str,
+        typer.Option(metavar="RECEIVERS", help="Where the face on air is sent: vmc:HOST:PORT,livelink:HOST,osc:HOST."),
+    ] = "",
     allow: Annotated[
         str,
         typer.Option(metavar="NETWORKS", help="Who may send beside this machine: 192.168.1.0/24,10.0.0.7 or any."),
@@ -95,7 +104,7 @@ def show(
     refuse_windows()
     from omote.server.supervision.supervisor import PROGRAM, Supervisor
 
-    options = read_options(sacn, bindings, allow)
+    options = read_options(sacn, bindings, allow, listen, send)
     tls = open_certificate(host, certificate, key, made=https)
     devices = open_devices(host, osc, options, OFF if artnet is None else artnet)
     context.call_on_close(devices.close)
@@ -109,7 +118,8 @@ def show(
     people, access = open_access(path, address, tls)
     stack = context.with_resource(contextlib.ExitStack())
     opened = partial(announce, host, port, browser=browser, osc=devices.osc, find=path.stem if find else None)
-    opened = partial(opened, heard=devices.heard, stack=stack, allow=allow, people=people, scheme=scheme)
+    opened = partial(opened, stack=stack, allow=allow, people=people, scheme=scheme)
+    opened = partial(opened, heard=devices.heard, trackers=devices.advice)
     words, handed = (*PROGRAM, *options.words, *access.words), devices.handed
     supervisor = Supervisor(
         listening, lock, path, report=say, opened=opened, program=words, notices=board.notices, handed=handed
@@ -122,51 +132,6 @@ def refuse_windows() -> None:
     """Ends the command where a show cannot run."""
     if sys.platform == "win32":
         fail("omote show runs on Linux and macOS; on Windows use it inside WSL.")
-
-
-def read_options(sacn: str, bindings: Path | None, allow: str) -> DeviceOptions:
-    """What the operator asks for of devices, validated; ends the command where it cannot be."""
-    from omote.inputs.allowed_senders import read_senders
-    from omote.server.supervision.device_sockets import DeviceOptions, read_universes
-
-    try:
-        universes = read_universes(sacn)
-        if allow:
-            read_senders(allow)
-        if bindings is not None:
-            from omote.server.supervision.device_sources import load_bindings
-
-            load_bindings(bindings)
-    except (OSError, ValueError) as error:
-        fail_with(error)
-    return DeviceOptions(universes=universes, allow=allow, bindings="" if bindings is None else str(bindings.resolve()))
-
-
-def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int) -> DeviceSockets:
-    """The sockets that were asked for; ends the command where one cannot be had. Without any (`OFF`, None for OSC at
-    its usual port) there is none."""
-    from omote.server.supervision.device_sockets import DeviceSockets, listen_for_artnet, listen_for_sacn
-    from omote.server.supervision.listening_socket import listen_for_osc
-
-    try:
-        return DeviceSockets(
-            None if osc in (None, OFF) else listen_for_osc(host, osc or 0),
-            listen_for_sacn(host, options.universes) if options.universes else None,
-            None if artnet == OFF else listen_for_artnet(host, artnet),
-        )
-    except OSError as error:
-        fail_with(error)
-
-
-def open_usual_osc(host: str) -> OscSockets | None:
-    """The sockets of OSC at its usual port; None, with a word, where another program has that."""
-    from omote.server.supervision.listening_socket import listen_for_osc
-
-    try:
-        return listen_for_osc(host, OSC_PORT)
-    except OSError as error:
-        say(f"OSC is off: {error}")
-        return None
 
 
 def prepare(file: Path | None, host: str, port: int) -> tuple[Path, Prepared, NoticeBoard]:
@@ -245,6 +210,7 @@ def announce(
     people: People | None = None,
     scheme: str = "http",
     heard: Sequence[str] = (),
+    trackers: Sequence[str] = (),
 ) -> None:
     """Prints the addresses of the pages, with tokens where the show asks for them, and of OSC; opens stage and console
     where there is a screen, and announces the show to surfaces under the name `find` until `stack` is closed."""
@@ -261,6 +227,7 @@ def announce(
         typer.echo(f"  OSC      port {number}")
         if find is not None and stack is not None:
             start_announcement(stack, host, port, number, find)
+    print_trackers(trackers, allow)
     if people is not None:
         say_who_is_heard(allow, heard)
     typer.echo("  Ctrl-C ends the show.")

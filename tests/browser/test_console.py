@@ -322,6 +322,24 @@ def test_what_a_program_drives_is_seen_on_faders_and_mixed_by_layers(console: Co
     wait_for(page, "!('playback' in state.layers) && state.held === null")  # the program has gone, without a trace
 
 
+def test_liveliness_moves_the_face_by_itself_until_panic(console: Console) -> None:
+    page = console()
+    page.keyboard.press(";")
+    slider = page.get_by_role("slider", name="Liveliness")
+    expect(slider).to_have_value("0")
+    slider.focus()
+    for _ in range(10):
+        slider.press("ArrowRight")
+    wait_for(page, "state.motion?.liveliness === 0.5 && state.layers.gaze.source === 'automatic'")
+    expect(page.locator("omote-motion-settings .number").first).to_have_text("50")
+    strip = page.locator("omote-layer-panel .strip[data-layer=blink]")
+    expect(strip.locator(".feed")).to_contain_text("automatic")
+    wait_for(page, "Math.abs(state.gaze[0]) > 0.02 && state.channels.browInnerUp !== undefined")
+    page.keyboard.press("Shift+Backspace")
+    wait_for(page, "state.motion.liveliness === 0 && Object.keys(state.layers).length === 0")
+    expect(slider).to_have_value("0")
+
+
 def test_a_drag_with_shift_is_ten_times_finer(console: Console) -> None:
     page = console()
     region(page, "jaw")

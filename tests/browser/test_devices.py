@@ -153,3 +153,17 @@ def test_the_devices_page_shows_edits_and_takes_back(open_with_devices: Callable
     for width, height in ((390, 844), (768, 1024), (1024, 768), (1440, 900)):
         page.set_viewport_size({"width": width, "height": height})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_the_name_of_a_dial_covers_none_of_the_degrees_of_a_pad(open_with_devices: Callable[..., Page]) -> None:
+    page = open_with_devices("/console")
+    page.evaluate("dial.connect()")
+    page.keyboard.press("z")
+    page.locator(".spot[data-to='/omote/one/head'][data-axis=yaw]").click()
+    page.evaluate(TURN, [60, 80, 120])
+    page.keyboard.press("Escape")
+    chip = page.locator("omote-binding-marks .chip").get_by_text("cc7", exact=True)
+    boxes = [each.bounding_box() for each in (chip, page.locator(".hands omote-pad .read").first)]
+    assert all(boxes)
+    name, degrees = (box for box in boxes if box)
+    assert name["x"] >= degrees["x"] + degrees["width"]

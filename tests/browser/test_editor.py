@@ -280,6 +280,29 @@ def test_what_is_loading_is_said_instead_of_a_blank_page(editor: Editor) -> None
     expect(bar).to_have_count(0)
 
 
+def test_who_leaves_an_item_is_not_said_to_be_at_it_any_more(editor: Editor) -> None:
+    first, second = editor(), editor()
+    make(first, "For two")
+    second.get_by_role("button", name="Open For two").click()
+    wait_for(second, f"bench.item?.label === 'For two' && {SETTLED}")
+    told = first.get_by_role("status").filter(has_text="is at it too")
+    expect(told).to_be_visible()
+    make(second, "For one")
+    expect(told).to_have_count(0)
+
+
+def test_save_and_the_name_are_in_sight_on_a_phone(editor: Editor) -> None:
+    page, width = editor(width=390, height=844, has_touch=True), 390
+    make(page, "On a phone")
+    save, name = page.get_by_role("button", name="Save"), page.get_by_label("Name", exact=True)
+    for place in (save.bounding_box(), name.bounding_box()):
+        assert place is not None
+        assert place["width"] > 70, "wide enough to read and to hit"
+        assert place["x"] >= 0
+        assert place["x"] + place["width"] <= width
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
 def test_an_old_revision_is_looked_at_compared_and_brought_back(editor: Editor) -> None:
     page = editor(beside=("child",))
     make(page, "Two states")

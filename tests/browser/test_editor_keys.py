@@ -96,3 +96,19 @@ def test_escape_leaves_a_name_as_it_was(editor: Editor) -> None:
     expect(label).to_have_value("Named once")
     expect(label).not_to_be_focused()
     assert bench(page, "item.label") == "Named once"
+
+
+def test_a_needle_is_chosen_and_moved_by_keys_alone(editor: Editor) -> None:
+    page = editor()
+    make(page, "By keys")
+    page.locator("canvas[tabindex='0']").focus()
+    chosen = []
+    for key in (".", ".", ","):
+        page.keyboard.press(key)
+        chosen += page.evaluate(f"[...{BENCH}.selection]")
+    assert len(chosen) == 3
+    assert chosen[0] == chosen[2] != chosen[1], "one on, one back"
+    for _ in range(20):
+        page.keyboard.press(".")  # down into the face: beside the crown's needles there is no skin to go to
+    page.keyboard.press("ArrowRight")
+    wait_for(page, f"bench.draft.undo === 1 && {SETTLED}")

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from omote import load_cast
 from tests.browser.test_console import console
@@ -66,6 +66,25 @@ def show_all(page: Page) -> None:
 
 def row_of(page: Page, label: str) -> int:
     return int(handle(page, label)["row"])
+
+
+def test_opening_a_face_says_what_is_loading(editor: Editor) -> None:
+    page = editor()
+    bar = page.get_by_role("progressbar", name="Loading the faces")
+    expect(bar).to_have_count(0)
+    held: list[Route] = []
+    page.route("**/contents/*", lambda route: held.append(route))
+    label = "Long in coming"
+    page.evaluate(f"""async () => {{
+        await {BENCH}.ask({{ type: "create_face", label: {label!r}, base: {{ kaori: 1 }}, on_air: false }});
+    }}""")
+    expect(bar).to_be_visible()
+    assert held, "the face has been asked for"
+    for route in held:
+        route.continue_()
+    expect(bar).to_have_count(0)
+    wait_for(page, SETTLED)
+    expect(page.get_by_title("Which faces are shown")).to_have_count(0)  # those beside are the face itself
 
 
 def test_a_dragged_handle_moves_the_face_at_once_and_stays_where_it_was_put(editor: Editor) -> None:

@@ -97,6 +97,17 @@ def test_a_picture_is_the_stage_and_the_same_every_time(open_page: OpenPage, tmp
     assert sorted(tmp_path.glob("*.png")) == paths
 
 
+def test_the_first_picture_of_a_page_is_drawn_as_all_others(open_page: OpenPage) -> None:
+    page = open_page("/stage?quality=high&light=theatre", width=240, height=270)
+    wait_until(page, "window.omoteStage?.counters().drawn > 0")
+    sheet = {
+        "poses": [[{"faces": {"old": 1}, "expressions": {"smile": 1}}]],
+        **{"rows": [], "columns": [], "captions": [], "part": [0, 0, 1, 1], "paper": None, "kind": "image/png"},
+    }
+    first, second = (page.evaluate("(sheet) => window.omoteStage.sheet(sheet)", sheet) for _ in range(2))
+    assert first == second, "nothing of a picture comes from the one before"
+
+
 def test_a_transparent_picture_is_open_around_the_head(open_page: OpenPage, tmp_path: Path) -> None:
     assert omote("render", "--size", SIZE, "--transparent", "-o", str(tmp_path / "a.png")).returncode == 0
     alpha = decoded(open_page("/"), tmp_path / "a.png")[..., 3]

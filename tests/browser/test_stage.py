@@ -409,6 +409,52 @@ class Scene:
         self.wire.send(self.state)
 
 
+COUNT_DRAWING = """
+for (const name of ["drawElements", "drawArrays"]) {
+    const draw = WebGL2RenderingContext.prototype[name];
+    WebGL2RenderingContext.prototype[name] = function (...given) {
+        window.draws = (window.draws ?? 0) + 1;
+        return draw.apply(this, given);
+    };
+}
+"""
+END_FRAMES = """() => {
+    const ask = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = () => 0;
+    return new Promise(ask); // those that were asked for before have had their turn
+}"""
+FRAMES_DRAWN = """(frames) => new Promise((done) => {
+    let [drawn, draws, left] = [0, window.draws, frames];
+    const look = () => {
+        drawn += window.draws > draws ? 1 : 0;
+        draws = window.draws;
+        left -= 1;
+        if (left > 0) requestAnimationFrame(look);
+        else done(drawn);
+    };
+    requestAnimationFrame(look);
+})"""
+
+
+def test_a_still_picture_is_seldom_drawn_and_what_changes_it_without_waiting_for_a_frame(open_page: OpenPage) -> None:
+    page = open_page("/", disposable=True, width=160, height=120)
+    page.add_init_script(COUNT_DRAWING)
+    wire = Wire(page)
+    page.goto(page.url + "stage?quality=lowest")
+    wait_for(page, "stage.counters().received > 5 && stage.settled()")
+    wait_for(page, f"stage.counters().drawn > {page.evaluate('window.omoteStage.counters().drawn')} + 5")
+    shown = page.evaluate("window.omoteStage.counters().drawn")
+    assert page.evaluate(FRAMES_DRAWN, 60) <= 5
+    assert page.evaluate("window.omoteStage.counters().drawn") > shown + 50, "a frame that shows it counts"
+    page.evaluate(END_FRAMES)
+    draws, newest = page.evaluate("window.draws"), wire.states[-1]
+    one = msgspec.structs.replace(newest.characters["one"], channels={"jawOpen": 0.5})
+    wire.send(
+        msgspec.structs.replace(newest, number=newest.number + 10**9, time=newest.time + 1.0, characters={"one": one})
+    )
+    wait_for(page, f"stage.pose().channels.jawOpen > 0 && window.draws > {draws}")
+
+
 SLOW = """() => {
     const ask = window.requestAnimationFrame.bind(window);
     window.requestAnimationFrame = (draw) => ask((time) => {

@@ -28,15 +28,46 @@ def read(data: bytes) -> list[tuple[str, float, bool]]:
         ("f0 00 20 29 7f f7 b0 07 7f", [("1/cc7", 1.0, False)]),
         ("f0 01 b0 07 7f", [("1/cc7", 1.0, False)]),  # the end of a system message got lost
         ("f2 01 02 f3 01 f1 05 b0 07 7f", [("1/cc7", 1.0, False)]),
-        ("b0 07 7f 27 7f", [("1/cc7", 1.0, False), ("1/cc39", 1.0, False), ("1/cc7+39", 1.0, False)]),
+        ("b0 07 7f 27 7f", [("1/cc7", 1.0, False), ("1/cc39", 1.0, False)]),  # once is no pair
     ],
 )
 def test_messages_become_readings(data: str, expected: list[tuple[str, float, bool]]) -> None:
     assert read(bytes.fromhex(data)) == expected
 
 
+def wholes(data: bytes, decoder: MidiDecoder | None = None) -> list[float]:
+    """What controls of 14 bits read."""
+    return [each.value for each in (decoder or MidiDecoder("pad")).feed(data) if "+" in each.control]
+
+
+def test_a_pair_is_known_once_its_fine_part_has_come_right_behind_three_times() -> None:
+    assert wholes(bytes.fromhex("b0 07 10 27 01 07 20 27 02")) == []
+    assert len(wholes(bytes.fromhex("b0 07 10 27 01 07 20 27 02 07 30 27 03"))) == 1
+    assert len(wholes(bytes.fromhex("b0 07 10 27 01 07 20 27 02 07 30 27 03 27 04 27 05"))) == 3, "then alone too"
+
+
+def test_sliders_and_keys_at_both_numbers_are_no_pair() -> None:
+    """A nanoKONTROL2: sliders 0 to 7, keys 32 to 39, which go down and up."""
+    decoder = MidiDecoder("nanoKONTROL2")
+    for number in [*range(8)] * 10:
+        press = bytes([0xB0, number, 5 * number, number + 32, 127, number + 32, 0])
+        assert wholes(press, decoder) == []
+
+
+def test_a_note_between_parts_a_controller_from_what_follows() -> None:
+    assert wholes(bytes.fromhex("b0 07 10 90 3c 7f b0 27 01") * 5) == []
+
+
+def test_a_pair_that_is_bound_is_known_at_once() -> None:
+    decoder = MidiDecoder("pad", is_bound=lambda control: control == "1/cc7+39")
+    assert wholes(bytes.fromhex("b0 27 01"), decoder) == [], "there is no coarse part yet"
+    assert wholes(bytes.fromhex("b0 07 7f 27 7f"), decoder) == [1.0]
+    assert wholes(bytes.fromhex("b0 06 7f 26 7f"), decoder) == []
+
+
 def test_fourteen_bits_are_read_whole() -> None:
     decoder = MidiDecoder("pad")
+    decoder.feed(bytes.fromhex("b2 01 00 21 00") * 3)
     for value in range(0, 16384, 111):
         coarse, fine = value >> 7, value & 0x7F
         last = decoder.feed(bytes([0xB2, 1, coarse, 33, fine]))[-1]

@@ -8,11 +8,18 @@ from omote.inputs.osc_packet import OscError
 
 @pytest.mark.parametrize("address", ADDRESSES, ids=lambda address: address.pattern)
 def test_every_address_is_found_as_it_is_written(address: Address) -> None:
-    written = address.pattern.replace("{character}", "one").replace("{name}", "smile").replace("{region}", "eyes")
+    written = (
+        address.pattern.replace("{character}", "one")
+        .replace("{name}", "smile")
+        .replace("{region}", "eyes")
+        .replace("{part}", "all")
+    )
     found, character, named = find_address(written)
     assert found is address
     assert character == ("" if address.of_show else "one")
-    assert named == ["smile"] * address.path.count("{name}") + ["eyes"] * address.path.count("{region}")
+    assert named == ["smile"] * address.path.count("{name}") + ["eyes"] * address.path.count("{region}") + [
+        "all"
+    ] * address.path.count("{part}")
 
 
 @pytest.mark.parametrize("address", ADDRESSES, ids=lambda address: address.pattern)

@@ -24,6 +24,7 @@ def test_all_that_is_told_can_be_sent_back_and_changes_nothing() -> None:
         wire.CallFraming("3", ["two", "one"], 0.0, "smooth"),
         wire.SetChannel("one", "smile", 0.5),
         wire.SetHead("one", 0.1, 0, 0),
+        wire.SetLayer("one", "tracker", "mouth", 0.5, on=False),
     ):
         session.receive("a", message, 0.0)
     state = session.tick(0.0)
@@ -84,11 +85,15 @@ def test_on_air_tells_each_address_as_the_whole_list_does() -> None:
     session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
     session.receive("a", wire.SetChannel("one", "jawOpen", 0.25), 0.0)
     session.receive("a", wire.SetHead("one", 0.5, 0.25, 0.0), 0.0)
+    session.receive("a", wire.SetLayer("one", "tracker", "mouth", 0.5, on=False), 0.0)
     state = session.tick(0.1)
     on_air, told = OnAir(state), tell_state(state)
     assert {path: on_air.get(path) for path in told} == told
     assert {path: on_air.get(path.replace("/one/", "/*/")) for path in told} == told
     assert on_air.get("/omote/one/channel/smile") == (0.0,)
+    assert on_air.get("/omote/one/layer/tracker/mouth") == (0.5,)
+    assert on_air.get("/omote/one/layer_on/tracker") == (0.0,), "its switch, not its influence"
+    assert on_air.get("/omote/one/layer_on/lips") == (1.0,)
 
 
 @pytest.mark.parametrize("path", ["/omote/two/head", "/omote/one/panic", "/omote/one/expression/nose", "/omote/panic"])

@@ -230,3 +230,22 @@ def test_channels_that_are_set_at_once_do_what_they_do_one_by_one(
     one_by_one = play(ticks, at_once=False, panicked=panicked, held=held)
     at_once = play(ticks, at_once=True, panicked=panicked, held=held)
     assert at_once == one_by_one
+
+
+def test_a_sender_holds_takes_over_and_releases_as_an_operator_does(
+    session: ShowSession, osc: OscInput, send: Send
+) -> None:
+    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION, "Ana", "page", "ana"), 0.0)
+    session.receive("a", wire.SetLeases("on", True), 0.0)
+    session.receive("a", wire.Lease("l", "one", "face"), 0.0)
+    send("/omote/one/lease/face")
+    assert osc.last_rejection is not None
+    assert osc.last_rejection.reason.startswith("Ana holds the face of one: take it over")
+    send("/omote/one/take_over/face", 1.0)
+    send("/omote/lease/light")
+    held = {key: session.leasing.seats[seat].name for key, seat in session.leasing.table.held.items()}
+    assert set(held) == {"one/face", "*/light"}
+    assert all(name.startswith("OSC ") for name in held.values())
+    send("/omote/one/take_over/face", 0.0)  # let go: nothing
+    send("/omote/release_lease/all")
+    assert session.leasing.table.held == {}

@@ -41,6 +41,10 @@ def orders(address: str, *arguments: Argument, there: tuple[str, ...] = ("one",)
         ("release/face", [], wire.ReleaseFace("one")),
         ("release/expression", [1.0], wire.ReleaseExpression("one")),
         ("panic", [], wire.Panic("one")),
+        ("lease/face", [], wire.Lease("c1", "one", "face")),
+        ("lease/Head", [1], wire.Lease("c1", "one", "head")),
+        ("take_over/all", [1.0], wire.Lease("c1", "one", "*", take_over=True)),
+        ("release_lease/gaze", [], wire.ReleaseLease("c1", "one", "gaze")),
         ("enter", [], wire.EnterCharacter("c1", "one", 1.0)),
         ("leave", ["2"], wire.LeaveCharacter("c1", "one", 2.0)),
         ("place", [-1, 0.5, 2, 90], wire.PlaceCharacter("one", -1.0, 0.5, 2.0, math.pi / 2, 1.0, "c1")),
@@ -76,6 +80,9 @@ def test_an_address_of_nobody_is_rejected(pattern: str) -> None:
         ("framing", ["two + one"], wire.CallFraming("c1", ["two", "one"], 1.0, "smooth")),
         ("panic", [], wire.Panic("*")),
         ("panic", [1], wire.Panic("*")),
+        ("lease/light", [], wire.Lease("c1", "*", "light")),
+        ("take_over/framing", [1], wire.Lease("c1", "*", "framing", take_over=True)),
+        ("release_lease/all", [], wire.ReleaseLease("c1", "*", "*")),
     ],
 )
 def test_an_address_of_the_show_names_no_character(
@@ -84,7 +91,9 @@ def test_an_address_of_the_show_names_no_character(
     assert orders(f"/omote/{address}", *arguments, there=("one", "two")) == (message,)
 
 
-@pytest.mark.parametrize("address", ["panic", "one/panic", "one/release/face", "*/release/expression"])
+@pytest.mark.parametrize(
+    "address", ["panic", "one/panic", "one/lease/face", "take_over/light", "one/release/face", "*/release/expression"]
+)
 @pytest.mark.parametrize("value", [0, 0.0, False, "0", -1], ids=repr)
 def test_a_button_that_is_let_go_does_nothing(address: str, value: Argument) -> None:
     assert orders(f"/omote/{address}", value) == ()
@@ -117,12 +126,42 @@ def test_a_button_that_is_let_go_does_nothing(address: str, value: Argument) -> 
         ("/omote/framing", [1], "expected the name of a framing"),
         ("/omote/one/enter", ["hand"], "the seconds is 'hand'"),
         ("/omote/one/place", [0, 0, 1], "the turn is missing; expected a number from -180 to 180"),
+        ("/omote/one/gaze", [41.0, 0.0], "the yaw is 41 degrees; give a number from -40 to 40"),
+        ("/omote/one/gaze", [0, "-31"], "the pitch is -31 degrees; give a number from -30 to 30"),
+        ("/omote/one/head", [0.0, 0.0, float("nan")], "the roll is nan degrees"),
+        ("/omote/one/place", [0, 0, 1, 181], "the turn is 181 degrees; give a number from -180 to 180"),
+        ("/omote/one/lease/nose", [], "there is no part of a character to hold 'nose'"),
+        ("/omote/lease/brows", [], "there is no part of the scene to hold 'brows'"),
+        ("/omote/one/layer_on/tracker", [2], "the on is 2; expected 1 or true for on, 0 or false for off"),
+        ("/omote/one/layer_on/tracker", [0.5], "the on is 0.5; expected 1 or true for on"),
+        ("/omote/one/layer_on/tracker", ["yes"], "the on is 'yes'; expected 1 or true for on"),
+        ("/omote/one/layer_on/tracker", [float("nan")], "the on is nan"),
+        ("/omote/one/layer_on/tracker", [], "the on is missing; expected 1 or true for on"),
     ],
 )
 def test_what_is_wrong_is_said(address: str, arguments: list[Argument], said: str) -> None:
     with pytest.raises(OscError) as raised:
         orders(address, *arguments)
     assert said in str(raised.value)
+
+
+def test_an_angle_out_of_range_is_said_in_degrees_each_time() -> None:
+    reader = OrderReader(CAST, ("one",))
+    reader.read(OscMessage("/omote/one/gaze", (40.0, -30.0)), "c1")
+    with pytest.raises(OscError, match=r"/omote/one/gaze: the yaw is 90 degrees; give a number from -40 to 40"):
+        reader.read(OscMessage("/omote/one/gaze", (90.0, 0.0)), "c2")
+
+
+OFF: tuple[Argument, ...] = (0, 0.0, False, "FALSE", "0", "0.0")
+
+
+@pytest.mark.parametrize(
+    ("value", "on"),
+    [*((each, True) for each in (1, 1.0, True, "true", "1", " True ")), *((each, False) for each in OFF)],
+    ids=repr,
+)
+def test_a_switch_is_on_or_off(value: Argument, on: bool) -> None:
+    assert orders("/omote/one/layer_on/tracker", value) == (wire.SetLayer("one", "tracker", None, None, on),)
 
 
 def test_a_reader_says_the_same_each_time() -> None:

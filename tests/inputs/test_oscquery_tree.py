@@ -1,5 +1,7 @@
 """The tree of addresses that surfaces read: each leaf is one that the parser obeys, and the other way round."""
 
+from itertools import product
+
 import pytest
 
 from omote.inputs.osc_addresses import ADDRESSES
@@ -11,6 +13,7 @@ from omote.perform.easing import DEFAULT_EASING
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.show import messages as wire
+from omote.show.leases.leased_parts import CHARACTER_PARTS, SCENE_PARTS
 from omote.show.session import ShowSession
 from tests import synthetic
 
@@ -41,6 +44,7 @@ def extremes(leaf: Node) -> list[list[Argument]]:
 
 def test_all_that_the_tree_offers_is_obeyed_at_both_ends_of_its_range(session: ShowSession) -> None:
     session.join("osc", "OSC")
+    session.receive("osc", wire.SetLeases("on", True), 0.0)
     for leaf in leaves(build_tree(CAST, None, ["one"])):
         for arguments in extremes(leaf):
             call = f"{leaf['FULL_PATH']}{arguments}"[-64:]
@@ -59,7 +63,10 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
             known = set(LAYERS) if layered else set(CAST.expressions) - {"neutral"}
             names = known if "{name}" in written else {""}
             regions = (LAYER_PARTS if layered else PLAY_REGIONS) if "{region}" in written else [""]
-            wanted |= {written.format(name=name, region=region) for name in names for region in regions}
+            held = SCENE_PARTS if address.of_show else CHARACTER_PARTS
+            parts = [*held, "all"] if "{part}" in written else [""]
+            places = product(names, regions, parts)
+            wanted |= {written.format(name=name, region=region, part=part) for name, region, part in places}
     assert paths == wanted
 
 

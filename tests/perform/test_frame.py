@@ -5,20 +5,20 @@ from dataclasses import FrozenInstanceError, replace
 
 import pytest
 
-from omote.perform.frame import Frame, Gaze, Head, with_fields
+from omote.perform.frame import DETAILS, Frame, Gaze, Head, MotionSettings, with_fields
 
 
 @pytest.mark.parametrize("angle", [math.nan, math.inf, 1.58, -1.58])
 @pytest.mark.parametrize("name", ["yaw", "pitch", "roll"])
 def test_a_direction_that_no_head_has_is_refused_by_name(name: str, angle: float) -> None:
-    with pytest.raises(ValueError, match=rf"the head's {name} \(radians\) is"):
+    with pytest.raises(ValueError, match=rf"the head's {name} \(radians; 90 degrees at most\) is"):
         Head(**{name: angle})
 
 
 @pytest.mark.parametrize("angle", [math.nan, -math.inf, 1.58, 0.7, -0.7])
 @pytest.mark.parametrize("name", ["yaw", "pitch"])
 def test_a_gaze_that_no_eye_has_is_refused_by_name(name: str, angle: float) -> None:
-    with pytest.raises(ValueError, match=rf"the gaze's {name} \(radians\) is"):
+    with pytest.raises(ValueError, match=rf"the gaze's {name} \(radians; \d+ degrees at most\) is"):
         Gaze(**{name: angle})
 
 
@@ -36,3 +36,31 @@ def test_a_frame_with_other_fields_is_what_replace_gives_and_leaves_the_first() 
     later = with_fields(frame, head=Head(0.1), time=2.0)
     assert later == replace(frame, head=Head(0.1), time=2.0)
     assert frame == Frame({"generic": 1.0}, {"neutral": 1.0}, panics=2)
+
+
+def test_half_is_as_people_are_and_nothing_is_off() -> None:
+    people, still = MotionSettings(0.5), MotionSettings()
+    assert (people.blink_rate, people.reach, people.depth) == (1.0, 1.0, 1.0)
+    assert (still.blink_rate, still.reach, still.depth) == (0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("name", ["liveliness", *DETAILS])
+@pytest.mark.parametrize("value", [-0.1, 2.1, math.nan, math.inf])
+def test_what_is_out_of_range_is_rejected_by_name(name: str, value: float) -> None:
+    with pytest.raises(ValueError, match=name):
+        MotionSettings(**{name: value})  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("seed", [-1, 0.5, 2**31, math.nan])
+def test_a_seed_is_a_whole_number(seed: float) -> None:
+    with pytest.raises(ValueError, match="seed"):
+        MotionSettings(seed=seed)  # type: ignore[arg-type]
+
+
+def test_what_is_no_number_is_rejected() -> None:
+    with pytest.raises(TypeError, match="liveliness"):
+        MotionSettings("lively")  # type: ignore[arg-type]
+
+
+def test_a_change_keeps_what_is_not_given() -> None:
+    assert MotionSettings(0.5, gaze=0.2).change(liveliness=1.0, gaze=None) == MotionSettings(1.0, gaze=0.2)

@@ -1,4 +1,4 @@
-"""Draws the contact sheets of docs/transfer.md and docs/sculpts.md; names as arguments draw only those.
+"""Draws the contact sheets of docs/transfer.md and docs/sculpts.md, and the README's faces; names draw only those.
 
 Every face of the cast (rows) with ten expressions, with wide mouths, blinks, sums of three and half-way morphs, and its
 eyes from near; every sculpted face, and the way from a person to it. At a low quality: shapes are judged, not skin.
@@ -48,6 +48,14 @@ SCULPTS: tuple[Words, ...] = (
 )
 PEOPLE = {"auntie": "gaunt", "cat": "child", "count": "round", "dog": "kaori", "noh": "man"}
 STEPS = (0.0, 0.25, 0.5, 0.5, 0.75, 1.0)
+SHOWN = ("kaori", "man", "dog", "cat", "noh")
+SHOWN_EXPRESSIONS = ("neutral", "smile", "surprise", "angry", "shout")
+
+
+def show(cast: Cast) -> Picture:
+    """Five faces by five expressions, as the stage shows them."""
+    rows = [("", [("", {"face": face, "expression": name}) for name in SHOWN_EXPRESSIONS]) for face in SHOWN]
+    return Picture("show", replace(grid_of(cast, rows), rows=()), Setting(256, 280))
 
 
 def expressions(cast: Cast) -> Picture:
@@ -99,7 +107,7 @@ def morphs(cast: Cast) -> Picture:
 def main() -> int:
     """Draws the sheets, or those whose names are given."""
     cast = omote.load_cast()
-    return draw_wanted([drawn(cast) for drawn in (expressions, shapes, eyes, sculpts, morphs)], sys.argv[1:])
+    return draw_wanted([drawn(cast) for drawn in (show, expressions, shapes, eyes, sculpts, morphs)], sys.argv[1:])
 
 
 if __name__ == "__main__":

@@ -38,7 +38,7 @@ TAIL = f"""
 | `sACN` | `1/17` | universe (1 to 63999) and slot (1 to 512) |
 | `Art-Net` | `0/17` | universe (0 to 32767: net, sub-net and universe in one number) and slot |
 | MIDI | `1/cc7` | channel (from 1) and controller |
-| MIDI | `1/cc7+39` | a controller below 32 and its fine part, 14 bits |
+| MIDI | `1/cc7+39` | a controller and its fine part, 14 bits: once that came right behind it three times, or bound |
 | MIDI | `1/note60`, `1/pressure60` | a note with its velocity, its pressure |
 | MIDI | `1/bend`, `1/pressure`, `1/program5` | pitch bend (14 bits), pressure, a program (a press) |
 | gamepad | `axis0`, `axis1`, `axis2`, `axis3` | left stick, right stick: 0 left and up, 0.5 in the middle |

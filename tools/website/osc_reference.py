@@ -22,8 +22,9 @@ of a new show is called `{FIRST_CHARACTER}`; in the place of a character `*` mea
 """
 
 TAIL = f"""
-* A number comes as float, double, integer, boolean or as numeric text. Angles are in degrees: + is the character's
-  left, up, tilt to its left. A value out of its range is rejected, never clipped.
+* A number comes as float, double, integer, boolean or as numeric text, a switch as 0, 1, true or false.
+  Angles are in degrees: + is the character's left, up, tilt to its left. A value out of its range is
+  rejected, never clipped.
 * A framing is `*`, all that are on the stage, or names of characters joined by `+` or spaces: `one+two`.
 * Names are found in any case, with spaces, hyphens or underscores: `Crooked Smile` is `crooked_smile`.
 * A call takes {CALL_SECONDS:g} second where no seconds are given; `"{BY_HAND}"` in their place makes a call by hand,
@@ -66,6 +67,8 @@ def _value(value: Value) -> str:
     if value.kind == "number":
         unit = f" {value.unit}" if value.unit else ""
         return f"{value.name} {value.low:g} to {value.high:g}{unit}"
+    if value.kind == "switch":
+        return f"{value.name} 0 or 1"
     if value.kind == "framing":
         return value.name
     return f"[{value.name}]" if value.may_be_left_out else f"{value.name} of a {value.kind}"

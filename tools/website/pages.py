@@ -14,6 +14,7 @@ from tools.website.command_reference import command_page
 from tools.website.file_reference import file_page
 from tools.website.osc_reference import osc_page
 from tools.website.python_reference import python_page
+from tools.website.tracker_reference import tracker_page
 from tools.website.wire_reference import wire_page
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -37,6 +38,7 @@ GENERATED: Mapping[str, Callable[[], str]] = {
     "reference/wire.md": wire_page,
     "reference/osc.md": osc_page,
     "reference/bindings.md": binding_page,
+    "reference/trackers.md": tracker_page,
     "reference/show-file.md": file_page,
     "reference/commands.md": command_page,
     "reference/action-units.md": action_unit_page,

@@ -6,6 +6,8 @@ in a row are told from plain ones by their order alone, and a control surface se
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from omote.inputs.reading import Reading
 
 STATUS, REAL_TIME, SYSTEM, END_OF_SYSTEM = 0x80, 0xF8, 0xF0, 0xF7
@@ -14,19 +16,25 @@ LENGTHS = {NOTE_OFF: 2, NOTE_ON: 2, KEY_PRESSURE: 2, CONTROL: 2, PROGRAM: 1, PRE
 """Data bytes of a message, by its status without the channel."""
 SYSTEM_LENGTHS = {0xF1: 1, 0xF2: 2, 0xF3: 1}
 FINE = 32
-"""A controller below it has its fine part at the number that is so much higher."""
+"""A controller below it may have its fine part at the number that is so much higher."""
+PAIRED = 3
+"""Times in a row that a fine part must come right behind its controller until the two are taken for one control of
+14 bits: most desks have plain keys and dials at both numbers."""
 HIGHEST_7, HIGHEST_14 = 127.0, 16383.0
 
 
 class MidiDecoder:
-    """Bytes of one device as they come, cut anywhere. rejected: bytes that belong to no message."""
+    """Bytes of one device as they come, cut anywhere. is_bound: whether somebody has bound a control of 14 bits, which
+    is then known to be one. rejected: bytes that belong to no message."""
 
-    def __init__(self, device: str) -> None:
-        self._device = device
+    def __init__(self, device: str, is_bound: Callable[[str], bool] = lambda _: False) -> None:
+        self._device, self._is_bound = device, is_bound
         self._status = 0
         self._data: list[int] = []
         self._in_system = False
         self._coarse: dict[tuple[int, int], int] = {}
+        self._paired: dict[tuple[int, int], int] = {}
+        self._before: tuple[int, int] | None = None  # the controller of the last message
         self.rejected = 0
 
     def feed(self, data: bytes) -> list[Reading]:
@@ -59,6 +67,8 @@ class MidiDecoder:
         self._data.append(byte)
         if len(self._data) < length:
             return []
+        if kind != CONTROL and kind < SYSTEM:
+            self._before = None
         message, self._data = self._data, []  # the status stays: the next may leave it out (running status)
         if kind >= SYSTEM:
             self._status = 0
@@ -83,12 +93,22 @@ class MidiDecoder:
 
     def _read_control(self, channel: int, number: int, value: int) -> list[Reading]:
         found = [self._reading(channel, f"cc{number}", value / HIGHEST_7)]
+        before, self._before = self._before, (channel, number)
         if number < FINE:
             self._coarse[channel, number] = value
-        elif (channel, number - FINE) in self._coarse:
+        elif number < 2 * FINE and self._is_fine_part(channel, number, before):
             whole = self._coarse[channel, number - FINE] << 7 | value
             found.append(self._reading(channel, f"cc{number - FINE}+{number}", whole / HIGHEST_14))
         return found
+
+    def _is_fine_part(self, channel: int, number: int, before: tuple[int, int] | None) -> bool:
+        """Whether a controller is the fine part of another: it came right behind that one each time, or is bound so. A
+        pair that is known may send its fine part alone, while the other stays."""
+        coarse = channel, number - FINE
+        count = self._paired.get(coarse, 0)
+        if count < PAIRED:
+            count = self._paired[coarse] = count + 1 if before == coarse else 0
+        return count >= PAIRED or (coarse in self._coarse and self._is_bound(f"{channel}/cc{number - FINE}+{number}"))
 
     def _reading(self, channel: int, control: str, value: float, *, key: bool = False) -> Reading:
         return Reading(self._device, f"{channel}/{control}", value, key)

@@ -1,20 +1,22 @@
 """Every address of OSC that a show obeys, once: the parser, the documentation and what surfaces are told use this list.
 
-Angles are in degrees. A number comes as float, integer, boolean or numeric text; as OSC's buttons send 1 when they are
-pressed and 0 when they are let go, a command without a value happens at a number above 0 or without any.
+Angles are in degrees. A number comes as float, integer, boolean or numeric text, a switch as 0, 1, true or false; as
+OSC's buttons send 1 when they are pressed and 0 when they are let go, a command without a value happens at a number
+above 0 or without any.
 """
 
 from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
 
 from omote.inputs.osc_packet import OscError
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.frame import DETAIL_LIMIT, DETAILS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene_frame import PLACE_LIMITS
@@ -31,8 +33,9 @@ REMEMBERED_LENGTH = 120
 """Characters of an address that is remembered when it was found: a fader sends the same one again and again."""
 
 Kind = Literal[
-    "face", "expression", "region", "channel", "light", "framing", "layer", "part", "number", "seconds", "time", "press"
-]
+    "face", "expression", "region", "channel", "light", "framing", "layer", "part", "lease", "scene_lease",
+    "number", "switch", "seconds", "time", "press",
+]  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -82,15 +85,57 @@ PLACE = *(Value(name, low=low, high=high, unit=_UNITS[name]) for name, (low, hig
 
 def _angles(limits: Mapping[str, float]) -> tuple[Value, ...]:
     return tuple(
-        Value(name, low=-math.degrees(limit), high=math.degrees(limit), unit="degrees")
+        Value(name, low=-round(math.degrees(limit), 9), high=round(math.degrees(limit), 9), unit="degrees")
         for name, limit in limits.items()
     )
 
 
-def _turn(message: Callable[..., wire.FromClient]) -> Callable[..., wire.FromClient]:
-    return lambda who, _, *degrees: message(who, *map(math.radians, degrees))
+def _radians(value: Value, degrees: float) -> float:
+    """An angle as messages have it; ValueError, in the degrees that came, where it is out of its range."""
+    if not value.low <= degrees <= value.high:
+        span = f"{value.low:g} to {value.high:g}"
+        raise ValueError(f"the {value.name} is {degrees:g} degrees; give a number from {span}")
+    return math.radians(degrees)
 
 
+def _motion_detail(detail: str) -> Callable[..., wire.FromClient]:
+    return lambda who, _, value: wire.SetMotion(who, **{detail: value})
+
+
+def _turn(message: Callable[..., wire.FromClient], angles: Sequence[Value]) -> Callable[..., wire.FromClient]:
+    return lambda who, _, *degrees: message(who, *map(_radians, angles, degrees))
+
+
+def _leases(kind: Kind, *, of_show: bool) -> tuple[Address, ...]:
+    """The addresses by which a sender holds, takes over and releases parts: of a character, or of the scene."""
+    part = Value("part", kind)
+    whose = "of the scene (light, framing, or all of all characters)" if of_show else "of it (face, head ..., or all)"
+    return (
+        Address(
+            "lease/{part}",
+            f"holds a part {whose}: nobody else plays it, while leases are on",
+            (part, PRESS),
+            lambda who, call, part: wire.Lease(call, who, part),
+            of_show,
+        ),
+        Address(
+            "take_over/{part}",
+            f"takes over a part {whose} that another holds",
+            (part, PRESS),
+            lambda who, call, part: wire.Lease(call, who, part, take_over=True),
+            of_show,
+        ),
+        Address(
+            "release_lease/{part}",
+            f"releases a part {whose}, or wants no more what another holds",
+            (part, PRESS),
+            lambda who, call, part: wire.ReleaseLease(call, who, part),
+            of_show,
+        ),
+    )
+
+
+HEAD, GAZE = _angles(HEAD_LIMITS), _angles(GAZE_LIMITS)
 ADDRESSES: tuple[Address, ...] = (
     Address(
         "face",
@@ -130,12 +175,27 @@ ADDRESSES: tuple[Address, ...] = (
     ),
     Address(
         "layer_on/{name}",
-        "switches a layer on (above 0) or off",
-        (Value("name", "layer"), Value("on")),
-        lambda who, _, layer, on: wire.SetLayer(who, layer, None, None, on > 0.0),
+        "switches a layer on (1 or true) or off (0 or false)",
+        (Value("name", "layer"), Value("on", "switch")),
+        lambda who, _, layer, on: wire.SetLayer(who, layer, None, None, on == 1.0),
     ),
-    Address("head", "turns the head", _angles(HEAD_LIMITS), _turn(wire.SetHead)),
-    Address("gaze", "turns the eyes, relative to the head", _angles(GAZE_LIMITS), _turn(wire.SetGaze)),
+    Address(
+        "motion",
+        "sets how much it moves by itself: lids, eyes, head, breath; 0.5 as people move",
+        (Value("liveliness", low=0.0, high=1.0),),
+        lambda who, _, liveliness: wire.SetMotion(who, liveliness),
+    ),
+    *(
+        Address(
+            f"motion/{detail}",
+            f"sets the {detail} of its own motion, beside all else of it; 1 at first",
+            (Value(detail, low=0.0, high=DETAIL_LIMIT),),
+            _motion_detail(detail),
+        )
+        for detail in DETAILS
+    ),
+    Address("head", "turns the head", HEAD, _turn(wire.SetHead, HEAD)),
+    Address("gaze", "turns the eyes, relative to the head", GAZE, _turn(wire.SetGaze, GAZE)),
     Address("fade/face", "moves the T-bar of the faces", (FADER,), lambda who, _, x: wire.FadeFace(who, x)),
     Address(
         "fade/expression", "moves the T-bar of the expressions", (FADER,), lambda who, _, x: wire.FadeExpression(who, x)
@@ -167,9 +227,10 @@ ADDRESSES: tuple[Address, ...] = (
         "moves it: to the picture's right, behind the front line, larger, turned",
         PLACE,
         lambda who, call, x, depth, size, turn, seconds: wire.PlaceCharacter(
-            who, x, depth, size, math.radians(turn), seconds, call
+            who, x, depth, size, _radians(PLACE[3], turn), seconds, call
         ),
     ),
+    *_leases("lease", of_show=False),
     Address(
         "light",
         "brings a light on air",
@@ -191,6 +252,7 @@ ADDRESSES: tuple[Address, ...] = (
         lambda _, __: wire.Panic(ALL),
         of_show=True,
     ),
+    *_leases("scene_lease", of_show=True),
 )
 
 

@@ -18,6 +18,13 @@ Told = Mapping[str, tuple[Argument, ...]]
 QUIET_SECONDS = 0.3
 """Seconds after a surface's own message in which that address is not told to it: its fader is in a hand."""
 REST = (0.0,)
+SWITCH = "layer_on/{name}"
+FIRST_INFLUENCES: Mapping[str, list[float]] = {
+    layer: [each.influence[part] for part in LAYER_PARTS] for layer, each in DEFAULT_SETTINGS.items()
+}
+"""The influences of layers that are as at first."""
+NO_INFLUENCE = [0.0] * len(LAYER_PARTS)
+PART_PLACES: Mapping[str, int] = {part: place for place, part in enumerate(LAYER_PARTS)}
 
 
 def tell_state(state: State) -> dict[str, tuple[Argument, ...]]:
@@ -32,7 +39,8 @@ def tell_character(state: CharacterState, own: str) -> dict[str, tuple[Argument,
     """Each address of a character, below `own`, with the values that it has: those of hands as hands hold them."""
     told = {f"{own}/{path}": tell(state) for path, tell in OF_CHARACTER.items()}
     told |= {f"{own}/expression/{region}": (name,) for region, name in _named_in_regions(state).items()}
-    told |= {f"{own}/layer/{layer}": (max(each.influence),) for layer, each in state.layers.items()}
+    for layer, each in state.layers.items():
+        told |= {f"{own}/layer/{layer}": (max(each.influence),), f"{own}/layer_on/{layer}": (float(each.on),)}
     return told | {f"{own}/channel/{name}": (weight,) for name, weight in _hands(state).channels.items()}
 
 
@@ -54,8 +62,9 @@ class OnAir:
         if self._state is None:
             return default
         channel = _channel_at(path)
-        if channel is not None and channel[0] in self._state.characters:
-            return (_hands(self._state.characters[channel[0]]).channels.get(channel[1], 0.0),)
+        state = None if channel is None else self._state.characters.get(channel[0])
+        if channel is not None and state is not None:
+            return ((state if state.held is None else state.held).channels.get(channel[1], 0.0),)
         address, pattern, named = find_address(path)
         if address.of_show:
             return OF_SHOW[address.path](self._state) if address.path in OF_SHOW else default
@@ -66,7 +75,8 @@ class OnAir:
         if address.path == CHANNEL:  # of a pattern
             return (_hands(characters[who]).channels.get(named[0], 0.0),)
         if address.path.startswith("layer"):
-            return _of_layer(characters[who], *named)
+            switch = address.path == SWITCH
+            return (float(_is_on(characters[who], *named)),) if switch else _of_layer(characters[who], *named)
         if named:
             shown = {str(region): name for region, name in _named_in_regions(characters[who]).items()}
             return (shown[named[0]],) if named[0] in shown else default
@@ -120,11 +130,15 @@ def _hands(state: CharacterState) -> CharacterState | HeldState:
 
 def _of_layer(state: CharacterState, name: str, part: str = "") -> tuple[Argument, ...]:
     """The influence of a layer, as set: of a part, or the largest."""
-    shown = {str(layer): each.influence for layer, each in state.layers.items()}
-    first = {str(layer): list(each.influence.values()) for layer, each in DEFAULT_SETTINGS.items()}
-    influence = shown.get(name, first.get(name, []))
-    parts = dict(zip(map(str, LAYER_PARTS), influence, strict=False))
-    return (parts[part] if part in parts else max(influence, default=0.0),)
+    shown = state.layers.get(name)  # type: ignore[call-overload]
+    influence = shown.influence if shown is not None else FIRST_INFLUENCES.get(name, NO_INFLUENCE)
+    return (influence[PART_PLACES[part]] if part in PART_PLACES else max(influence),)
+
+
+def _is_on(state: CharacterState, layer: str) -> bool:
+    """Whether a layer is switched on; one that is as at first is."""
+    shown = state.layers.get(layer)  # type: ignore[call-overload]
+    return shown is None or bool(shown.on)
 
 
 def _place(place: Place) -> tuple[Argument, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 from omote.inputs.character_patterns import characters_meant
@@ -17,10 +18,12 @@ from omote.perform.name_lookup import find_name
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable
 from omote.show import messages as wire
+from omote.show.leases.leased_parts import find_part
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 CHECKS: Mapping[str, Callable[[str], str]] = {
     "region": check_play_region, "layer": check_layer, "part": check_part,
+    "lease": partial(find_part, of_scene=False), "scene_lease": partial(find_part, of_scene=True),
 }  # fmt: skip
 """What finds the names that every show has."""
 MOST_REMEMBERED = 1024
@@ -67,24 +70,27 @@ class OrderReader:
         value that is missing, too many or of a wrong kind; whether a number is in its range the scene decides.
         """
         level = self._levels.get(message.address)
-        if level is not None and len(message.arguments) == level.length and all(map(_is_float, message.arguments)):
-            return tuple(level.make(who, call, *level.named, *message.arguments) for who in level.meant)
-        return self._read(message, call)
+        try:
+            if level is not None and len(message.arguments) == level.length and all(map(_is_float, message.arguments)):
+                return tuple(level.make(who, call, *level.named, *message.arguments) for who in level.meant)
+            return self._read(message, call)
+        except OscError:
+            raise
+        except ValueError as error:
+            raise OscError(f"{message.address[:80]}: {error}") from error
 
     def channel_set(self, message: OscMessage) -> Level | None:
         """The address of a message that sets a channel to a weight in its range, where it was read before."""
-        level = self._levels.get(message.address)
-        if level is None or not level.channel or len(message.arguments) != 1:
+        address, arguments = message
+        level = self._levels.get(address)
+        if level is None or not level.channel or len(arguments) != 1:
             return None
-        weight = message.arguments[0]
+        weight = arguments[0]
         return level if type(weight) is float and CHANNEL_LOWEST <= weight <= CHANNEL_HIGHEST else None
 
     def _read(self, message: OscMessage, call: str) -> tuple[wire.FromClient, ...]:
         address, character, named = find_address(message.address)
-        try:
-            values = self._read_values(address.values, [*named, *message.arguments])
-        except ValueError as error:
-            raise OscError(f"{message.address[:80]}: {error}") from error
+        values = self._read_values(address.values, [*named, *message.arguments])
         if values is None:
             return ()
         if address.of_show:
@@ -132,6 +138,8 @@ class OrderReader:
             return _seconds(value, argument)
         if value.kind == "time":
             return CALL_SECONDS if argument is None else _number(value, argument)
+        if value.kind == "switch":
+            return _switch(value, argument)
         return _number(value, argument) if value.kind == "number" else self._name(value, argument)
 
     def _name(self, value: Value, argument: Argument) -> str | list[str]:
@@ -187,6 +195,18 @@ def _number(value: Value, argument: Argument) -> float:
     raise ValueError(f"the {value.name} is {str(argument)[:80]!r}; expected {_listed([value])}")
 
 
+def _switch(value: Value, argument: Argument) -> float:
+    """1 for on, 0 for off."""
+    text = argument.strip().lower() if isinstance(argument, str) else argument
+    if text in ("true", "false"):
+        return float(text == "true")
+    number = float(text) if isinstance(text, str) and NUMBER.fullmatch(text) else text
+    if isinstance(number, int | float) and number in (0, 1):
+        return float(number)
+    said = repr(argument) if isinstance(argument, str) else f"{argument:g}" if isinstance(argument, float) else argument
+    raise ValueError(f"the {value.name} is {str(said)[:80]}; expected {_listed([value])}")
+
+
 def _characters(text: str, characters: Sequence[str]) -> list[str]:
     """The characters of a framing: none for `*`."""
     if text.strip() == ALL:
@@ -195,4 +215,10 @@ def _characters(text: str, characters: Sequence[str]) -> list[str]:
 
 
 def _listed(values: Sequence[Value]) -> str:
-    return ", ".join(f"a number from {v.low:g} to {v.high:g}" if v.kind == "number" else v.name for v in values)
+    return ", ".join(map(_describe, values))
+
+
+def _describe(value: Value) -> str:
+    if value.kind == "switch":
+        return "1 or true for on, 0 or false for off"
+    return f"a number from {value.low:g} to {value.high:g}" if value.kind == "number" else value.name

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from omote.inputs.rejection import PacketError
 
@@ -29,8 +29,7 @@ class OscError(PacketError):
     """What came is no packet of OSC, and why."""
 
 
-@dataclass(frozen=True)
-class OscMessage:
+class OscMessage(NamedTuple):
     """A message: its address, which begins with "/", and its arguments; what stood in arrays stands among them."""
 
     address: str
@@ -46,7 +45,7 @@ def decode_packet(data: bytes) -> list[OscMessage]:
     while left:
         part = left.pop()
         if part.startswith(BUNDLE):
-            left.extend(reversed(_elements(part)))
+            left.extend(reversed(split_bundle(part)))
             bundles += 1
         else:
             found.append(_decode_message(part))
@@ -68,8 +67,8 @@ def encode_bundle(packets: Iterable[bytes]) -> bytes:
     return BUNDLE + IMMEDIATELY + b"".join(struct.pack(">i", len(packet)) + packet for packet in packets)
 
 
-def _elements(bundle: bytes) -> list[bytes]:
-    """The packets within a bundle."""
+def split_bundle(bundle: bytes) -> list[bytes]:
+    """The packets within a bundle; OscError where its lengths are wrong."""
     if len(bundle) < len(BUNDLE) + 8:
         raise OscError("a bundle ends within its time tag")
     found, at = [], len(BUNDLE) + 8

@@ -16,13 +16,14 @@ from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable
+from omote.show.leases.leased_parts import CHARACTER_PARTS, SCENE_PARTS, WORD_FOR_ALL
 from omote.show.messages import State
 
 Node = dict[str, Any]
 """A node as JSON has it: `FULL_PATH`, and what the proposal calls attributes."""
 
 NO_ACCESS, WRITE, READ_WRITE = 0, 2, 3
-TYPES = {"number": "f", "time": "f", "press": "I"}
+TYPES = {"number": "f", "time": "f", "switch": "T", "press": "I"}
 """The type tag of a value by its kind; names are texts."""
 UNITS = {"degrees": "angle.degree"}
 """The proposal's names of units."""
@@ -63,7 +64,8 @@ def with_values(node: Node, on_air: OnAir) -> Node:
     """A copy of a node and of all below it, with the values on air."""
     found = dict(node)
     if node["ACCESS"] == READ_WRITE:
-        found["VALUE"] = list(on_air.get(node["FULL_PATH"], REST))
+        values = on_air.get(node["FULL_PATH"], REST)
+        found["VALUE"] = [value == 1.0 for value in values] if node["TYPE"] == TYPES["switch"] else list(values)
     if "CONTENTS" in node:
         found["CONTENTS"] = {name: with_values(below, on_air) for name, below in node["CONTENTS"].items()}
     return found
@@ -106,14 +108,18 @@ def _leaf(address: Address, path: str, known: Names) -> Node:
 
 
 def _range(value: Value, known: Names) -> dict[str, Any]:
-    numbers = value.kind in ("number", "time")
-    return {"MIN": value.low, "MAX": value.high} if numbers else {"VALS": _names(value, known)}
+    if value.kind in ("number", "time"):
+        return {"MIN": value.low, "MAX": value.high}
+    return {"VALS": [False, True] if value.kind == "switch" else _names(value, known)}
 
 
 def _names(value: Value, known: Names) -> list[str]:
     if value.kind == "framing":
         return [ALL, *known.characters]
-    listed: dict[str, Sequence[str]] = {"region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS}
+    listed: dict[str, Sequence[str]] = {
+        "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
+        "lease": (*CHARACTER_PARTS, WORD_FOR_ALL), "scene_lease": (*SCENE_PARTS, WORD_FOR_ALL),
+    }  # fmt: skip
     if value.kind in listed:
         return [*listed[value.kind]]
     cast = known.cast

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 from omote.model.known_names import GENERIC, PlayRegion
@@ -11,6 +12,20 @@ from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_within
 
 Frozen = TypeVar("Frozen")
+MOST_SEED = 2**31 - 1
+DETAILS = ("blinks", "gaze", "breath")
+DETAIL_LIMIT = 2.0
+
+
+def _describe_angles(whose: str, limits: Mapping[str, float]) -> dict[str, str]:
+    """What error messages call angles: whoever thinks in degrees reads that these are none."""
+    return {
+        name: f"the {whose}'s {name} (radians; {math.degrees(limit):.0f} degrees at most)"
+        for name, limit in limits.items()
+    }
+
+
+_HEAD_ANGLES, _GAZE_ANGLES = _describe_angles("head", HEAD_LIMITS), _describe_angles("gaze", GAZE_LIMITS)
 
 
 @dataclass(frozen=True)
@@ -24,7 +39,7 @@ class Head:
     def __post_init__(self) -> None:
         """Rejects angles beyond a head's range."""
         for name, limit in HEAD_LIMITS.items():
-            value = check_within(getattr(self, name), -limit, limit, f"the head's {name} (radians)")
+            value = check_within(getattr(self, name), -limit, limit, _HEAD_ANGLES[name])
             object.__setattr__(self, name, value)
 
 
@@ -38,7 +53,7 @@ class Gaze:
     def __post_init__(self) -> None:
         """Rejects angles beyond an eye's range."""
         for name, limit in GAZE_LIMITS.items():
-            value = check_within(getattr(self, name), -limit, limit, f"the gaze's {name} (radians)")
+            value = check_within(getattr(self, name), -limit, limit, _GAZE_ANGLES[name])
             object.__setattr__(self, name, value)
 
 
@@ -53,6 +68,65 @@ class Home:
         """Rejects a time that no call can take."""
         what = "the time to the home face (seconds)"
         object.__setattr__(self, "seconds", check_within(self.seconds, 0.0, LONGEST_CALL, what))
+
+
+@dataclass(frozen=True)
+class MotionSettings:
+    """How much a character moves by itself.
+
+    Parameters
+    ----------
+    liveliness : float
+        0 off; 0.5 as people are, by the literature; 1 lively.
+    blinks, gaze, breath : float
+        Each beside the others, 0 (none) to 2 (twice as much); the head that follows goes with the gaze, noise with
+        the breath.
+    seed : int
+        Which of all ways to move, 0 to 2147483647: the same seed moves the same.
+
+    Raises
+    ------
+    ValueError
+        On a number out of range.
+    TypeError
+        On what is no number.
+    """
+
+    liveliness: float = 0.0
+    blinks: float = 1.0
+    gaze: float = 1.0
+    breath: float = 1.0
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        """Rejects what is out of range."""
+        object.__setattr__(self, "liveliness", check_within(self.liveliness, 0.0, 1.0, "the liveliness"))
+        for name in DETAILS:
+            value = check_within(getattr(self, name), 0.0, DETAIL_LIMIT, f"the {name} of the automatic motion")
+            object.__setattr__(self, name, value)
+        check_within(self.seed, 0, MOST_SEED, "the seed of the automatic motion")
+        if self.seed != int(self.seed):
+            raise ValueError(f"the seed of the automatic motion is {self.seed}; expected a whole number")
+        object.__setattr__(self, "seed", int(self.seed))
+
+    @property
+    def blink_rate(self) -> float:
+        """How often lids close, 1 as at rest; 0 never."""
+        return self.blinks * (0.6 + 0.8 * self.liveliness) if self.liveliness else 0.0
+
+    @property
+    def reach(self) -> float:
+        """How far eyes go elsewhere, 1 as people's do."""
+        return self.gaze * 2.0 * self.liveliness
+
+    @property
+    def depth(self) -> float:
+        """How much breath and noise move, 1 as they are stated."""
+        return self.breath * 2.0 * self.liveliness
+
+    def change(self, **given: float | None) -> MotionSettings:
+        """The same with what is given; None leaves a setting as it is."""
+        return replace(self, **{name: value for name, value in given.items() if value is not None})  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True)
@@ -103,7 +177,7 @@ class Frame:
     show another than the rest of the face does, each sums to one; `region_calls`: their own calls. `held`: what hands
     hold where layers mix it with what sources send, None where `channels`, `head` and `gaze` are theirs alone; layers
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
-    at first.
+    at first. `motion`: what is set of the automatic motion, None where nothing is.
     """
 
     faces: Mapping[str, float]
@@ -125,6 +199,7 @@ class Frame:
     region_calls: Mapping[PlayRegion, CallStatus] = field(default_factory=dict)
     layers: Mapping[str, LayerStatus] = field(default_factory=dict)
     held: Held | None = None
+    motion: MotionSettings | None = None
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

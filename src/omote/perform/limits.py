@@ -34,6 +34,13 @@ def check_within(value: object, low: float, high: float, what: str) -> float:
     return float(number)
 
 
+def check_switch(value: object, what: str) -> bool:
+    """Returns `value` where it is True or False; else raises TypeError with a message."""
+    if isinstance(value, bool):
+        return value
+    raise TypeError(f"{what} is {value!r}; give True or False")
+
+
 def check_call_seconds(seconds: object) -> float:
     """Returns the seconds of a call, 0 for one that is so short that it is a cut; else raises with a message."""
     number = check_within(seconds, 0.0, LONGEST_CALL, "the time of a call (seconds)")

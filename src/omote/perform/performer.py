@@ -26,9 +26,17 @@ from omote.perform.layers.layers import (
     switch_off,
 )
 from omote.perform.layers.layers_snapshot import restored, snapshot_of
-from omote.perform.layers.source_frame import SourceFrame, check_frame, source_frame
+from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_frame, source_frame
 from omote.perform.lights import check_light
 from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_within
+from omote.perform.motion.automatic_motion import (
+    MOTION_LAYERS,
+    AutomaticMotion,
+    advance_motion,
+    motion_frames,
+    set_motion,
+)
+from omote.perform.motion.free_layers import is_free, is_speaking
 from omote.perform.panic import (
     PANIC_EASING,
     PANIC_SECONDS,
@@ -77,6 +85,7 @@ class Performer:
         self._cast = cast
         self._now = Snapshot(Axis(GENERIC), Axis(NEUTRAL))
         self._layers: Layers | None = None
+        self._last_held = Held()
 
     @classmethod
     def restored(cls, cast: Playable, snapshot: Snapshot) -> Performer:
@@ -451,6 +460,7 @@ class Performer:
         head: tuple[float, float, float] | None = None,
         gaze: tuple[float, float] | None = None,
         found: bool = True,
+        smoothing: float = 0.0,
     ) -> None:
         """One frame of a source: the newest wins, and the layer follows it without a jump.
 
@@ -469,6 +479,8 @@ class Performer:
             Yaw and pitch as of `set_gaze`; without it the eyes are left to the channels.
         found : bool
             False while the source does not see its performer.
+        smoothing : float
+            Seconds, to 2, in which the layer goes nine tenths of a step; without it 0.2, and less where it moves fast.
 
         Raises
         ------
@@ -491,7 +503,8 @@ class Performer:
         ----------
         docs/method.md, "Layers".
         """
-        which, frame = check_driven(layer), source_frame(self._cast.expressions, channels, head, gaze, found=found)
+        which, expressions = check_driven(layer), self._cast.expressions
+        frame = source_frame(expressions, channels, head, gaze, found=found, smoothing=smoothing)
         self.drive_layer(which, check_frame(frame, which))
 
     def set_layer(
@@ -515,7 +528,7 @@ class Performer:
         ValueError
             On a layer or a region that there is not, and on an influence out of range.
         TypeError
-            On an influence that is no number.
+            On an influence that is no number, and on a switch that is neither True nor False.
 
         Examples
         --------
@@ -527,6 +540,51 @@ class Performer:
         part = None if region is None else check_part(region)
         self._layers = set_layer(self._begun_layers(), check_layer(layer), part, influence, on)
         self._play()
+
+    def set_motion(
+        self,
+        liveliness: float | None = None,
+        *,
+        blinks: float | None = None,
+        gaze: float | None = None,
+        breath: float | None = None,
+        seed: int | None = None,
+    ) -> None:
+        """Sets how much the character moves by itself: lids, eyes, the head that follows them, breath and small noise.
+
+        It plays the layers *blink*, *gaze* and *breath* where no source drives them, below a tracker: where that is
+        lost, it is what shows. What is not given stays.
+
+        Parameters
+        ----------
+        liveliness : float, optional
+            0 nothing; 0.5 as people move; 1 lively.
+        blinks, gaze, breath : float, optional
+            Each beside the others, 0 to 2; 1 at first.
+        seed : int, optional
+            Which of all ways to move, 0 to 2147483647: the same seed and steps give the same bits.
+
+        Raises
+        ------
+        ValueError
+            On numbers out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.set_motion(0.5)
+        >>> sorted(performer.advance(1 / 60).layers)
+        ['blink', 'breath', 'gaze']
+
+        References
+        ----------
+        docs/method.md, "Automatic motion".
+        """
+        motion = AutomaticMotion() if self._now.motion is None else self._now.motion
+        given = {"liveliness": liveliness, "blinks": blinks, "gaze": gaze, "breath": breath, "seed": seed}
+        self._play(motion=set_motion(motion, motion.settings.change(**given)))
 
     def set_home(self, face: str, *, seconds: float = 2.0) -> None:
         """Chooses the face that a second panic brings on air.
@@ -620,6 +678,7 @@ class Performer:
             settling=settled_later(now.settling, dt),
             time=now.time + dt,
         )
+        self._move(dt)
         self._layers = self._advance_layers(self._layers, dt)
         return self._frame()
 
@@ -681,11 +740,31 @@ class Performer:
         """
         self._layers = None if self._layers is None else recalibrate(self._layers, layer, source)
 
+    def _move(self, dt: float) -> None:
+        """What the character does by itself plays the layers that no source drives."""
+        motion = self._now.motion
+        if motion is None:
+            return
+        if motion.settings.liveliness == 0.0:
+            for layer in MOTION_LAYERS:
+                self.leave_layer(layer, AUTOMATIC)
+            return
+        speaking = self._layers is not None and is_speaking(self._layers)
+        motion = advance_motion(motion, dt, speaking=speaking)
+        self._now = with_fields(self._now, motion=motion)
+        for layer, frame in motion_frames(motion, self._cast.expressions).items():
+            if self._layers is None or is_free(self._layers, layer):
+                self.drive_layer(layer, frame)
+
     def _begun_layers(self) -> Layers:
         return begin(self._cast, self._held()) if self._layers is None else self._layers
 
     def _held(self) -> Held:
-        return Held(self._now.channels, self._now.head, self._now.gaze)
+        """What hands hold; the same object until a hand moves."""
+        now, held = self._now, self._last_held
+        if held.channels is not now.channels or held.head is not now.head or held.gaze is not now.gaze:
+            self._last_held = held = Held(now.channels, now.head, now.gaze)
+        return held
 
     def _advance_layers(self, before: Layers | None, dt: float) -> Layers | None:
         if before is None:
@@ -706,7 +785,7 @@ class Performer:
             self._layers = None
             return rested
         self._layers, frame = layers, self._frame()
-        self._layers = switch_off(layers, 1.0 - kept_of_mix(layers, influences(layers)))
+        self._layers = switch_off(layers, kept_of_mix(layers, influences(layers)))
         return replace(rested, settling=Settling(frame.channels, frame.head, frame.gaze))
 
     def _play(self, **changes: object) -> None:
@@ -741,11 +820,16 @@ def _at_rest(now: Snapshot) -> Snapshot:
         head=Head(),
         gaze=Gaze(),
         settling=settling,
+        motion=None if now.motion is None else set_motion(now.motion, now.motion.settings.change(liveliness=0.0)),
     )
 
 
+_NOTHING = Frame({}, {})
+
+
 def _frame(now: Snapshot) -> Frame:
-    return Frame(
+    return with_fields(
+        _NOTHING,
         faces=axis.weights(now.face),
         expressions=axis.weights(now.expression),
         channels=with_settling_channels(now.channels, now.settling),
@@ -763,4 +847,5 @@ def _frame(now: Snapshot) -> Frame:
         panics=now.panics,
         regions={region: axis.weights(on) for region, on in now.regions.items()},
         region_calls={region: found for region, on in now.regions.items() if (found := axis.status(on)) is not None},
+        motion=None if now.motion is None else now.motion.settings,
     )

@@ -10,13 +10,22 @@ from typing import Protocol
 from omote.model.known_names import PlayRegion, check_play_region
 from omote.model.space.expression import Expression, Title
 from omote.perform.axis import Axis, Call
-from omote.perform.channels import with_channel
+from omote.perform.channels import highest_weight, with_channel
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
 from omote.perform.frame import Gaze, Head, Home
 from omote.perform.layers.layers_snapshot import LayersSnapshot, names_driven, restored
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
-from omote.perform.limits import FOREVER, GAZE_LIMITS, LONGEST_CALL, SHORTEST_CALL, check_known, check_within
+from omote.perform.limits import (
+    CHANNEL_LOWEST,
+    FOREVER,
+    GAZE_LIMITS,
+    LONGEST_CALL,
+    SHORTEST_CALL,
+    check_known,
+    check_within,
+)
 from omote.perform.mix import HIGHEST, LOWEST, Weights
+from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
 from omote.perform.panic import PANIC_SECONDS, SAME_PRESS, Settling
 
 
@@ -50,7 +59,7 @@ class Snapshot:
 
     `panicked`: the time of the last panic, None once something has been played after it; `panics` counts all of them.
     `regions`: the expressions of the regions that go their own way; all others go with `expression`. `layers`: None
-    while nothing but calls and hands plays.
+    while nothing but calls and hands plays. `motion`: the automatic one, None while none has been set.
     """
 
     face: Axis
@@ -66,6 +75,7 @@ class Snapshot:
     panics: int = 0
     regions: Mapping[PlayRegion, Axis] = field(default_factory=dict)
     layers: LayersSnapshot | None = None
+    motion: AutomaticMotion | None = None
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -96,10 +106,13 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     check_axis(snapshot.light, LIGHTS, "light")
     for region, axis in snapshot.regions.items():
         check_axis(axis, cast.expressions, f"expression ({check_play_region(region)})")
-    settling = {} if snapshot.settling is None else snapshot.settling.channels
-    for name, value in (*snapshot.channels.items(), *settling.items()):
+    for name, value in snapshot.channels.items():
         with_channel({}, cast.expressions, name, value)
+    for name, value in () if snapshot.settling is None else snapshot.settling.channels.items():
+        with_channel({}, cast.expressions, name, 0.0)
+        check_within(value, CHANNEL_LOWEST, highest_weight(cast.expressions, name), f"the channel {name}")
     restored(cast, snapshot.layers)
+    check_motion(snapshot.motion)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.settling is not None:

@@ -48,6 +48,9 @@ ACTIONS: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
     wire.SetLayer: lambda performer, asked: performer.set_layer(
         asked.layer, region=asked.region, influence=asked.influence, on=asked.on
     ),
+    wire.SetMotion: lambda performer, asked: performer.set_motion(
+        asked.liveliness, blinks=asked.blinks, gaze=asked.gaze, breath=asked.breath, seed=asked.seed
+    ),
     wire.Panic: lambda performer, _: performer.panic(),
     wire.SetHome: lambda performer, home: performer.set_home(home.face, seconds=home.seconds),
 }

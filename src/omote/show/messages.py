@@ -47,7 +47,7 @@ LeasePart = Literal[
 DeviceName = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 ControlName = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 DeviceKind = Literal["midi", "gamepad", "space_mouse"]
-SourceKind = Literal["midi", "gamepad", "space_mouse", "osc", "sacn", "artnet"]
+SourceKind = Literal["midi", "gamepad", "space_mouse", "osc", "sacn", "artnet", "tracker"]
 StreamKind = Literal["tracker", "lips", "playback", "program", "breath", "gaze", "blink"]
 CalibrationStep = Literal["neutral", "range", "done", "reset"]
 MOST_NAMES = 200
@@ -349,11 +349,25 @@ class SetLayer(Message, frozen=True):
     id: RequestId = ""
 
 
+class SetMotion(Message, frozen=True):
+    """How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
+    `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is."""
+
+    character: CharacterName
+    liveliness: float | None = None
+    blinks: float | None = None
+    gaze: float | None = None
+    breath: float | None = None
+    seed: int | None = None
+    id: RequestId = ""
+
+
 class Source(Message, frozen=True):
     """Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
     that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
     made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
-    own. Answered with `source_is`; the end of its link is its end."""
+    own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
+    with `source_is`; the end of its link is its end."""
 
     name: Name
     kind: StreamKind
@@ -361,6 +375,7 @@ class Source(Message, frozen=True):
     characters: Annotated[list[CharacterName], msgspec.Meta(max_length=MOST_CHARACTERS)] = []
     performer: Annotated[str, msgspec.Meta(max_length=80)] = ""
     id: RequestId = ""
+    smoothing: float = 0.0
 
 
 class Drive(Message, frozen=True):
@@ -403,7 +418,8 @@ class CalibrateSource(Message, frozen=True):
 
 class TuneSource(Message, frozen=True):
     """How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
-    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels."""
+    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels; `smoothing` 0..2: seconds in which a step
+    is followed, where that is slower than of all sources."""
 
     id: CallId
     source: Name
@@ -411,6 +427,7 @@ class TuneSource(Message, frozen=True):
     dead_zone: float
     curve: float
     gain: float
+    smoothing: float = 0.0
 
 
 class Cancel(Message, frozen=True):
@@ -438,9 +455,9 @@ class Drawing(Message, frozen=True):
 
 
 class Lease(Message, frozen=True):
-    """Holds a part of a character: nobody else may play it until it is released. Rejected where another seat holds it,
-    but for `take_over`; all parts of others are the stage manager's to take over. An `id` executes once, as of the
-    messages below."""
+    """Holds a part of a character: nobody else may play it until it is released; of one that the seat holds already,
+    answers those who want it that it is kept. Rejected where another seat holds it, but for `take_over`; all parts of
+    others are the stage manager's to take over. An `id` executes once, as of the messages below."""
 
     id: CallId
     character: CharacterName
@@ -449,7 +466,7 @@ class Lease(Message, frozen=True):
 
 
 class ReleaseLease(Message, frozen=True):
-    """Releases a part; "*" all that the seat holds of a character, or of all."""
+    """Releases a part, or takes back the wish for one that another holds; "*": all of a character, or of all."""
 
     id: CallId
     character: CharacterName
@@ -654,25 +671,38 @@ class SeatState(msgspec.Struct, frozen=True):
     here: bool = True
 
 
+class LeaseWish(msgspec.Struct, frozen=True):
+    """A part that somebody holds, as in `Leases.held`, the number of the seat that wants it, and for how many seconds.
+    It stands until the part is released or taken over, its holder holds it again (`lease`), or the seat takes the wish
+    back (`release_lease`) or has gone."""
+
+    part: str
+    by: int
+    seconds: int
+
+
 class Leases(Message, frozen=True):
     """Who holds what, complete, to consoles once leases have been switched on: when it changes and once a second.
     `held`: by character and part (`one/face`; the character of light and framing is `*`); `seats`: all operators, and
-    what else holds something; `you`: the number of this console's own. While leases are not `on` the last touch wins.
+    what else holds or wants something; `you`: the number of this console's own. While leases are not `on` the last
+    touch wins.
     """
 
     on: bool
     held: dict[str, SeatState]
     seats: list[SeatState]
     you: int
+    wishes: list[LeaseWish] = []
 
 
 class LeaseClaim(Message, frozen=True):
-    """To the consoles of a seat: another touched parts that it holds, or has `taken` them over. `parts`: as in
-    `Leases.held`."""
+    """To the consoles of a seat: another touched parts that it holds, or has `taken` them over, or, holding what it
+    wanted, has `kept` them. `parts`: as in `Leases.held`."""
 
     parts: list[str]
     by: SeatState
     taken: bool
+    kept: bool = False
 
 
 class SourceIs(Message, frozen=True):
@@ -701,6 +731,7 @@ class SourceState(msgspec.Struct, frozen=True):
     dead_zone: float
     curve: float
     gain: float
+    smoothing: float = 0.0
 
 
 class Sources(Message, frozen=True):
@@ -755,6 +786,16 @@ class HeldState(msgspec.Struct, frozen=True):
     gaze: tuple[float, float]
 
 
+class MotionState(msgspec.Struct, frozen=True):
+    """What is set of a character's automatic motion, as of `set_motion`."""
+
+    liveliness: float
+    blinks: float
+    gaze: float
+    breath: float
+    seed: int
+
+
 class CharacterState(msgspec.Struct, frozen=True):
     """All that a character has on air.
 
@@ -765,6 +806,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
     `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
+    `motion`: what is set of its automatic motion, `None` where nothing was.
     """
 
     faces: dict[str, float]
@@ -790,6 +832,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     region_calls: dict[PlayRegion, CallState] = {}
     layers: dict[LayerName, LayerState] = {}
     held: HeldState | None = None
+    motion: MotionState | None = None
 
 
 class State(Message, frozen=True):
@@ -878,6 +921,7 @@ class DeviceState(msgspec.Struct, frozen=True):
     `rate`: readings or packets a second; `heard`, `rejected`: counts since the server began. `values`: where its
     controls stood last, 0..1, the newest sixty-four; `waiting`: controls that wait to be picked up, and the position
     at which they will be. `bank`: the one that it is turned to, of its `banks`; `preset`: the one it was given.
+    `advice`: what to do at whoever sends it, such as what to type into a phone.
     """
 
     name: str
@@ -892,6 +936,7 @@ class DeviceState(msgspec.Struct, frozen=True):
     bank: str = ""
     banks: list[str] = []
     preset: str = ""
+    advice: str = ""
 
 
 class PresetDocument(msgspec.Struct, frozen=True):
@@ -923,21 +968,26 @@ class LearningState(msgspec.Struct, frozen=True):
 
 class BindingList(Message, frozen=True):
     """All bindings in their order: complete, to consoles after the welcome and with each change. `fixed`: those of
-    these that a file of the command line has made, which no page changes."""
+    these that a file of the command line has made, which no page changes. `missing`: for each of the bindings why it
+    waits, where it names a face, an expression or a character that is not there, else ""."""
 
     bindings: list[BindingDocument]
     fixed: list[BindingDocument]
     learning: LearningState | None
     presets: list[PresetDocument]
+    missing: list[str] = []
 
 
 class BindingsChanged(Message, frozen=True):
     """Answers bind, unbind, learn (when a control has been bound), load_preset and restore_bindings: what is new and
-    what is gone; `restore_bindings` takes it back."""
+    what is gone; `restore_bindings` takes it back. `preset`: nobody asked, the preset of this label was loaded when its
+    device was plugged in for the first time: all consoles are told, `here` says whether it was at this one."""
 
     id: str
     added: list[BindingDocument]
     removed: list[BindingDocument]
+    preset: str = ""
+    here: bool = True
 
 
 class InputLine(msgspec.Struct, frozen=True):
@@ -1018,6 +1068,7 @@ FromClient = (
     | ChooseBank
     | WatchDevices
     | SetLayer
+    | SetMotion
     | Source
     | Drive
     | LeaveSource

@@ -210,3 +210,10 @@ def test_bindings_wait_for_their_own_device() -> None:
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -0.1, 1.1])
 def test_a_reading_that_is_no_position_plays_nothing(value: float) -> None:
     assert Desk(fader(pick_up=False)).turn(value) == []
+
+
+@pytest.mark.parametrize(("position", "sent"), [(0.0, 0.0), (0.4, 0.0), (0.6, 1.0), (1.0, 1.0)])
+def test_a_fader_on_a_switch_sends_on_or_off_alone(position: float, sent: float) -> None:
+    path = "/omote/one/layer_on/tracker"
+    bindings = Bindings([Binding("pad", "fader", read_target(path), pick_up=False)])
+    assert bindings.hear(Reading("pad", "fader", position), {}, 1) == [OscMessage(path, (sent,))]

@@ -14,7 +14,7 @@ def test_every_address_is_a_target() -> None:
         axis = numbers[-1] if len(numbers) > 1 else None
         arguments = ["dog"] if {"face", "expression", "light", "framing"} & set(kinds) else []
         target = read_target(path, arguments, axis)
-        assert target.is_level == ("number" in kinds)
+        assert target.is_level == bool({"number", "switch"} & set(kinds))
         assert target.path == path
 
 

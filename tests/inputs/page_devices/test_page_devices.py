@@ -332,3 +332,35 @@ def test_a_device_plays_for_the_seat_of_its_page_wherever_it_is_plugged_in(room:
         assert table.held == {"one/channels": room.session.crew[who].seat}
         room.session.receive(who, wire.ReleaseLease(f"release {who}", "*", "*"), room.now)
         room.say(who, wire.Unplug(PAD))
+
+
+def test_a_preset_that_loads_by_itself_is_said_at_every_console_and_can_be_taken_back_where_it_is(room: Room) -> None:
+    name = "nanoKONTROL2"
+    assert room.say("a", wire.Plug(name, "midi")) == []
+    told = room.told(wire.BindingsChanged, room.tick())
+    assert {who: (each.preset, each.here) for who, each in told.items()} == {
+        "a": ("Korg nanoKONTROL2", True),
+        "b": ("Korg nanoKONTROL2", False),
+    }
+    assert told["a"].added == room.commands.list_now().bindings
+    assert any("plays as Korg nanoKONTROL2" in line.text for line in room.devices.log.lines)
+    assert room.told(wire.BindingsChanged, room.tick(5)) == {}, "once"
+    room.say("a", wire.RestoreBindings("back", told["a"].id))
+    assert room.commands.list_now().bindings == []
+    room.say("a", wire.Unplug(name))
+    room.say("a", wire.Plug(name, "midi"))
+    assert room.told(wire.BindingsChanged, room.tick()) == {}, "what was taken away does not come back"
+
+
+def test_a_binding_whose_character_has_gone_is_marked_with_the_reason_until_it_is_back(room: Room) -> None:
+    room.say("a", wire.Plug(PAD, "midi"))
+    path = "/omote/two/channel/jawOpen"
+    room.say("a", wire.Bind("b1", wire.BindingDocument(PAD, "1/cc7", path, pick_up=False)))
+    room.say("a", wire.Bind("b2", binding("1/cc8")))
+    told = room.told(wire.BindingList, room.tick())["b"]
+    assert told.missing == ["there is no character 'two'; there is one, and * for all", ""]
+    room.session.receive("a", wire.AddCharacter("n", "two", "Two", "generic"), room.now)
+    told = room.told(wire.BindingList, room.tick())["b"]
+    assert told.missing == ["", ""]
+    room.say("a", midi("b0 07 7f"))
+    assert room.session.tick(room.now).characters["two"].channels == {"jawOpen": 1.0}

@@ -15,6 +15,7 @@ from omote.inputs.osc_packet import Argument, encode_message
 from omote.inputs.presets.touchosc_layout import FOLLOW_PORT, FRAME, OF_CHARACTER, build_touchosc_layout
 from omote.model.cast import Cast
 from omote.perform.lights import LIGHTS
+from omote.show import messages as wire
 from omote.show.session import ShowSession
 
 CONVERSIONS: dict[str, Callable[[str | float], Argument]] = {"STRING": str, "FLOAT": float, "INTEGER": int}
@@ -94,6 +95,8 @@ def press(osc: OscInput, control: OscControl, now: float = 0.0, **values: float)
 
 def test_all_that_its_controls_send_is_obeyed(session: ShowSession, controls: list[OscControl]) -> None:
     osc = OscInput(lambda: session)
+    session.join("desk", "Desk")
+    session.receive("desk", wire.SetLeases("on", True), 0.0)
     for control in controls:
         for x, y in ((0.0, 0.0), (0.5, 1.0), (1.0, 0.5)):
             press(osc, control, x=x, y=y)

@@ -39,6 +39,8 @@ def test_what_there_is_not_is_refused_with_what_there_is() -> None:
         check_part("nose")
     with pytest.raises(ValueError, match=r"the influence of a layer is 1.5; give a number from 0 to 1"):
         LayerSetting().change("mouth", 1.5, None)
+    with pytest.raises(TypeError, match="the switch of a layer is 2; give True or False"):
+        LayerSetting().change(None, None, 2)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="the influence of a layer is of mouth; expected brows"):
         LayerSetting({"mouth": 1.0})
 

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.model.known_names import PLAY_REGIONS
-from omote.perform.blending.evaluate import evaluate, evaluate_parts
-from omote.perform.channels import channels_of, effective_channels
+from omote.perform.blending.evaluate import check_playable, evaluate, evaluate_parts
+from omote.perform.channels import GAZE_UNITS, channels_of, effective_channels
 from omote.perform.frame import Frame, Held
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
@@ -22,6 +22,7 @@ from tests.conftest import Command, commands, shows
 
 DT = 1.0 / 60.0
 FULL = {"jawOpen": 0.8, "smile": 0.4}
+yaws, pitches = (st.floats(-limit, limit) for limit in GAZE_LIMITS.values())
 
 
 def plain(frame: Frame) -> Frame:
@@ -74,6 +75,43 @@ def test_positions_are_those_without_layers(cast: Cast, show: list[Command]) -> 
     assert np.abs(evaluate(cast, frame) - evaluate(cast, other)).max() < 1e-6, "a micrometre: sums in another order"
     parts, others = evaluate_parts(cast, frame), evaluate_parts(cast, other)
     assert all(np.abs(parts[name] - others[name]).max() < 1e-6 for name in parts)
+
+
+@pytest.fixture(scope="session")
+def slow_eyes(cast: Cast) -> Cast:
+    """A cast like the built-in one, whose units turn an eye by so little that a wide gaze makes a weight of three."""
+    units = {name: cast.expressions[name] for name in GAZE_UNITS}
+    return cast.with_expressions(**{name: replace(unit, eyes=0.4 * unit.eyes) for name, unit in units.items()})
+
+
+@given(yaws, pitches)
+@settings(max_examples=20)
+def test_eyes_look_as_far_with_layers_as_without(slow_eyes: Cast, yaw: float, pitch: float) -> None:
+    performer, layered = Performer(slow_eyes), Performer(slow_eyes)
+    layered.set_layer("breath", influence=0.5)
+    for each in (performer, layered):
+        each.set_gaze(yaw, pitch)
+    frame, other = performer.advance(DT), layered.advance(DT)
+    assert channels_of(slow_eyes.expressions, other) == channels_of(slow_eyes.expressions, frame)
+    check_playable(slow_eyes, other)
+
+
+@given(yaws, pitches)
+@settings(max_examples=20)
+def test_a_show_whose_eyes_look_far_is_restored(slow_eyes: Cast, yaw: float, pitch: float) -> None:
+    performer = Performer(slow_eyes)
+    last(played(slow_eyes, performer, 1.0, lambda _: performer.drive(FULL, gaze=(yaw, pitch))))
+    assert Performer.restored(slow_eyes, performer.snapshot()).snapshot() == performer.snapshot()
+    performer.panic()
+    assert Performer.restored(slow_eyes, performer.snapshot()).advance(0.1) == performer.advance(0.1)
+
+
+def test_eyes_that_another_cast_turns_farther_stay_in_its_range(cast: Cast, slow_eyes: Cast) -> None:
+    performer = Performer(slow_eyes)
+    last(played(slow_eyes, performer, 1.0, lambda _: performer.drive(FULL, gaze=(GAZE_LIMITS["yaw"], 0.0))))
+    performer.recast(cast)
+    performer.advance(DT)
+    assert Performer.restored(cast, performer.snapshot()).snapshot() == performer.snapshot()
 
 
 @given(shows)
@@ -285,3 +323,32 @@ def test_a_cast_that_lacks_what_a_source_sends_is_refused_and_another_goes_on(ca
     with pytest.raises(ValueError, match=r"there is no channel 'jawOpen' in this cast"):
         performer.recast(few)
     assert performer.advance(DT) == other.advance(DT)
+
+
+@given(st.lists(st.sampled_from([0.0, 0.2, 0.8]), min_size=2, max_size=6), st.sampled_from([0.5, 1.0, 2.0]))
+@settings(max_examples=5)
+def test_a_source_that_is_smoothed_moves_slower_never_farther_and_arrives(
+    cast: Cast, steps: list[float], smoothing: float
+) -> None:
+    plain, smooth = Performer(cast), Performer(cast)
+    ways = [0.0, 0.0]
+    for goal in [*[0.0] * 6, *steps, *[steps[-1]] * 20]:
+        for _ in range(30):
+            shown = []
+            for place, (performer, seconds) in enumerate([(plain, 0.0), (smooth, smoothing)]):
+                before = performer.advance(0.0).channels.get("jawOpen", 0.0)
+                performer.drive({"jawOpen": goal}, smoothing=seconds)
+                shown.append(performer.advance(DT).channels.get("jawOpen", 0.0))
+                ways[place] = max(ways[place], abs(shown[-1] - before))
+            assert -1e-9 <= min(shown) <= max(shown) <= 0.8 + 1e-9
+    assert shown[1] == pytest.approx(shown[0], abs=1e-3)
+    assert ways[1] <= ways[0] + 1e-9
+
+
+def test_a_smoothed_source_goes_nine_tenths_of_a_step_in_its_seconds(cast: Cast) -> None:
+    performer = Performer(cast)
+    last(played(cast, performer, 2.0, lambda _: performer.drive({"jawOpen": 0.0}, smoothing=1.0)))
+    frame = last(played(cast, performer, 1.0, lambda _: performer.drive({"jawOpen": 0.8}, smoothing=1.0)))
+    assert 0.85 <= frame.channels["jawOpen"] / 0.8 <= 0.97
+    with pytest.raises(ValueError, match=r"the smoothing of a source \(seconds\) is 3.0; give a number from 0 to 2"):
+        performer.drive({"jawOpen": 0.8}, smoothing=3.0)

@@ -58,7 +58,7 @@ def test_what_cannot_be_driven_is_refused_by_name(cast: Cast) -> None:
         check_names(["smile", "smile"], cast.expressions)
     with pytest.raises(ValueError, match=r"the channel smile is 2.0; give a number from -0.5 to 1.5"):
         source_frame(cast.expressions, {"smile": 2.0}, None, None)
-    with pytest.raises(ValueError, match=r"the gaze's yaw \(radians\) is 1.0"):
+    with pytest.raises(ValueError, match=r"the gaze's yaw \(radians; 40 degrees at most\) is 1.0"):
         source_frame(cast.expressions, {}, None, (1.0, 0.0))
     with pytest.raises(ValueError, match=r"smile of the layer tracker is no number \(NaN\)"):
         check_frame(SourceFrame(("smile",), np.array([np.nan])), "tracker")

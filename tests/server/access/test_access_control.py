@@ -73,3 +73,17 @@ def test_a_list_that_is_gone_or_broken_stays_as_it_was(tmp_path: Path, content: 
         control.reload()
     assert control.people == people
     assert len(said) == (content is not None)
+
+
+def test_a_right_token_is_let_in_however_many_wrong_ones_came_from_its_address(control: AccessControl) -> None:
+    def ask(token: str) -> str:
+        return control.find_visitor(make_mocked_request("GET", "/", {"Authorization": f"Bearer {token}"}))[0].role
+
+    waits = []
+    for number in range(20):
+        with pytest.raises(DeniedError) as denied:
+            ask(f"wrong {number}")
+        waits.append(denied.value.wait)
+    assert (waits[0], denied.value.status) == (0.0, 429)
+    assert waits[-1] > waits[-9] > 0.0
+    assert ask(token_of(control.people, control.people.people[0])) == "view"

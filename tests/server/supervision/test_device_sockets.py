@@ -18,6 +18,7 @@ from omote.server.supervision.device_sockets import (
     read_universes,
 )
 from omote.server.supervision.listening_socket import listen_for_osc
+from omote.server.supervision.tracker_sockets import listen_for_trackers, read_trackers
 
 HOST = "127.0.0.1"
 
@@ -29,13 +30,18 @@ def parse(words: list[str]) -> DeviceOptions:
 
 
 def test_a_standby_reads_what_the_operator_asked_for() -> None:
-    options = DeviceOptions(universes=(1, 7), allow="10.0.0.0/8,any", bindings="a b.toml")
+    options = DeviceOptions(
+        universes=(1, 7), allow="10.0.0.0/8,any", bindings="a b.toml", listen="vmc:0", send="osc:10.0.0.5:9001"
+    )
     assert parse(options.words) == options
     assert parse([]) == DeviceOptions()
 
 
 def test_each_socket_is_handed_under_its_option_and_closed() -> None:
-    sockets = DeviceSockets(listen_for_osc(HOST, 0), listen_for_sacn(HOST, [1, 2], port=0), listen_for_artnet(HOST, 0))
+    trackers = listen_for_trackers(read_trackers("vmc-performer:0"))
+    sockets = DeviceSockets(
+        listen_for_osc(HOST, 0), listen_for_sacn(HOST, [1, 2], port=0), listen_for_artnet(HOST, 0), trackers
+    )
     words = [word for name, number in sockets.handed.items() for word in (name, str(number))]
     options = parse(words)
     assert sockets.osc is not None
@@ -43,7 +49,11 @@ def test_each_socket_is_handed_under_its_option_and_closed() -> None:
     assert sockets.artnet is not None
     assert options.osc == sockets.osc.datagrams.fileno()
     assert (options.sacn, options.artnet) == (sockets.sacn.fileno(), sockets.artnet.fileno())
+    assert options.trackers == {"vmc-performer": sockets.trackers["vmc-performer"].fileno()}
+    assert sockets.heard == ["OSC", "sACN", "Art-Net", "VMC performer"]
+    assert sockets.advice[0].startswith("VMC performer: port")
     sockets.close()
+    assert sockets.trackers["vmc-performer"].fileno() == -1
     assert sockets.sacn.fileno() == -1
     assert DeviceSockets().handed == {}
     assert DeviceSockets().heard == []

@@ -85,6 +85,7 @@ def test_every_control_has_its_own_key() -> None:
     messages.append(wire.PlaceCharacter("one", 0.0, 0.0, 1.0, 0.0, 0.0))
     messages += [wire.SetLayer("one", "lips", part, 0.5) for part in (None, "mouth", "head")]
     messages.append(wire.SetLayer("one", "blink", "mouth", 0.5))
+    messages.append(wire.SetMotion("one", 0.5))
     assert {type(message) for message in messages} == {*MOVING}
     assert len({control_of(message, "one") for message in messages}) == len(messages)
 

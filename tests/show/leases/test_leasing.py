@@ -280,3 +280,42 @@ def test_what_cannot_be_leased_is_rejected_with_what_can(
 ) -> None:
     for message in (wire.Lease("x", character, part), wire.ReleaseLease("x", character, part)):
         assert said in refused(show.receive("a", message, 0.0)).reason
+
+
+def wishes(said: wire.Leases) -> list[tuple[str, str, int]]:
+    """What a console is told that somebody wants: part, name, seconds."""
+    names = {seat.number: seat.name for seat in said.seats}
+    return [(each.part, names[each.by], each.seconds) for each in said.wishes]
+
+
+def test_a_wish_stands_for_all_consoles_with_its_seconds_until_the_part_is_released(show: ShowSession) -> None:
+    show.receive("a", FACE, 0.0)
+    show.receive("b", wire.FadeFace("one", 0.5), 10.0)
+    for now in (10.0, 75.0):
+        show.tick(now)
+        found = told_to_all(show, now)
+        assert [wishes(found[who]) for who in "ab"] == [[("one/face", "Ben", int(now) - 10)]] * 2
+    show.receive("a", wire.ReleaseLease("r", "one", "face"), 80.0)
+    show.tick(80.0)
+    assert wishes(told(show, "b", 80.0)) == []
+
+
+def test_who_wants_a_part_takes_the_wish_back_and_its_holder_answers_that_it_is_kept(show: ShowSession) -> None:
+    show.receive("a", FACE, 0.0)
+    show.receive("b", wire.FadeFace("one", 0.5), 0.0)
+    assert show.receive("b", wire.ReleaseLease("w", "one", "face"), 1.0) == []
+    assert wishes(told(show, "a", 1.0)) == []
+    assert refused(show.receive("b", wire.ReleaseLease("w2", "one", "face"), 1.0)).held == ["one/face"]
+    show.receive("b", wire.FadeFace("one", 0.5), 2.0)
+    (answer,) = show.receive("a", wire.Lease("k", "one", "face"), 3.0)
+    assert isinstance(answer.message, wire.LeaseClaim)
+    assert (answer.who, answer.message.parts, answer.message.by.name) == ("b", ["one/face"], "Ana")
+    assert (answer.message.kept, answer.message.taken) == (True, False)
+    assert wishes(told(show, "b", 3.0)) == []
+    assert held(show) == {"one/face": "Ana"}
+
+
+def test_a_lighting_desk_that_wants_a_part_is_named(show: ShowSession) -> None:
+    show.receive("a", FACE, 0.0)
+    show.receive("osc 10.0.0.5", wire.FadeFace("one", 0.5), 0.0)
+    assert wishes(told(show, "a", 0.0)) == [("one/face", "OSC 10.0.0.5", 0)]

@@ -126,7 +126,8 @@ def test_what_cannot_be_played_is_refused_and_changes_nothing(cast: Cast) -> Non
     assert "face sent 4 bytes for 2 channels" in show.refused(wire.Drive(index, bytes(4)))
     bad = np.array([0.0, np.nan], "<f4").tobytes()
     assert "smile of face is no number (NaN)" in show.refused(wire.Drive(index, bad))
-    assert "the head's yaw (radians) is 9.0" in show.refused(wire.Drive(index, bytes(8), head=(9.0, 0.0, 0.0)))
+    far = show.refused(wire.Drive(index, bytes(8), head=(9.0, 0.0, 0.0)))
+    assert "the head's yaw (radians; 90 degrees at most) is 9.0" in far
     assert "there is no channel 'gone'" in show.refused(wire.Source("x", "lips", ["gone"]))
     assert "there is no character 'three'" in show.refused(wire.Source("x", "lips", ["smile"], ["three"]))
     assert "there is no source 'x'" in show.refused(wire.CalibrateSource("c", "x", "neutral"), "console")
@@ -223,3 +224,21 @@ def test_a_stage_drives_nothing(cast: Cast) -> None:
     show = Show(cast)
     show.session.receive("stage", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
     assert "only a console plays" in show.refused(wire.Source("x", "lips", ["smile"]), "stage")
+
+
+def test_a_source_is_smoothed_as_its_performer_is_tuned_or_as_it_asks(cast: Cast) -> None:
+    shown = []
+    for tuned, asked in ((0.0, 0.0), (1.5, 0.0), (0.0, 1.5)):
+        show = Show(cast)
+        index = show.open(smoothing=asked)
+        show.play(1.0, index, [0.0, 0.0])
+        show.change(wire.TuneSource("t", "face", False, 0.0, 0.0, 1.0, tuned))
+        show.play(5.0, index, [0.0, 0.0])  # it has let go and is back
+        shown.append(jaw(show.play(0.3, index, [0.75, 0.0])))
+        assert show.told()[0].smoothing == tuned
+    assert shown[0] > 0.7
+    assert shown[1] == pytest.approx(shown[2])
+    assert shown[1] < 0.5 * shown[0]
+    assert "the smoothing of a source (seconds) is 9" in show.refused(
+        wire.TuneSource("u", "face", False, 0.0, 0.0, 1.0, 9.0), "console"
+    )

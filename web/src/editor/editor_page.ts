@@ -33,7 +33,7 @@ export class EditorPage extends EditorElement {
   /** The notices of the show, which have their place above those of the work. */
   @property({ attribute: false }) notices!: ShowNoticesView;
   @state() private helping = false;
-  /** Whether all faces have been drawn once. */
+  /** Whether what is open is drawn, with all faces beside it. */
   @state() private loaded = false;
   @query("canvas") private canvas!: HTMLCanvasElement;
   @query("omote-item-list") private library!: ItemListPanel;
@@ -69,8 +69,8 @@ export class EditorPage extends EditorElement {
     this.#open = open;
     this.classList.toggle("lost", !this.store.online);
     if (this.#view === null && this.store.library !== null) {
-      this.#view = new EditorCanvas(this.canvas, this.store, () => {
-        this.loaded = true;
+      this.#view = new EditorCanvas(this.canvas, this.store, (whole) => {
+        this.loaded = whole;
       });
       exposeProbe(this.#view);
     }
@@ -85,7 +85,7 @@ export class EditorPage extends EditorElement {
         <omote-tools .context=${context} @view=${(event: CustomEvent<View>) => this.#view?.view(event.detail)}></omote-tools>
         <div class="work">
           <canvas tabindex="0" aria-label="The face under work and the faces beside it" aria-describedby="hint"></canvas>
-          ${this.loaded ? nothing : html`<omote-loading .faces=${1 + store.neighbours.length}></omote-loading>`}
+          ${this.loaded ? nothing : html`<omote-loading .faces=${store.face === null ? 1 + store.neighbours.length : 1}></omote-loading>`}
           ${store.look === null && store.layerPreview.solo.size === 0 ? nothing : this.#looking()}
         </div>
         <p id="hint" class="hint">${hintOf(store, matchMedia("(pointer: coarse)").matches)}</p>

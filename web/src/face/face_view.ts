@@ -176,6 +176,11 @@ export class FaceView {
     return true;
   }
 
+  /** The frame of `time`, in seconds, shows the picture that is there: what comes later begins from here. */
+  keep(time: number): void {
+    this.drawnAt = time;
+  }
+
   /** Fetches all that a pose needs, then draws it in full, as at `time` in seconds; fetches for `next` meanwhile. */
   async present(pose: Pose, time?: number, next?: Pose): Promise<void> {
     await this.presentScene(alone(pose), time, next && alone(next));
@@ -193,6 +198,11 @@ export class FaceView {
   /** Whether all of the present scene shows in full. */
   get settled(): boolean {
     return this.alive && [...this.characters.values()].every((character) => character.settled(this.blender));
+  }
+
+  /** Whether the same scene would be drawn the same again: nothing comes or fades. */
+  get still(): boolean {
+    return this.settled && !this.crossfade.running && this.next === undefined;
   }
 
   /** Where heads lie in the picture last drawn, by name. */

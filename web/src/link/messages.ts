@@ -353,10 +353,26 @@ export interface SetLayer {
 }
 
 /**
+ * How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
+ * `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is.
+ */
+export interface SetMotion {
+  type: "set_motion";
+  character: string;
+  liveliness: number | null;
+  blinks: number | null;
+  gaze: number | null;
+  breath: number | null;
+  seed: number | null;
+  id: string;
+}
+
+/**
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
- * own. Answered with `source_is`; the end of its link is its end.
+ * own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
+ * with `source_is`; the end of its link is its end.
  */
 export interface Source {
   type: "source";
@@ -366,6 +382,7 @@ export interface Source {
   characters: string[];
   performer: string;
   id: string;
+  smoothing: number;
 }
 
 /**
@@ -414,7 +431,8 @@ export interface CalibrateSource {
 
 /**
  * How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
- * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels.
+ * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels; `smoothing` 0..2: seconds in which a step
+ * is followed, where that is slower than of all sources.
  */
 export interface TuneSource {
   type: "tune_source";
@@ -424,6 +442,7 @@ export interface TuneSource {
   dead_zone: number;
   curve: number;
   gain: number;
+  smoothing: number;
 }
 
 /**
@@ -449,9 +468,9 @@ export interface Drawing {
 }
 
 /**
- * Holds a part of a character: nobody else may play it until it is released. Rejected where another seat holds it,
- * but for `take_over`; all parts of others are the stage manager's to take over. An `id` executes once, as of the
- * messages below.
+ * Holds a part of a character: nobody else may play it until it is released; of one that the seat holds already,
+ * answers those who want it that it is kept. Rejected where another seat holds it, but for `take_over`; all parts of
+ * others are the stage manager's to take over. An `id` executes once, as of the messages below.
  */
 export interface Lease {
   type: "lease";
@@ -461,7 +480,7 @@ export interface Lease {
   take_over: boolean;
 }
 
-/** Releases a part; "*" all that the seat holds of a character, or of all. */
+/** Releases a part, or takes back the wish for one that another holds; "*": all of a character, or of all. */
 export interface ReleaseLease {
   type: "release_lease";
   id: string;
@@ -674,9 +693,21 @@ export interface SeatState {
 }
 
 /**
+ * A part that somebody holds, as in `Leases.held`, the number of the seat that wants it, and for how many seconds.
+ * It stands until the part is released or taken over, its holder holds it again (`lease`), or the seat takes the wish
+ * back (`release_lease`) or has gone.
+ */
+export interface LeaseWish {
+  part: string;
+  by: number;
+  seconds: number;
+}
+
+/**
  * Who holds what, complete, to consoles once leases have been switched on: when it changes and once a second.
  * `held`: by character and part (`one/face`; the character of light and framing is `*`); `seats`: all operators, and
- * what else holds something; `you`: the number of this console's own. While leases are not `on` the last touch wins.
+ * what else holds or wants something; `you`: the number of this console's own. While leases are not `on` the last
+ * touch wins.
  */
 export interface Leases {
   type: "leases";
@@ -684,17 +715,19 @@ export interface Leases {
   held: Record<string, SeatState>;
   seats: SeatState[];
   you: number;
+  wishes: LeaseWish[];
 }
 
 /**
- * To the consoles of a seat: another touched parts that it holds, or has `taken` them over. `parts`: as in
- * `Leases.held`.
+ * To the consoles of a seat: another touched parts that it holds, or has `taken` them over, or, holding what it
+ * wanted, has `kept` them. `parts`: as in `Leases.held`.
  */
 export interface LeaseClaim {
   type: "lease_claim";
   parts: string[];
   by: SeatState;
   taken: boolean;
+  kept: boolean;
 }
 
 /** Answers source: the index by which this link's frames name it. */
@@ -724,6 +757,7 @@ export interface SourceState {
   dead_zone: number;
   curve: number;
   gain: number;
+  smoothing: number;
 }
 
 /** All sources that send: complete, to consoles once a second and with each change. */
@@ -778,6 +812,15 @@ export interface HeldState {
   gaze: [number, number];
 }
 
+/** What is set of a character's automatic motion, as of `set_motion`. */
+export interface MotionState {
+  liveliness: number;
+  blinks: number;
+  gaze: number;
+  breath: number;
+  seed: number;
+}
+
 /**
  * All that a character has on air.
  * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
@@ -787,6 +830,7 @@ export interface HeldState {
  * been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
  * `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
+ * `motion`: what is set of its automatic motion, `None` where nothing was.
  */
 export interface CharacterState {
   faces: Record<string, number>;
@@ -812,6 +856,7 @@ export interface CharacterState {
   region_calls: Partial<Record<"brows" | "eyes" | "mouth" | "rest", CallState>>;
   layers: Partial<Record<"breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands", LayerState>>;
   held: HeldState | null;
+  motion: MotionState | null;
 }
 
 /**
@@ -900,10 +945,11 @@ export interface Crew {
  * `rate`: readings or packets a second; `heard`, `rejected`: counts since the server began. `values`: where its
  * controls stood last, 0..1, the newest sixty-four; `waiting`: controls that wait to be picked up, and the position
  * at which they will be. `bank`: the one that it is turned to, of its `banks`; `preset`: the one it was given.
+ * `advice`: what to do at whoever sends it, such as what to type into a phone.
  */
 export interface DeviceState {
   name: string;
-  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet";
+  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet" | "tracker";
   where: string;
   plugged: boolean;
   rate: number;
@@ -914,6 +960,7 @@ export interface DeviceState {
   bank: string;
   banks: string[];
   preset: string;
+  advice: string;
 }
 
 /**
@@ -923,7 +970,7 @@ export interface DeviceState {
 export interface PresetDocument {
   name: string;
   label: string;
-  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet";
+  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet" | "tracker";
   matches: string[];
 }
 
@@ -947,7 +994,8 @@ export interface LearningState {
 
 /**
  * All bindings in their order: complete, to consoles after the welcome and with each change. `fixed`: those of
- * these that a file of the command line has made, which no page changes.
+ * these that a file of the command line has made, which no page changes. `missing`: for each of the bindings why it
+ * waits, where it names a face, an expression or a character that is not there, else "".
  */
 export interface BindingList {
   type: "binding_list";
@@ -955,17 +1003,21 @@ export interface BindingList {
   fixed: BindingDocument[];
   learning: LearningState | null;
   presets: PresetDocument[];
+  missing: string[];
 }
 
 /**
  * Answers bind, unbind, learn (when a control has been bound), load_preset and restore_bindings: what is new and
- * what is gone; `restore_bindings` takes it back.
+ * what is gone; `restore_bindings` takes it back. `preset`: nobody asked, the preset of this label was loaded when its
+ * device was plugged in for the first time: all consoles are told, `here` says whether it was at this one.
  */
 export interface BindingsChanged {
   type: "bindings_changed";
   id: string;
   added: BindingDocument[];
   removed: BindingDocument[];
+  preset: string;
+  here: boolean;
 }
 
 /**
@@ -1262,6 +1314,7 @@ export type FromClient =
   | ChooseBank
   | WatchDevices
   | SetLayer
+  | SetMotion
   | Source
   | Drive
   | LeaveSource

@@ -2,7 +2,7 @@
 
 import { FaceView } from "../face/face_view";
 import { Breath } from "../face/pose/breath";
-import { JitterBuffer } from "../face/pose/jitter_buffer";
+import { PlayoutClock } from "../face/pose/playout_clock";
 import type { Pose } from "../face/pose/pose";
 import { mixScenes, type ScenePose, sceneIn, sceneKey } from "../face/pose/scene_pose";
 import { Timeline } from "../face/pose/timeline";
@@ -11,14 +11,17 @@ import { QualityController } from "../face/quality/quality_controller";
 import type { Level } from "../face/quality/quality_levels";
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
-import { type CallState, STATE_RATE, type State } from "../link/messages";
+import type { CallState, State } from "../link/messages";
 import { ShowLink } from "../link/show_link";
 import type { StageParameters } from "./parameters";
+import { RedrawPolicy } from "./redraw_policy";
 
-/** Seconds behind the server at most; a stage alone draws as soon as there is a state on either side of its frame. */
+/** Seconds behind the server at most, of a stage alone. */
 const LONGEST_DELAY = 0.06;
 /** On a wall every tile draws the state of one common instant; the slowest of them must have it by then. */
 const WALL_DELAY = 0.06;
+/** Seconds by which a frame is drawn early at most: a frame of a slow display. */
+const LONGEST_INTERVAL = 1 / 30;
 /** Seconds of silence after which the faces breathe by themselves. */
 const ALONE = 1.0;
 
@@ -29,6 +32,7 @@ const CALM = 0.5;
 export interface Counters {
   received: number;
   ignored: number;
+  /** Frames shown; a picture that stands still need not be drawn again for that. */
   drawn: number;
   fps: number;
   level: Level;
@@ -41,12 +45,15 @@ export interface Counters {
 export class Stage {
   private readonly timeline = new Timeline<ScenePose>(mixScenes);
   private readonly breath = new Breath();
-  private readonly jitterBuffer = new JitterBuffer(1 / STATE_RATE, LONGEST_DELAY);
+  private readonly playout = new PlayoutClock(LONGEST_DELAY);
+  private readonly redraw = new RedrawPolicy();
   private readonly rate = new FrameRate();
   private readonly link: ShowLink;
   private state: State | undefined;
   private last = now();
   private reported = 0;
+  private interval = 0;
+  private early = false;
   private drawn = 0;
   private received = 0;
   private reloading = false;
@@ -84,17 +91,22 @@ export class Stage {
     return new Stage(canvas, await loadView(canvas, library, parameters), parameters);
   }
 
-  /** Draws the frame of our time `time`, seconds. */
+  /** Shows the frame of our time `time`, seconds, unless it was drawn early. */
   frame(time: number): void {
+    if (!this.early) this.show(time);
+    this.early = false;
+  }
+
+  private show(time: number): void {
     if (this.resting) return;
-    if (this.held === undefined) this.choose(time - this.last, time);
+    this.interval = time - this.last;
+    if (this.held === undefined) this.choose(this.interval, time);
     this.shown = this.held ?? this.live(time);
     this.last = time;
     if (this.shown !== undefined) this.view.showScene(this.shown, (name) => coming(this.state, name));
-    if (this.view.render(time) && this.shown !== undefined) {
+    if (this.present(time) && this.shown !== undefined) {
       this.drawn += 1;
       this.rate.tick(time);
-      this.frameHeadroom.drawn();
     }
     this.report(time);
   }
@@ -129,6 +141,29 @@ export class Stage {
     return Object.keys(this.state?.characters ?? {});
   }
 
+  /** Draws what is shown, unless its picture is there already; false while nothing can be drawn. */
+  private present(time: number): boolean {
+    const settled = this.view.still && (this.qualityController?.settled ?? true);
+    if (!this.redraw.needed(this.shown === undefined ? "" : sceneKey(this.shown), settled)) {
+      this.view.keep(time);
+      return true;
+    }
+    if (!this.view.render(time)) return false;
+    if (this.shown !== undefined) this.frameHeadroom.drawn();
+    return true;
+  }
+
+  /**
+   * Draws the next frame as soon as the first state has come that changes a picture that stands still: where drawing is
+   * slow, what the display shows next is then ready in time.
+   */
+  private showEarly(time: number): void {
+    if (this.early || !this.redraw.still || this.held !== undefined || this.parameters.tile !== undefined) return;
+    this.show(Math.max(time, this.last + Math.min(this.interval, LONGEST_INTERVAL)));
+    this.view.context.flush(); // or the browser hands it over with its next frame
+    this.early = true;
+  }
+
   /** As good as the machine can: judged by how long the last frame took, `interval` seconds. */
   private choose(interval: number, time: number): void {
     const calm = !this.calling && time - this.movedAt > CALM;
@@ -149,10 +184,11 @@ export class Stage {
   }
 
   private live(time: number): ScenePose | undefined {
-    const delay = this.parameters.tile === undefined ? this.jitterBuffer.after(time - this.last) : WALL_DELAY;
-    const scene = this.timeline.at((this.link.clock.at(time) ?? 0) - delay, time);
-    const alone = this.timeline.silence(time) > ALONE;
-    return scene && this.breath.on(scene, alone, time - this.last);
+    const server = this.link.clock.at(time) ?? 0;
+    const alone = this.parameters.tile === undefined;
+    const due = alone ? this.playout.at(server, time - this.last) : server - WALL_DELAY;
+    const scene = this.timeline.at(due, time);
+    return scene && this.breath.on(scene, this.timeline.silence(time) > ALONE, time - this.last);
   }
 
   private receive(state: State): void {
@@ -161,10 +197,12 @@ export class Stage {
     const time = now();
     const scene = sceneIn(state, this.parameters.character);
     const air = sceneKey(scene);
-    if (air !== this.air) this.movedAt = time;
+    const moved = air !== this.air;
+    this.playout.arrived(state.time, !moved);
+    if (moved) this.movedAt = time;
     this.air = air;
     this.timeline.push(scene, time);
-    this.jitterBuffer.arrived((this.link.clock.at(time) ?? state.time) - state.time);
+    if (moved) this.showEarly(time);
   }
 
   /** Another cast than ours: takes it in; on another built-in cast with a new view. */
@@ -184,6 +222,7 @@ export class Stage {
 
   private fit(): void {
     this.view.resize(innerWidth, innerHeight);
+    this.redraw.forget();
     this.qualityController?.forget();
   }
 

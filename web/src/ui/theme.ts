@@ -58,6 +58,14 @@ export const wanted = css`
   border: 1px solid var(--attention);
 `;
 
+/** The declarations of a picture of a face that has not come yet: the ground of one, and a head that is not there. */
+export const portrait = css`
+  background:
+    radial-gradient(ellipse 17% 30% at 50% 42%, #23272c 97%, transparent),
+    radial-gradient(ellipse 34% 26% at 50% 104%, #23272c 97%, transparent),
+    #0c0d0f;
+`;
+
 /** The declarations of the name under a tile's picture. */
 export const caption = css`
   display: grid;

@@ -9,13 +9,14 @@ from typing import TypeVar
 
 import msgspec
 
+from omote.edit.compute.layer_correction import LayerCorrection
 from omote.edit.protocol.messages import NetDocument, TangentsAsset
 from omote.edit.protocol.orders import Baked, Contents, EditOrder, Flat, Renet, Solve
 from omote.model.cast import Cast
 from omote.model.controls.inverse_solve import solve_vectors
 from omote.model.controls.net_field import NetField, build_net_field
 from omote.model.controls.tangents import tangents
-from omote.model.recipes.compose_expression import change_net, compose_expression
+from omote.model.recipes.compose_expression import change_net
 from omote.model.recipes.compose_face import FaceWithLook, compose_face
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.model.space.expression import Expression
@@ -37,6 +38,7 @@ class OrderRunner:
         self._cast = cast
         self._expressions: OrderedDict[str, Expression] = OrderedDict()
         self._faces: OrderedDict[str, FaceWithLook] = OrderedDict()
+        self._layers = LayerCorrection(cast.space)
         self._net_field = lru_cache(maxsize=_CACHED)(lambda rows: build_net_field(cast.space, rows))
 
     def run(self, order: EditOrder, /) -> Baked:
@@ -61,9 +63,7 @@ class OrderRunner:
 
     def _bake(self, recipe: Recipe, contents: Contents, *, with_net: bool, miss: float = 0.0) -> Baked:
         net = self._net_field(recipe.net)
-        data = pack_expression(
-            compose_expression(self._cast.space, recipe, self._load_expressions(recipe, contents), net)
-        )
+        data = pack_expression(self._layers.compose(recipe, self._load_expressions(recipe, contents), net))
         key = content_key(data)
         return Baked(recipe, key, {key: data}, net_document(net) if with_net else None, miss)
 
@@ -76,7 +76,7 @@ class OrderRunner:
     def _solve(self, order: Solve) -> Baked:
         net = self._net_field(order.recipe.net)
         still = msgspec.structs.replace(order.recipe, vectors=((0.0, 0.0, 1.0),) * len(order.recipe.net))
-        under = compose_expression(self._cast.space, still, self._load_expressions(order.recipe, order.contents), net)
+        under = self._layers.compose(still, self._load_expressions(order.recipe, order.contents), net)
         face = self._face(order.face, order.contents).face
         found = solve_vectors(self._cast.space, face, under, net, order.vectors, order.points, order.targets)
         vectors = tuple((float(a), float(b), float(c)) for a, b, c in found.vectors)

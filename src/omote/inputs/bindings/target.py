@@ -56,7 +56,7 @@ def read_target(path: str, arguments: Sequence[Argument] = (), axis: str | None 
         return Target(path)
     address, character, named = find_address(path)
     left = address.values[len(named) :]
-    numbers = tuple(value for value in left if value.kind == "number")
+    numbers = tuple(value for value in left if value.kind in ("number", "switch"))
     if not numbers:
         most = [value for value in left if value.kind != "press"]
         least = sum(value.kind not in ("seconds", "time") for value in most)

@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+import msgspec
+
 from omote.inputs.bindings.binding_changes import BindingChange, EditableBindings
 from omote.inputs.bindings.binding_document import document_of, encode_stored, read_document
 from omote.inputs.bindings.bindings import Bindings
 from omote.inputs.bindings.control_binding import Binding
+from omote.inputs.bindings.missing_names import list_missing
 from omote.inputs.bindings.target import read_target
+from omote.inputs.osc_orders import OrderReader
 from omote.inputs.page_devices.learning import Learning
 from omote.inputs.presets.preset import Preset
 from omote.inputs.presets.preset_list import PRESETS, find_preset, preset_for
@@ -32,13 +36,17 @@ class Learner:
 
 class BindingCommands:
     """The bindings of a show while people change them. playing: is given them; presets: by device, "" for one that was
-    offered none or took it away; keep: takes what the show file is to keep. number: rises with each change."""
+    offered none or took it away; keep: takes what the show file is to keep. number: rises with each change;
+    missing: for each binding what it names that is not there."""
 
     def __init__(
         self, editable: EditableBindings, playing: Bindings, presets: Mapping[str, str], keep: Keep = lambda _: None
     ) -> None:
         self.editable, self.presets, self._playing, self._keep = editable, dict(presets), playing, keep
         self.learner: Learner | None = None
+        self.missing: list[str] = []
+        self._loaded: list[wire.BindingsChanged] = []
+        self._reader: OrderReader | None = None
         self.number = 0
         playing.replace(editable.playing)
 
@@ -60,16 +68,30 @@ class BindingCommands:
                 made = self.editable.restore(change, earlier)
         return self._changed(message.id, made)
 
+    def know_names(self, reader: OrderReader) -> None:
+        """Looks anew which bindings name what is not there. reader: of the cast and the characters of the show."""
+        self._reader = reader
+        if self.missing != (missing := list_missing(self.editable.playing, reader)):
+            self.missing = missing
+            self.number += 1
+
     def greet(self, device: str, kind: str) -> Preset | None:
         """The preset of a device that is plugged in: the one that it was given; at its first time, where nothing is
-        bound on it, the one that is made for it."""
+        bound on it, the one that is made for it, which pages are to be told (`take_loaded`)."""
         if device not in self.presets:
             preset = preset_for(device, kind)
             bound = any(each.device == device for each in self.editable.playing)
             self.presets[device] = preset.name if preset else ""
             if preset and not bound:
-                self._changed("", self.editable.give(f"preset {device}", device, preset.bindings(device, ALL)))
+                given = self.editable.give(f"preset {device}", device, preset.bindings(device, ALL))
+                changed = self._changed(f"preset {device}", given)
+                self._loaded.append(msgspec.structs.replace(changed, preset=preset.label))
         return PRESETS.get(self.presets[device])
+
+    def take_loaded(self) -> list[wire.BindingsChanged]:
+        """Returns and clears what presets have bound that nobody asked for."""
+        loaded, self._loaded = self._loaded, []
+        return loaded
 
     def learn(self, who: str, name: str, asked: wire.Learn, now: float) -> None:
         """Binds the next control that moves to what is asked for; an empty one stops. ValueError for no target."""
@@ -106,11 +128,14 @@ class BindingCommands:
             if learner is None or asked is None
             else wire.LearningState(asked.id, asked.to, asked.axis, asked.arguments, learner.name),
             presets=[preset.document for preset in PRESETS.values()],
+            missing=self.missing,
         )
 
     def _changed(self, change: str, made: BindingChange) -> wire.BindingsChanged:
         self.number += 1
         self._playing.replace(self.editable.playing)
+        if self._reader is not None:
+            self.missing = list_missing(self.editable.playing, self._reader)
         self._keep(encode_stored(self.editable.own, self.presets))
         return wire.BindingsChanged(change, _documents(made.added), _documents(made.removed))
 

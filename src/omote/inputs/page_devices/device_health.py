@@ -43,7 +43,8 @@ class DeviceHealth:
 
 @dataclass(frozen=True)
 class SourceCounts:
-    """A source beside the pages, such as OSC: its counts, the newest that came, and the last rejection."""
+    """A source beside the pages, such as OSC: its counts, the newest that came, the last rejection, and what to do at
+    whoever sends it."""
 
     name: str
     kind: SourceKind
@@ -53,6 +54,7 @@ class SourceCounts:
     newest: str = ""
     last_rejection: Rejection | None = None
     values: dict[str, float] = field(default_factory=dict)
+    advice: str = ""
 
 
 class SourceHealth:
@@ -81,4 +83,5 @@ class SourceHealth:
             heard=health.heard,
             rejected=health.rejected,
             values=counts.values,
+            advice=counts.advice,
         )

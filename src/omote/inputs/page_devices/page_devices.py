@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
+
+import msgspec
 
 from omote.inputs.bindings.binding_input import BindingInput
+from omote.inputs.osc_orders import OrderReader
 from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.page_devices.device_health import SourceCounts, SourceHealth
 from omote.inputs.page_devices.input_log import InputLog
 from omote.inputs.page_devices.plugged_device import PluggedDevice
 from omote.inputs.reading import Reading
+from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES
 from omote.show import messages as wire
 from omote.show.outgoing import Outgoing
 from omote.show.session import ShowSession
 
 MOST_DEVICES = 64
-RESERVED = ("OSC", "sACN", "Art-Net")
+RESERVED = ("OSC", "sACN", "Art-Net", *TRACKER_TITLES)
 """Names of sources that are no devices at a page."""
 FEEDBACK_TICKS, WATCHED_TICKS, TOLD_TICKS = 2, 6, 60
 """Ticks between what devices are sent, what pages that watch are told, and what all consoles are."""
@@ -39,6 +44,7 @@ class PageDevices:
         self._told: dict[str, tuple[int, int]] = {}
         self._log_told: dict[str, int] = {}
         self._plugs = self._ticks = 0
+        self._reader: OrderReader | None = None
         bindings.osc.seat_of = self._seat_of
 
     def receive(self, who: str, message: wire.DeviceMessage, now: float) -> list[Outgoing]:
@@ -57,11 +63,30 @@ class PageDevices:
         self._bindings.note_state(state)
         self._commands.pass_time(now)
         self._unplug_lost(now)
+        self._know_names()
         self._ticks += 1
-        found = self._news(now)
+        found = self._presets_loaded(now) + self._news(now)
         if self._ticks % FEEDBACK_TICKS == 0:
             found += self._feedback(now)
         return found
+
+    def _presets_loaded(self, now: float) -> list[Outgoing]:
+        """What consoles are told of presets that were loaded because a device came that nothing was bound on."""
+        found = []
+        for changed in self._commands.take_loaded():
+            device = changed.added[0].device
+            self.log.note(device, f"plays as {changed.preset}, the preset that is made for it", now)
+            at = self.devices[device].who if device in self.devices else ""
+            consoles = self._session().members.consoles()
+            found += [Outgoing(who, msgspec.structs.replace(changed, here=who == at)) for who in consoles]
+        return found
+
+    def _know_names(self) -> None:
+        session = self._session()
+        characters = tuple(session.scene)
+        if self._reader is None or not self._reader.fits(session.cast, characters):
+            self._reader = OrderReader(session.cast, characters)
+            self._commands.know_names(self._reader)
 
     def _answer(self, who: str, message: wire.DeviceMessage, now: float) -> list[Outgoing]:
         match message:
@@ -107,7 +132,8 @@ class PageDevices:
         preset, where = self._commands.greet(name, message.kind), self._name_of(who)
         if known is None:
             self._make_room()
-            self.devices[name] = PluggedDevice(name, message.kind, who, where, now, preset)
+            is_bound = partial(self._bindings.bindings.is_bound, name)
+            self.devices[name] = PluggedDevice(name, message.kind, who, where, now, preset, is_bound)
         else:
             known.plug(message.kind, who, where, preset)
         self._plugs += 1

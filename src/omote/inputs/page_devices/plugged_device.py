@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from omote.inputs.midi_stream import MidiDecoder
 from omote.inputs.page_devices.device_feedback import DeviceFeedback
@@ -20,9 +20,20 @@ REST, DEAD = 0.5, 0.06
 
 
 class PluggedDevice:
-    """A device by its name. who: the client that has it, "" where it is gone; where: what that is called."""
+    """A device by its name. who: the client that has it, "" where it is gone; where: what that is called;
+    is_bound: whether a control of it is."""
 
-    def __init__(self, name: str, kind: DeviceKind, who: str, where: str, now: float, preset: Preset | None) -> None:
+    def __init__(
+        self,
+        name: str,
+        kind: DeviceKind,
+        who: str,
+        where: str,
+        now: float,
+        preset: Preset | None,
+        is_bound: Callable[[str], bool] = lambda _: False,
+    ) -> None:
+        self._is_bound = is_bound
         self.name, self.kind, self.who, self.where = name, kind, who, where
         self.health = DeviceHealth(now)
         self.newest: Reading | None = None
@@ -32,7 +43,7 @@ class PluggedDevice:
     def plug(self, kind: DeviceKind, who: str, where: str, preset: Preset | None) -> None:
         """It is there, for the first time or again: nothing is known of how its controls and lamps are."""
         self.kind, self.who, self.where = kind, who, where
-        self._decoder = MidiDecoder(self.name)
+        self._decoder = MidiDecoder(self.name, self._is_bound)
         self._stood: dict[str, float] = {}
         self.use(preset)
 

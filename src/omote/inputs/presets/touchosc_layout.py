@@ -22,10 +22,12 @@ OF_CHARACTER = {
     "head and gaze": ("head", "gaze"),
     "layers": ("layer",),
     "channels": ("channel",),
+    "leases": ("lease", "take_over", "release_lease"),
 }
 """The pages of a character: the addresses on each, below the character's own; a name with others below means these."""
-OF_SHOW = ("light", "framing", "panic")
+OF_SHOW = ("light", "framing", "panic", "lease", "take_over", "release_lease")
 """The addresses on the page of the whole show."""
+LEASES = ("lease", "take_over", "release_lease")
 MOST_ON_PAGE = 32
 """Controls that fingers find on a tablet's screen."""
 FOLLOW_PORT = 9001
@@ -92,7 +94,13 @@ def _controls(tree: Node, path: str) -> Iterator[Control]:
     elif set(node["TYPE"]) == {"f"} and "RANGE" in node and path.rpartition("/")[2] not in ("enter", "leave"):
         yield _mover(path, node["RANGE"])
     else:
-        yield _button(path.rpartition("/")[2], _call(path, []), COLORS[""])
+        yield _button(_press_name(path), _call(path, []), COLORS[""])
+
+
+def _press_name(path: str) -> str:
+    """What a button to press is called: `panic`, `take over face`."""
+    *_, above, last = path.split("/")
+    return f"{above} {last}".replace("_", " ") if above in LEASES else last
 
 
 def _call(path: str, arguments: list[py2tosc.Partial]) -> OscMessage:

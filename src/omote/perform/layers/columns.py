@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 
 from omote.model.known_names import PLAY_REGIONS
 from omote.model.space.expression import Expression, Title
-from omote.perform.channels import GAZE_UNITS
+from omote.perform.channels import GAZE_UNITS, highest_weight
 from omote.perform.layers.follower import Values, rate_of
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, part_of_channel
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
+from omote.perform.limits import CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
 
 ANGLES = (*(f"head {name}" for name in HEAD_LIMITS), *(f"gaze {name}" for name in GAZE_LIMITS))
 """The columns behind the channels: yaw, pitch and roll of the head, yaw and pitch of the gaze."""
+_ANGLE_LIMITS = [*HEAD_LIMITS.values(), *GAZE_LIMITS.values()]
 HEAD, GAZE = slice(-5, -2), slice(-2, None)
 HEAD_PART, GAZE_PART = LAYER_PARTS.index("head"), LAYER_PARTS.index("gaze")
 
@@ -32,6 +33,8 @@ SHARE_SECONDS = 0.5
 """In which an influence, a switch and the hold of a hand are followed."""
 TRUST_SECONDS = 1.0
 
+MOST_REMEMBERED = 64
+"""Sequences of channels whose places are remembered: those of sources, and what hands hold as it changes."""
 SECTIONS = ("streams", "hands", "hold", "share", "trust", "yielded")
 
 
@@ -39,11 +42,14 @@ SECTIONS = ("streams", "hands", "hold", "share", "trust", "yielded")
 class Columns:
     """Names of channels, and all that follows from them alone. width: columns of a layer; size: followers of all
     layers; shapes: of the sections that are no rows. names: sorted; parts: of each column, its place among
-    `LAYER_PARTS`, `WHOLE` for the whole face; of_face: those that move skin, not the eyes nor the head."""
+    `LAYER_PARTS`, `WHOLE` for the whole face; highest: its largest value; of_face: those that move skin, not the eyes
+    nor the head; eyes: the names of the units that turn the eyes."""
 
     names: tuple[str, ...]
     parts: NDArray[np.intp]
+    highest: Values
     of_face: NDArray[np.bool_] = field(init=False)
+    eyes: tuple[str, ...] = field(init=False)
     index: Mapping[str, int] = field(init=False)
     sections: Mapping[str, slice] = field(init=False)
     width: int = field(init=False)
@@ -52,7 +58,6 @@ class Columns:
     rate: Values = field(init=False)
     haste: Values = field(init=False)
     lowest: Values = field(init=False)
-    highest: Values = field(init=False)
     _places: dict[tuple[str, ...], NDArray[np.intp]] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -63,17 +68,16 @@ class Columns:
         sections = {name: slice(end - sizes[name], end) for name, end in zip(SECTIONS, ends, strict=True)}
         seconds = (STREAM_SECONDS, HAND_SECONDS, SHARE_SECONDS, SHARE_SECONDS, TRUST_SECONDS, SHARE_SECONDS)
         counts = [sizes[name] for name in SECTIONS]
-        limits = np.array([*HEAD_LIMITS.values(), *GAZE_LIMITS.values()])
         made = {
             "of_face": (self.parts < len(PLAY_REGIONS)) | (self.parts == WHOLE),
+            "eyes": tuple(unit for unit in GAZE_UNITS if unit in self.names),
             "index": {name: place for place, name in enumerate(self.names)},
             "sections": sections,
             "size": ends[-1],
             "shapes": {"streams": (len(DRIVEN), self.width), "share": (len(LAYERS), len(LAYER_PARTS))},
             "rate": np.repeat([rate_of(each) for each in seconds], counts),
             "haste": np.repeat([STREAM_HASTE, 0.0, 0.0, 0.0, 0.0, 0.0], counts),
-            "lowest": np.concatenate([np.full(len(self.names), CHANNEL_LOWEST), -limits]),
-            "highest": np.concatenate([np.full(len(self.names), CHANNEL_HIGHEST), limits]),
+            "lowest": np.concatenate([np.full(len(self.names), CHANNEL_LOWEST), -self.highest[len(self.names) :]]),
         }
         for name, value in made.items():
             object.__setattr__(self, name, value)
@@ -83,10 +87,24 @@ class Columns:
         found = vector[self.sections[section]]
         return found.reshape(self.shapes[section]) if section in self.shapes else found
 
+    def stream_rates(self, smoothing: Mapping[int, float]) -> tuple[Values, Values]:
+        """The rate and the haste of all followers where some streams are smoothed more: by row, in how many seconds.
+        Never less than all are, so that nothing can jump."""
+        slower = {row: STREAM_SECONDS / seconds for row, seconds in smoothing.items() if seconds > STREAM_SECONDS}
+        if not slower:
+            return self.rate, self.haste
+        rate, haste = self.rate.copy(), self.haste.copy()
+        for row, share in slower.items():
+            self.rows(rate, "streams")[row] *= share
+            self.rows(haste, "streams")[row] *= share
+        return rate, haste
+
     def places(self, names: tuple[str, ...]) -> NDArray[np.intp]:
         """The columns of some channels."""
         found = self._places.get(names)
         if found is None:
+            if len(self._places) >= MOST_REMEMBERED:
+                self._places.clear()
             found = self._places[names] = np.array([self.index[name] for name in names], np.intp)
         return found
 
@@ -112,7 +130,8 @@ def make_columns(cast: HasExpressions, names: Iterable[str]) -> Columns:
 def columns_of(cast: HasExpressions, wanted: tuple[str, ...]) -> Columns:
     """The columns of exactly these channels; by the regions of the cast's titles."""
     parts = [_part(cast.titles, name) for name in wanted] + [HEAD_PART] * 3 + [GAZE_PART] * 2
-    return Columns(wanted, np.array(parts, np.intp))
+    highest = [highest_weight(cast.expressions, name) for name in wanted]
+    return Columns(wanted, np.array(parts, np.intp), np.array(highest + _ANGLE_LIMITS))
 
 
 def _part(titles: Mapping[str, Title], name: str) -> int:
@@ -122,13 +141,17 @@ def _part(titles: Mapping[str, Title], name: str) -> int:
 
 
 def moved_to(vector: Values, old: Columns, new: Columns) -> Values:
-    """A vector of all followers under other columns: what is new is at rest."""
+    """A vector of all followers under other columns: what is new is at rest, and all in range."""
     later = np.zeros(new.size)
     kept = tuple(name for name in old.names if name in new.index)
     before, after = _with_angles(old, kept), _with_angles(new, kept)
     new.rows(later, "streams")[:, after] = old.rows(vector, "streams")[:, before]
     for section in ("hands", "hold"):
         new.rows(later, section)[after] = old.rows(vector, section)[before]
+    count = len(new.names)
+    for section in ("streams", "hands"):  # another cast may turn the eyes farther by less
+        rows = new.rows(later, section)[..., :count]
+        np.clip(rows, new.lowest[:count], new.highest[:count], out=rows)
     for section in ("share", "trust", "yielded"):
         later[new.sections[section]] = vector[old.sections[section]]
     return later

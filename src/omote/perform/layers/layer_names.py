@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from types import MappingProxyType
 from typing import Literal, get_args
 
 from omote.model.known_names import PLAY_REGIONS, PlayRegion
-from omote.perform.limits import check_known, check_within
+from omote.perform.limits import check_known, check_switch, check_within
 
 LayerName = Literal["breath", "gaze", "emotion", "blink", "tracker", "lips", "playback", "hands"]
 LAYERS: tuple[LayerName, ...] = get_args(LayerName)
@@ -66,6 +67,11 @@ class LayerSetting:
         checked = {part: check_within(given[part], 0.0, 1.0, f"the influence on {part}") for part in LAYER_PARTS}
         object.__setattr__(self, "influence", checked)
 
+    @cached_property
+    def by_part(self) -> tuple[float, ...]:
+        """The influences in the order of `LAYER_PARTS`."""
+        return tuple(self.influence[part] for part in LAYER_PARTS)
+
     @property
     def plays(self) -> bool:
         """Whether anything of it shows at all."""
@@ -73,7 +79,7 @@ class LayerSetting:
 
     def change(self, part: LayerPart | None, influence: float | None, on: bool | None) -> LayerSetting:
         """The same with another influence on a part, on all parts where that is None; switched where `on` is given."""
-        later = self if on is None else replace(self, on=on)
+        later = self if on is None else replace(self, on=check_switch(on, "the switch of a layer"))
         if influence is None:
             return later
         value = check_within(influence, 0.0, 1.0, "the influence of a layer")

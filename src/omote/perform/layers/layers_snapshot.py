@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from omote.perform.frame import Held
-from omote.perform.layers.columns import Columns, HasExpressions, columns_of
+from omote.perform.layers.columns import GAZE_PART, Columns, HasExpressions, columns_of
 from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import LAYERS, LayerName, LayerSetting, check_driven
 from omote.perform.layers.layers import Layers, recast
-from omote.perform.layers.source_frame import LOSS_SECONDS, Driver
+from omote.perform.layers.source_frame import LOSS_SECONDS, Driver, check_smoothing
 from omote.perform.limits import check_known, check_within
 
 SLACK = 1e-6
@@ -64,6 +64,7 @@ def restored(cast: HasExpressions, snapshot: LayersSnapshot | None) -> Layers | 
     for layer, driver in snapshot.drivers.items():
         check_driven(layer)
         check_within(driver.silent, 0.0, LOSS_SECONDS, "the silence of a source (seconds)")
+        check_smoothing(driver.smoothing)
     columns = columns_of(cast, tuple(snapshot.names))
     goal, first, second = (_vector(each, columns) for each in (snapshot.goal, snapshot.first, snapshot.second))
     settings = {layer: snapshot.settings[layer] for layer in LAYERS}
@@ -77,13 +78,15 @@ def _vector(data: bytes, columns: Columns) -> Values:
     vector = np.frombuffer(data, "<f8").astype(np.float64)
     for section in ("hold", "share", "trust", "yielded"):
         _check_range(vector[columns.sections[section]], np.zeros(1), np.ones(1), section)
+    widest, units = columns.highest.copy(), slice(len(columns.names))
+    widest[units][columns.parts[units] == GAZE_PART] = np.inf  # `recast` limits them: another cast's eyes turned less
     for row in (*columns.rows(vector, "streams"), columns.rows(vector, "hands")):
-        _check_range(row, columns.lowest, columns.highest, "value")
+        _check_range(row, columns.lowest, widest, "value")
     return vector
 
 
 def _check_range(values: Values, lowest: Values, highest: Values, what: str) -> None:
-    if not ((values >= lowest - SLACK) & (values <= highest + SLACK)).all():
+    if not ((values >= lowest - SLACK) & (values <= highest + SLACK) & np.isfinite(values)).all():
         raise ValueError(f"a {what} of the layers in the snapshot is out of its range; another program wrote it")
 
 

@@ -14,8 +14,14 @@ from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, WHOLE, LayerName, LayerPart
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 
+LONGEST_SMOOTHING = 2.0
+"""Seconds; who wants slower moves wants another performer."""
 LOSS_SECONDS = 0.5
 """Seconds of silence, or of a performer who is not found, after which a source counts as lost."""
+
+
+AUTOMATIC = "automatic"
+"""The source of a character's own motion; no other has this name."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,7 +29,8 @@ class SourceFrame:
     """One frame of a source: the weights of its channels, float64 in the order of `names`, checked by `check_frame`.
 
     head, gaze: None where it sends none. found: False while it does not see its performer; all else is then ignored.
-    parts: which parts of the face it may play.
+    parts: which parts of the face it may play. smoothing: seconds in which it is followed, where that is slower than
+    all sources are. direct: it is smooth already and knows what comes, so it shows as it is.
     """
 
     names: tuple[str, ...]
@@ -33,6 +40,8 @@ class SourceFrame:
     found: bool = True
     source: str = ""
     parts: tuple[LayerPart, ...] = LAYER_PARTS
+    smoothing: float = 0.0
+    direct: bool = False
 
 
 @dataclass(frozen=True)
@@ -50,6 +59,7 @@ class Driver:
     silent: float = 0.0
     waits: bool = False
     leaves: bool = False
+    smoothing: float = 0.0
 
     @property
     def is_trusted(self) -> bool:
@@ -96,12 +106,18 @@ def source_frame(
     gaze: tuple[float, float] | None,
     *,
     found: bool = True,
+    smoothing: float = 0.0,
 ) -> SourceFrame:
     """The frame of a mapping of weights; ValueError and TypeError for names and numbers that cannot be played."""
     names = check_names(channels, expressions)
     values = [check_within(channels[name], CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {name}") for name in names]
     turned, looks = None if head is None else Head(*head), None if gaze is None else Gaze(*gaze)
-    return SourceFrame(names, np.array(values, np.float64), turned, looks, found)
+    return SourceFrame(names, np.array(values, np.float64), turned, looks, found, smoothing=check_smoothing(smoothing))
+
+
+def check_smoothing(seconds: object) -> float:
+    """Returns the seconds in which a source is followed; ValueError and TypeError for what cannot be."""
+    return check_within(seconds, 0.0, LONGEST_SMOOTHING, "the smoothing of a source (seconds)")
 
 
 def check_names(names: Iterable[str], expressions: Mapping[str, object]) -> tuple[str, ...]:

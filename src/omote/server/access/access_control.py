@@ -34,11 +34,11 @@ Carrier = Literal["header", "query", "cookie"]
 
 
 class DeniedError(Exception):
-    """A request is not answered; the message says why, in a sentence."""
+    """A request is not answered; the message says why, in a sentence. wait: the seconds after which to try again."""
 
-    def __init__(self, status: HTTPStatus, sentence: str) -> None:
+    def __init__(self, status: HTTPStatus, sentence: str, wait: float = 0.0) -> None:
         super().__init__(sentence)
-        self.status, self.sentence = status, sentence
+        self.status, self.sentence, self.wait = status, sentence, wait
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,10 @@ REVOKED_TOKEN = (
     "your token was revoked: ask whoever runs the show for a new one.",
 )
 ENDED_TOKEN = (HTTPStatus.UNAUTHORIZED, "the time of your token has ended: ask whoever runs the show for a new one.")
-TOO_MANY = (HTTPStatus.TOO_MANY_REQUESTS, "too many wrong tokens came from here: wait some seconds.")
+TOO_MANY = (
+    HTTPStatus.TOO_MANY_REQUESTS,
+    "too many wrong tokens came from your address: wait a minute, or send a right one, which is let in at once.",
+)
 DENIALS = {
     "several": SEVERAL_TOKENS,
     "wrong": WRONG_TOKEN,
@@ -102,14 +105,12 @@ class AccessControl:
         """Who sends a request, and by which token; DeniedError where that is nobody who may."""
         host, now = request.remote or "", self._clock()
         presented = self._read_token(request)
-        if self._wrong.is_blocked(host, now):
-            raise DeniedError(*TOO_MANY)
         person = find_person(self.people, presented.token, self._wall())
         if person is None:
             if is_own(self.people, presented.token):  # one that was revoked is no guess
                 raise DeniedError(*(ENDED_TOKEN if self.find_person(presented.token[:ID_LENGTH]) else REVOKED_TOKEN))
-            self._wrong.note(host, presented.token, now)
-            raise DeniedError(*WRONG_TOKEN)
+            wait = self._wrong.note(host, presented.token, now)
+            raise DeniedError(*WRONG_TOKEN) if wait == 0.0 else DeniedError(*TOO_MANY, wait)
         return visitor_of(person), presented
 
     def holds(self, visitor: Visitor) -> bool:

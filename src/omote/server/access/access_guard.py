@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from http import HTTPStatus
 
@@ -74,6 +75,7 @@ def _deny(request: web.Request, denied: DeniedError) -> web.Response:
             return leave_address(str(rest.update_query({DENIED: denial})), denied.status)
         return ask_for_token(denied.sentence, denied.status, rest.query.items())
     headers = {"WWW-Authenticate": "Bearer"} if denied.status == HTTPStatus.UNAUTHORIZED else {}
+    headers |= {"Retry-After": f"{math.ceil(denied.wait)}"} if denied.wait else {}
     return web.Response(text=denied.sentence, status=denied.status, headers=headers | {"Cache-Control": "no-store"})
 
 

@@ -23,7 +23,7 @@ GOODBYE_SECONDS = 0.25
 DENIALS = {
     401: "it asks for a token, and this one is not valid: give token=, as `omote show` or `omote access` prints it",
     403: "this token does not allow it",
-    429: "too many wrong tokens came from this machine: wait some seconds",
+    429: "too many wrong tokens came from this address: wait a minute, or show a right one, which is let in at once",
 }
 """What a show means that does not let a program in."""
 NO_ANSWER = "it ends the connection without an answer; one that was started with --https has an address with https://"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus
+import msgspec
+
+from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus, MotionSettings
 from omote.show.messages import CallState, CharacterState, HeldState, LayerState, State
 
 
@@ -28,6 +30,7 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         region_calls={region: call_status_of(call) for region, call in character.region_calls.items()},
         layers={layer: layer_status(each) for layer, each in character.layers.items()},
         held=None if character.held is None else held_by_hands(character.held),
+        motion=None if character.motion is None else MotionSettings(**msgspec.structs.asdict(character.motion)),
     )
 
 

@@ -98,11 +98,13 @@ class RemoteCharacter(Generic[Sent]):
         head: tuple[float, float, float] | None = None,
         gaze: tuple[float, float] | None = None,
         found: bool = True,
+        smoothing: float = 0.0,
     ) -> Sent:
         """One frame of a source of this program: the newest wins, and the layer follows it without a jump. The same
-        names in each frame; radians for head and gaze; after half a second without a frame the layer fades out."""
+        names in each frame; radians for head and gaze; after half a second without a frame the layer fades out.
+        smoothing: seconds, to 2, in which a step is followed, where that is slower than of all sources."""
         kind = next(each for each in STREAM_KINDS if each == check_driven(layer))
-        source = wire.Source(f"{layer} {self.name}", kind, list(channels), [self.name])
+        source = wire.Source(f"{layer} {self.name}", kind, list(channels), [self.name], smoothing=smoothing)
         values = struct.pack(f"<{len(channels)}f", *channels.values())
         return self._show.drive(source, wire.Drive(0, values, head, gaze, found))
 
@@ -112,6 +114,18 @@ class RemoteCharacter(Generic[Sent]):
         """Sets how much of a layer shows, 0 to 1, in a region or everywhere, or switches it; what is on air follows."""
         part = None if region is None else check_part(region)
         return self._send(wire.SetLayer(self.name, check_layer(layer), part, influence, on))
+
+    def set_motion(
+        self,
+        liveliness: float | None = None,
+        *,
+        blinks: float | None = None,
+        gaze: float | None = None,
+        breath: float | None = None,
+        seed: int | None = None,
+    ) -> Sent:
+        """Sets how much the character moves by itself: 0 nothing, 0.5 as people move, 1 lively; the details 0 to 2."""
+        return self._send(wire.SetMotion(self.name, liveliness, blinks, gaze, breath, seed))
 
     def set_home(self, face: str, *, seconds: float = 2.0) -> Sent:
         """Chooses the face that a second panic brings on air."""

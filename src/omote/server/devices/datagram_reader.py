@@ -15,11 +15,12 @@ LONGEST_DATAGRAM = 65507
 
 
 class DatagramReader:
-    """Datagrams of one socket. what: the protocol, as people read it; foreign: the count of those not heard."""
+    """Datagrams of one socket. what: the protocol, as people read it; foreign: the count of those not heard, of
+    which the newest came from `foreign_host`."""
 
     def __init__(self, datagrams: socket.socket, what: str, allowed: AllowedSenders, log: RejectionLog) -> None:
         self.socket, self._what, self._allowed, self._log = datagrams, what, allowed, log
-        self.foreign = 0
+        self.foreign, self.foreign_host = 0, ""
         datagrams.setblocking(False)
 
     def read(self) -> Iterator[tuple[tuple[str, int], bytes]]:
@@ -39,6 +40,6 @@ class DatagramReader:
         """Whether a host may play; who may not is counted and named."""
         if self._allowed.allows(host):
             return True
-        self.foreign += 1
+        self.foreign, self.foreign_host = self.foreign + 1, host
         self._log.note(f"{self._what} from {host} is not heard: --allow {host} lets it play")
         return False

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import argparse
 import socket
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from omote.inputs.dmx.artnet_packet import ARTNET_PORT
 from omote.inputs.dmx.sacn_packet import HIGHEST_UNIVERSE, LOWEST_UNIVERSE, SACN_PORT
+from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.show_addresses import ANYWHERE, is_loopback, own_address
 from omote.server.devices.osc_listener import OscSockets
+from omote.server.supervision.tracker_sockets import OPTION, explain_trackers
 
 MOST_UNIVERSES = 16
 """Universes of sACN: Linux joins twenty groups with one socket."""
@@ -25,30 +27,42 @@ class DeviceSockets:
     osc: OscSockets | None = None
     sacn: socket.socket | None = None
     artnet: socket.socket | None = None
+    trackers: Mapping[str, socket.socket] = field(default_factory=dict)
 
     @property
     def handed(self) -> dict[str, int]:
         """Their descriptors, by the option of a standby that takes each."""
         single = {"--sacn": self.sacn, "--artnet": self.artnet}
         found = {name: each.fileno() for name, each in single.items() if each is not None}
-        return {**({} if self.osc is None else self.osc.handed), **found}
+        trackers = {OPTION + name: each.fileno() for name, each in self.trackers.items()}
+        return {**({} if self.osc is None else self.osc.handed), **found, **trackers}
 
     @property
     def heard(self) -> list[str]:
         """What is heard, in words."""
         named = {"OSC": self.osc, "sACN": self.sacn, "Art-Net": self.artnet}
-        return [name for name, each in named.items() if each is not None]
+        trackers = [TRACKER_PROTOCOLS[name].title for name in self.trackers]
+        return [name for name, each in named.items() if each is not None] + trackers
+
+    @property
+    def advice(self) -> list[str]:
+        """What to do at the sender of each tracker, in words."""
+        return explain_trackers(self.trackers)
 
     def close(self) -> None:
         """Closes all of them."""
-        for each in (self.osc, self.sacn, self.artnet):
+        for each in (self.osc, self.sacn, self.artnet, *self.trackers.values()):
             if each is not None:
                 each.close()
 
 
 @dataclass(frozen=True)
 class DeviceOptions:
-    """What a server is told of devices: descriptors of sockets, and what the operator asked for, as it was typed."""
+    """What a server is told of devices: descriptors of sockets, and what the operator asked for, as it was typed.
+
+    trackers: descriptors by the names of their protocols; listen: what was asked for of them; send: where faces
+    are sent.
+    """
 
     osc: int | None = None
     osc_connections: int | None = None
@@ -57,12 +71,15 @@ class DeviceOptions:
     universes: Sequence[int] = field(default=())
     allow: str = ""
     bindings: str = ""
+    trackers: Mapping[str, int] = field(default_factory=dict)
+    listen: str = ""
+    send: str = ""
 
     @property
     def words(self) -> list[str]:
         """The words of a standby's command line that say the same, but for descriptors."""
         universes = [word for number in self.universes for word in ("--universe", str(number))]
-        named = {"--allow": self.allow, "--bindings": self.bindings}
+        named = {"--allow": self.allow, "--bindings": self.bindings, "--trackers": self.listen, "--send": self.send}
         return universes + [word for name, value in named.items() if value for word in (name, value)]
 
 
@@ -74,14 +91,26 @@ def add_device_options(parser: argparse.ArgumentParser) -> None:
     for name in ("--osc", "--osc-connections", "--sacn", "--artnet"):
         parser.add_argument(name, type=int, default=None)
     parser.add_argument("--universe", type=int, action="append", default=[])
-    for name in ("--allow", "--bindings"):
+    for name in TRACKER_PROTOCOLS:
+        parser.add_argument(OPTION + name, type=int, default=None)
+    for name in ("--allow", "--bindings", "--trackers", "--send"):
         parser.add_argument(name, default="")
 
 
 def read_device_options(options: argparse.Namespace) -> DeviceOptions:
     """What a standby was told of devices."""
     descriptors = (options.osc, options.osc_connections, options.sacn, options.artnet)
-    return DeviceOptions(*descriptors, tuple(options.universe), options.allow, options.bindings)
+    given = {name: getattr(options, f"{OPTION}{name}".strip("-").replace("-", "_")) for name in TRACKER_PROTOCOLS}
+    trackers = {name: descriptor for name, descriptor in given.items() if descriptor is not None}
+    return DeviceOptions(
+        *descriptors,
+        tuple(options.universe),
+        options.allow,
+        options.bindings,
+        trackers,
+        options.trackers,
+        options.send,
+    )
 
 
 def read_universes(text: str) -> tuple[int, ...]:

@@ -1,49 +1,60 @@
-"""Limits how many wrong tokens one sender may try; times are passed in."""
+"""Answers wrong tokens of one sender ever more slowly; a right one never waits. Times are passed in."""
 
 from __future__ import annotations
 
 import hashlib
 import ipaddress
 from collections import OrderedDict
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-from omote.show.rate_limit import TokenBucket
-
-TRIES_PER_SECOND, TRIES_AT_ONCE = 0.2, 10.0
+FREE_TRIES = 10
+"""Wrong tokens of a sender that are answered at once: whole schools and museums share one address."""
+FORGIVEN_PER_SECOND = 0.2
+LONGEST_WAIT = 60.0
+"""Seconds; the first wait is one, each further wrong token doubles it."""
+MOST_TRIES = FREE_TRIES + 7.0
+"""Wrong tokens that are counted: who has waited the longest is forgiven in little more than a minute."""
 MOST_SENDERS = 1024
 """Senders that are remembered; a flood of them forgets the oldest."""
 
 
 @dataclass(eq=False)
 class _Tries:
-    bucket: TokenBucket = field(default_factory=lambda: TokenBucket(TRIES_PER_SECOND, TRIES_AT_ONCE))
+    count: float = 0.0
+    then: float = 0.0
+    until: float = 0.0
     last: bytes = b""
-    blocked: bool = False
 
 
 class WrongTokens:
-    """The senders of wrong tokens. One that sends the same again, as an open page does, guesses nothing."""
+    """The senders of wrong tokens. One that sends the same again, as an open page does, guesses nothing.
+
+    A token has 132 random bits, so that nobody finds one by trying: the wait keeps logs and answers few, and is for
+    whoever sends wrong ones alone.
+    """
 
     def __init__(self) -> None:
         self._senders: OrderedDict[str, _Tries] = OrderedDict()
 
-    def note(self, host: str, token: str, now: float) -> None:
-        """Notes a wrong token of a host."""
+    def note(self, host: str, token: str, now: float) -> float:
+        """Notes a wrong token of a host; returns for how many seconds wrong tokens from there are told nothing more."""
         tries = self._senders.setdefault(_sender(host), _Tries())
         self._senders.move_to_end(_sender(host))
         if len(self._senders) > MOST_SENDERS:
             self._senders.popitem(last=False)
         digest = hashlib.sha256(token.encode(errors="replace")).digest()
         if digest != tries.last:
-            tries.last, tries.blocked = digest, not tries.bucket.take(now)
+            tries.last = digest
+            _count(tries, now)
+        return max(0.0, tries.until - now)
 
-    def is_blocked(self, host: str, now: float) -> bool:
-        """Whether a host has guessed too often to be heard now."""
-        tries = self._senders.get(_sender(host))
-        if tries is None or not tries.blocked:
-            return False
-        tries.blocked = not tries.bucket.take(now)
-        return tries.blocked
+
+def _count(tries: _Tries, now: float) -> None:
+    forgiven = FORGIVEN_PER_SECOND * max(0.0, now - tries.then)
+    tries.count, tries.then = min(MOST_TRIES, max(0.0, tries.count - forgiven) + 1.0), now
+    beyond = tries.count - FREE_TRIES
+    if beyond > 0.0:
+        tries.until = max(tries.until, now + min(LONGEST_WAIT, 2.0 ** (beyond - 1.0)))
 
 
 def _sender(host: str) -> str:

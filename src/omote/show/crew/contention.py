@@ -13,7 +13,7 @@ from omote.show.validation import Refusal
 
 PLAYING = wire.FadeFace, wire.FadeExpression, wire.SetChannel, wire.SetHead, wire.SetGaze
 """What a hand sends on and on while it plays, and what a panic takes out of its hands."""
-MOVING = *PLAYING, wire.PlaceCharacter, wire.SetLayer
+MOVING = *PLAYING, wire.PlaceCharacter, wire.SetLayer, wire.SetMotion
 """What a hand sends on and on while it moves a control."""
 MOVING_SECONDS = 1.0
 """Seconds after its last message for which a hand counts as moving a control."""

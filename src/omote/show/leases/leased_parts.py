@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import get_args
 
+from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL
 from omote.show import messages as wire
 
@@ -12,6 +13,8 @@ SCENE_PARTS = ("light", "framing")
 """The parts of the scene, whose character is `*`."""
 CHARACTER_PARTS = tuple(part for part in get_args(wire.LeasePart) if part not in (*SCENE_PARTS, ALL))
 """The parts of a character."""
+WORD_FOR_ALL = "all"
+"""How all parts are named where `*` would be a pattern."""
 REGION_PARTS = ("brows", "eyes", "mouth")
 """The parts of an expression that are called alone; the rest of the face belongs to the expression."""
 
@@ -47,6 +50,7 @@ FREE: tuple[type[wire.Message], ...] = (
     *get_args(wire.LeaseMessage),
     *get_args(wire.DeviceMessage),
     wire.SetLayer,  # an influence is followed: it takes nothing out of a hand
+    wire.SetMotion,
     wire.Source,
     wire.Drive,
     wire.LeaveSource,
@@ -55,6 +59,13 @@ FREE: tuple[type[wire.Message], ...] = (
     wire.TuneSource,
 )
 """Messages that pass whoever holds what."""
+
+
+def find_part(name: str, *, of_scene: bool) -> str:
+    """The part of a name as people write it, of the scene or of a character; ValueError for one that there is not."""
+    parts = (*(SCENE_PARTS if of_scene else CHARACTER_PARTS), WORD_FOR_ALL)
+    found = check_known(name, parts, "part of the scene to hold" if of_scene else "part of a character to hold")
+    return ALL if found == WORD_FOR_ALL else found
 
 
 def key_of(character: str, part: str) -> str:

@@ -10,6 +10,7 @@ from omote.perform.scene.character_names import ALL
 from omote.show import messages as wire
 from omote.show.crew.members import Members
 from omote.show.leases.lease_table import LeaseTable
+from omote.show.leases.lease_wishes import LeaseWishes
 from omote.show.leases.leased_parts import describe_key, keys_of, keys_played
 from omote.show.leases.seats import Seat, Seats
 from omote.show.validation import Refusal
@@ -47,6 +48,7 @@ class Leasing:
         self.seats = Seats(before.seats)
         held = {key: seat for key, seat in before.held.items() if seat in self.seats}
         self.table = LeaseTable(on=before.on, manager=before.manager, held=held)
+        self._wishes = LeaseWishes()
         self._members = members
         self._looked = -AGAIN_SECONDS
         self._changed = True
@@ -88,6 +90,8 @@ class Leasing:
     def claims(self, who: str, held: Mapping[str, str], now: float) -> list[tuple[str, wire.LeaseClaim]]:
         """What the holders of parts are told of a client that touched them, at most once a second."""
         seat = self._seat_of(who)
+        self._wishes.note(seat, held, now)
+        self._changed = True
         late = {
             each for each in held.values() if now - self._claimed.get((seat, each), -AGAIN_SECONDS) >= AGAIN_SECONDS
         }
@@ -98,7 +102,8 @@ class Leasing:
         """Frees what those held who have been away for some seconds."""
         before = len(self.table.held), self.table.manager
         self.table.expire(self._present(), characters, now)
-        self._changed |= before != (len(self.table.held), self.table.manager)
+        ended = self._wishes.expire(self._is_foreign, self._present(), self._console_seats(), now)
+        self._changed |= ended or before != (len(self.table.held), self.table.manager)
 
     def tell(self, now: float) -> dict[str, wire.Leases]:
         """What consoles must be told now, by client."""
@@ -109,7 +114,12 @@ class Leasing:
         self._told = {who: told for who, told in self._told.items() if who in consoles}
         self._meet_all()
         seats = {token: self._state_of(token) for token in self._listed()}
-        news = {who: self._message(who, seats) for who in consoles}
+        wishes = [
+            wire.LeaseWish(each.key, seats[each.seat].number, int(now - each.since))
+            for each in self._wishes
+            if each.seat in seats
+        ]
+        news = {who: self._message(who, seats, wishes) for who in consoles}
         told = {who: message for who, message in news.items() if self._is_due(who, message, now)}
         self._told |= {who: (message, now) for who, message in told.items()}
         return told
@@ -120,14 +130,13 @@ class Leasing:
         before, told = self._told[who]
         return message != before or now - told >= AGAIN_SECONDS
 
-    def _message(self, who: str, seats: Mapping[str, wire.SeatState]) -> wire.Leases:
+    def _message(self, who: str, seats: Mapping[str, wire.SeatState], wishes: Sequence[wire.LeaseWish]) -> wire.Leases:
         held = {key: seats[holder] for key, holder in self.table.held.items()}
-        return wire.Leases(self.table.on, held, list(seats.values()), seats[self._members[who].seat].number)
+        return wire.Leases(self.table.on, held, [*seats.values()], seats[self._members[who].seat].number, [*wishes])
 
     def _listed(self) -> list[str]:
-        """The seats of consoles, and those that hold something, in their order."""
-        consoles = {self._members[who].seat for who in self._members.consoles()}
-        wanted = consoles | {*self.table.held.values()}
+        """The seats of consoles, and those that hold or want something, in their order."""
+        wanted = self._console_seats() | {*self.table.held.values(), *(each.seat for each in self._wishes)}
         return [token for token in self.seats.known if token in wanted]
 
     def _state_of(self, token: str) -> wire.SeatState:
@@ -136,8 +145,7 @@ class Leasing:
 
     def _meet_all(self) -> None:
         """Notes the seats of consoles, and what all seats are called now."""
-        names = self._names()
-        consoles = {self._members[who].seat for who in self._members.consoles()}
+        names, consoles = self._names(), self._console_seats()
         for token, name in names.items():
             if token in consoles or token in self.seats:
                 self.seats.meet(token, name, self._needed())
@@ -159,8 +167,15 @@ class Leasing:
     def _present(self) -> set[str]:
         return {each.seat for each in self._members.present.values()}
 
+    def _console_seats(self) -> set[str]:
+        return {self._members[who].seat for who in self._members.consoles()}
+
+    def _is_foreign(self, seat: str, key: str) -> bool:
+        return key in self.table.foreign(seat, (key,))
+
     def _needed(self) -> set[str]:
-        return {*self._present(), *self.table.held.values(), self.table.manager}
+        wishing = (each.seat for each in self._wishes)
+        return {*self._present(), *self.table.held.values(), self.table.manager, *wishing}
 
     def _refuse_foreign(self, who: str, keys: Collection[str]) -> None:
         held = self.table.foreign(self._seat_of(who), keys)
@@ -194,16 +209,28 @@ class Leasing:
         keys, seat = self._keys_of(message, characters), self._seat_of(who)
         if not message.take_over:
             self._refuse_foreign(who, keys)
-        elif ALL in (message.part, message.character) and self.table.foreign(seat, keys) and seat != self.table.manager:
+            kept = self._keep(seat, keys)
+            self._give(who, keys)
+            return kept
+        if ALL in (message.part, message.character) and self.table.foreign(seat, keys) and seat != self.table.manager:
             raise Refusal(
                 f"only the stage manager{self._manager()} takes over everything; take over one part at a time."
             )
         return self._claims(seat, self._give(who, keys), taken=True)
 
+    def _keep(self, seat: str, keys: Collection[str]) -> list[tuple[str, wire.LeaseClaim]]:
+        """The holder of parts holds them again: that answers those who want them."""
+        by, answered = self._state_of(seat), self._wishes.answer(keys)
+        return [
+            (who, wire.LeaseClaim(answered[member], by, taken=False, kept=True))
+            for who in self._members.consoles()
+            if (member := self._members[who].seat) in answered
+        ]
+
     def _release(self, seat: str, message: wire.ReleaseLease, characters: Sequence[str]) -> None:
         keys = self._keys_of(message, characters)
-        held = self.table.foreign(seat, keys)
-        if ALL not in (message.part, message.character) and held:
+        held, wanted = self.table.foreign(seat, keys), self._wishes.withdraw(seat, keys)
+        if ALL not in (message.part, message.character) and held and not wanted:
             raise HeldByOthersRefusal(self._explain(held), held)
         self.table.release(seat, keys)
 
@@ -220,6 +247,8 @@ class Leasing:
             what = "is the stage manager" if on else "is the stage manager, who alone switches leases off"
             raise Refusal(f"{self.seats[self.table.manager].name} {what}. Nothing has changed.")
         self.table.switch(on, seat)
+        if not on:
+            self._wishes.clear()
 
     def _appoint(self, seat: str, number: int) -> None:
         if not self.table.on or self.table.manager != seat:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.perform.frame import Gaze, Head
+from omote.perform.layers.source_frame import check_smoothing
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_within
 
 Values = NDArray[np.float64]
@@ -24,7 +25,7 @@ _SIDES = {"Left": "Right", "Right": "Left"}
 class Calibration:
     """A performer's measure. neutral: what a source sends of the face at rest; highest: of the largest moves, by
     channel. mirror: left and right are swapped. dead_zone: less is nothing. curve: above 0 small moves grow. gain: of
-    all channels."""
+    all channels. smoothing: seconds in which a step is followed, where that is slower than of all sources."""
 
     neutral: Mapping[str, float] = field(default_factory=dict)
     highest: Mapping[str, float] = field(default_factory=dict)
@@ -32,6 +33,7 @@ class Calibration:
     dead_zone: float = 0.0
     curve: float = 0.0
     gain: float = 1.0
+    smoothing: float = 0.0
 
     def __post_init__(self) -> None:
         """Rejects what is out of range."""
@@ -41,6 +43,7 @@ class Calibration:
         check_within(self.dead_zone, 0.0, 0.5, "the dead zone of a source")
         check_within(self.curve, -1.0, 1.0, "the curve of a source")
         check_within(self.gain, 0.0, 4.0, "the gain of a source")
+        check_smoothing(self.smoothing)
 
 
 AS_IT_IS = Calibration()

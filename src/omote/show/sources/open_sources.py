@@ -10,7 +10,7 @@ import numpy as np
 
 from omote.perform.frame import Gaze, Head
 from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, check_driven
-from omote.perform.layers.source_frame import SourceFrame, check_names
+from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_smoothing
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
@@ -35,7 +35,8 @@ Kept = TypeVar("Kept")
 @dataclass(frozen=True, eq=False)
 class OpenSource:
     """A source that is open. who: the client whose link it comes by; sent: its newest values as it sent them; ranging:
-    the largest of each since it has been listened to; frames: since the consoles were last told."""
+    the largest of each since it has been listened to; frames: since the consoles were last told; smoothing:
+    what it asks for itself, seconds."""
 
     name: str
     kind: wire.StreamKind
@@ -47,6 +48,7 @@ class OpenSource:
     ranging: Values | None = None
     frames: int = 0
     found: bool = False
+    smoothing: float = 0.0
 
 
 class OpenSources:
@@ -78,6 +80,8 @@ class OpenSources:
     def begin(self, who: str, asked: wire.Source, scene: Scene, cast: Playable) -> wire.SourceIs:
         """A source opens; one of the same link and name takes its place. Refusal where it cannot be."""
         names = check_names(asked.names, cast.expressions)
+        if asked.name == AUTOMATIC:
+            raise Refusal(f"{AUTOMATIC} is what a character does by itself; choose another name.")
         if ALL not in asked.characters:
             for character in asked.characters:
                 check_known(character, scene, "character")
@@ -89,7 +93,8 @@ class OpenSources:
         performer = asked.performer or asked.name
         measure = measure_of(self._calibrations.get(performer, AS_IT_IS), names)
         index = same[0] if same else self._next()
-        self._open[index] = OpenSource(asked.name, asked.kind, who, names, performer, measure)
+        smoothing = check_smoothing(asked.smoothing)
+        self._open[index] = OpenSource(asked.name, asked.kind, who, names, performer, measure, smoothing=smoothing)
         self._changed = True
         if asked.characters or asked.name not in self._routes:
             layer = self._routes[asked.name].layer if asked.name in self._routes else LAYER_OF[asked.kind]
@@ -113,7 +118,7 @@ class OpenSources:
         self._changed = self._changed or frame.found != source.found
         self._open[frame.index] = OpenSource(
             source.name, source.kind, source.who, source.names, source.performer, source.measure, sent, ranging,
-            source.frames + 1, frame.found,
+            source.frames + 1, frame.found, source.smoothing,
         )  # fmt: skip
         if frame.found and sent is not None:
             self._play(scene, source, sent, head, gaze)
@@ -143,8 +148,8 @@ class OpenSources:
         source = self._open[index]
         if isinstance(asked, wire.TuneSource):
             before = self._calibrations.get(source.performer, AS_IT_IS)
-            tuned = {"mirror": asked.mirror, "dead_zone": asked.dead_zone, "curve": asked.curve, "gain": asked.gain}
-            self._calibrate(scene, source.performer, replace(before, **tuned))  # type: ignore[arg-type]
+            tuned = {each: getattr(asked, each) for each in ("mirror", "dead_zone", "curve", "gain", "smoothing")}
+            self._calibrate(scene, source.performer, replace(before, **tuned))
             return
         self._step(scene, index, asked.step)
 
@@ -186,8 +191,9 @@ class OpenSources:
         head, gaze = source.measure.turn(head, gaze)
         turned = RULES[route.layer] != "fill"  # what fills closes what is open, and turns nothing
         frame = SourceFrame(
-            source.names, values, head if turned else None, gaze if turned else None, True, source.name, route.parts
-        )
+            source.names, values, head if turned else None, gaze if turned else None, True, source.name, route.parts,
+            max(source.smoothing, source.measure.calibration.smoothing),
+        )  # fmt: skip
         for name in self._driven(scene, source.name):
             scene[name].drive_layer(route.layer, frame)
 
@@ -257,6 +263,7 @@ class OpenSources:
             dead_zone=measure.dead_zone,
             curve=measure.curve,
             gain=measure.gain,
+            smoothing=measure.smoothing,
         )
 
 

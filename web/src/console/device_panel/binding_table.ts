@@ -1,6 +1,6 @@
 /** All bindings as a table: which control plays what, and how; to be changed, deleted and made. */
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import type { BindingDocument } from "../../link/messages";
 import { base, entry } from "../../ui/theme";
@@ -62,6 +62,10 @@ export class BindingTable extends DevicesElement {
       }
       tr.waits td {
         color: var(--dim);
+      }
+      .missing {
+        display: block;
+        color: var(--attention);
       }
       input {
         ${entry}
@@ -144,10 +148,11 @@ export class BindingTable extends DevicesElement {
   #row(one: BindingDocument) {
     const there = this.devices.device(one.device)?.plugged === true;
     const level = isLevel(one);
+    const missing = this.devices.whyMissing(one);
     const fader = level && one.button === "" && one.relative === "";
-    return html`<tr class=${there ? "" : "waits"} data-binding="${one.device}|${one.control}">
+    return html`<tr class=${there && missing === "" ? "" : "waits"} data-binding="${one.device}|${one.control}">
       <td title=${there ? "" : "Not plugged in: it waits for the device"}>${one.device}: ${one.control}</td>
-      <td title=${one.to}>${targetText(one, labelsOf(this.store))}</td>
+      <td title=${one.to}>${targetText(one, labelsOf(this.store))}${missing === "" ? nothing : html`<small class="missing">waits: ${missing}</small>`}</td>
       ${detail("range", level, rangeText(one))} ${detail("curve", fader, one.curve)}
       ${detail("pick-up", fader, one.pick_up ? "yes" : "no")} ${detail("mode", true, modeText(one))}
       ${detail("bank", true, one.bank || "all")}

@@ -15,6 +15,7 @@ const KINDS: Readonly<Record<DeviceState["kind"], string>> = {
   osc: "OSC",
   sacn: "sACN",
   artnet: "Art-Net",
+  tracker: "tracker",
 };
 /** Kinds whose controls are bound by a preset. */
 const AT_PAGES: readonly DeviceState["kind"][] = ["midi", "gamepad", "space_mouse"];
@@ -83,6 +84,10 @@ export class SourceList extends DevicesElement {
         color: var(--text);
         background: #000;
       }
+      .bar:disabled {
+        opacity: 1;
+        color: var(--dim);
+      }
       .bar i {
         position: absolute;
         inset: 0;
@@ -100,8 +105,19 @@ export class SourceList extends DevicesElement {
       .bar span {
         position: relative;
       }
-      .presets {
-        margin-top: 6px;
+      .presets,
+      .advice {
+        margin: 6px 0 0;
+      }
+      .advice {
+        font-size: 12px;
+        user-select: text;
+        -webkit-user-select: text;
+      }
+      .missing {
+        margin: 4px 0 0;
+        font-size: 12px;
+        color: var(--attention);
       }
     `,
   ];
@@ -139,18 +155,30 @@ export class SourceList extends DevicesElement {
   #source(one: DeviceState) {
     const controls = controlsOf(one);
     return html`<article class=${one.plugged ? "" : "gone"} data-device=${one.name}>
-      <header><span class="lamp ${one.plugged ? "on" : ""}"></span><b>${one.name}</b>
+      <header><span class="lamp"></span><b>${one.name}</b>
         <span class="kind">${KINDS[one.kind]}${one.where === "" ? "" : `, ${one.plugged ? "at" : "was at"} ${one.where}`}${one.plugged ? "" : "; not plugged in, its bindings wait"}</span>
         <span class="numbers"></span></header>
+      ${one.advice ? html`<p class="advice">${one.advice[0]?.toUpperCase()}${one.advice.slice(1)}.</p>` : nothing}
+      ${this.#missing(one)}
       ${controls.length === 0 ? nothing : html`<div class="bars" role="group" aria-label="Controls of ${one.name}">${controls.map((control) => this.#bar(one, control))}</div>`}
       ${AT_PAGES.includes(one.kind) ? this.#presets(one) : nothing}
     </article>`;
   }
 
+  /** How many of its bindings wait for a name that is not there; the table says which. */
+  #missing({ name }: DeviceState) {
+    const count = this.devices.bindings.filter(
+      (one) => one.device === name && this.devices.whyMissing(one) !== "",
+    ).length;
+    if (count === 0) return nothing;
+    const says = count === 1 ? "binding waits: what it plays" : "bindings wait: what they play";
+    return html`<p class="missing">${count} ${says} is not there. The table says why.</p>`;
+  }
+
   #bar({ name, kind }: DeviceState, control: string) {
     const pick = (): boolean =>
       this.dispatchEvent(new CustomEvent("bind", { detail: { device: name, control } }) satisfies ControlPicked);
-    const may = kind !== "osc";
+    const may = kind !== "osc" && kind !== "tracker";
     return html`<button class="bar" data-control=${control} ?disabled=${!may} title="${control}${may ? ": bind it" : ""}" @click=${pick}>
       <i></i><em hidden></em><span>${control}</span></button>`;
   }
@@ -194,6 +222,8 @@ export class SourceList extends DevicesElement {
       const one = this.devices.device(article.dataset.device as string);
       if (one === null) continue;
       const rejected = one.rejected > 0 ? `, ${one.rejected} rejected` : "";
+      const there = one.plugged && (one.kind !== "tracker" || one.rate > 0);
+      article.querySelector(".lamp")?.classList.toggle("on", there);
       write.text(article.querySelector(".numbers") as Element, `${rate(one.rate)}/s, ${one.heard} heard${rejected}`);
       for (const bar of article.querySelectorAll<HTMLElement>(".bar")) this.#paintBar(bar, one);
     }

@@ -53,7 +53,7 @@ export const targetKey = ({ to, axis, arguments: [name] }: Target): string => JS
 
 /** Whether a fader moves it; a key alone plays the rest. */
 export const isLevel = ({ to }: Pick<Target, "to">): boolean =>
-  /\/(channel\/[^/]+|layer\/[^/]+(\/[^/]+)?|head|gaze|fade\/\w+|place)$/.test(to);
+  /\/(channel\/[^/]+|layer\/[^/]+(\/[^/]+)?|layer_on\/[^/]+|head|gaze|fade\/\w+|place)$/.test(to);
 
 /** The character of an address, "" for what is the whole show's. */
 export function characterOf(to: string): string {
@@ -70,6 +70,7 @@ export function targetLabel(target: Target, labels: Pick<Labels, "label">): stri
   const time = seconds === undefined ? "" : typeof seconds === "number" ? `, ${seconds} s` : ", by hand";
   if (what === "channel") return labels.label("expression", name);
   if (what === "layer") return `influence of ${name}${part === "" ? "" : ` on ${part}`}`;
+  if (what === "layer_on") return `${name} on or off`;
   if (what === "fade") return `${name} T-bar`;
   if (what === "release") return `let go of the ${name} T-bar`;
   if (what === "face" || what === "expression") return `${what} ${labels.label(what, String(called))}${time}`;

@@ -40,6 +40,7 @@ const state = (name: string, plugged: boolean): DeviceState => ({
   bank: "",
   banks: [],
   preset: "",
+  advice: "",
 });
 
 it("asks for MIDI when somebody wants it, and by itself the next time", async () => {

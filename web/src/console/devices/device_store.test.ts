@@ -35,16 +35,38 @@ const binding = (control: string): BindingDocument => ({
   control,
   to: "/omote/one/channel/jawOpen",
 });
+/** Of changes that a page has asked for. */
+const ASKED = { preset: "", here: true };
 const idOf = (message: FromClient | undefined): string => (message as { id: string }).id;
 
 it("offers to take back what it has bound, once the show has done it", () => {
   const { host, sent, made } = store();
   made.bind(binding("1/cc7"));
   expect(host.steps).toEqual([]);
-  made.receive({ type: "bindings_changed", id: "somebody else's", added: [binding("1/cc8")], removed: [] });
-  made.receive({ type: "bindings_changed", id: idOf(sent[0]), added: [binding("1/cc7")], removed: [] });
+  made.receive({ type: "bindings_changed", id: "somebody else's", added: [binding("1/cc8")], removed: [], ...ASKED });
+  made.receive({ type: "bindings_changed", id: idOf(sent[0]), added: [binding("1/cc7")], removed: [], ...ASKED });
   expect(host.steps.map(([done]) => done)).toEqual(["Bound: Dial 1/cc7 plays jawOpen."]);
   expect(host.steps[0]?.[1].undo).toEqual([{ type: "unbind", binding: binding("1/cc7") }]);
+});
+
+it("says that a preset was loaded by itself, and offers to take it back where the device is", () => {
+  const { host, made } = store();
+  const change = { type: "bindings_changed", id: "preset Dial", added: [binding("1/cc7")], removed: [] } as const;
+  const [added, removed] = [[...change.added], []];
+  made.receive({ ...change, added, removed, preset: "A desk", here: false });
+  expect([host.said, host.steps]).toEqual([["Dial plays as A desk, the preset that is made for it."], []]);
+  made.receive({ ...change, added, removed, preset: "A desk", here: true });
+  expect(host.steps.map(([done, { undo }]) => [done, undo])).toEqual([
+    ["Dial plays as A desk, the preset that is made for it.", [{ type: "unbind", binding: binding("1/cc7") }]],
+  ]);
+});
+
+it("knows why a binding waits", () => {
+  const { made } = store();
+  const bindings = [binding("1/cc7"), binding("1/cc8")];
+  const missing = ["there is no character 'one'", ""];
+  made.receive({ type: "binding_list", bindings, fixed: [], presets: [], learning: null, missing });
+  expect(made.bindings.map((one) => made.whyMissing(one))).toEqual(missing);
 });
 
 it("names what it has learned, and stops to learn", () => {
@@ -54,8 +76,8 @@ it("names what it has learned, and stops to learn", () => {
   expect(sent[0]).toMatchObject({ type: "learn", to: "/omote/one/channel/jawOpen", axis: "", arguments: [], bank: "" });
   made.stopLearning(); // the show has not said that it learns
   const learning = { id: "a", who: "Left", ...target };
-  made.receive({ type: "binding_list", bindings: [], fixed: [], presets: [], learning });
-  made.receive({ type: "bindings_changed", id: idOf(sent[0]), added: [binding("1/cc7")], removed: [] });
+  made.receive({ type: "binding_list", bindings: [], fixed: [], presets: [], learning, missing: [] });
+  made.receive({ type: "bindings_changed", id: idOf(sent[0]), added: [binding("1/cc7")], removed: [], ...ASKED });
   made.stopLearning();
   expect(host.steps.map(([done]) => done)).toEqual(["Bound: Dial 1/cc7 plays jawOpen."]);
   expect(sent.slice(1)).toMatchObject([{ type: "learn", to: "" }]);

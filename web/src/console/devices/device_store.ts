@@ -26,7 +26,7 @@ export interface DeviceHost {
   label(axis: Axis, name: string): string;
   /** Tells when the link comes up or is lost. */
   listen(topic: "link", heard: () => void): () => void;
-  say(notice: string): void;
+  say(notice: string, tone?: "attention" | "done"): void;
   offerUndo(done: string, step: Step): void;
 }
 
@@ -45,6 +45,7 @@ export class DeviceStore extends TopicStore<"devices" | "bindings" | "log"> {
   presets: readonly PresetDocument[] = [];
   learning: LearningState | null = null;
   lines: readonly InputLine[] = [];
+  #missing: ReadonlyMap<BindingDocument, string> = new Map();
   readonly #asked = new Map<string, Asked>();
   #count = 0;
   #watched = false;
@@ -66,13 +67,33 @@ export class DeviceStore extends TopicStore<"devices" | "bindings" | "log"> {
       this.lines = news.lines;
       this.tell("log");
     } else if (news.type === "binding_list") {
+      const { bindings, missing } = news;
+      this.#missing = new Map(bindings.map((one, at) => [one, missing[at] ?? ""]));
       ({ bindings: this.bindings, fixed: this.fixed, presets: this.presets, learning: this.learning } = news);
       this.tell("bindings");
     } else this.#receiveChange(news);
   }
 
-  /** What this page asked for is done. */
-  #receiveChange({ id, added, removed }: BindingsChanged): void {
+  /** Why a binding waits: it names a face, an expression or a character that is not there; "" where all is. */
+  whyMissing(binding: BindingDocument): string {
+    return this.#missing.get(binding) ?? "";
+  }
+
+  /** A device came on which nothing was bound, and its preset with it: taken back at the page that has the device. */
+  #receivePreset({ added, removed, preset, here }: BindingsChanged): void {
+    const device = added[0]?.device ?? "";
+    const done = `${device} plays as ${preset}, the preset that is made for it.`;
+    if (here) this.host.offerUndo(done, stepOf(`the preset of ${device}`, added, removed));
+    else this.host.say(done, "done");
+  }
+
+  /** What this page asked for is done, or what the show did by itself. */
+  #receiveChange(change: BindingsChanged): void {
+    if (change.preset !== "") {
+      this.#receivePreset(change);
+      return;
+    }
+    const { id, added, removed } = change;
     const asked = this.#asked.get(id);
     if (asked === undefined) return;
     this.#asked.delete(id);

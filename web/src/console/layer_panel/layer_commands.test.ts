@@ -39,6 +39,7 @@ const SOURCE: SourceState = {
   ranging: false,
   mirror: false,
   dead_zone: 0.1,
+  smoothing: 0.5,
   curve: 0,
   gain: 1,
 };
@@ -106,9 +107,40 @@ describe("a layer", () => {
   });
 });
 
+describe("what moves by itself", () => {
+  it("is set one detail at a time, of each that is played; all else stays", () => {
+    const unset = {
+      character: "*",
+      type: "set_motion",
+      liveliness: null,
+      blinks: null,
+      gaze: null,
+      breath: null,
+      seed: null,
+    };
+    store.motion("liveliness").grip(0.2);
+    store.motion("liveliness").grip(0.5);
+    store.motion("gaze").nudge(1.5);
+    expect(said()).toEqual([
+      { ...unset, liveliness: 0.5, id: undefined },
+      { ...unset, gaze: 1.5, id: undefined },
+    ]);
+    expect(store.motion("blinks").value(0)).toBe(1);
+    expect(store.motion("blinks").control).toBe("set_motion");
+  });
+});
+
 describe("a source", () => {
   const route = { type: "route_source", source: "phone", characters: ["one"], layer: "tracker", regions: ["mouth"] };
-  const tuning = { type: "tune_source", source: "phone", mirror: false, dead_zone: 0.1, curve: 0, gain: 1 };
+  const tuning = {
+    type: "tune_source",
+    source: "phone",
+    mirror: false,
+    dead_zone: 0.1,
+    curve: 0,
+    gain: 1,
+    smoothing: 0.5,
+  };
 
   it("is routed elsewhere in the same parts, and back", () => {
     commands.route(SOURCE, { characters: ["one", "two"] });

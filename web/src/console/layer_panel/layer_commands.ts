@@ -10,7 +10,7 @@ import type { Change } from "../store/undo_history";
 export const layerLabel = (layer: LayerName): string => `${layer[0]?.toUpperCase()}${layer.slice(1)}`;
 
 /** How a source is read. */
-export type Tuning = Pick<SourceState, "mirror" | "dead_zone" | "curve" | "gain">;
+export type Tuning = Pick<SourceState, "mirror" | "dead_zone" | "curve" | "gain" | "smoothing">;
 /** Whom a source drives, and on which layer. */
 export type Route = Pick<SourceState, "characters" | "layer" | "regions">;
 
@@ -64,8 +64,8 @@ export class LayerCommands {
 
   /** How a source is read. */
   tune(source: SourceState, change: Partial<Tuning>): void {
-    const to = ({ mirror, dead_zone, curve, gain }: Tuning): Change[] => [
-      { type: "tune_source", source: source.name, mirror, dead_zone, curve, gain },
+    const to = ({ mirror, dead_zone, curve, gain, smoothing }: Tuning): Change[] => [
+      { type: "tune_source", source: source.name, mirror, dead_zone, curve, gain, smoothing },
     ];
     this.#do(`${source.name} is read otherwise.`, `tune ${source.name}`, {
       undo: to(source),

@@ -1,4 +1,4 @@
-/** What feeds a layer, and how it is read: whom it drives, on which layer, mirror, gain, curve, dead zone, the performer at rest. */
+/** What feeds a layer, and how it is read: whom it drives, on which layer, mirror, gain, curve, dead zone, smoothing, the performer at rest. */
 
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
@@ -14,6 +14,7 @@ const NUMBERS = [
   ["gain", "Gain", 0, 4, 0.05, "Of all channels"],
   ["curve", "Curve", -1, 1, 0.05, "Above 0 small moves grow, below they shrink"],
   ["dead_zone", "Dead zone", 0, 0.5, 0.01, "Less is nothing: holds a trembling face still"],
+  ["smoothing", "Smoothing", 0, 2, 0.05, "Seconds in which a step is followed, beyond what all sources are smoothed"],
 ] as const satisfies readonly (readonly [keyof Tuning, string, number, number, number, string])[];
 
 @customElement("omote-source-settings")
@@ -46,7 +47,7 @@ export class SourceSettings extends ConsoleElement {
       }
       label {
         display: grid;
-        grid-template-columns: 66px minmax(0, 1fr) 34px;
+        grid-template-columns: 74px minmax(0, 1fr) 34px;
         align-items: center;
         gap: 6px;
       }

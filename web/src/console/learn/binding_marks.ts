@@ -7,7 +7,7 @@ import { base } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
 import { shortControl, targetKey } from "../devices/binding_target";
 import type { DeviceStore } from "../devices/device_store";
-import { type BindableControl, bindingsShown, findControls, markHeight, seenBox } from "./bindable_controls";
+import { type BindableControl, type Box, bindingsShown, findControls, markHeight, seenBox } from "./bindable_controls";
 
 /** Milliseconds after which the page is searched again for its controls. */
 const SEARCH = 400;
@@ -129,9 +129,7 @@ export class BindingMarks extends AnimatedElement {
     const text = [...new Set(bindings.map((one) => shortControl(one.control)))].join(" ");
     if (chip.textContent !== text) chip.textContent = text;
     chip.classList.toggle("gone", there.length === 0);
-    const place = control.element.matches(".tile") // its name stands below, its key at the left
-      ? `translate(calc(${Math.round(box.right - 1)}px - 100%), ${Math.round(box.top + 1)}px)`
-      : `translate(${Math.round(box.left + 1)}px, ${Math.round(box.bottom - 14)}px)`;
+    const place = placeOf(control.element, box);
     if (chip.style.transform !== place) chip.style.transform = place;
     const whole = control.element.getBoundingClientRect();
     const height = control.travel === null ? null : this.#waits(there, control.travel);
@@ -152,4 +150,12 @@ export class BindingMarks extends AnimatedElement {
     }
     return null;
   }
+}
+
+/** Where the name of a control's device stands, so that it covers nothing that is read: as a style. */
+function placeOf(element: Element, { left, top, right, bottom }: Box): string {
+  const [x, y] = [Math.round(right - 1), Math.round(bottom - 14)];
+  if (element.matches(".tile")) return `translate(calc(${x}px - 100%), ${Math.round(top + 1)}px)`; // name below, key left
+  if (element.matches(".field")) return `translate(calc(${x}px - 100%), ${y}px)`; // its degrees stand at the left
+  return `translate(${Math.round(left + 1)}px, ${y}px)`;
 }

@@ -8,6 +8,7 @@ import { layerWhileShown } from "../../ui/key_presses";
 import { base } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
 import { CHARACTER_PARTS, heldByOthers, type Part, SCENE_PARTS } from "../leases/held_parts";
+import { waited, wanting } from "../leases/lease_wishes";
 import type { Topic } from "../store/page_store";
 import { seatStyle } from "./seat_style";
 
@@ -141,8 +142,14 @@ export class LeaseDialog extends ConsoleElement {
     return html`<button class="part ${holder === undefined ? "" : "held"}" data-key=${key} style="--seat:${holder?.colour ?? "none"}"
       aria-label="${leases.words(key)}: ${says}; ${does}" title=${does}
       @click=${() => (own ? leases.release([key]) : holder === undefined ? leases.hold([key]) : leases.takeOver([key]))}>
-      ${holder === undefined ? nothing : html`<span class="colour" style="background:${holder.colour}"></span>`}${part}: ${says}
+      ${holder === undefined ? nothing : html`<span class="colour" style="background:${holder.colour}"></span>`}${part}: ${says}${this.#wanting(key)}
     </button>`;
+  }
+
+  /** Who wants a part, and for how long. */
+  #wanting(key: string) {
+    const wishes = wanting(this.context.leases.told, key);
+    return wishes.map(({ by, seconds }) => html`<small>wanted by ${by.name}, ${waited(seconds)}</small>`);
   }
 
   readonly #close = (): void => {

@@ -31,8 +31,8 @@ let leases: ConsoleLeases;
 let now: number;
 
 /** The show tells who holds what. */
-const tell = (held: Leases["held"], on = true): void =>
-  leases.receive({ type: "leases", on, held, seats: [ANA, ME], you: 2 });
+const tell = (held: Leases["held"], on = true, wishes: Leases["wishes"] = []): void =>
+  leases.receive({ type: "leases", on, held, seats: [ANA, ME], you: 2, wishes });
 /** What was sent, without the ids. */
 const said = () => sent.splice(0).map((message) => ({ ...message, id: undefined }));
 /** What the operator reads, and can do about it. */
@@ -71,7 +71,10 @@ describe("leases at a console", () => {
     store.channel("jawOpen").nudge(0.8);
     expect(store.channel("jawOpen").value(now)).toBe(0.25);
     store.flush();
-    expect(said()).toMatchObject([{ type: "set_channel", value: 0.5 }]); // of before
+    expect(said()).toMatchObject([
+      { type: "set_channel", value: 0.5 }, // of before
+      { type: "lease", part: "channels", take_over: false }, // so that Ana hears of it, once
+    ]);
     expect(notice()).toEqual(["Ana holds the channels of One.", ["Take over"]]);
     expect(store.told.length).toBe(before + 1);
     press("Take over");
@@ -102,16 +105,41 @@ describe("leases at a console", () => {
 
   it("tell a holder who wants its part and who has taken it, and what can be done", () => {
     tell({ "one/face": ME });
-    leases.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: false });
-    expect(notice()).toEqual(["Ana wants the face of One, which you hold.", ["Release"]]);
+    leases.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: false, kept: false });
+    expect(notice()).toEqual(["Ana wants the face of One, which you hold.", ["Release", "Keep it"]]);
     press("Release");
     expect(said()).toMatchObject([{ type: "release_lease", character: "one", part: "face" }]);
     press("Hold again");
     expect(said()).toMatchObject([{ type: "lease", part: "face", take_over: false }]);
-    leases.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: true });
+    leases.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: true, kept: false });
     expect(notice()).toEqual(["Ana has taken over the face of One.", ["Take back"]]);
     press("Take back");
     expect(said()).toMatchObject([{ type: "lease", part: "face", take_over: true }]);
+  });
+
+  it("ask the holder until it answers: it releases or keeps what is wanted, and a region goes with its expression", () => {
+    const held = { "one/face": ME, "one/expression": ME };
+    tell(held, true, [{ part: "one/face", by: 1, seconds: 42 }]);
+    expect(leases.question?.text).toBe("Ana has wanted the face of One for 42 s.");
+    expect(leases.question?.offers.map(({ label }) => label)).toEqual(["Release", "Keep it"]);
+    leases.question?.dismiss();
+    expect(said()).toMatchObject([{ type: "lease", part: "face", take_over: false }]);
+    tell(held, true, [{ part: "one/mouth", by: 1, seconds: 1 }]);
+    const release = leases.question?.offers[0];
+    if (release !== undefined && "act" in release) release.act();
+    expect(said()).toMatchObject([{ type: "release_lease", part: "expression" }]);
+    tell({}, true, []);
+    expect(leases.question).toBeNull();
+  });
+
+  it("remind of what this seat wants until it is taken, left, or kept by its holder", () => {
+    tell({ "one/face": ANA }, true, [{ part: "one/face", by: 2, seconds: 130 }]);
+    expect(leases.question?.text).toBe("Ana holds the face of One; you have wanted it for 2 min.");
+    expect(leases.question?.offers.map(({ label }) => label)).toEqual(["Take over", "Leave it"]);
+    leases.question?.dismiss();
+    expect(said()).toMatchObject([{ type: "release_lease", part: "face" }]);
+    leases.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: false, kept: true });
+    expect(notice()).toEqual(["Ana keeps the face of One.", ["Take over"]]);
   });
 
   it("are the stage manager's to take, to switch and to pass on", () => {

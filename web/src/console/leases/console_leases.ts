@@ -3,7 +3,27 @@
 import { ALL } from "../../link/constants";
 import type { LeaseClaim, Leases, SeatState } from "../../link/messages";
 import type { ConsoleStore } from "../store/console_store";
-import { explain, heldByOthers, heldHere, keysOf, listed, NOBODY, type Part, partOf, wordsOf } from "./held_parts";
+import type { Offer } from "../store/page_store";
+import {
+  explain,
+  heldByOthers,
+  heldHere,
+  holdingsOf,
+  keysOf,
+  listed,
+  NOBODY,
+  type Part,
+  partOf,
+  wordsOf,
+} from "./held_parts";
+import { askedHere, waited, wantedHere } from "./lease_wishes";
+
+/** What stands in the bar until it is answered; `dismiss`: what its cross does. */
+export interface Question {
+  readonly text: string;
+  readonly offers: readonly Offer[];
+  readonly dismiss: () => void;
+}
 
 export class ConsoleLeases {
   /** Who holds what, as the show told last. */
@@ -44,6 +64,30 @@ export class ConsoleLeases {
     return this.told.on && this.seat?.manager === true;
   }
 
+  /** What is to be answered: what another wants of this seat, else what this seat wants of others; null for nothing. */
+  get question(): Question | null {
+    return this.#asked() ?? this.#wants();
+  }
+
+  #asked(): Question | null {
+    const [first, ...others] = askedHere(this.told);
+    if (first === undefined) return null;
+    const { by, parts, seconds } = first;
+    const more = others.length === 0 ? "" : ` (${listed(others.map((wish) => wish.by.name))} too)`;
+    const text = `${by.name} has wanted ${this.#list(parts)} for ${waited(seconds)}${more}.`;
+    return { text, offers: this.#answers(parts), dismiss: () => this.keep(parts) };
+  }
+
+  #wants(): Question | null {
+    const wish = wantedHere(this.told);
+    if (wish === null) return null;
+    const { parts, seconds } = wish;
+    const text = `${explain(heldByOthers(this.told, parts), (name) => this.#label(name))}; you have wanted it for ${waited(seconds)}.`;
+    const dismiss = (): void => this.withdraw(parts);
+    const over = { label: "Take over", act: () => this.takeOver(parts) };
+    return { text, offers: [over, { label: "Leave it", act: dismiss }], dismiss };
+  }
+
   /** What others hold of a part of those that this console plays. */
   others(part: Part): ReadonlyMap<string, SeatState> {
     return heldByOthers(this.told, keysOf(this.store.played.names, part));
@@ -60,14 +104,21 @@ export class ConsoleLeases {
   }
 
   words(key: string): string {
-    return wordsOf(key, (character) => this.store.state?.characters[character]?.label ?? character);
+    return wordsOf(key, (character) => this.#label(character));
+  }
+
+  #label(character: string): string {
+    return this.store.state?.characters[character]?.label ?? character;
   }
 
   /** Whether a hand of this console may move a control; else the operator reads who holds it. */
   #mayPlay(control: string): boolean {
     const part = partOf(control);
     const held = part === null ? new Map<string, SeatState>() : this.others(part);
-    if (held.size > 0) this.offer(held);
+    if (held.size > 0) {
+      this.#ask([...held.keys()]);
+      this.offer(held);
+    }
     return held.size === 0;
   }
 
@@ -77,9 +128,27 @@ export class ConsoleLeases {
     this.store.receiveRefused(reason, id, holders.size > 0 ? () => this.offer(holders) : undefined);
   }
 
+  /** Lets the holders know, once, that a hand of this console wants their parts: the show has seen no message of it. */
+  #ask(keys: readonly string[]): void {
+    const known = wantedHere(this.told)?.parts ?? [];
+    const fresh = keys.filter((key) => !known.includes(key) && !this.#wanted.includes(key));
+    for (const key of fresh) this.store.ask({ type: "lease", ...split(key), take_over: false });
+  }
+
+  /** Takes back that this seat wants parts. */
+  withdraw(keys: readonly string[]): void {
+    this.#wanted = [];
+    for (const key of keys) this.store.ask({ type: "release_lease", ...split(key) });
+  }
+
+  /** Answers those who want parts of this seat that it keeps them. */
+  keep(keys: readonly string[]): void {
+    if (this.#lease(keys, false)) this.store.say(null);
+  }
+
   /** Says who holds parts, and offers to take them over; while it stands there it is not said again. */
   offer(held: ReadonlyMap<string, SeatState>): void {
-    const text = `${explain(held, (name) => this.store.state?.characters[name]?.label ?? name)}.`;
+    const text = `${explain(held, (name) => this.#label(name))}.`;
     this.#wanted = [...held.keys()];
     if (this.store.notice === text) return;
     this.store.say(text, "attention", [{ label: "Take over", act: () => this.takeOver([...held.keys()]) }]);
@@ -133,16 +202,20 @@ export class ConsoleLeases {
     return keys.every((key) => this.store.ask({ type: "lease", ...split(key), take_over: takes }));
   }
 
-  #hearClaim({ parts, by, taken }: LeaseClaim): void {
+  #hearClaim({ parts, by, taken, kept }: LeaseClaim): void {
     const what = this.#list(parts);
     const back = { label: "Take back", act: () => this.takeOver(parts) };
-    if (taken) this.store.say(`${by.name} has taken over ${what}.`, "attention", [back]);
-    else this.store.say(`${by.name} wants ${what}, which you hold.`, "attention", this.#give(parts));
+    if (kept) {
+      this.#wanted = [];
+      const over = { label: "Take over", act: () => this.takeOver(parts) };
+      this.store.say(`${by.name} keeps ${what}.`, "attention", [over]);
+    } else if (taken) this.store.say(`${by.name} has taken over ${what}.`, "attention", [back]);
+    else this.store.say(`${by.name} wants ${what}, which you hold.`, "attention", this.#answers(parts));
   }
 
-  #give(keys: readonly string[]) {
-    const own = heldHere(this.told, keys);
-    return own.length === 0 ? [] : [this.#releaseOffer(own)];
+  #answers(keys: readonly string[]): Offer[] {
+    const own = holdingsOf(this.told, keys);
+    return own.length === 0 ? [] : [this.#releaseOffer(own), { label: "Keep it", act: () => this.keep(keys) }];
   }
 
   #releaseOffer(keys: readonly string[]) {

@@ -19,7 +19,7 @@ export const CHARACTER_PARTS: readonly Part[] = [
 /** The parts of the scene, whose character is `*`. */
 export const SCENE_PARTS: readonly Part[] = ["light", "framing"];
 const REGIONS: readonly Part[] = ["brows", "eyes", "mouth"];
-export const NOBODY: Leases = { type: "leases", on: false, held: {}, seats: [], you: 0 };
+export const NOBODY: Leases = { type: "leases", on: false, held: {}, seats: [], you: 0, wishes: [] };
 
 /** The parts that messages of hands play, as `Hands` names these behind the character. */
 const PLAYED: Readonly<Record<string, Part>> = {
@@ -62,6 +62,15 @@ function regionsOf(key: string): readonly string[] {
 /** What this console's own seat holds of some parts. */
 export const heldHere = (leases: Leases, keys: readonly string[]): readonly string[] =>
   keys.filter((key) => leases.held[key]?.number === leases.you);
+
+/** What this seat would release so that others have some parts: a region goes with the expression that it is of. */
+export function holdingsOf(leases: Leases, keys: readonly string[]): readonly string[] {
+  const whole = (key: string) => `${key.split("/")[0]}/expression`;
+  const found = keys.map((key) => (leases.held[key] === undefined && isRegion(key) ? whole(key) : key));
+  return heldHere(leases, [...new Set(found)]);
+}
+
+const isRegion = (key: string): boolean => REGIONS.includes(key.split("/")[1] as Part);
 
 /** A part in words: `the face of Kaori`, `the light`; `label`: what people call a character. */
 export function wordsOf(key: string, label: (character: string) => string): string {

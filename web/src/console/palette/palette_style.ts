@@ -1,5 +1,5 @@
 import { css } from "lit";
-import { caption, entry, thinBar } from "../../ui/theme";
+import { caption, entry, portrait, thinBar } from "../../ui/theme";
 import { short } from "../controls/screen_sizes";
 
 export const style = css`
@@ -150,6 +150,7 @@ export const style = css`
     width: 100%;
     aspect-ratio: 13 / 12;
     pointer-events: none;
+    ${portrait}
   }
   .tile .name {
     ${caption}

@@ -22,10 +22,13 @@ export const offersStyle = css`
 `;
 
 /** The offers of the notice; what has any stays, so it can be put away too. */
-export const offersOf = (store: PageStore) =>
-  store.offers.length === 0
+export const offersOf = (store: PageStore) => viewOffers(store.offers, () => store.say(null));
+
+/** Offers beside words, and a cross that puts them away. */
+export const viewOffers = (offers: readonly Offer[], dismiss: () => void) =>
+  offers.length === 0
     ? nothing
-    : html`${store.offers.map(offerView)}<button class="offer away" title="I have read it" aria-label="Dismiss" @click=${() => store.say(null)}>✕</button>`;
+    : html`${offers.map(offerView)}<button class="offer away" title="I have read it" aria-label="Dismiss" @click=${dismiss}>✕</button>`;
 
 const offerView = (offer: Offer) =>
   "address" in offer

@@ -8,7 +8,7 @@ import { base } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
 import { secondsLabel } from "../store/timing";
-import { offersOf, offersStyle } from "./offers";
+import { offersStyle, viewOffers } from "./offers";
 import "./import_progress";
 import "./name_field";
 import { style } from "./status_bar_style";
@@ -35,7 +35,7 @@ export class StatusBar extends ConsoleElement {
   static override styles = [base, style, offersStyle];
 
   protected override topics(): readonly Topic[] {
-    return ["cast", "characters", "crew", "link", "notice", "panic"];
+    return ["cast", "characters", "crew", "leases", "link", "notice", "panic"];
   }
 
   override connectedCallback(): void {
@@ -70,20 +70,28 @@ export class StatusBar extends ConsoleElement {
 
   /** What is to be answered has the room of what is to be watched. */
   protected override updated(): void {
-    this.toggleAttribute("asks", this.store.notice !== null && this.store.offers.length > 0);
+    this.toggleAttribute("asks", this.#said.offers.length > 0);
+  }
+
+  /** What this console says last; while it says nothing, what waits for an answer. */
+  get #said() {
+    const { notice: text, tone, offers } = this.store;
+    const notice = { text, tone, offers, dismiss: () => this.store.say(null) };
+    return text === null ? { ...notice, tone: "attention", ...this.context.leases.question } : notice;
   }
 
   override render() {
     const unread = this.notices.open.length;
+    const { text, tone, offers, dismiss } = this.#said;
     return html`
       <div class="mark">OMOTE</div>
       ${this.store.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
       <div class="messages">
         <omote-import-progress .context=${this.context}></omote-import-progress>
-        <div class="notice ${this.store.tone} ${this.store.notice === null ? "none" : ""}" role="status">
-          <span title=${this.store.notice ?? ""}>${this.store.notice ?? ""}</span>
+        <div class="notice ${tone} ${text === null ? "none" : ""}" role="status">
+          <span title=${text ?? ""}>${text ?? ""}</span>
           <omote-name-field .context=${this.context}></omote-name-field>
-          <span class="offers">${offersOf(this.store)}</span>
+          <span class="offers">${viewOffers(offers, dismiss)}</span>
         </div>
         <slot></slot>
       </div>

@@ -42,6 +42,28 @@ describe("the steps of a console", () => {
     expect(third.store.history.next("undo")?.what).toBe("take in grin");
   });
 
+  it("take nothing away when they are done again after a reload, and nothing beyond that", () => {
+    const kept = new Map<string, string>();
+    const first = open(kept);
+    const step = (what: string, redo: "remove_character" | "restore_character"): void => {
+      const back = { type: "restore_character", key: what, seconds: 1 } as const;
+      const away = { type: "remove_character", character: "two", key: what } as const;
+      const [done, undone] = redo === "remove_character" ? [away, back] : [back, away];
+      first.store.offerUndo("", { what, undo: [undone], redo: [done] });
+    };
+    step("add one", "restore_character");
+    step("remove two", "remove_character");
+    step("add two", "restore_character");
+    for (let count = 0; count < 3; count += 1) first.store.undo();
+    expect(first.store.history.next("redo")?.what).toBe("add one");
+    const second = open(kept);
+    second.store.redo();
+    expect(second.types()).toEqual(["restore_character"]);
+    expect(second.store.history.next("redo")).toBeNull();
+    second.store.redo();
+    expect(second.types()).toEqual([]);
+  });
+
   it("stay with their tab: another begins with none", () => {
     const first = open(new Map());
     first.store.offerUndo("", first.items.stepOf("take in grin", [GRIN]));

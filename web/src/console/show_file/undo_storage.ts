@@ -25,6 +25,14 @@ const TYPES: ReadonlySet<string> = new Set<Change["type"]>([
   "rename_layout",
 ]);
 
+/** What takes something out of the show. */
+const TAKES_AWAY: ReadonlySet<string> = new Set<Change["type"]>([
+  "remove_character",
+  "leave_character",
+  "delete_item",
+  "drop_layout",
+]);
+
 /** Steps, and the show that they were taken in. */
 interface KeptSteps {
   readonly show: string;
@@ -32,6 +40,15 @@ interface KeptSteps {
 }
 
 const NONE: Steps = { undo: [], redo: [] };
+
+/**
+ * What can be taken in both ways after a reload. Nobody remembers then what was taken back last: *Redo* brings things
+ * back and changes them, but takes nothing away, and nothing beyond that.
+ */
+function afterReload({ undo, redo }: Steps): Steps {
+  const last = redo.findLastIndex((step) => step.redo.some(({ type }) => TAKES_AWAY.has(type)));
+  return { undo, redo: redo.slice(last + 1) };
+}
 
 /**
  * Goes on from the steps of before a reload as soon as the show is known to be theirs, and keeps what changes; steps of
@@ -45,7 +62,7 @@ export function keepUndo(store: ConsoleStore, tab: () => Pick<Storage, "getItem"
     // forbidden: the steps last as long as the page
   }
   store.listen("show", () => {
-    store.history.resume(kept !== null && kept.show === store.show ? kept.steps : NONE);
+    store.history.resume(kept !== null && kept.show === store.show ? afterReload(kept.steps) : NONE);
     kept = null;
   });
   store.listen("undo", () => {

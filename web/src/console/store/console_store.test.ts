@@ -27,6 +27,7 @@ const CALM: CharacterState = {
   region_calls: {},
   layers: {},
   held: null,
+  motion: null,
 };
 const REST: State = {
   type: "state",

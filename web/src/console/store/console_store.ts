@@ -285,6 +285,7 @@ export class ConsoleStore extends PageStore {
   readonly gaze = (part: GazePart): Knob => this.#knobs.gaze(part);
   /** How much of a layer shows. */
   readonly layer: Knobs["layer"] = (...of) => this.#knobs.layer(...of);
+  readonly motion: Knobs["motion"] = (detail) => this.#knobs.motion(detail);
 
   /** Where a T-bar stands, under the hand of this console or of another. */
   bar(axis: Axis): Knob {

@@ -29,6 +29,11 @@ export interface Knob {
 
 export type HeadPart = "yaw" | "pitch" | "roll";
 export type GazePart = "yaw" | "pitch";
+/** What is set of a character's automatic motion by hand. */
+export type MotionDetail = "liveliness" | "blinks" | "gaze" | "breath";
+/** As at first: nothing moves by itself. */
+export const STILL: Readonly<Record<MotionDetail, number>> = { liveliness: 0, blinks: 1, gaze: 1, breath: 1 };
+const UNSET = { liveliness: null, blinks: null, gaze: null, breath: null, seed: null };
 export const HEAD: readonly HeadPart[] = ["yaw", "pitch", "roll"];
 export const GAZE: readonly GazePart[] = ["yaw", "pitch"];
 
@@ -112,6 +117,16 @@ export class Knobs {
           on: null,
           id: "",
         })),
+    );
+  }
+
+  /** How much the character moves by itself: on the whole, or one detail of it. */
+  motion(detail: MotionDetail): Knob {
+    const key = `motion:${detail}`;
+    return this.#knob(
+      [key],
+      (state) => (state.motion ?? STILL)[detail],
+      (value) => this.#put(key, (character) => ({ ...UNSET, type: "set_motion", character, [detail]: value, id: "" })),
     );
   }
 

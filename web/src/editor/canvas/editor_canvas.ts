@@ -47,11 +47,11 @@ export class EditorCanvas {
   private readonly gl: WebGL2RenderingContext;
   private readonly leave: (() => void)[] = [];
 
-  /** Draws what the store knows; tells `loaded` of every picture with all faces that can be had; throws where it cannot. */
+  /** Draws what the store knows; throws where it cannot. Tells `shows` with each picture whether what is open is on it. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly store: DraftStore,
-    private readonly loaded: () => void = () => undefined,
+    private readonly shows: (whole: boolean) => void = () => undefined,
   ) {
     const gl = canvas.getContext("webgl2", {
       alpha: false,
@@ -181,7 +181,7 @@ export class EditorCanvas {
       () => this.redraw(),
       (error: unknown) => {
         store.say(error instanceof Error ? error.message : String(error));
-        this.loaded(); // what cannot be had is waited for no more
+        this.shows(true); // what cannot be had is waited for no more
       },
     );
   }
@@ -247,9 +247,8 @@ export class EditorCanvas {
     const whole = this.stale;
     this.stale = false;
     this.moving = true;
-    if (this.store.manifest === null) return;
     const { tiles } = this;
-    if (tiles === undefined) return;
+    if (tiles === undefined || this.store.manifest === null) return;
     const members = this.members(expressionScene);
     const boxes = this.viewports.share(members.length - 1);
     if (whole) painters.face.clear(this.viewports.ground);
@@ -263,7 +262,8 @@ export class EditorCanvas {
     );
     this.pacing.frame(moved, fenced(this.gl));
     this.watch();
-    if (members.every((member) => tiles.shown(member))) this.loaded();
+    if (this.faceScene?.awaits === true) this.shows(false);
+    else if (members.every((member) => tiles.shown(member))) this.shows(true);
   }
 
   /** Once all is still, draws one tile as well as can be; whether there was anything to draw. */

@@ -6,6 +6,7 @@ import type { DraftState, ItemDocument } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
+import { othersOf } from "../link/identity";
 import type { Topic } from "../session/draft_store";
 import { describe, redo, save, undo } from "../session/item_commands";
 import { style } from "./heading_style";
@@ -25,7 +26,7 @@ export class Heading extends EditorElement {
     const { store } = this;
     const { item, draft } = store;
     return html`
-      <div class="mark">OMOTE <small>EDITOR</small></div>
+      <div class="mark ${draft === null ? "" : "beside"}">OMOTE <small>EDITOR</small></div>
       ${store.online ? nothing : html`<div class="lost" role="alert">LINK LOST – what you do waits here</div>`}
       ${item === null || draft === null ? html`<span class="grow"></span>${store.deleted === null ? nothing : this.#steps(0, 0, "")}` : this.#open(item, draft)}
       <label class="you" title="Other editors read this name">You:
@@ -37,7 +38,8 @@ export class Heading extends EditorElement {
 
   #open(item: ItemDocument, draft: DraftState) {
     const { store } = this;
-    const { dirty, others } = draft;
+    const { dirty } = draft;
+    const others = othersOf(item.editors, this.context.name());
     return html`
       <span class="dot ${dirty ? "dirty" : ""}" role="img" title=${dirty ? "Not saved yet" : "Saved"}
         aria-label=${dirty ? "Not saved yet" : "Saved"}></span>

@@ -117,4 +117,38 @@ export const style = css`
       display: none;
     }
   }
+  /* Two rows: what is open, its steps and Save; below them what is rarely needed. */
+  @media (max-width: 700px) {
+    :host {
+      flex-wrap: wrap;
+      height: auto;
+      gap: 6px;
+      padding: 6px 8px;
+    }
+    .beside,
+    .beside ~ .grow {
+      display: none;
+    }
+    .lost {
+      flex: 1 0 100%;
+      order: -1;
+      white-space: normal;
+    }
+    .label {
+      flex: 1 1 100px;
+    }
+    .others,
+    .remark,
+    .console,
+    .console ~ .icon {
+      order: 1;
+    }
+    .others {
+      flex: 1 1 100%;
+      white-space: normal;
+    }
+    .remark {
+      flex: 1 1 100px;
+    }
+  }
 `;

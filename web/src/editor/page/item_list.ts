@@ -9,6 +9,7 @@ import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE } from "../../ui/thumbnails";
 import { controls } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
+import { othersOf } from "../link/identity";
 import type { Topic } from "../session/draft_store";
 import {
   describe,
@@ -180,7 +181,7 @@ export class ItemListPanel extends EditorElement {
   }
 
   #remark(item: ItemDocument): string {
-    const others = item.editors.filter((name) => name !== this.context.name());
+    const others = othersOf(item.editors, this.context.name());
     const here = others.length === 0 ? "" : `open: ${others.join(", ")}`;
     const unsaved = item.head === 0 ? "not saved yet" : "changes not saved";
     return [this.#isUnsaved(item) ? unsaved : "", item.tags.join(", "), here].filter(Boolean).join(" · ");

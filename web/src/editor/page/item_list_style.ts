@@ -1,5 +1,5 @@
 import { css } from "lit";
-import { caption } from "../../ui/theme";
+import { caption, portrait } from "../../ui/theme";
 
 export const style = css`
   :host {
@@ -67,7 +67,7 @@ export const style = css`
     width: 65px;
     height: 60px;
     border-radius: 3px;
-    background: #000;
+    ${portrait}
   }
   .text {
     display: grid;
@@ -146,6 +146,7 @@ export const style = css`
     display: block;
     width: 100%;
     aspect-ratio: 13 / 12;
+    ${portrait}
   }
   .tile span {
     ${caption}

@@ -44,6 +44,7 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["A  R  M", "The needles themselves: add, remove, move"],
   ["X", "Mirror: what you do on one side is done on the other"],
   ["Arrows", "On the face: nudge the selected needles, with Shift finer, with Alt off the skin"],
+  [",  .", "On the face: the needle before, the next one, from the crown down"],
   ["1 – 4", "Front, left side, right side, three-quarter view"],
   ["0", "The whole face again, after zoom and shift; so does a double click beside it"],
   ["N  W  U", "Show needles, wireframe, muscles"],

@@ -2,7 +2,7 @@
 
 import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { downloads } from "../../link/fetch_progress";
+import { type Download, downloads } from "../../link/fetch_progress";
 import { base } from "../../ui/theme";
 import { progressOf } from "../session/loading_progress";
 
@@ -12,6 +12,8 @@ export class LoadingView extends LitElement {
   /** How many faces are to be shown. */
   @property({ type: Number }) faces = 1;
   #deaf: () => void = () => undefined;
+  /** What had come before this was shown. */
+  #before: ReadonlySet<Download> = new Set();
   #share = 0;
 
   static override styles = [
@@ -25,6 +27,13 @@ export class LoadingView extends LitElement {
         justify-items: center;
         gap: 10px;
         background: #111315;
+        animation: appear 0.25s steps(1, jump-none);
+      }
+      /* What comes at once is not announced. */
+      @keyframes appear {
+        from {
+          opacity: 0;
+        }
       }
       progress {
         width: min(280px, 70%);
@@ -41,6 +50,7 @@ export class LoadingView extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.#before = new Set(downloads.all.filter(({ ended }) => ended));
     this.#deaf = downloads.listen(() => this.requestUpdate());
   }
 
@@ -50,7 +60,10 @@ export class LoadingView extends LitElement {
   }
 
   override render() {
-    const { share, words } = progressOf(downloads.all, this.faces);
+    const { share, words } = progressOf(
+      downloads.all.filter((download) => !this.#before.has(download)),
+      this.faces,
+    );
     this.#share = Math.max(this.#share, share); // what comes to light late takes nothing back
     return html`<p role="status">${words}</p>
       <progress aria-label="Loading the faces" max="1" .value=${this.#share}></progress>`;

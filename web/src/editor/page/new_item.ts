@@ -65,7 +65,7 @@ export class NewItem extends EditorElement {
 
   override render() {
     const sources = sourcesOf(this.store, this.kind);
-    const rest = this.kind === "face" ? "the generic face" : "neutral";
+    const rest = this.kind === "face" ? "Generic face" : "Neutral";
     return html`<form @submit=${this.#create} aria-label="New ${this.kind}">
       <h2>New ${this.kind}</h2>
       <input aria-label="Name" maxlength="64" .value=${this.label || this.#proposed}
@@ -84,7 +84,7 @@ export class NewItem extends EditorElement {
               sources.filter(({ source }) => !(source in this.mix)),
               {
                 label: "Begin from",
-                first: Object.keys(this.mix).length === 0 ? `From ${rest}; or choose…` : "+ mix in…",
+                first: Object.keys(this.mix).length === 0 ? `${rest}; or choose…` : "+ mix in…",
                 chosen: (source) => this.#set(source, 1),
               },
             )}`

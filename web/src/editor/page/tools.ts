@@ -76,6 +76,11 @@ export class Tools extends EditorElement {
           max-width: 90px;
         }
       }
+      @media (max-width: 940px) {
+        select {
+          max-width: 130px;
+        }
+      }
     `,
   ];
 
@@ -94,7 +99,7 @@ export class Tools extends EditorElement {
             html`<button data-view=${view} title="${label} (${key})" @click=${() => this.#view(view)}>${label}</button>`,
         )}
       </div>
-      <omote-faces-choice .context=${this.context}></omote-faces-choice>
+      ${store.face === null ? html`<omote-faces-choice .context=${this.context}></omote-faces-choice>` : nothing}
     `;
   }
 

@@ -1,5 +1,5 @@
 import { encode } from "@msgpack/msgpack";
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import { RefusedAddress } from "../../link/assets";
 import type { Manifest } from "../../link/messages";
 import { loadFace, loadTangents, loadWorn } from "./asset_loading";
@@ -45,4 +45,36 @@ it("knows no tangents of a face that the server does not know", async () => {
   const read = server({ "/tangents/b4se/dog": { tangents } });
   expect(await loadTangents(manifest, "dog", read)).toEqual(Float32Array.of(1, 2, 3));
   expect(await loadTangents(manifest, "cat", read)).toBeUndefined();
+});
+
+it("asks again for a draft's content that a server has not yet which has just taken over", async () => {
+  vi.useFakeTimers();
+  try {
+    const positions = bytesOf(rest);
+    const documents: Record<string, unknown> = {};
+    const face = loadFace(manifest, "#abc", server(documents));
+    const worn = loadWorn(manifest, "dog", "#def", rest, server(documents));
+    await vi.advanceTimersByTimeAsync(100);
+    const compound = { scale: 1, indices: new Uint8Array(), deltas: new Uint8Array(), allowed: null };
+    Object.assign(documents, { "/contents/abc": { positions, face: { name: "draft" } } });
+    Object.assign(documents, { "/compounds/b4se/dog/%23def": compound });
+    await vi.advanceTimersByTimeAsync(2000);
+    expect((await face).positions).toEqual(rest);
+    expect(await worn).toEqual(rest);
+  } finally {
+    vi.useRealTimers();
+  }
+});
+
+it("gives up a draft's content that never comes, and what the cast has not at once", async () => {
+  vi.useFakeTimers();
+  try {
+    const given = vi.fn();
+    loadWorn(manifest, "dog", "#gone", rest, server({})).catch(given);
+    await vi.advanceTimersByTimeAsync(60_000);
+    expect(given).toHaveBeenCalledWith(expect.any(RefusedAddress));
+    await expect(loadWorn(manifest, "dog", "gone", rest, server({}))).rejects.toThrow(RefusedAddress);
+  } finally {
+    vi.useRealTimers();
+  }
 });

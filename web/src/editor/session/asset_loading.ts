@@ -2,8 +2,9 @@
 
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "../../link/arrays";
-import { type Fetch, fetchBytes, fetchWithRetry, RefusedAddress, readCompound } from "../../link/assets";
+import { type Fetch, fetchBytes, fetchWithRetry, KEY, RefusedAddress, readCompound } from "../../link/assets";
 import type { FaceDocument, Manifest } from "../../link/messages";
+import { Backoff } from "../../link/reconnecting_socket";
 
 /** A face as a document and its positions, (rows, 3) metres. */
 export interface LoadedFace {
@@ -13,11 +14,28 @@ export interface LoadedFace {
 
 const key = (source: string): string => encodeURIComponent(source);
 
+/** How often a draft's content is asked for in vain: a server that has just taken over has it once the draft is open. */
+const TRIES = 12;
+
+/** The bytes behind an address that names a draft's content. */
+async function fetchContent(address: string, read: Fetch): Promise<Uint8Array> {
+  const backoff = new Backoff();
+  for (let left = TRIES; ; left--) {
+    try {
+      return await fetchWithRetry(address, read);
+    } catch (error) {
+      if (!(error instanceof RefusedAddress) || left <= 1) throw error;
+      await new Promise((resolve) => setTimeout(resolve, backoff.next() * 1000));
+    }
+  }
+}
+
 /** A face of the manifest, or a draft's by its content (`#` and a key). */
 export async function loadFace(manifest: Manifest, source: string, read: Fetch = fetchBytes): Promise<LoadedFace> {
   const known = manifest.faces.find((face) => face.source === source);
   const address = known?.url ?? `/contents/${source.replace(/^#/, "")}`;
-  const asset = decode(await fetchWithRetry(address, read)) as { positions: Uint8Array; face?: FaceDocument };
+  const fetched = known === undefined ? fetchContent(address, read) : fetchWithRetry(address, read);
+  const asset = decode(await fetched) as { positions: Uint8Array; face?: FaceDocument };
   const document = known ?? asset.face;
   const positions = new Float32Array(aligned(asset.positions));
   if (document === undefined || positions.length !== 3 * manifest.vertices)
@@ -51,7 +69,9 @@ export async function loadWorn(
   const out = rest.slice();
   if (expression === "neutral") return out;
   const address = `/compounds/${key(manifest.base)}/${key(face)}/${key(expression)}`;
-  const { scale, indices, deltas } = readCompound(await fetchWithRetry(address, read), manifest.vertices);
+  const drafted = expression.startsWith(KEY) || face.startsWith(KEY);
+  const bytes = await (drafted ? fetchContent : fetchWithRetry)(address, read);
+  const { scale, indices, deltas } = readCompound(bytes, manifest.vertices);
   indices.forEach((row, n) => {
     for (let axis = 0; axis < 3; axis++)
       out[3 * row + axis] = (out[3 * row + axis] as number) + (deltas[3 * n + axis] as number) * scale;

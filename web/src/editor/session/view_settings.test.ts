@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Library } from "../../link/assets";
 import { DraftStore } from "./draft_store";
-import { keepViewSettings, readViewSettings } from "./view_settings";
+import { keepViewSettings, readViewSettings, showsMuscles } from "./view_settings";
 
 const cast = (...names: string[]): Library =>
   ({ manifest: { faces: names.map((name) => ({ name })) } }) as unknown as Library;
@@ -66,4 +66,12 @@ describe("the kept view", () => {
     one.setCast(cast("kaori"));
     expect(one.work).toBe("kaori");
   });
+});
+
+it("shows muscles on expressions alone: on a face under work they would pull at nothing", () => {
+  const { options } = store();
+  const face = { kind: "face" } as unknown as DraftStore["face"];
+  expect(showsMuscles({ options: { ...options, muscles: true }, face: null })).toBe(true);
+  expect(showsMuscles({ options: { ...options, muscles: true }, face })).toBe(false);
+  expect(showsMuscles({ options, face: null })).toBe(false);
 });

@@ -11,6 +11,10 @@ export interface View {
   readonly mirror: boolean;
 }
 
+/** Whether the lines of muscles lie on the face: they pull at expressions, so a face under work shows none. */
+export const showsMuscles = ({ options, face }: Pick<DraftStore, "options" | "face">): boolean =>
+  options.muscles && face === null;
+
 /** Reads and writes text by key; both may throw. */
 type Store = Pick<Storage, "getItem" | "setItem">;
 

@@ -79,6 +79,9 @@ function texture(
   return made;
 }
 
+/** How much wider fewer ribbons are: to the power of 1 they would cover as much as all, but lie on the head like slats. */
+const WIDENED = 0.75;
+
 /** Fewer ribbons are wider, so that they cover the head as all of them do. */
 export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
   const kin = features.detail ? KIN.count : 1;
@@ -89,7 +92,7 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
     ...shared,
     ...own,
     pixel,
-    width: { value: (style.hair.width / 2) * share ** -0.6 * (features.detail ? KIN.width : 1) },
+    width: { value: (style.hair.width / 2) * share ** -WIDENED * (features.detail ? KIN.width : 1) },
   });
   look.defines = { ...definesOf(features), KIN: kin, ...(features.multisample ? { SOFT: "" } : {}) };
   look.side = THREE.DoubleSide;
@@ -110,9 +113,8 @@ function geometryOf(hair: HairStrands, features: Features, kin: number): THREE.I
   const made = geometries.get(hair) ?? new Map<string, THREE.InstancedBufferGeometry>();
   geometries.set(hair, made);
   const key = `${features.detail} ${features.hair}`;
-  const geometry = made.get(key) ?? ribbon(hair, courseOf(features), kin);
+  const geometry = made.get(key) ?? ribbon(hair, courseOf(features), kin, drawnStrands(hair, features.hair));
   made.set(key, geometry);
-  geometry.instanceCount = kin * drawnStrands(hair, features.hair);
   return geometry;
 }
 
@@ -129,10 +131,27 @@ function zigzag(triangles: number): [number, number][] {
   return Array.from({ length: triangles + 2 }, (_, place) => [place % 2 === 0 ? -1 : 1, along(place)]);
 }
 
-function ribbon(hair: HairStrands, course: [number, number][], kin: number): THREE.InstancedBufferGeometry {
+/** The first `count` strands of a style, those that see most of the sky first: what they hide is then not shaded. */
+export function outermostFirst({ light, stations }: Pick<HairStrands, "light" | "stations">, count: number): number[] {
+  const open = (strand: number): number =>
+    light.subarray(strand * stations, (strand + 1) * stations).reduce((sum, sky) => sum + sky, 0);
+  const skies = Array.from({ length: count }, (_, strand) => open(strand));
+  return [...skies.keys()].sort((one, other) => (skies[other] as number) - (skies[one] as number) || one - other);
+}
+
+function ribbon(
+  hair: HairStrands,
+  course: [number, number][],
+  kin: number,
+  count: number,
+): THREE.InstancedBufferGeometry {
   const geometry = new THREE.InstancedBufferGeometry();
+  const strands = outermostFirst(hair, count);
+  const roots = strands.map((strand) => hair.anchors[strand] as number);
   geometry.setIndex(course.slice(2).flatMap((_, at) => (at % 2 === 0 ? [at, at + 1, at + 2] : [at + 1, at, at + 2])));
   geometry.setAttribute("place", new THREE.Float32BufferAttribute(course.flat(), 2));
-  geometry.setAttribute("source", new THREE.InstancedBufferAttribute(Float32Array.from(hair.anchors), 1, false, kin));
+  geometry.setAttribute("source", new THREE.InstancedBufferAttribute(Float32Array.from(roots), 1, false, kin));
+  geometry.setAttribute("strandRow", new THREE.InstancedBufferAttribute(Float32Array.from(strands), 1, false, kin));
+  geometry.instanceCount = kin * count;
   return geometry;
 }

@@ -55,6 +55,7 @@ void sheens(vec3 rim, vec4 halves, float facing, float open, float shift, out ve
 
 /** A ribbon of strands: its places are offsets from the skin at its root (\`source\`), mixed as the faces are. */
 export const HAIR_VERTEX = `${VERTEX_HEAD}
+in float strandRow;
 #define SPIN chanceOf(0u)
 #ifdef DETAIL
 #define FIBRE 0.0007 // metres across the hairs that cling together and are seen as one
@@ -73,9 +74,17 @@ export const HAIR_VERTEX = `${VERTEX_HEAD}
 #define SCARCE 0.8 // of that width: ribbons end one by one where they are narrower, instead of all being wider than they are
 #define SLENDER 0.12 // half the width of a ribbon that is this short, of its length
 
+/** Ribbons are drawn in another order than strands are numbered; one strand's, thin ones in detail, follow each other. */
+int strandNumber() { return int(strandRow + 0.5); }
+#ifdef DETAIL
+int ribbonNumber() { return KIN * strandNumber() + gl_InstanceID % KIN; }
+#else
+int ribbonNumber() { return strandNumber(); }
+#endif
+
 /** A chance (0..1) of this ribbon, another for every salt; in whole numbers, so that it is the same on every machine. */
 float chanceOf(uint salt) {
-  uint mixed = uint(gl_InstanceID) * 0x9e3779b1u + salt * 0x85ebca6bu;
+  uint mixed = uint(ribbonNumber()) * 0x9e3779b1u + salt * 0x85ebca6bu;
   mixed = (mixed ^ (mixed >> 16)) * 0x7feb352du;
   mixed = (mixed ^ (mixed >> 15)) * 0x846ca68bu;
   return float(mixed >> 8) / 16777216.0;
@@ -115,11 +124,7 @@ vec3 heading(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
 #endif
 
 void main() {
-#ifdef DETAIL
-  int strand = gl_InstanceID / KIN; // a few thin ribbons follow each strand
-#else
-  int strand = gl_InstanceID;
-#endif
+  int strand = strandNumber();
   float chance = chanceOf(1u);
   float roll = chanceOf(2u) - 0.5;
   float grown = texelFetch(strands, ivec2(0, strand), 0).w;

@@ -9,6 +9,9 @@ const CENTRE = new THREE.Vector3(0, -0.02, 0.03);
 /** From the shadow's camera to the middle, metres. */
 const AWAY = 0.3;
 const UPRIGHT = new THREE.Vector3(0, 1, 0);
+/** Metres a pixel is wide one metre from the lamp, for what is drawn no narrower than its pixels: a stage of 720 lines has
+ * about this. Were it the picture's own, a shadow would wait a frame for it, and the first would differ from all others. */
+const PIXEL = 0.0005;
 
 /** What `shadow` in the shaders reads; the pictures stay empty where no shadow is drawn. */
 export const shadowUniforms = () => ({
@@ -111,7 +114,11 @@ function caster(mesh: THREE.Mesh, lamp: THREE.Vector3): THREE.Mesh {
     glslVersion: THREE.GLSL3,
     vertexShader: look.vertexShader,
     fragmentShader: HEIGHT_FRAGMENT,
-    uniforms: { ...look.uniforms, viewPoint: { value: lamp } },
+    uniforms: {
+      ...look.uniforms,
+      viewPoint: { value: lamp },
+      ...("pixel" in look.uniforms ? { pixel: { value: PIXEL } } : {}),
+    },
     defines: { ...look.defines, ...("strands" in look.uniforms ? { STRANDS: "" } : {}) },
     side: THREE.DoubleSide,
     blending: THREE.NoBlending,

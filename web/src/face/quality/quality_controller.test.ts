@@ -67,6 +67,22 @@ describe("the level of quality", () => {
     expect(changes[0]).toBeLessThan(6);
   });
 
+  it("is judged for seconds before anybody may draw less, and that once: also where nothing is fast enough", () => {
+    const slow: Machine = { lowest: 40, low: 60, medium: 90, high: 150 };
+    for (const machine of [STRONG, FAIR, WEAK, slow]) {
+      const qualityController = new QualityController("medium");
+      run(qualityController, machine, 2);
+      expect(qualityController.settled).toBe(false);
+      run(qualityController, machine, 60);
+      for (let second = 0; second < 60; second++) {
+        expect(qualityController.settled).toBe(true);
+        run(qualityController, machine, 1, { calm: second % 2 === 0 });
+      }
+      qualityController.forget();
+      expect(qualityController.settled).toBe(false);
+    }
+  });
+
   it("does not mind a slow display", () => {
     expect(run(new QualityController("medium"), STRONG, 60, { rate: 30 }).path).toEqual(["medium", "high"]);
   });

@@ -14,6 +14,8 @@ const PAUSE = 0.5;
 const PATIENCE = 2;
 /** Seconds of head-room at rest before the next level is tried. */
 const TRIAL = 4;
+/** Seconds after a change until a level has proved itself: whoever draws less from then on hides nothing. */
+const PROVED = 8;
 /** Seconds after a change in which frames are not judged: shaders are compiled, textures made. */
 const SETTLING = 1;
 /** How often a level may prove too much before it is not tried again. */
@@ -42,6 +44,7 @@ export class QualityController {
   private lateFor = 0;
   private spareFor = 0;
   private unjudged = SETTLING;
+  private unproved = PROVED;
   private readonly failures = new Map<Level, number>();
 
   constructor(public level: Level) {}
@@ -50,6 +53,7 @@ export class QualityController {
   after({ interval, early, calm }: FrameReport): Level {
     if (interval > PAUSE) return this.level;
     this.unjudged -= interval;
+    this.unproved -= interval;
     if (this.unjudged > 0) return this.level;
     this.keep(interval, early);
     if (this.intervals.length < FEWEST) return this.level;
@@ -60,9 +64,15 @@ export class QualityController {
     return this.level;
   }
 
+  /** Whether the level has proved itself since it was chosen: frames need not be drawn only to judge it. */
+  get settled(): boolean {
+    return this.unproved <= 0;
+  }
+
   /** Another size of picture: what proved too much may not be so now. */
   forget(): void {
     this.failures.clear();
+    this.unproved = PROVED;
     this.rest();
   }
 
@@ -91,6 +101,7 @@ export class QualityController {
   }
 
   private change(level: Level | undefined): void {
+    if (level !== undefined) this.unproved = PROVED;
     this.level = level ?? this.level;
     this.rest();
   }

@@ -9,7 +9,7 @@ import type { FramePacing } from "../scene/frame_pacing";
 import { CameraControl } from "./camera_control";
 import type { NeedleDrag } from "./needle_drag";
 import { NeedlePicker, type PickerCanvas, type Placing } from "./needle_picker";
-import { nudgeOf } from "./nudge_keys";
+import { nudgeOf, stepOf } from "./nudge_keys";
 
 /** Pixels that a pointer may tremble before a press becomes a drag. */
 const TREMBLE = { mouse: 3, touch: 8 } as const;
@@ -263,15 +263,15 @@ export class CanvasInput {
     ];
   }
 
-  // --- keys -----------------------------------------------------------------------------------------------------------
-
   private key(event: KeyboardEvent): void {
     const { canvas, pacing } = this.stage;
     if (ownerOf(event) !== "page") return;
     if (event.key === "Escape") this.abandon();
-    const step = nudgeOf(event);
     const focused = (canvas.getRootNode() as Document | ShadowRoot).activeElement === canvas;
-    if (step === undefined || !focused || event.ctrlKey || event.metaKey) return;
+    if (!focused || event.ctrlKey || event.metaKey) return;
+    const [by, step] = [stepOf(event), nudgeOf(event)];
+    if (by !== undefined) this.picker.step(by);
+    if (step === undefined) return;
     if (this.stage.editsFace ? !this.stage.handles?.nudge(...step) : !this.beginNudge()) return;
     event.preventDefault();
     pacing.moved(event.timeStamp);

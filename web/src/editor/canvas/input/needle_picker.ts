@@ -5,7 +5,7 @@ import type { Net } from "../../session/control_net";
 import type { DraftStore } from "../../session/draft_store";
 import type { Camera } from "../math/camera";
 import { hit } from "../math/hit_test";
-import type { Pair, Triple } from "../math/vectors";
+import { dot, type Pair, type Triple } from "../math/vectors";
 import type { Figure } from "../model/figure";
 import { lipsOf } from "../model/lip_coupling";
 import { NEEDLE, type Needle, needlesOn, picked, REACH, within } from "../model/needles";
@@ -15,6 +15,7 @@ import type { Viewports } from "../scene/viewports";
 import type { CameraControl } from "./camera_control";
 import type { HandleDrag } from "./handle_drag";
 import { type DragContext, NeedleDrag } from "./needle_drag";
+import { nextPlace } from "./nudge_keys";
 
 /** What the picker reads of the canvas. */
 export interface PickerCanvas {
@@ -86,6 +87,15 @@ export class NeedlePicker {
     const touch = event instanceof PointerEvent && event.pointerType === "touch";
     const skin = { positions: figure.live, triangles: surface.skin };
     return picked(this.needles(), camera, skin, at, touch ? REACH.touch : REACH.mouse);
+  }
+
+  /** Selects the next needle or handle that points this way, from the crown down, or the one before. */
+  step(by: -1 | 1): void {
+    const { store } = this.stage;
+    const back = this.camera()?.back ?? [0, 0, 1];
+    const seen = this.needles().filter(({ outward }) => dot(outward, back) > 0);
+    const place = nextPlace(seen, [...store.selection].at(-1), by);
+    if (place !== undefined && !store.dragging) store.select([place]);
   }
 
   /** Takes a needle, with all that is selected if it is; undefined where nothing may move. */

@@ -1,5 +1,7 @@
 /** Keys of the canvas. */
 
+import type { Triple } from "../math/vectors";
+
 /** Metres of a nudge, and of a fine one (Shift). */
 export const NUDGE = 0.0005;
 export const FINE_NUDGE = 0.0001;
@@ -10,6 +12,22 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowUp: [0, 1],
   ArrowDown: [0, -1],
 };
+
+/** Which way a key goes from needle to needle; undefined: it does not. */
+export const stepOf = ({ key }: Pick<KeyboardEvent, "key">): -1 | 1 | undefined =>
+  key === "," ? -1 : key === "." ? 1 : undefined;
+
+/** The place after (or before) the selected one, from the crown down, around at the end; undefined where there is none. */
+export function nextPlace(
+  needles: readonly { place: number; head: Triple }[],
+  selected: number | undefined,
+  by: -1 | 1,
+): number | undefined {
+  const down = [...needles].sort((a, b) => b.head[1] - a.head[1] || a.head[0] - b.head[0]);
+  const at = down.findIndex(({ place }) => place === selected);
+  const next = at < 0 ? (by > 0 ? 0 : -1) : (at + by) % Math.max(1, down.length);
+  return down.at(next)?.place;
+}
 
 /** Metres to the right, up and off the surface that a key means; undefined: none. */
 export function nudgeOf({

@@ -95,7 +95,7 @@ export class ExpressionScene {
   /** What all faces are to wear; each puts it on when the server has it. */
   dress(manifest: Manifest, wanted: WornExpression): void {
     this.wanted = wanted;
-    for (const member of this.onStage()) void this.fit(manifest, member);
+    for (const member of this.onStage()) this.fit(manifest, member).catch((error: unknown) => console.warn(error)); // it keeps what it wears
     this.changed = true;
   }
 

@@ -48,6 +48,8 @@ export class FaceScene {
   /** How far the pictures were from what the server made, when that came last, by label. */
   readonly differences = new Map<string, Difference>();
   private item = -1;
+  /** The item that was asked for last; -1: none, or it cannot be had. */
+  private awaited = -1;
   private look = "";
   private content = "";
   private shape: HandleDeform | undefined;
@@ -82,7 +84,16 @@ export class FaceScene {
   /** Shows a draft's content, made by a recipe; what is there stays until all of it has come. */
   async show(manifest: Manifest, item: number, content: string, recipe: FaceRecipe): Promise<void> {
     if (content === this.content && item === this.item) return;
-    this.content = content;
+    [this.content, this.awaited] = [content, item];
+    try {
+      await this.fetch(manifest, item, content, recipe);
+    } catch (error) {
+      if (content === this.content) this.awaited = -1;
+      throw error;
+    }
+  }
+
+  private async fetch(manifest: Manifest, item: number, content: string, recipe: FaceRecipe): Promise<void> {
     this.asset ??= loadHandles();
     const [{ document, positions }, asset] = await Promise.all([loadFace(manifest, content), this.asset]);
     const wear = async (expressions: readonly string[]): Promise<Float32Array> => {
@@ -101,6 +112,11 @@ export class FaceScene {
     this.arrival = { content, item, document, shape, under, handles, truths };
   }
 
+  /** Whether the item that was asked for last is still to come, while nothing or another one is shown. */
+  get awaits(): boolean {
+    return this.awaited >= 0 && (this.all.length === 0 || this.item !== this.awaited);
+  }
+
   /** Whether all pictures show what was asked for last, and nothing eases. */
   settled(time: number): boolean {
     const shown = this.all.length > 0 && this.all[0]?.source === this.content;
@@ -116,6 +132,7 @@ export class FaceScene {
   /** Forgets what is shown: the canvas is needed for something else. */
   leave(): void {
     [this.all, this.content, this.item, this.handles, this.under] = [[], "", -1, undefined, ""];
+    this.awaited = -1;
     [this.shape, this.arrival] = [undefined, undefined];
   }
 

@@ -3,6 +3,7 @@
 import { rowTriangles } from "../../../face/anatomy/topology";
 import type { DraftStore } from "../../session/draft_store";
 import { type Handles, namesOf } from "../../session/face_handles";
+import { showsMuscles } from "../../session/view_settings";
 import type { FacePainter, Lines } from "../draw/face_painter";
 import { HEAD, type NeedleRenderer, type NeedleState } from "../draw/needle_renderer";
 import type { Box } from "../math/boxes";
@@ -111,7 +112,7 @@ export class Overlay {
       this.wires ??= this.buildWires();
       this.painter.lines(this.wires, block, camera, EDGE_LIFT);
     }
-    if (store.options.muscles) {
+    if (showsMuscles(store)) {
       this.muscles ??= this.buildMuscles();
       this.painter.lines(this.muscles, block, camera, MUSCLE_LIFT);
     }

@@ -1,0 +1,187 @@
+"""Trackers: damaged packets of every protocol, and what four trackers at 60 Hz cost.
+
+* a million damaged packets of each protocol: none raises anything but a rejection, none puts NaN on air (issue 12,
+  item 1); of each packet some bytes are another, it is cut short, or it is noise;
+* a packet is on air with the next tick;
+* 52 channels at 60 Hz with head and gaze from four trackers, decoding and driving: at most 3 % of a core. Beside it
+  stands the cost of the same session without them, which is not in it. Times are of the processor, of one thread.
+
+`python -m benchmarks.trackers [--packets N] [--seconds S]`.
+"""
+
+from __future__ import annotations
+
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is loaded
+
+import argparse
+import sys
+import time
+from collections.abc import Callable
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+import omote
+from omote.inputs.trackers.arkit_names import ARKIT_NAMES
+from omote.inputs.trackers.face_text import encode_face_text
+from omote.inputs.trackers.live_link_face import encode_live_link_face
+from omote.inputs.trackers.tracker_input import TrackerInput
+from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
+from omote.inputs.trackers.vmc_messages import encode_vmc
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+
+RATE, BAR_CORE, HOST = 60, 0.03, "10.0.0.7"
+HEAD, GAZE = (0.2, -0.1, 0.05), (0.1, 0.05)
+PLAY_EVERY = 500
+"""Damaged packets between two ticks."""
+FOUR = ("vmc", "livelink", "ifacialmocap", "vtubestudio")
+
+Face = Callable[[float], list[bytes]]
+
+
+def weights_at(moment: float) -> dict[str, float]:
+    """Weights that all move."""
+    return {name: 0.5 + 0.5 * float(np.sin(moment + index)) for index, name in enumerate(ARKIT_NAMES)}
+
+
+def phone_face(moment: float) -> list[bytes]:
+    """A frame of VTube Studio."""
+    shapes = ",".join(f'{{"k":"{name}","v":{value:.6f}}}' for name, value in weights_at(moment).items())
+    turn = '{"x":3.5,"y":9.1,"z":0.5}'
+    return [
+        f'{{"Timestamp":1,"FaceFound":true,"Rotation":{turn},"EyeLeft":{turn},"EyeRight":{turn},'
+        f'"BlendShapes":[{shapes}]}}'.encode()
+    ]
+
+
+def open_see_face(moment: float) -> list[bytes]:
+    """A record of OpenSeeFace that fits, with features that move."""
+    record = bytearray(1785)
+    record[28] = 1
+    record[33:49] = np.array([0.7071, -0.7071, 0.0, 0.05], "<f4").tobytes()
+    record[1729:] = np.sin(moment + np.arange(14)).astype("<f4").tobytes()
+    return [bytes(record)]
+
+
+def link_face(moment: float) -> list[bytes]:
+    """A packet of Live Link Face."""
+    weights = list(weights_at(moment).values())
+    return [encode_live_link_face(weights, HEAD, GAZE, device="D" * 36, subject="Phone", frame=int(60 * moment))]
+
+
+def text_face(moment: float) -> list[bytes]:
+    """A frame of iFacialMocap."""
+    return [encode_face_text(weights_at(moment), HEAD, GAZE)]
+
+
+def vmc_face(moment: float) -> list[bytes]:
+    """The packets of VMC."""
+    return encode_vmc(weights_at(moment), HEAD, GAZE, moment)
+
+
+def mediapipe_face(moment: float) -> list[bytes]:
+    """A result of MediaPipe."""
+    named = weights_at(moment).items()
+    categories = ",".join(f'{{"score":{value:.6f},"categoryName":"{name}"}}' for name, value in named)
+    return [f'{{"faceBlendshapes":[{{"categories":[{categories}]}}]}}'.encode()]
+
+
+FACES: dict[str, Face] = {
+    "vmc": vmc_face, "vmc-performer": vmc_face, "livelink": link_face, "ifacialmocap": text_face,
+    "facemotion3d": text_face, "openseeface": open_see_face, "vtubestudio": phone_face, "meowface": phone_face,
+    "mediapipe": mediapipe_face,
+}  # fmt: skip
+
+
+def damage(packet: bytes, generator: np.random.Generator) -> bytes:
+    """A packet with some bytes changed, or cut short, or noise."""
+    kind = generator.integers(10)
+    if kind == 0:
+        return packet[: int(generator.integers(len(packet)))]
+    if kind == 1:
+        return generator.bytes(int(generator.integers(1, 200)))
+    damaged = bytearray(packet)
+    for place in generator.integers(0, len(damaged), generator.integers(1, 4)):
+        damaged[place] = generator.integers(256)
+    return bytes(damaged)
+
+
+def play_damaged(cast: omote.Cast, name: str, count: int) -> tuple[int, int, int]:
+    """Damaged packets of a protocol: how many were rejected, raised something else, and put on air what is no
+    number."""
+    session, generator = ShowSession(cast), np.random.default_rng(12)
+    trackers, golden = TrackerInput(TRACKER_PROTOCOLS[name], lambda: session), FACES[name](0.0)
+    raised = wrong = 0
+    for index in range(count):
+        packet = damage(golden[index % len(golden)], generator)
+        now = index / PLAY_EVERY / RATE
+        try:
+            trackers.receive(HOST, packet, now)
+            if index % PLAY_EVERY == 0:
+                trackers.play(now)
+                character = next(iter(session.tick(now).characters.values()))
+                wrong += not np.isfinite([*character.channels.values(), *character.head, *character.gaze]).all()
+        except Exception as error:
+            raised += 1
+            sys.stderr.write(f"{name}: {error!r}\n")
+    return trackers.rejected, raised, wrong
+
+
+def is_on_air_at_once(cast: omote.Cast, name: str) -> bool:
+    """Whether the packets of one frame are on air with the tick after them."""
+    session = ShowSession(cast)
+    trackers = TrackerInput(TRACKER_PROTOCOLS[name], lambda: session)
+    session.tick(0.0)
+    for packet in FACES[name](1.0):
+        trackers.receive(HOST, packet, 0.0)
+    trackers.play(0.0)
+    character = next(iter(session.tick(1.0 / RATE).characters.values()))
+    return bool(character.layers) and character.layers["tracker"].share > 0.0
+
+
+def share_of_core(cast: omote.Cast, seconds: float) -> dict[str, float]:
+    """The part of a core that each of four trackers takes, each driving a character of its own."""
+    session = ShowSession(cast)
+    session.receive("console", wire.Hello("console", wire.PROTOCOL_VERSION, "console"), 0.0)
+    inputs = {name: TrackerInput(TRACKER_PROTOCOLS[name], lambda: session) for name in FOUR}
+    frames = {name: [FACES[name](0.1 * moment) for moment in range(RATE)] for name in FOUR}
+    taken = dict.fromkeys(FOUR, 0.0)
+    for tick in range(round(seconds * RATE)):
+        for name, trackers in inputs.items():
+            begun = time.thread_time()
+            for packet in frames[name][tick % RATE]:
+                trackers.receive(HOST, packet, tick / RATE)
+            trackers.play(tick / RATE)
+            taken[name] += time.thread_time() - begun
+        session.tick(tick / RATE)
+    return {name: each / seconds for name, each in taken.items()}
+
+
+def main() -> int:
+    """Prints the figures; returns 1 where one is not reached."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--packets", type=int, default=1_000_000)
+    parser.add_argument("--seconds", type=float, default=20.0)
+    options, cast = parser.parse_args(), omote.load_cast()
+    table = Table("protocol", "damaged", "rejected", "raised", "no number", "on air at once")
+    good = True
+    for name in TRACKER_PROTOCOLS:
+        rejected, raised, wrong = play_damaged(cast, name, options.packets)
+        at_once = is_on_air_at_once(cast, name)
+        good = good and not raised and not wrong and at_once
+        table.add_row(name, f"{options.packets:,}", f"{rejected:,}", str(raised), str(wrong), str(at_once))
+    shares = share_of_core(cast, options.seconds)
+    console = Console()
+    console.print(table)
+    parts = ", ".join(f"{name} {100 * share:.2f} %" for name, share in shares.items())
+    total = sum(shares.values())
+    console.print(f"four trackers: {100 * total:.2f} % of a core ({parts}); at most {100 * BAR_CORE:.0f} %")
+    return 0 if good and total <= BAR_CORE else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

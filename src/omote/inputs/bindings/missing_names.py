@@ -1,0 +1,33 @@
+"""Bindings whose face, expression, channel or character is not there now: they wait until the name comes back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from omote.inputs.bindings.control_binding import Binding
+from omote.inputs.osc_orders import OrderReader
+from omote.inputs.osc_packet import Argument, OscMessage
+
+
+def list_missing(bindings: Iterable[Binding], reader: OrderReader) -> list[str]:
+    """For each binding what it names that there is not, in words; "" where all is there.
+
+    reader: of the cast and the characters of the show.
+    """
+    found: dict[tuple[str, tuple[Argument, ...]], str] = {}
+    reasons = []
+    for binding in bindings:
+        target = binding.target
+        asked = target.path, tuple(value.low for value in target.values) or target.arguments
+        if asked not in found:
+            found[asked] = "" if target.bank is not None else _why_missing(OscMessage(*asked), reader)
+        reasons.append(found[asked])
+    return reasons
+
+
+def _why_missing(message: OscMessage, reader: OrderReader) -> str:
+    try:
+        reader.read(message, "")
+    except ValueError as error:
+        return str(error).removeprefix(f"{message.address}: ")
+    return ""

@@ -1,0 +1,1 @@
+"""What is on air, for other programs that draw faces."""

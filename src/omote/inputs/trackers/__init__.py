@@ -1,0 +1,1 @@
+"""Decoders of what face trackers send."""

@@ -1,0 +1,93 @@
+"""The protocols of trackers: one entry each, from which options, sockets, pages and the manual are made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from omote.inputs.trackers.face_text import FACEMOTION3D_START, IFACIALMOCAP_START, decode_face_text
+from omote.inputs.trackers.live_link_face import decode_live_link_face
+from omote.inputs.trackers.mediapipe_frame import decode_mediapipe
+from omote.inputs.trackers.open_see_face import decode_open_see_face
+from omote.inputs.trackers.phone_frame import decode_phone_frame, request_frames
+from omote.inputs.trackers.tracker_frame import Decode
+from omote.inputs.trackers.vmc_messages import open_vmc
+
+MEDIAPIPE_PATH = "/mediapipe"
+Ask = Callable[[int], bytes]
+"""What asks a phone for frames at a port of ours."""
+
+
+@dataclass(frozen=True)
+class TrackerProtocol:
+    """A protocol. name: as options spell it; title: as people know it; port: of UDP, where it is heard, None where it
+    comes by a WebSocket at the port of the pages.
+
+    advice: what to do at the sender, with `{host}` and `{port}` of this machine. phone_port, ask: where a phone hears
+    what asks it for frames, and what does; None where nothing is asked.
+    """
+
+    name: str
+    title: str
+    port: int | None
+    advice: str
+    open: Callable[[], Decode]
+    phone_port: int | None = None
+    ask: Ask | None = None
+
+
+def _stateless(decode: Decode) -> Callable[[], Decode]:
+    return lambda: decode
+
+
+_PHONE = "in the app type the address {host}, or name the phone here: --listen {name}@PHONE"
+_ALL = (
+    TrackerProtocol(
+        "vmc", "VMC", 39539, "in the sender choose VMC (OSC) to the address {host} and the port {port}", open_vmc
+    ),
+    TrackerProtocol(
+        "vmc-performer", "VMC performer", 39540,
+        "in the tracker choose VMC as an assistant, to the address {host} and the port {port}", open_vmc,
+    ),
+    TrackerProtocol(
+        "livelink", "Live Link Face", 11111,
+        "in the app choose the mode Live Link (ARKit), then as a target type {host} and the port {port}",
+        _stateless(decode_live_link_face),
+    ),
+    TrackerProtocol(
+        "ifacialmocap", "iFacialMocap", 49983, _PHONE, _stateless(decode_face_text), 49983,
+        lambda _: IFACIALMOCAP_START,
+    ),
+    TrackerProtocol(
+        "facemotion3d", "Facemotion3D", 49993, _PHONE, _stateless(decode_face_text), 49993,
+        lambda _: FACEMOTION3D_START,
+    ),
+    TrackerProtocol(
+        "openseeface", "OpenSeeFace", 11573, "run facetracker.py with --ip {host} --port {port}",
+        _stateless(decode_open_see_face),
+    ),
+    TrackerProtocol(
+        "vtubestudio", "VTube Studio", 11125,
+        "in the app turn 3rd Party PC Clients on, and name the phone here: --listen {name}@PHONE",
+        _stateless(decode_phone_frame), 21412, request_frames,
+    ),
+    TrackerProtocol(
+        "meowface", "MeowFace", 12345,
+        "in the app type the address {host} and the port {port}, or name the phone here: --listen {name}@PHONE",
+        _stateless(decode_phone_frame), 21412, request_frames,
+    ),
+    TrackerProtocol(
+        "mediapipe", "MediaPipe", None,
+        "send each result of the face landmarker as JSON by WebSocket to the show's own address and " + MEDIAPIPE_PATH,
+        _stateless(decode_mediapipe),
+    ),
+)  # fmt: skip
+TRACKER_PROTOCOLS: Mapping[str, TrackerProtocol] = MappingProxyType({each.name: each for each in _ALL})
+"""Every protocol, by the name that options spell."""
+TRACKER_TITLES = tuple(each.title for each in _ALL)
+
+
+def advise(protocol: TrackerProtocol, host: str, port: int | None) -> str:
+    """What to do at a sender of a protocol. host: this machine's address, as the sender reaches it."""
+    return protocol.advice.format(host=host, port=port, name=protocol.name)

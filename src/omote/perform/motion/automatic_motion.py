@@ -1,0 +1,184 @@
+"""The automatic motion of a character: all that it does by itself, as frames for the layers blink, gaze and breath."""
+
+from __future__ import annotations
+
+from collections.abc import Container
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from omote.perform.frame import Gaze, Head, MotionSettings
+from omote.perform.layers.follower import rate_of, steps_of
+from omote.perform.layers.layer_names import RANGES, LayerName
+from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
+from omote.perform.limits import FOREVER, GAZE_LIMITS, check_within
+from omote.perform.motion.blinks import Blinks, advance_blinks, begin_blink, lid_closure
+from omote.perform.motion.breathing import (
+    BREATH_CHANNELS,
+    BREATH_PITCH,
+    NOISE_CHANNELS,
+    NOISE_HEAD,
+    NOISES,
+    Breath,
+    advance_breath,
+    air,
+    noise,
+)
+from omote.perform.motion.gaze_motion import GazeMotion, advance_gaze, looked_at
+from omote.perform.motion.head_following import AHEAD, FollowingHead, Turn, follow_gaze
+
+LIDS = ("eyeBlinkLeft", "eyeBlinkRight")
+MOST_OFFSET = RANGES["offset"][1]
+SHORTEST_SPAN, FARTHEST, DEEPEST = 1e-3, 8.0, 4.0 + 1e-6
+DEPTH_SECONDS = 1.0
+"""In which breath and noise follow what is set."""
+MOTION_LAYERS: tuple[LayerName, ...] = ("breath", "gaze", "blink")
+
+
+@dataclass(frozen=True)
+class AutomaticMotion:
+    """What a character does by itself. time: seconds since it began; depth: of breath and noise, after both filters."""
+
+    settings: MotionSettings = field(default_factory=MotionSettings)
+    time: float = 0.0
+    blinks: Blinks = field(default_factory=Blinks)
+    gaze: GazeMotion = field(default_factory=GazeMotion)
+    head: FollowingHead = field(default_factory=FollowingHead)
+    breath: Breath = field(default_factory=Breath)
+    depth: tuple[float, float] = (0.0, 0.0)
+
+
+def set_motion(motion: AutomaticMotion, settings: MotionSettings) -> AutomaticMotion:
+    """The motion under other settings: what shows goes on from where it is."""
+    return replace(motion, settings=settings)
+
+
+def check_motion(motion: AutomaticMotion | None) -> AutomaticMotion | None:
+    """Returns a motion that was read; ValueError where none can be so."""
+    if motion is None:
+        return None
+    check_within(motion.time, 0.0, FOREVER, "the time of the automatic motion (seconds)")
+    blinks, gaze, breath = motion.blinks, motion.gaze, motion.breath
+    check_within(blinks.depth, 0.0, 1.0, "the depth of a blink")
+    spans = blinks.down, blinks.up, breath.seconds, gaze.saccade.seconds
+    for seconds in spans:
+        check_within(seconds, SHORTEST_SPAN, FOREVER, "a span of the automatic motion (seconds)")
+    turns = gaze.seen, gaze.saccade.origin, gaze.saccade.goal, motion.head.first, motion.head.second
+    for turn in turns:
+        for angle in (turn.yaw, turn.pitch):
+            check_within(angle, -FARTHEST, FARTHEST, "an angle of the automatic motion (radians)")
+    for depth in motion.depth:
+        check_within(depth, 0.0, DEEPEST, "the depth of the breath")
+    for at in (blinks.began, blinks.due, gaze.spell, gaze.fixation, gaze.saccade.began, breath.began):
+        check_within(at, -FOREVER, FOREVER, "a time of the automatic motion (seconds)")
+    return motion
+
+
+def advance_motion(
+    motion: AutomaticMotion, dt: float, *, seen: Turn = AHEAD, speaking: bool = False
+) -> AutomaticMotion:
+    """The motion `dt` seconds later.
+
+    Parameters
+    ----------
+    motion : AutomaticMotion
+        As it is.
+    dt : float
+        Seconds, 0 or more.
+    seen : Turn
+        The direction of what is looked at, from the body, radians.
+    speaking : bool
+        Whether the character speaks: it blinks oftener then, and most of all when it ends.
+
+    Returns
+    -------
+    AutomaticMotion
+        Frozen; the same motion and steps give the same bits.
+    """
+    settings, now = motion.settings, motion.time + dt
+    gaze = advance_gaze(motion.gaze, settings.seed, now, seen, reach=settings.reach)
+    blinks = advance_blinks(motion.blinks, settings.seed, now, dt, rate=settings.blink_rate, speaking=speaking)
+    if gaze.lids and settings.blink_rate > 0.0:
+        blinks = begin_blink(blinks, settings.seed, now, whole=True)
+    head = follow_gaze(motion.head, looked_at(gaze, now), dt)
+    breath = advance_breath(motion.breath, settings.seed, now)
+    return AutomaticMotion(settings, now, blinks, gaze, head, breath, _followed(motion.depth, settings.depth, dt))
+
+
+def motion_frames(motion: AutomaticMotion, names: Container[str]) -> dict[LayerName, SourceFrame]:
+    """What the layers show now.
+
+    Parameters
+    ----------
+    motion : AutomaticMotion
+        The motion.
+    names : container of str
+        The channels that there are; what acts on others is left out.
+
+    Returns
+    -------
+    dict of SourceFrame
+        One for each of the layers breath, gaze and blink; empty without liveliness.
+    """
+    if motion.settings.liveliness == 0.0:
+        return {}
+    has = tuple(name for name in _CHANNELS if name in names)
+    lids = tuple(name for name in LIDS if name in names)
+    shut = lid_closure(motion.blinks, motion.time)
+    return {
+        "breath": SourceFrame(has, _breath_values(motion, has), _breath_head(motion), source=AUTOMATIC, direct=True),
+        "gaze": _gaze_frame(motion),
+        "blink": SourceFrame(lids, np.full(len(lids), shut), source=AUTOMATIC, direct=True),
+    }
+
+
+def _gaze_frame(motion: AutomaticMotion) -> SourceFrame:
+    """Eyes and head: the eyes turn back by what the head has come (the vestibulo-ocular reflex).
+
+    The layer replaces what lies below, so that the head has breath and noise in it here too.
+    """
+    head, drawn = motion.head.second, _breath_head(motion)
+    eyes = looked_at(motion.gaze, motion.time) - head
+    gaze = Gaze(_within(eyes.yaw, GAZE_LIMITS["yaw"]), _within(eyes.pitch, GAZE_LIMITS["pitch"]))
+    return SourceFrame(
+        (),
+        np.zeros(0),
+        Head(head.yaw + drawn.yaw, head.pitch + drawn.pitch, drawn.roll),
+        gaze,
+        source=AUTOMATIC,
+        direct=True,
+    )
+
+
+def _within(angle: float, limit: float) -> float:
+    return min(max(angle, -limit), limit)
+
+
+_CHANNELS = tuple(sorted({*BREATH_CHANNELS, *NOISE_CHANNELS}))
+
+
+def _breath_values(motion: AutomaticMotion, names: tuple[str, ...]) -> np.ndarray:
+    depth, drawn = motion.depth[1], air(motion.breath, motion.time)
+    moved = [noise(motion.settings.seed, kind, motion.time) for kind in range(NOISES)]
+    added = [
+        BREATH_CHANNELS.get(name, 0.0) * drawn + moved[kind] * far
+        for name in names
+        for kind, far in [NOISE_CHANNELS.get(name, (0, 0.0))]
+    ]
+    return np.array([_within(depth * value, MOST_OFFSET) for value in added])
+
+
+def _breath_head(motion: AutomaticMotion) -> Head:
+    depth, seed, now = motion.depth[1], motion.settings.seed, motion.time
+    yaw, pitch, roll = (depth * far * noise(seed, NOISES + at, now) for at, far in enumerate(NOISE_HEAD))
+    return Head(yaw, pitch + depth * BREATH_PITCH * air(motion.breath, now), roll)
+
+
+def _followed(depth: tuple[float, float], goal: float, dt: float) -> tuple[float, float]:
+    """Two filters in a row, as in `layers.follower`."""
+    first, second = depth
+    for step in steps_of(dt):
+        z = rate_of(DEPTH_SECONDS) * step
+        left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
+        first, second = goal + (first - goal) * left, goal + ((second - goal) + (first - goal) * z) * left
+    return first, second

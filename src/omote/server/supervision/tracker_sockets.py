@@ -1,0 +1,114 @@
+"""Opens the sockets of trackers: what the operator types after `--listen`, one socket of UDP for each protocol."""
+
+from __future__ import annotations
+
+import errno
+import socket
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from omote.inputs.face_output.face_target import FaceTarget
+from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS, TrackerProtocol, advise
+from omote.interchange.formats.error_reasons import explain_error
+from omote.perform.limits import check_known
+from omote.server.access.show_addresses import own_address
+
+HIGHEST_PORT = 65535
+OPTION = "--tracker-"
+"""What stands before a protocol's name in the option of a standby that takes its socket."""
+
+
+@dataclass(frozen=True)
+class TrackerWish:
+    """A protocol that is to be heard, at a port of UDP. phone: the address of one that is asked for frames, or ""."""
+
+    protocol: TrackerProtocol
+    port: int | None
+    phone: str = ""
+
+    @property
+    def word(self) -> str:
+        """The wish as it is typed."""
+        port = "" if self.port is None else f":{self.port}"
+        return f"{self.protocol.name}{port}" + (f"@{self.phone}" if self.phone else "")
+
+
+def read_trackers(text: str) -> tuple[TrackerWish, ...]:
+    """The protocols of a list as it is typed, `vmc,livelink:11112,ifacialmocap@192.168.1.30`; none for ""; ValueError
+    with what is wrong."""
+    wishes = [_read_wish(word.strip()) for word in text.split(",")] if text.strip() else []
+    names = [wish.protocol.name for wish in wishes]
+    if len(set(names)) != len(names):
+        raise ValueError(f"{text[:80]!r} names a tracker twice; name each once")
+    return tuple(wishes)
+
+
+def _read_wish(word: str) -> TrackerWish:
+    where, at, phone = word.partition("@")
+    name, colon, port = where.partition(":")
+    protocol = TRACKER_PROTOCOLS[check_known(name.strip().lower(), TRACKER_PROTOCOLS, "tracker")]
+    if at and protocol.ask is None:
+        raise ValueError(f"{protocol.title} asks no phone; write {name} without @{phone[:40]}")
+    if at and not phone.strip():
+        raise ValueError(f"{word[:60]!r} names no phone; give its address, such as {name}@192.168.1.30")
+    if colon and protocol.port is None:
+        raise ValueError(f"{protocol.title} comes to the port of the pages; write {name} without :{port[:10]}")
+    if colon and not (port.isascii() and port.isdecimal() and int(port[:9]) <= HIGHEST_PORT):
+        raise ValueError(f"{word[:60]!r} has no port; give a number, such as {name}:{protocol.port}")
+    return TrackerWish(protocol, int(port) if colon else protocol.port, phone.strip())
+
+
+def find_phones(wishes: Iterable[TrackerWish]) -> tuple[TrackerWish, ...]:
+    """The same with phones by their numeric addresses; OSError with a message where one has none."""
+    return tuple(replace(wish, phone=find_host(wish.phone)) if wish.phone else wish for wish in wishes)
+
+
+def find_receivers(targets: Iterable[FaceTarget]) -> tuple[FaceTarget, ...]:
+    """The same with receivers by their numeric addresses, which no tick looks up; OSError with a message where one has
+    none."""
+    return tuple(replace(target, host=find_host(target.host)) for target in targets)
+
+
+def find_host(name: str) -> str:
+    """The numeric address of a host; OSError with a message where it has none."""
+    try:
+        return socket.gethostbyname(name)
+    except (OSError, UnicodeError) as error:
+        raise OSError(f"no address of {name[:60]} is known: type the one of its network settings.") from error
+
+
+def listen_for_trackers(wishes: Iterable[TrackerWish]) -> dict[str, socket.socket]:
+    """A socket for each protocol, by its name; OSError with a message where one cannot be had. They are bound to all
+    addresses: who is heard, the list of allowed senders decides."""
+    opened: dict[str, socket.socket] = {}
+    try:
+        for wish in (each for each in wishes if each.protocol.port is not None):
+            opened[wish.protocol.name] = _listen(wish)
+    except OSError:
+        for each in opened.values():
+            each.close()
+        raise
+    return opened
+
+
+def _listen(wish: TrackerWish) -> socket.socket:
+    datagrams, port = socket.socket(socket.AF_INET, socket.SOCK_DGRAM), wish.port or 0
+    try:
+        datagrams.bind(("", port))
+    except OSError as error:
+        datagrams.close()
+        taken = "another program has it" if error.errno == errno.EADDRINUSE else explain_error(error)
+        raise OSError(
+            f"port {port} cannot be opened for {wish.protocol.title} ({taken}): end that, or name another, "
+            f"--listen {wish.protocol.name}:{port + 1}."
+        ) from error
+    return datagrams
+
+
+def explain_trackers(sockets: Mapping[str, socket.socket]) -> list[str]:
+    """A line for each protocol that is heard: its port, and what to do at the sender."""
+    return [
+        f"{protocol.title}: port {port}; {advise(protocol, own_address() or '127.0.0.1', port)}"
+        for name, each in sockets.items()
+        for protocol, port in [(TRACKER_PROTOCOLS[name], each.getsockname()[1])]
+    ]

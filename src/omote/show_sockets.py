@@ -1,0 +1,80 @@
+"""The sockets of what plays a show, as the options of `omote show` ask for them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from omote.terminal import fail, fail_with, say
+
+if TYPE_CHECKING:
+    from omote.server.devices.osc_listener import OscSockets
+    from omote.server.supervision.device_sockets import DeviceOptions, DeviceSockets
+
+OSC_PORT, OFF = 9000, -1
+
+
+def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "", send: str = "") -> DeviceOptions:
+    """What the operator asks for of devices, validated; ends the command where it cannot be."""
+    from omote.inputs.allowed_senders import read_senders
+    from omote.inputs.face_output.face_target import read_targets
+    from omote.server.supervision.device_sockets import DeviceOptions, read_universes
+    from omote.server.supervision.tracker_sockets import find_phones, find_receivers, read_trackers
+
+    try:
+        wishes, targets = find_phones(read_trackers(listen)), find_receivers(read_targets(send))
+        universes = read_universes(sacn)
+        if allow:
+            read_senders(allow)
+        if bindings is not None:
+            from omote.server.supervision.device_sources import load_bindings
+
+            load_bindings(bindings)
+    except (OSError, ValueError) as error:
+        fail_with(error)
+    path = "" if bindings is None else str(bindings.resolve())
+    words, sent = ",".join(wish.word for wish in wishes), ",".join(target.word for target in targets)
+    for target in targets:
+        if target.host.startswith("127.") and target.port in (wish.port for wish in wishes):
+            fail(f"{target.word} would send the show its own face; name another port.")
+    return DeviceOptions(universes=universes, allow=allow, bindings=path, listen=words, send=sent)
+
+
+def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int) -> DeviceSockets:
+    """The sockets that were asked for; ends the command where one cannot be had. Without any (`OFF`, None for OSC at
+    its usual port) there is none."""
+    from omote.server.supervision.device_sockets import DeviceSockets, listen_for_artnet, listen_for_sacn
+    from omote.server.supervision.listening_socket import listen_for_osc
+    from omote.server.supervision.tracker_sockets import listen_for_trackers, read_trackers
+
+    try:
+        return DeviceSockets(
+            None if osc in (None, OFF) else listen_for_osc(host, osc or 0),
+            listen_for_sacn(host, options.universes) if options.universes else None,
+            None if artnet == OFF else listen_for_artnet(host, artnet),
+            listen_for_trackers(read_trackers(options.listen)),
+        )
+    except OSError as error:
+        fail_with(error)
+
+
+def open_usual_osc(host: str) -> OscSockets | None:
+    """The sockets of OSC at its usual port; None, with a word, where another program has that."""
+    from omote.server.supervision.listening_socket import listen_for_osc
+
+    try:
+        return listen_for_osc(host, OSC_PORT)
+    except OSError as error:
+        say(f"OSC is off: {error}")
+        return None
+
+
+def print_trackers(trackers: Sequence[str], allow: str) -> None:
+    """Prints a line for each tracker that is heard: its port, and what to do at its sender."""
+    for line in trackers:
+        typer.echo(f"  tracker  {line}")
+    if trackers and not allow:
+        say("trackers on other machines and phones are not heard: --allow 192.168.1.0/24 lets a network play.")

@@ -1,0 +1,35 @@
+"""What a binding names is there or not, and it is said what."""
+
+from omote.inputs.bindings.control_binding import Binding
+from omote.inputs.bindings.missing_names import list_missing
+from omote.inputs.bindings.target import read_target
+from omote.inputs.osc_orders import OrderReader
+from tests import synthetic
+
+TARGETS = {
+    "/omote/one/face": ("broad",),
+    "/omote/*/expression": ("grin",),
+    "/omote/two/panic": (),
+    "/omote/one/channel/jawOpen": (),
+    "/omote/one/channel/grin": (),
+    "/omote/one/fade/face": (),
+    "/omote/framing": ("one+two",),
+    "bank:b": (),
+}
+BINDINGS = [Binding("pad", str(at), read_target(path, given)) for at, (path, given) in enumerate(TARGETS.items())]
+
+
+def missing(*characters: str) -> dict[str, str]:
+    reasons = list_missing(BINDINGS, OrderReader(synthetic.cast(), characters))
+    return {path: reason for path, reason in zip(TARGETS, reasons, strict=True) if reason}
+
+
+def test_what_is_not_there_is_named() -> None:
+    found = missing("one")
+    assert set(found) == {"/omote/*/expression", "/omote/two/panic", "/omote/one/channel/grin", "/omote/framing"}
+    assert found["/omote/*/expression"].startswith("there is no expression 'grin' in this cast")
+    assert found["/omote/two/panic"] == "there is no character 'two'; there is one, and * for all"
+
+
+def test_what_is_there_again_plays_again() -> None:
+    assert set(missing("one", "two")) == {"/omote/*/expression", "/omote/one/channel/grin"}

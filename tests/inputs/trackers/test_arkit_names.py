@@ -1,0 +1,39 @@
+"""Names of coefficients: every carrier's spelling finds the same channel."""
+
+import pytest
+
+from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS, ARKIT_NAMES, BOTH_SIDES, ChannelNames, plain_spelling
+from omote.model.action_units import ARKIT
+
+
+def spellings(name: str) -> list[str]:
+    """A name as MediaPipe, VMC, Live Link Face and iFacialMocap spell it."""
+    short = name.removesuffix("Left") + "_L" if name.endswith("Left") else name
+    short = name.removesuffix("Right") + "_R" if name.endswith("Right") else short
+    return [name, name[0].upper() + name[1:], name.lower(), short if name not in ("jawLeft", "mouthLeft") else name]
+
+
+def test_there_are_the_52_of_arkit() -> None:
+    assert len(set(ARKIT_NAMES)) == 52
+    sides = {name.removesuffix("Left").removesuffix("Right") for name in ARKIT_NAMES}
+    assert sides > {name.removesuffix("Left").removesuffix("Right") for name in ARKIT}
+
+
+@pytest.mark.parametrize("name", ARKIT_NAMES)
+def test_each_is_found_by_every_spelling(name: str) -> None:
+    assert {ARKIT_CHANNELS.find(spelling) for spelling in spellings(name)} == {(name,)}
+
+
+def test_no_two_are_spelled_alike() -> None:
+    assert len({plain_spelling(name) for name in ARKIT_NAMES}) == 52
+    assert not {plain_spelling(name) for name in ARKIT_NAMES} & set(BOTH_SIDES)
+
+
+def test_a_cast_s_own_channels_are_found_too_and_what_it_lacks_is_not() -> None:
+    names = ChannelNames(["jawOpen", "earUp_L", "eyeBlinkLeft"])
+    assert names.find("JAWOPEN") == ("jawOpen",)
+    assert names.find("earUpLeft") == ("earUp_L",)
+    assert names.find("tongueOut") == ()
+    assert names.find("Blink") == ("eyeBlinkLeft",)
+    assert names.find("browInnerUpLeft") == ()
+    assert names.find("") == ()

@@ -1,0 +1,219 @@
+"""Trackers at a session: each is a source, drives by its newest frame, keeps what it does not say, and may be lost."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from omote.inputs.osc_packet import encode_bundle, encode_message
+from omote.inputs.trackers.face_text import encode_face_text
+from omote.inputs.trackers.tracker_input import MOST_PERFORMERS, TrackerInput
+from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
+from omote.inputs.trackers.vmc_messages import encode_vmc
+from omote.model.cast import Cast
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+from tests.inputs.trackers.packets import live_link_face, open_see_face
+
+TICK = 1.0 / 60.0
+HOST = "10.0.0.7"
+PHONE = (
+    b'{"FaceFound":true,"Rotation":{"x":1,"y":2,"z":3},"BlendShapes":[{"k":"JawOpen","v":0.25},{"k":"smile","v":1}]}'
+)
+
+
+class Stage:
+    """A session with one character, trackers of a protocol, and a clock."""
+
+    def __init__(self, cast: Cast, protocol: str) -> None:
+        self.session, self.now = ShowSession(cast), 0.0
+        self.trackers = TrackerInput(TRACKER_PROTOCOLS[protocol], lambda: self.session)
+        self.session.receive("console", wire.Hello("console", wire.PROTOCOL_VERSION, "console"), 0.0)
+
+    def play(self, seconds: float, *packets: bytes, host: str = HOST) -> wire.State:
+        for _ in range(max(1, round(seconds / TICK))):
+            for packet in packets:
+                self.trackers.receive(host, packet, self.now)
+            self.trackers.play(self.now)
+            self.now += TICK
+            state = self.session.tick(self.now)
+        return state
+
+    def sources(self) -> list[wire.SourceState]:
+        return self.session.sources.states({})
+
+
+def apply(**values: float) -> bytes:
+    messages = [encode_message("/VMC/Ext/Blend/Val", name, value) for name, value in values.items()]
+    return encode_bundle([*messages, encode_message("/VMC/Ext/Blend/Apply")])
+
+
+FACES: dict[str, Callable[[], bytes]] = {
+    "vmc": lambda: apply(JawOpen=0.5, Smile=1.0),
+    "livelink": lambda: live_link_face([0.5 if index == 17 else 0.0 for index in range(61)]),
+    "ifacialmocap": lambda: encode_face_text({"jawOpen": 0.5}, (0.1, 0.0, 0.0), (0.0, 0.0)),
+    "facemotion3d": lambda: encode_face_text({"jawOpen": 0.5}, (0.1, 0.0, 0.0), (0.0, 0.0)),
+    "openseeface": lambda: open_see_face(features={"mouth_open": 0.5}),
+    "vtubestudio": lambda: PHONE,
+    "meowface": lambda: PHONE,
+    "mediapipe": lambda: b'{"faceBlendshapes":[{"categories":[{"score":0.5,"categoryName":"jawOpen"}]}]}',
+    "vmc-performer": lambda: apply(jawopen=0.5),
+}
+
+
+def test_there_is_a_packet_of_every_protocol() -> None:
+    assert set(FACES) == set(TRACKER_PROTOCOLS)
+
+
+@pytest.mark.parametrize("protocol", TRACKER_PROTOCOLS)
+def test_a_packet_is_on_air_with_the_next_tick(cast: Cast, protocol: str) -> None:
+    stage = Stage(cast, protocol)
+    state = stage.play(0.0, FACES[protocol]())
+    assert stage.trackers.rejected == 0
+    assert state.characters["one"].layers["tracker"].strongest["jawOpen"] > 0.0
+    assert state.characters["one"].layers["tracker"].source == stage.sources()[0].name
+
+
+def test_channels_of_the_cast_s_own_are_played_by_their_names(cast: Cast) -> None:
+    stage = Stage(cast, "vmc")
+    state = stage.play(4.0, apply(SMILE=0.75, Unknown=1.0))
+    assert state.characters["one"].channels["smile"] == pytest.approx(0.75, abs=1e-3)
+    assert stage.trackers.values() == {"smile": 0.75}
+    assert stage.trackers.newest == f"VMC {HOST}: smile 0.75"
+
+
+def test_what_a_frame_lacks_stays_as_it_was(cast: Cast) -> None:
+    stage = Stage(cast, "ifacialmocap")
+    stage.play(0.0, b"jawOpen&40|smile&10|")
+    stage.play(0.0, b"smile&20|")
+    assert stage.trackers.values() == pytest.approx({"jawOpen": 0.4, "smile": 0.2})
+    assert len(stage.sources()) == 1
+
+
+def test_the_newest_of_several_packets_of_a_tick_counts(cast: Cast) -> None:
+    stage = Stage(cast, "ifacialmocap")
+    stage.play(0.0, b"jawOpen&10|", b"jawOpen&90|")
+    assert stage.trackers.values() == pytest.approx({"jawOpen": 0.9})
+    assert stage.sources()[0].rate == 1
+
+
+def test_head_and_eyes_turn_and_a_sender_without_angles_leaves_them(cast: Cast) -> None:
+    stage = Stage(cast, "vmc")
+    state = stage.play(3.0, *encode_vmc({"jawOpen": 0.1}, (0.3, -0.2, 0.1), (0.2, 0.1), 0.0))
+    assert state.characters["one"].head == pytest.approx((0.3, -0.2, 0.1), abs=1e-3)
+    assert stage.trackers.values()["head yaw"] == pytest.approx(0.5 + 0.3 / np.pi, abs=1e-4)
+    still = Stage(cast, "livelink")
+    still.play(0.0, live_link_face([0.1] * 52 + [0.0] * 9))
+    assert [name for name in still.trackers.values() if " " in name] == []
+    far = Stage(cast, "vmc")
+    far.play(0.0, *encode_vmc({"jawOpen": 0.1}, (3.0, 0.0, 0.0), (0.0, 0.0), 0.0))
+    assert far.trackers.rejected == 0
+
+
+def test_a_tracker_of_the_head_alone_plays(cast: Cast) -> None:
+    stage = Stage(cast, "vmc")
+    turned = encode_vmc({}, (0.3, 0.0, 0.0), (0.0, 0.0), 0.0)
+    assert stage.play(3.0, *turned).characters["one"].head[0] == pytest.approx(0.3, abs=1e-3)
+
+
+def test_a_loss_and_a_silence_let_go_and_a_return_plays_again(cast: Cast) -> None:
+    stage = Stage(cast, "vmc")
+    seen, unseen = apply(JawOpen=0.8), encode_message("/VMC/Ext/OK", 0)
+
+    def weight(state: wire.State) -> float:
+        return state.characters["one"].channels.get("jawOpen", 0.0)
+
+    assert weight(stage.play(4.0, seen)) == pytest.approx(0.8, abs=1e-3)
+    assert weight(stage.play(3.0, unseen)) == pytest.approx(0.0, abs=1e-3)
+    assert not stage.sources()[0].found
+    assert weight(stage.play(2.0, encode_message("/VMC/Ext/OK", 1), seen)) == pytest.approx(0.8, abs=0.02)
+    assert weight(stage.play(3.0)) == pytest.approx(0.0, abs=1e-3)
+    assert weight(stage.play(2.0, seen)) == pytest.approx(0.8, abs=0.02)
+
+
+def test_a_source_drives_the_only_character_at_first_and_then_whom_it_is_routed_to(cast: Cast) -> None:
+    stage = Stage(cast, "livelink")
+    stage.play(0.0, FACES["livelink"]())
+    (source,) = stage.sources()
+    assert (source.name, source.characters, source.kind) == ("Live Link Face Phone 10.0.0.7", ["one"], "tracker")
+    stage.session.receive("console", wire.RouteSource("r", source.name, [], "tracker"), stage.now)
+    again = TrackerInput(stage.trackers.protocol, lambda: stage.session)
+    stage.session.leave("livelink 10.0.0.7 Phone")
+    stage.trackers = again
+    stage.play(0.0, FACES["livelink"]())
+    assert stage.sources()[0].characters == []
+
+
+def test_a_second_tracker_does_not_take_the_layer_from_the_first(cast: Cast) -> None:
+    stage, packet = Stage(cast, "livelink"), FACES["livelink"]()
+    stage.play(0.0, packet)
+    stage.play(0.0, packet, host="10.0.0.8")
+    assert [each.characters for each in stage.sources()] == [["one"], []]
+
+
+def test_two_trackers_share_a_character_by_region_on_two_layers(cast: Cast) -> None:
+    stage = Stage(cast, "ifacialmocap")
+    lips, head = b"jawOpen&80|=head#0,5,0|", b"jawOpen&0|=head#0,30,0|"
+    stage.play(0.0, lips)
+    stage.play(0.0, head, host="10.0.0.8")
+    first, second = (each.name for each in stage.sources())
+    route = wire.RouteSource("r", second, ["one"], "playback", ["head"])
+    assert stage.session.receive("console", route, stage.now) == []
+    for _ in range(300):
+        stage.trackers.receive(HOST, lips, stage.now)
+        state = stage.play(0.0, head, host="10.0.0.8").characters["one"]
+    assert first != second
+    assert (state.channels["jawOpen"], state.head[0]) == pytest.approx((0.8, np.radians(30.0)), abs=1e-2)
+
+
+def test_of_several_characters_none_is_driven_by_surprise(cast: Cast) -> None:
+    stage = Stage(cast, "livelink")
+    stage.session.receive("console", wire.AddCharacter("two", "two", "Two", "generic"), 0.0)
+    stage.play(0.0, FACES["livelink"]())
+    assert stage.sources()[0].characters == []
+
+
+def test_each_performer_is_a_source_and_the_one_that_was_silent_longest_makes_room(cast: Cast) -> None:
+    stage = Stage(cast, "livelink")
+    for index in range(MOST_PERFORMERS + 2):
+        stage.play(0.0, live_link_face([0.1] * 61, f"phone {index}"))
+    assert [each.name for each in stage.sources()] == [
+        f"Live Link Face phone {index} {HOST}" for index in range(2, MOST_PERFORMERS + 2)
+    ]
+    for index in range(2 * MOST_PERFORMERS):
+        stage.play(0.0, live_link_face([0.1] * 61), host=f"10.0.1.{index}")
+    assert len(stage.sources()) == MOST_PERFORMERS
+    assert len(stage.trackers._decoders) <= MOST_PERFORMERS
+
+
+def test_what_cannot_be_read_is_counted_and_changes_nothing(cast: Cast) -> None:
+    stage = Stage(cast, "livelink")
+    stage.play(0.0, FACES["livelink"](), b"hello", live_link_face([9.0] * 61))
+    assert (stage.trackers.heard, stage.trackers.rejected, stage.trackers.where) == (3, 2, HOST)
+    assert stage.trackers.last_rejection is not None
+    assert stage.trackers.last_rejection.sender == f"Live Link Face from {HOST}"
+    assert "eyeBlinkLeft is 9" in stage.trackers.last_rejection.reason
+    assert stage.trackers.values()["jawOpen"] == 0.5
+
+
+def test_another_name_of_the_same_source_is_rejected_with_the_session_s_reason(cast: Cast) -> None:
+    stage = Stage(cast, "livelink")
+    stage.session.receive("console", wire.Source("Live Link Face Phone 10.0.0.7", "tracker", []), 0.0)
+    stage.play(0.0, FACES["livelink"]())
+    assert stage.trackers.last_rejection is not None
+    assert "another link sends" in stage.trackers.last_rejection.reason
+
+
+@pytest.mark.parametrize("protocol", TRACKER_PROTOCOLS)
+def test_damaged_packets_raise_nothing_and_put_no_nan_on_air(cast: Cast, protocol: str) -> None:
+    generator, stage, golden = np.random.default_rng(5), Stage(cast, protocol), FACES[protocol]()
+    for count in range(600):
+        damaged = bytearray(golden)
+        for place in generator.integers(0, len(damaged), generator.integers(1, 5)):
+            damaged[place] = generator.integers(256)
+        for packet in (bytes(damaged), golden[: int(generator.integers(len(golden)))], generator.bytes(40)):
+            stage.trackers.receive(HOST, packet, stage.now)
+        if count % 20 == 0:
+            state = stage.play(0.0).characters["one"]
+            sent = [*state.channels.values(), *state.head, *state.gaze]
+            assert np.isfinite(sent).all()

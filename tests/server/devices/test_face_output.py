@@ -1,0 +1,45 @@
+"""The face on air over a real socket: each target its character, whoever hears it."""
+
+import asyncio
+import socket
+
+import pytest
+
+from omote.inputs.face_output.face_target import FaceTarget
+from omote.inputs.trackers.live_link_face import decode_live_link_face
+from omote.server.devices.face_output import FaceOutput
+from omote.show import messages as wire
+from tests.server.conftest import ShowHarness
+
+pytestmark = pytest.mark.asyncio
+HOST = "127.0.0.1"
+
+
+async def test_a_target_is_sent_its_character_with_each_tick(show_harness: ShowHarness) -> None:
+    session = show_harness.show.session
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
+        receiver.bind((HOST, 0))
+        receiver.setblocking(False)
+        port = receiver.getsockname()[1]
+        targets = [FaceTarget("livelink", HOST, port), FaceTarget("livelink", HOST, port, "gone")]
+        output = FaceOutput(targets, lambda: session)
+        show_harness.show.sources.append(output)
+        session.join("hand", "hand")
+        for weight in (0.25, 0.75):
+            session.receive("hand", wire.SetChannel("one", "jawOpen", weight), 0.0)
+            show_harness.tick()
+            (frame,) = decode_live_link_face(await asyncio.get_running_loop().sock_recv(receiver, 2000))
+            assert frame.weights["jawOpen"] == weight
+        with pytest.raises(BlockingIOError):
+            receiver.recv(2000)
+        assert output.probes == []
+        await output.close()
+
+
+async def test_a_receiver_that_is_nowhere_holds_nothing_up(show_harness: ShowHarness) -> None:
+    targets = [FaceTarget("vmc", "255.255.255.255", 39539), FaceTarget("vmc", HOST, 9)]
+    output = FaceOutput(targets, lambda: show_harness.show.session)
+    show_harness.show.sources.append(output)
+    for _ in range(3):
+        show_harness.tick()
+    await output.close()

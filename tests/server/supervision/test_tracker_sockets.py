@@ -1,0 +1,71 @@
+"""What is typed after --listen, and the sockets that are opened for it."""
+
+import socket
+
+import pytest
+
+from omote.inputs.face_output.face_target import read_targets
+from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
+from omote.server.supervision.tracker_sockets import (
+    TrackerWish,
+    explain_trackers,
+    find_phones,
+    find_receivers,
+    listen_for_trackers,
+    read_trackers,
+)
+
+VMC, PHONES = TRACKER_PROTOCOLS["vmc"], TRACKER_PROTOCOLS["ifacialmocap"]
+
+
+def test_a_list_is_read_as_it_is_typed() -> None:
+    assert read_trackers("") == ()
+    assert [wish.word for wish in read_trackers("mediapipe")] == ["mediapipe"]
+    assert listen_for_trackers(read_trackers("mediapipe")) == {}
+    assert read_trackers("vmc") == (TrackerWish(VMC, 39539),)
+    typed = read_trackers(" VMC:5000 , ifacialmocap:0@phone.local")
+    assert typed == (TrackerWish(VMC, 5000), TrackerWish(PHONES, 0, "phone.local"))
+    assert read_trackers(",".join(wish.word for wish in typed)) == typed
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("vcm", "vmc"),
+        ("vmc,", "tracker"),
+        ("vmc,vmc:1", "twice"),
+        ("vmc:", "no port"),
+        ("vmc:70000", "no port"),
+        ("vmc@10.0.0.7", "asks no phone"),
+        ("ifacialmocap@", "names no phone"),
+        ("mediapipe:80", "port of the pages"),
+    ],
+)
+def test_what_is_no_list_is_said(text: str, why: str) -> None:
+    with pytest.raises(ValueError, match=why):
+        read_trackers(text)
+
+
+def test_a_phone_is_kept_by_its_address() -> None:
+    (found,) = find_phones(read_trackers("ifacialmocap@localhost"))
+    assert found.phone == "127.0.0.1"
+    with pytest.raises(OSError, match="no address of xxx"):
+        find_phones(read_trackers("ifacialmocap@" + "x" * 300))
+
+
+def test_a_receiver_is_kept_by_its_address() -> None:
+    (found,) = find_receivers(read_targets("vmc:localhost"))
+    assert found.word == "vmc:127.0.0.1:39539"
+
+
+def test_sockets_are_opened_and_explained_and_one_that_is_taken_is_said() -> None:
+    opened = listen_for_trackers(read_trackers("vmc:0,livelink:0"))
+    port = opened["vmc"].getsockname()[1]
+    first, second = explain_trackers(opened)
+    assert first.startswith(f"VMC: port {port}; ")
+    assert second.startswith("Live Link Face: port")
+    with pytest.raises(OSError, match=rf"port {port} cannot be opened for VMC \(another program has it\)"):
+        listen_for_trackers(read_trackers(f"livelink:0,vmc:{port}"))
+    for each in opened.values():
+        assert each.type == socket.SOCK_DGRAM
+        each.close()

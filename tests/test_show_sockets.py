@@ -1,0 +1,39 @@
+"""What the options of `omote show` ask for, of trackers; of OSC and lighting desks, see test_show_command."""
+
+import pytest
+import typer
+
+from omote.show_sockets import OFF, open_devices, print_trackers, read_options
+
+
+def test_trackers_are_read_opened_and_printed(capsys: pytest.CaptureFixture[str]) -> None:
+    options = read_options("off", None, "", "vmc:0,ifacialmocap:0@localhost")
+    assert options.listen == "vmc:0,ifacialmocap:0@127.0.0.1"
+    devices = open_devices("127.0.0.1", OFF, options, OFF)
+    assert list(devices.handed) == ["--tracker-vmc", "--tracker-ifacialmocap"]
+    assert devices.heard == ["VMC", "iFacialMocap"]
+    print_trackers(devices.advice, "")
+    said = capsys.readouterr()
+    assert "  tracker  VMC: port " in said.out
+    assert "--allow 192.168.1.0/24" in said.err
+    print_trackers(devices.advice, "any")
+    assert capsys.readouterr().err == ""
+    devices.close()
+    print_trackers([], "")
+    assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize("text", ["vcm", "vmc@10.0.0.7"])
+def test_what_is_no_tracker_ends_the_command(text: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(typer.Exit):
+        read_options("off", None, "", text)
+    assert capsys.readouterr().err
+
+
+def test_where_faces_are_sent_is_read_and_never_to_the_show_itself(capsys: pytest.CaptureFixture[str]) -> None:
+    options = read_options("off", None, "", "vmc", "vmc:10.0.0.5, osc:127.0.0.1:9001=dog")
+    assert options.send == "vmc:10.0.0.5:39539,osc:127.0.0.1:9001=dog"
+    for send in ("vmc:localhost", "vmc"):
+        with pytest.raises(typer.Exit):
+            read_options("off", None, "", "vmc", send)
+    assert "its own face" in capsys.readouterr().err
