@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +17,7 @@ from omote.model.known_names import PLAY_REGIONS
 from omote.perform.easing import EASINGS
 from omote.perform.lights import LIGHTS
 from omote.perform.performer import Performer
+from omote.server.supervision.supervisor import Supervisor
 from tests import synthetic
 
 # No test depends on how fast a machine is.
@@ -105,6 +108,36 @@ def random_moves(seed: int, count: int) -> list[Command]:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Long tests first; all others stay in their order."""
     items.sort(key=lambda item: item.get_closest_marker("long") is None)
+
+
+@pytest.fixture
+def announcements_made(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
+    """What would have been announced."""
+    made: list[tuple[object, ...]] = []
+
+    @contextmanager
+    def announced(*what: object) -> Iterator[None]:
+        made.append(what)
+        yield
+
+    monkeypatch.setattr("omote.server.devices.announcement.announce_beside", announced)
+    return made
+
+
+@pytest.fixture
+def no_show(monkeypatch: pytest.MonkeyPatch, announcements_made: list[tuple[object, ...]]) -> list[Supervisor]:
+    """Supervisors that are made but do not run; what would be announced of them is noted alone."""
+    assert announcements_made == []
+    made: list[Supervisor] = []
+
+    def run(supervisor: Supervisor) -> int:
+        made.append(supervisor)
+        supervisor._opened()
+        supervisor._listen.close()
+        return 0
+
+    monkeypatch.setattr(Supervisor, "run", run)
+    return made
 
 
 @pytest.fixture(scope="session")

@@ -33,22 +33,6 @@ def small_cast(cast: Cast, monkeypatch: pytest.MonkeyPatch) -> Cast:
     return cast
 
 
-@pytest.fixture
-def no_show(monkeypatch: pytest.MonkeyPatch) -> list[Supervisor]:
-    """Supervisors that are made but do not run."""
-    made: list[Supervisor] = []
-
-    def run(supervisor: Supervisor) -> int:
-        made.append(supervisor)
-        supervisor._opened()
-        supervisor._listen.close()
-        return 0
-
-    monkeypatch.setattr(Supervisor, "run", run)
-    monkeypatch.setattr("omote.show_command.start_announcement", lambda *_: None)
-    return made
-
-
 def test_help_is_quick_because_nothing_heavy_is_imported() -> None:
     code = f"import sys, omote.cli; print([name for name in {HEAVY!r} if name in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -2,8 +2,6 @@
 
 import re
 import socket
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -18,35 +16,7 @@ from omote.show.access.people_list import token_of
 from omote.show_command import announce, say_who_is_heard
 
 runner = CliRunner()
-
-
-@pytest.fixture(autouse=True)
-def announcements_made(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
-    """What would have been announced."""
-    made: list[tuple[object, ...]] = []
-
-    @contextmanager
-    def announced(*what: object) -> Iterator[None]:
-        made.append(what)
-        yield
-
-    monkeypatch.setattr("omote.server.devices.announcement.announce_beside", announced)
-    return made
-
-
-@pytest.fixture
-def no_show(monkeypatch: pytest.MonkeyPatch) -> list[Supervisor]:
-    """Supervisors that are made but do not run."""
-    made: list[Supervisor] = []
-
-    def run(supervisor: Supervisor) -> int:
-        made.append(supervisor)
-        supervisor._opened()
-        supervisor._listen.close()
-        return 0
-
-    monkeypatch.setattr(Supervisor, "run", run)
-    return made
+pytestmark = pytest.mark.usefixtures("announcements_made")
 
 
 @pytest.mark.parametrize("port", ["70000", "on", "9000.5"])

@@ -1,12 +1,23 @@
+import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
-import { defineConfig } from "vite";
+import { defineConfig, type Plugin } from "vite";
 
 /** Pages and their files; "/assets/" belongs to the cast, so the bundle's own files live under "/static/". */
 const PAGES = ["index", "stage", "console", "devices", "editor"];
 const page = (name: string): string => resolve(import.meta.dirname, `${name}.html`);
 
+/** What the heads of console, devices and editor share. */
+const toolHead: Plugin = {
+  name: "tool head",
+  transformIndexHtml: {
+    order: "pre",
+    handler: (html) => html.replace("<!-- tool_head.html -->", readFileSync(page("tool_head"), "utf8").trim()),
+  },
+};
+
 export default defineConfig({
   base: "/",
+  plugins: [toolHead],
   build: {
     target: "chrome120", // OBS embeds an old Chromium
     outDir: resolve(import.meta.dirname, "../src/omote/server/web"),

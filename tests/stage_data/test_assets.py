@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from omote.builtin import BakedMesh
+from omote.builtin import BakedMesh, load_cast
 from omote.model.cast import Cast
 from omote.model.space.expression import Title
 from omote.model.space.gain import Gain
@@ -26,6 +26,7 @@ from omote.stage_data.assets import (
     documents,
     extremes,
     first_rows,
+    outline,
     quantise,
     rest_positions,
     unit_tags,
@@ -165,6 +166,17 @@ def test_a_face_says_what_a_picture_has_to_hold(cast: Cast) -> None:
         assert found.shape == (6, 3)
         assert [found[2 * axis][axis] for axis in range(3)] == face.positions.min(axis=0).tolist()
         assert [found[2 * axis + 1][axis] for axis in range(3)] == face.positions.max(axis=0).tolist()
+
+
+def test_the_picture_of_an_animal_holds_its_ears_however_expressions_turn_them() -> None:
+    cast = load_cast()
+    for name in ("dog", "cat"):
+        face = cast.faces[name]
+        ends = extremes(outline(cast, face, cast.looks[name].hair_style))
+        for expression in ("joy", "laugh", "surprise", "sad"):
+            worn = compound(cast.space, face, cast.expressions[expression])
+            assert worn[:, 0].max() <= ends[1][0] + 0.003, (name, expression)
+            assert worn[:, 0].min() >= ends[0][0] - 0.003, (name, expression)
 
 
 def test_palettes_find_a_channel_by_its_action_units() -> None:

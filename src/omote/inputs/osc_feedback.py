@@ -62,8 +62,9 @@ class OnAir:
         if self._state is None:
             return default
         channel = _channel_at(path)
-        if channel is not None and channel[0] in self._state.characters:
-            return (_hands(self._state.characters[channel[0]]).channels.get(channel[1], 0.0),)
+        state = None if channel is None else self._state.characters.get(channel[0])
+        if channel is not None and state is not None:
+            return ((state if state.held is None else state.held).channels.get(channel[1], 0.0),)
         address, pattern, named = find_address(path)
         if address.of_show:
             return OF_SHOW[address.path](self._state) if address.path in OF_SHOW else default

@@ -81,10 +81,11 @@ class OrderReader:
 
     def channel_set(self, message: OscMessage) -> Level | None:
         """The address of a message that sets a channel to a weight in its range, where it was read before."""
-        level = self._levels.get(message.address)
-        if level is None or not level.channel or len(message.arguments) != 1:
+        address, arguments = message
+        level = self._levels.get(address)
+        if level is None or not level.channel or len(arguments) != 1:
             return None
-        weight = message.arguments[0]
+        weight = arguments[0]
         return level if type(weight) is float and CHANNEL_LOWEST <= weight <= CHANNEL_HIGHEST else None
 
     def _read(self, message: OscMessage, call: str) -> tuple[wire.FromClient, ...]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from omote.inputs.rejection import PacketError
 
@@ -29,8 +29,7 @@ class OscError(PacketError):
     """What came is no packet of OSC, and why."""
 
 
-@dataclass(frozen=True)
-class OscMessage:
+class OscMessage(NamedTuple):
     """A message: its address, which begins with "/", and its arguments; what stood in arrays stands among them."""
 
     address: str

@@ -86,12 +86,19 @@ def progress(call: Call) -> tuple[float, float]:
     return easing.value(x), easing.rate(x) / call.seconds
 
 
+def _position(call: Call) -> float:
+    """How far a call is, as `progress`, without its rate: what each frame asks for, more than once."""
+    if call.way is not None or call.seconds is None:
+        return progress(call)[0]
+    return find_easing(call.easing).value(min(1.0, call.elapsed / call.seconds))
+
+
 def slots(axis: Axis) -> Slots:
     """The slot weights now: start and target sum to one, the velocity's names sum to nothing."""
     call = axis.call
     if call is None:
         return REST
-    y, _ = progress(call)
+    y = _position(call)
     return Slots(1.0 - y, y, call.decay * bump(call.elapsed / call.decay) * _share(call) if call.decay else 0.0)
 
 
@@ -189,7 +196,7 @@ def status(axis: Axis) -> CallStatus | None:
     call = axis.call
     if call is None or call.goal is not None:
         return None
-    y, _ = progress(call)
+    y = _position(call)
     by_hand = call.held or call.seconds is None
     remaining = None if by_hand else _remaining(call)
     return CallStatus(call.target, y, remaining, by_hand, axis.hand, _along(axis, y), call.start)
@@ -206,7 +213,7 @@ def _goal(call: Call) -> Mapping[str, float]:
 def _share(call: Call) -> float:
     """Limits the velocity's share: a T-bar pushed at once after an interruption may outrun the decay that was
     planned."""
-    y, _ = progress(call)
+    y = _position(call)
     base = combine(((1.0 - y, call.start), (y, _goal(call))))
     return share_in_range(base, combine(((call.decay * bump(call.elapsed / call.decay), call.velocity),)))
 

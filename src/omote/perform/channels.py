@@ -66,10 +66,12 @@ def gaze_channels(expressions: Mapping[str, Expression], gaze: Gaze) -> dict[str
     """The `eyeLook*` weights that turn both eyeballs by the gaze: its angle over the unit's own."""
     if not gaze.yaw and not gaze.pitch:
         return {}
-    angles = {YAW: gaze.yaw, PITCH: gaze.pitch}
     turned: dict[str, float] = {}
+    if not (gaze.yaw or gaze.pitch):
+        return turned
+    angles = gaze.yaw, gaze.pitch
     for name, (eye, direction) in GAZE_UNITS.items():
-        own = float(expressions[name].eyes[eye, direction]) if name in expressions else 0.0
+        own = expressions[name].eye_turns[2 * eye + direction] if name in expressions else 0.0
         if own * angles[direction] > 0.0:
             turned[name] = angles[direction] / own
     return turned
@@ -98,6 +100,13 @@ def eye_angles(
     expressions: Mapping[str, Expression], mix: Mapping[str, float], channels: Mapping[str, float]
 ) -> NDArray[np.float64]:
     """Yaw and pitch (radians) of the left and the right eyeball, (2, 2): those of the mix and of the channels added."""
+    return np.array(eye_turns(expressions, mix, channels)).reshape(2, 2)
+
+
+def eye_turns(
+    expressions: Mapping[str, Expression], mix: Mapping[str, float], channels: Mapping[str, float]
+) -> tuple[float, float, float, float]:
+    """Yaw and pitch of the left eyeball, then of the right one, as `eye_angles`: plain numbers, for each state."""
     left_yaw = left_pitch = right_yaw = right_pitch = 0.0
     for weights in (mix, channels):
         for name, weight in weights.items():
@@ -108,4 +117,4 @@ def eye_angles(
             left_pitch += weight * turns[1]
             right_yaw += weight * turns[2]
             right_pitch += weight * turns[3]
-    return np.array([[left_yaw, left_pitch], [right_yaw, right_pitch]])
+    return left_yaw, left_pitch, right_yaw, right_pitch

@@ -85,6 +85,7 @@ class Performer:
         self._cast = cast
         self._now = Snapshot(Axis(GENERIC), Axis(NEUTRAL))
         self._layers: Layers | None = None
+        self._last_held = Held()
 
     @classmethod
     def restored(cls, cast: Playable, snapshot: Snapshot) -> Performer:
@@ -759,7 +760,11 @@ class Performer:
         return begin(self._cast, self._held()) if self._layers is None else self._layers
 
     def _held(self) -> Held:
-        return Held(self._now.channels, self._now.head, self._now.gaze)
+        """What hands hold; the same object until a hand moves."""
+        now, held = self._now, self._last_held
+        if held.channels is not now.channels or held.head is not now.head or held.gaze is not now.gaze:
+            self._last_held = held = Held(now.channels, now.head, now.gaze)
+        return held
 
     def _advance_layers(self, before: Layers | None, dt: float) -> Layers | None:
         if before is None:
@@ -780,7 +785,7 @@ class Performer:
             self._layers = None
             return rested
         self._layers, frame = layers, self._frame()
-        self._layers = switch_off(layers, 1.0 - kept_of_mix(layers, influences(layers)))
+        self._layers = switch_off(layers, kept_of_mix(layers, influences(layers)))
         return replace(rested, settling=Settling(frame.channels, frame.head, frame.gaze))
 
     def _play(self, **changes: object) -> None:
@@ -819,8 +824,12 @@ def _at_rest(now: Snapshot) -> Snapshot:
     )
 
 
+_NOTHING = Frame({}, {})
+
+
 def _frame(now: Snapshot) -> Frame:
-    return Frame(
+    return with_fields(
+        _NOTHING,
         faces=axis.weights(now.face),
         expressions=axis.weights(now.expression),
         channels=with_settling_channels(now.channels, now.settling),

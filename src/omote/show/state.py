@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from omote.perform.channels import channels_of, eye_angles
+from omote.perform.channels import channels_of, eye_turns
 from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.perform.frame import CallStatus, Frame, Held, LayerStatus
+from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
 from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, Place, State
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from omote.perform.snapshot import Playable
 
 
+STRAIGHT = Gaze()
 EYE_SECONDS = 0.25
 """Eyes of an expression that changes on air take as long as its skin does on a stage (`source_crossfade.ts`)."""
 
@@ -89,7 +90,7 @@ def character_state(cast: Playable, character: CharacterFrame, eye_offset: EyeOf
         head=(frame.head.yaw, frame.head.pitch, frame.head.roll),
         gaze=(frame.gaze.yaw, frame.gaze.pitch),
         eyes=eye_offset.add_to(_eyes(cast, frame, channels), frame.time),
-        lids={} if frame.held is not None else gaze_lids(frame.channels, channels),
+        lids={} if frame.held is not None or frame.gaze == STRAIGHT else gaze_lids(frame.channels, channels),
         face_call=call_state(frame.face_call),
         expression_call=call_state(frame.expression_call),
         face_fader=frame.face_fader,
@@ -109,9 +110,7 @@ def character_state(cast: Playable, character: CharacterFrame, eye_offset: EyeOf
 
 def _eyes(cast: Playable, frame: Frame, channels: Mapping[str, float]) -> Angles:
     """As the eyeballs stand: what shows around the eyes turns them, and channels do."""
-    around = mix_in("eyes", frame.expressions, frame.regions)
-    left, right = eye_angles(cast.expressions, around, channels).tolist()
-    return left[0], left[1], right[0], right[1]
+    return eye_turns(cast.expressions, mix_in("eyes", frame.expressions, frame.regions), channels)
 
 
 def call_state(status: CallStatus | None) -> CallState | None:

@@ -15,9 +15,11 @@ from omote.model.action_units import ACTION_UNITS, action_units, read_action_uni
 from omote.model.cast import Cast, Look
 from omote.model.hair import LINKS, HairStyle, place_strands
 from omote.model.recipes.recipe import KEY
+from omote.model.space.ears import rotate_ears
 from omote.model.space.expression import Expression, Title
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
+from omote.model.space.gain import gain_of
 from omote.model.transfer.compound import apply_expression, compile_answer, move_parts
 from omote.perform.lights import LIGHTS
 from omote.show import messages as wire
@@ -209,12 +211,20 @@ def face_label(name: str) -> str:
 
 
 def outline(cast: Cast, face: Face, hair_style: str) -> Points:
-    """The points (n, 3), metres, that a camera must frame: a face's skin and its hair."""
-    style = cast.hair.get(hair_style)
-    if style is None:
-        return face.positions
-    strands = place_strands(style, cast.space.points, face.positions.astype(np.float64)).reshape(-1, 3)
-    return np.concatenate([face.positions, strands.astype(np.float32)])
+    """The points (n, 3), metres, that a camera must frame: a face's skin, its hair, and its ears as performed
+    expressions turn them, so that the picture holds them all and does not move with each."""
+    found, style = [face.positions, *_turned_ears(cast, face)], cast.hair.get(hair_style)
+    if style is not None:
+        strands = place_strands(style, cast.space.points, face.positions.astype(np.float64)).reshape(-1, 3)
+        found.append(strands.astype(np.float32))
+    return np.concatenate(found)
+
+
+def _turned_ears(cast: Cast, face: Face) -> list[Points]:
+    """The skin of a face whose ears answer expressions, once for each performed one that turns them."""
+    performed = [name for name, title in cast.titles.items() if title.kind == "performed"]
+    turns = [gain_of(face.gains, "ears", name) * cast.expressions[name].ears for name in performed]
+    return [rotate_ears(cast.space, face.positions, face.positions, turn) for turn in turns if turn.any()]
 
 
 def extremes(positions: Points) -> Points:

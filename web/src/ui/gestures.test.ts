@@ -1,5 +1,5 @@
-import { describe, expect, it } from "vitest";
-import { placeIn, strayClickStopper } from "./gestures";
+import { beforeEach, describe, expect, it } from "vitest";
+import { faderDrag, placeIn, strayClickStopper } from "./gestures";
 
 describe("the place of a pointer", () => {
   it("is 0 to 1 from the left and from the bottom", () => {
@@ -36,4 +36,60 @@ it("a double click's second click is heard where the first was, and nowhere else
   };
   expect([stopped(create, 1), stopped(row, 2)]).toEqual([false, true]);
   expect([stopped(row, 1), stopped(row, 2), stopped(row, 3)]).toEqual([false, false, false]);
+});
+
+let value: number;
+let gripped: boolean;
+let era: number;
+const knob = {
+  value: () => value,
+  gripped: () => gripped,
+  grip: (to: number) => {
+    [value, gripped] = [to, true];
+  },
+  leave: () => {
+    gripped = false;
+  },
+};
+const drag = faderDrag({
+  knob: () => knob,
+  era: () => era,
+  range: { low: 0, high: 2 },
+  rest: () => {
+    value = 0;
+  },
+});
+
+beforeEach(() => {
+  [value, gripped, era] = [0.5, false, 0];
+});
+
+describe("the drag of a fader", () => {
+  it("goes on from what is on air, by the way of the hand, to the ends of the range", () => {
+    drag.start(0, 0);
+    drag.move(0, 0.25);
+    expect([value, gripped]).toEqual([1, true]);
+    drag.move(0, 5);
+    drag.move(0, -0.5);
+    expect(value).toBe(1);
+    drag.end();
+    expect(gripped).toBe(false);
+  });
+
+  it("begins anew where another hand has moved it meanwhile", () => {
+    drag.start(0, 0);
+    drag.move(0, 0.25);
+    [value, gripped] = [0.2, false];
+    drag.move(0, 0.1);
+    expect(value).toBeCloseTo(0.4);
+  });
+
+  it("ends with a panic, and rests when it is tapped twice", () => {
+    drag.start(0, 0);
+    era += 1;
+    drag.move(0, 0.25);
+    expect(value).toBe(0.5);
+    drag.double?.();
+    expect(value).toBe(0);
+  });
 });

@@ -1,6 +1,6 @@
 /** A hand on a control: drags by mouse, pen and several fingers at once, double taps, wheel and keys. */
 
-import { FINE } from "./travel";
+import { FINE, type Range, within } from "./travel";
 
 export interface Drag {
   /** The pointer comes down at `x`, `y`: 0..1 across the element, from its left and from its bottom. */
@@ -212,5 +212,54 @@ export function strayClickStopper(): (
       event.stopPropagation();
       event.preventDefault();
     }
+  };
+}
+
+/** A value that one hand at a time has. */
+export interface Gripped {
+  value(now: number): number;
+  gripped(): boolean;
+  grip(value: number): void;
+  leave(): void;
+}
+
+/** What a drag asks of its fader; what a name or a property says now is asked anew each time. */
+export interface DraggedFader {
+  readonly knob: () => Gripped;
+  /** Rises with each panic (`ConsoleStore.era`). */
+  readonly era: () => number;
+  /** The way of the handle from end to end. */
+  readonly range: Range;
+  /** Where on that way a value stands, and the value there; the same where a fader has no rests. */
+  readonly travelOf?: (value: number) => number;
+  readonly valueAt?: (travel: number) => number;
+  /** Twice in the same place: the value of rest. */
+  readonly rest: () => void;
+}
+
+const same = (value: number): number => value;
+
+/** The drag of an upright fader: from what is on air, under one hand, until a panic takes it off. */
+export function faderDrag({ knob, era, range, travelOf = same, valueAt = same, rest }: DraggedFader): Drag {
+  let [travel, begun] = [0, 0];
+  const read = (): void => {
+    travel = travelOf(knob().value(performance.now()));
+  };
+  return {
+    start: () => {
+      begun = era();
+      read();
+    },
+    move: (_dx, dy) => {
+      if (begun !== era() || dy === 0) return;
+      if (!knob().gripped()) read(); // no hand is on it yet, or no more (a lost link, another's hand): from what is on air
+      travel = within(travel + dy * (range.high - range.low), range);
+      knob().grip(valueAt(travel));
+    },
+    end: () => knob().leave(),
+    double: () => {
+      rest();
+      read();
+    },
   };
 }

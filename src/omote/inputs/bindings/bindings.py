@@ -27,7 +27,7 @@ PRESSED = 0.5
 """From where on a level counts as a button that is pressed."""
 
 
-@dataclass
+@dataclass(slots=True)
 class _Played:
     """What is known of one binding: where its control stood, whether it acts, what it sent last."""
 
@@ -37,6 +37,21 @@ class _Played:
     sent: float | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class _Fader:
+    """What of a binding a fader needs at each reading. alone: its address has no other axis; near: how far a value on
+    air may be from what it has sent last."""
+
+    path: str
+    axis: int
+    alone: bool
+    low: float
+    span: float
+    curve: float
+    pick_up: bool
+    near: float
+
+
 class Bindings:
     """Bindings, and where their controls stand. A device's bindings belong to its name, whenever it is there."""
 
@@ -44,7 +59,7 @@ class Bindings:
         self.bindings: tuple[Binding, ...] = ()
         self._banks: dict[str, str] = {}
         self._played: list[_Played] = []
-        self._faders: list[bool] = []
+        self._faders: list[_Fader | None] = []
         self._of: dict[tuple[str, str], list[int]] = {}
         self._sent: dict[str, tuple[int, tuple[Argument, ...]]] = {}
         self.replace(bindings)
@@ -54,7 +69,7 @@ class Bindings:
         before = dict(zip(self.bindings, self._played, strict=True))
         self.bindings = tuple(bindings)
         self._played = [before.get(binding) or _Played() for binding in self.bindings]
-        self._faders = [self._is_fader(binding) for binding in self.bindings]
+        self._faders = [_fader_of(binding) if self._is_fader(binding) else None for binding in self.bindings]
         self._of = {}
         for index, binding in enumerate(self.bindings):
             self._of.setdefault((binding.device, binding.control), []).append(index)
@@ -128,8 +143,9 @@ class Bindings:
             binding = self.bindings[index]
             held = self._played[index].pressed and binding.button == "momentary"  # let go in another bank
             if held or not binding.bank or binding.bank == self.bank_of(reading.device):
-                if self._faders[index]:
-                    found += self._move(index, reading.value, on_air, number)
+                fader = self._faders[index]
+                if fader is not None:
+                    found += self._move(index, fader, reading.value, on_air, number)
                 else:
                     found += self._play(index, reading, on_air, number)
         return found
@@ -174,20 +190,29 @@ class Bindings:
             return []
         return [OscMessage(binding.target.path, binding.target.arguments)]
 
-    def _move(self, index: int, position: float, on_air: OnAir, number: int) -> list[OscMessage]:
+    def _move(
+        self, index: int, fader: _Fader, position: float, on_air: OnAir, number: int
+    ) -> tuple[OscMessage, ...] | list[OscMessage]:
         """A fader is moved: it acts from the moment at which it crosses the value on air."""
-        binding, played = self.bindings[index], self._played[index]
+        played, sent = self._played[index], self._sent.get(fader.path)
         before, played.last = played.last, position
-        values = self._values(binding, on_air, number)
-        current = _level(values, binding.target.axis)
-        if not binding.pick_up or current is None:
+        values = sent[1] if sent is not None and sent[0] >= number else on_air.get(fader.path, ())
+        current = _level(values, fader.axis)
+        if not fader.pick_up or current is None:
             played.engaged = True
         elif played.engaged and played.sent is not None:
-            played.engaged = abs(current - played.sent) <= MOVED * abs(binding.high - binding.low)
+            played.engaged = abs(current - played.sent) <= fader.near
         if not played.engaged and current is not None:
-            at = binding.position_of(current)
+            at = self.bindings[index].position_of(current)
             played.engaged = abs(position - at) <= NEAR if before is None else (before - at) * (position - at) <= 0.0
-        return self._send(index, binding.value_at(position), values, number) if played.engaged else []
+        if not played.engaged:
+            return ()
+        value = fader.low + fader.span * (position if fader.curve == 1.0 else math.pow(position, fader.curve))
+        if not fader.alone:
+            return self._send(index, value, values, number)
+        self._sent[fader.path] = number, (value,)
+        played.sent = value
+        return (OscMessage(fader.path, (value,)),)
 
     def _turn(self, index: int, steps: int, on_air: OnAir, number: int) -> list[OscMessage]:
         binding = self.bindings[index]
@@ -231,6 +256,12 @@ class Bindings:
         self._sent[target.path] = number, values
         self._played[index].sent = value
         return [OscMessage(target.path, values)]
+
+
+def _fader_of(binding: Binding) -> _Fader:
+    target, span = binding.target, binding.high - binding.low
+    alone, near = len(target.values) == 1, MOVED * abs(span)
+    return _Fader(target.path, target.axis, alone, binding.low, span, binding.curve, binding.pick_up, near)
 
 
 def _level(values: tuple[Argument, ...], axis: int) -> float | None:

@@ -33,6 +33,8 @@ SHARE_SECONDS = 0.5
 """In which an influence, a switch and the hold of a hand are followed."""
 TRUST_SECONDS = 1.0
 
+MOST_REMEMBERED = 64
+"""Sequences of channels whose places are remembered: those of sources, and what hands hold as it changes."""
 SECTIONS = ("streams", "hands", "hold", "share", "trust", "yielded")
 
 
@@ -41,12 +43,13 @@ class Columns:
     """Names of channels, and all that follows from them alone. width: columns of a layer; size: followers of all
     layers; shapes: of the sections that are no rows. names: sorted; parts: of each column, its place among
     `LAYER_PARTS`, `WHOLE` for the whole face; highest: its largest value; of_face: those that move skin, not the eyes
-    nor the head."""
+    nor the head; eyes: the names of the units that turn the eyes."""
 
     names: tuple[str, ...]
     parts: NDArray[np.intp]
     highest: Values
     of_face: NDArray[np.bool_] = field(init=False)
+    eyes: tuple[str, ...] = field(init=False)
     index: Mapping[str, int] = field(init=False)
     sections: Mapping[str, slice] = field(init=False)
     width: int = field(init=False)
@@ -67,6 +70,7 @@ class Columns:
         counts = [sizes[name] for name in SECTIONS]
         made = {
             "of_face": (self.parts < len(PLAY_REGIONS)) | (self.parts == WHOLE),
+            "eyes": tuple(unit for unit in GAZE_UNITS if unit in self.names),
             "index": {name: place for place, name in enumerate(self.names)},
             "sections": sections,
             "size": ends[-1],
@@ -83,7 +87,7 @@ class Columns:
         found = vector[self.sections[section]]
         return found.reshape(self.shapes[section]) if section in self.shapes else found
 
-    def followed(self, smoothing: Mapping[int, float]) -> tuple[Values, Values]:
+    def stream_rates(self, smoothing: Mapping[int, float]) -> tuple[Values, Values]:
         """The rate and the haste of all followers where some streams are smoothed more: by row, in how many seconds.
         Never less than all are, so that nothing can jump."""
         slower = {row: STREAM_SECONDS / seconds for row, seconds in smoothing.items() if seconds > STREAM_SECONDS}
@@ -99,6 +103,8 @@ class Columns:
         """The columns of some channels."""
         found = self._places.get(names)
         if found is None:
+            if len(self._places) >= MOST_REMEMBERED:
+                self._places.clear()
             found = self._places[names] = np.array([self.index[name] for name in names], np.intp)
         return found
 
@@ -142,9 +148,10 @@ def moved_to(vector: Values, old: Columns, new: Columns) -> Values:
     new.rows(later, "streams")[:, after] = old.rows(vector, "streams")[:, before]
     for section in ("hands", "hold"):
         new.rows(later, section)[after] = old.rows(vector, section)[before]
+    count = len(new.names)
     for section in ("streams", "hands"):  # another cast may turn the eyes farther by less
-        rows = new.rows(later, section)
-        np.clip(rows, new.lowest, new.highest, out=rows)
+        rows = new.rows(later, section)[..., :count]
+        np.clip(rows, new.lowest[:count], new.highest[:count], out=rows)
     for section in ("share", "trust", "yielded"):
         later[new.sections[section]] = vector[old.sections[section]]
     return later

@@ -44,14 +44,35 @@ def follow(
     without its kink); a distance that no motion covers in a frame is a jump, and adds nothing. settles: what is near
     its goal is there.
     """
-    ahead = first - goal
-    distance = np.abs(ahead)
-    square = distance * distance
-    z = (rate + haste * distance / (1.0 + JUMP * square * square)) * dt
-    left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
-    later_second = goal + ((second - goal) + ahead * z) * left
-    later_first = goal + ahead * left
+    ahead, behind = first - goal, second - goal
+    z, left = _steps(np.abs(ahead), rate, haste, dt)
+    np.multiply(ahead, z, out=z)
+    behind += z
+    behind *= left
+    ahead *= left
+    later_first, later_second = np.add(goal, ahead, out=ahead), np.add(goal, behind, out=behind)
     if not settles:
         return later_first, later_second
     there = np.abs(later_first - goal) + np.abs(later_second - goal) < NEAR
     return np.where(there, goal, later_first), np.where(there, goal, later_second)
+
+
+def _steps(distance: Values, rate: Values, haste: Values, dt: float) -> tuple[Values, Values]:
+    """The rates times `dt` at some distances, and what is left of each distance after it.
+
+    In place wherever that gives the same: the vectors are short, and making them takes as long as the sums.
+    """
+    square = distance * distance
+    slowed = JUMP * square
+    slowed *= square
+    slowed += 1.0
+    z = haste * distance
+    z /= slowed
+    z += rate
+    z *= dt
+    left = z * 0.235
+    for coefficient in (0.48, 1.0):
+        left += coefficient
+        left *= z
+    left += 1.0
+    return z, np.divide(1.0, left, out=left)

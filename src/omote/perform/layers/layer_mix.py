@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,7 @@ from omote.model.space.expression import Expression
 from omote.perform.frame import Frame, Gaze, Head, Held, LayerStatus, with_fields
 from omote.perform.layers.columns import GAZE, HEAD, Columns
 from omote.perform.layers.follower import Values
-from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS, RULES, LayerName
+from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYERS, RULES, LayerName
 from omote.perform.layers.layers import Layers
 from omote.perform.layers.worn_units import worn_by
 from omote.perform.panic import Settling, with_settling_channels, with_settling_gaze, with_settling_head
@@ -23,8 +23,10 @@ Mixes = Mapping[PlayRegion, Mix]
 MOST_SHOWN = 3
 LEAST_SHOWN = 0.02
 """Channels by which a layer shows what it does now: the strongest few, none that can hardly be seen."""
-_DRIVEN_ROWS = [LAYERS.index(layer) for layer in DRIVEN]
-ABOVE_EMOTION = tuple(layer for layer in DRIVEN if RULES[layer] == "replace" and layer != "gaze")
+_TRUST_OF = [DRIVEN.index(layer) if layer in DRIVEN else len(DRIVEN) for layer in LAYERS]
+_EMOTION = LAYERS.index("emotion")
+_ABOVE_EMOTION = [LAYERS.index(layer) for layer in DRIVEN if RULES[layer] == "replace" and layer != "gaze"]
+UPRIGHT, STRAIGHT = Head(), Gaze()
 
 
 @dataclass(frozen=True)
@@ -47,10 +49,13 @@ def mix_layers(
     kept = kept_of_mix(layers, shares)
     face, own = _with_neutral(mix, regions, kept)
     values = _mixed_values(layers, shares, _closed(layers, expressions, own.get("eyes", face)))
-    count = len(layers.columns.names)
-    numbers = values.tolist()
-    channels = {name: value for name, value in zip(layers.columns.names, numbers[:count], strict=True) if value}
-    return Mixed(face, own, channels, Head(*numbers[HEAD]), Gaze(*numbers[GAZE]))
+    numbers = values.tolist()  # all in range
+    channels = {name: value for name, value in zip(layers.columns.names, numbers, strict=False) if value}
+    (yaw, pitch, roll), (side, height) = numbers[HEAD], numbers[GAZE]
+    return Mixed(
+        face, own, channels, with_fields(UPRIGHT, yaw=yaw, pitch=pitch, roll=roll),
+        with_fields(STRAIGHT, yaw=side, pitch=height),
+    )  # fmt: skip
 
 
 def with_layers(
@@ -73,28 +78,27 @@ def with_layers(
 
 def influences(layers: Layers) -> Values:
     """How much of each layer (8) shows on each part (6): influence and switch, and trust where a source drives it."""
-    trusted = np.ones((len(LAYERS), 1))
-    trusted[_DRIVEN_ROWS, 0] = layers.columns.rows(layers.second, "trust")
-    shares: Values = layers.columns.rows(layers.second, "share") * trusted
+    trust = [*layers.columns.rows(layers.second, "trust").tolist(), 1.0]
+    shares: Values = layers.columns.rows(layers.second, "share") * np.array([[trust[row]] for row in _TRUST_OF])
     return shares
 
 
-def kept_of_mix(layers: Layers, shares: Values) -> Values:
-    """How much of the mix of called expressions shows in each play region, (4,); neutral takes the rest."""
-    count = len(PLAY_REGIONS)
-    kept: Values = shares[LAYERS.index("emotion"), :count] * (1.0 - layers.columns.rows(layers.second, "yielded"))
-    for layer in ABOVE_EMOTION:
-        kept = kept * (1.0 - shares[LAYERS.index(layer), :count])
+def kept_of_mix(layers: Layers, shares: Values) -> list[float]:
+    """How much of the mix of called expressions shows in each play region; neutral takes the rest."""
+    rows, yielded = shares[:, : len(PLAY_REGIONS)].tolist(), layers.columns.rows(layers.second, "yielded").tolist()
+    kept = [share * (1.0 - part) for share, part in zip(rows[_EMOTION], yielded, strict=True)]
+    for row in _ABOVE_EMOTION:
+        kept = [share * (1.0 - part) for share, part in zip(kept, rows[row], strict=True)]
     return kept
 
 
 def statuses(layers: Layers, shares: Values) -> dict[str, LayerStatus]:
     """The layers that differ from what they are at first, or that a source drives; lowest first."""
-    found, largest = dict[str, LayerStatus](), shares.max(axis=1).tolist()
-    for layer, share in zip(LAYERS, largest, strict=True):
+    found = dict[str, LayerStatus]()
+    for row, layer in enumerate(LAYERS):
         setting, first = layers.settings[layer], DEFAULT_SETTINGS[layer]
         if layer in layers.drivers or (setting is not first and setting != first):
-            found[layer] = _status(layers, layer, share)
+            found[layer] = _status(layers, layer, max(shares[row].tolist()))
     return found
 
 
@@ -106,8 +110,7 @@ def _status(layers: Layers, layer: LayerName, share: float) -> LayerStatus:
         trust = float(layers.columns.rows(layers.second, "trust")[row])
         values = layers.columns.rows(layers.second, "streams")[row, : len(layers.columns.names)]
         strongest = {} if driver is None else _strongest(layers.columns.names, values)
-    influence = tuple(setting.influence[part] for part in LAYER_PARTS)
-    return LayerStatus(influence, setting.on, trust, "" if driver is None else driver.source, share, strongest)
+    return LayerStatus(setting.by_part, setting.on, trust, "" if driver is None else driver.source, share, strongest)
 
 
 def _strongest(names: tuple[str, ...], values: Values) -> dict[str, float]:
@@ -137,7 +140,9 @@ def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Valu
 def _by_column(columns: Columns, shares: Values, layer: LayerName) -> Values:
     """How much of a layer shows in each column; of what acts on the whole face the mean of the four regions."""
     parts = shares[LAYERS.index(layer)].tolist()
-    return np.array([*parts, (parts[0] + parts[1] + parts[2] + parts[3]) / 4.0])[columns.parts]
+    parts.append((parts[0] + parts[1] + parts[2] + parts[3]) / 4.0)
+    found: Values = np.array(parts)[columns.parts]
+    return found
 
 
 def _in_range(layers: Layers, values: Values) -> Values:
@@ -157,11 +162,11 @@ def _closed(layers: Layers, expressions: Mapping[str, Expression], mix: Mix) -> 
     return found
 
 
-def _with_neutral(mix: Mix, regions: Mixes, kept: Values) -> tuple[Mix, Mixes]:
+def _with_neutral(mix: Mix, regions: Mixes, kept: Sequence[float]) -> tuple[Mix, Mixes]:
     """The mixes of the face and of its regions, each as much as is kept of it; neutral takes the rest."""
-    shares = dict(zip(PLAY_REGIONS, kept.tolist(), strict=True))
-    if all(share == 1.0 for share in shares.values()):
+    if all(share == 1.0 for share in kept):
         return mix, regions
+    shares = dict(zip(PLAY_REGIONS, kept, strict=True))
     face = shares["rest"]
     own = {
         region: _kept(regions.get(region, mix), share)

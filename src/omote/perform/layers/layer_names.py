@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from types import MappingProxyType
 from typing import Literal, get_args
 
@@ -65,6 +66,11 @@ class LayerSetting:
             raise ValueError(f"the influence of a layer is of {', '.join(given)}; expected {', '.join(LAYER_PARTS)}")
         checked = {part: check_within(given[part], 0.0, 1.0, f"the influence on {part}") for part in LAYER_PARTS}
         object.__setattr__(self, "influence", checked)
+
+    @cached_property
+    def by_part(self) -> tuple[float, ...]:
+        """The influences in the order of `LAYER_PARTS`."""
+        return tuple(self.influence[part] for part in LAYER_PARTS)
 
     @property
     def plays(self) -> bool:

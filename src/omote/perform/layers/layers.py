@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from omote.perform.channels import GAZE_UNITS, effective_channels, gaze_channels
+from omote.perform.channels import effective_channels, gaze_channels
 from omote.perform.frame import Gaze, Head, Held, with_fields
 from omote.perform.layers.columns import GAZE, HEAD, Columns, HasExpressions, make_columns, moved_to
 from omote.perform.layers.follower import Values, follow, steps_of
@@ -102,28 +102,25 @@ def leave(layers: Layers, layer: LayerName, source: str) -> Layers:
     return replace(layers, drivers={**layers.drivers, layer: replace(driver, leaves=True)})
 
 
-def switch_off(layers: Layers, yielded: Values) -> Layers:
-    """The layers after a panic: sources are switched off, the character's own motion ends; yielded: what the mix does
-    without, (4,), until all is still.
+def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
+    """The layers after a panic: sources are switched off, the character's own motion ends; kept: how much of the mix
+    shows in each play region, which stays so until all is still.
 
     What was on air of them the caller eases to rest.
     """
     sources = {layer: driver for layer, driver in layers.drivers.items() if driver.source != AUTOMATIC}
-    layers = replace(layers, drivers=sources)
-    settings = {
-        layer: replace(each, on=each.on and layer not in layers.drivers) for layer, each in layers.settings.items()
-    }
-    layers = _with_share_goal(replace(layers, settings=settings))
+    settings = {layer: replace(each, on=each.on and layer not in sources) for layer, each in layers.settings.items()}
+    layers = _with_share_goal(replace(layers, settings=settings, drivers=sources))
     columns, goal = layers.columns, layers.goal.copy()
     for section in ("streams", "hands", "hold", "trust"):
         goal[columns.sections[section]] = 0.0
-    goal[columns.sections["yielded"]] = yielded
+    goal[columns.sections["yielded"]] = [1.0 - share for share in kept]
     return replace(layers, goal=goal, first=goal, second=goal, held=Held(), calm=True)
 
 
 def advance(cast: HasExpressions, layers: Layers, held: Held, dt: float, *, still: bool) -> Layers:
     """The layers `dt` seconds later, under what hands hold now. still: False while a panic eases to rest."""
-    if held != layers.held:
+    if held is not layers.held and held != layers.held:
         layers = _held_by(cast, layers, held)
     if still and layers.columns.rows(layers.goal, "yielded").any():
         layers = replace(layers, goal=_with(layers, "yielded", 0.0))
@@ -205,18 +202,15 @@ def _stepped(layers: Layers, dt: float) -> Layers:
         goal = goal.copy()
         columns.rows(goal, "trust")[:] = wanted
     settles = not any(driver.is_trusted for driver in drivers.values())  # while a source plays nothing comes to rest
-    rate, haste = columns.followed({DRIVEN.index(layer): driver.smoothing for layer, driver in drivers.items()})
+    rate, haste = columns.stream_rates({DRIVEN.index(layer): driver.smoothing for layer, driver in drivers.items()})
     first, second = follow(layers.first, layers.second, goal, rate, haste, dt, settles=settles)
-    return Layers(columns, goal, first, second, layers.settings, drivers, layers.held, layers.calm)
+    return with_fields(layers, goal=goal, first=first, second=second, drivers=drivers)
 
 
 def _later(layers: Layers, layer: LayerName, driver: Driver, dt: float) -> Driver:
     """What drives a layer, `dt` seconds later."""
     silent, waits = min(driver.silent + dt, LOSS_SECONDS), driver.waits and _trust(layers, layer) >= LET_GO
-    return Driver(
-        driver.source, driver.names, driver.head, driver.gaze, driver.parts, silent, waits, driver.leaves,
-        driver.smoothing,
-    )  # fmt: skip
+    return with_fields(driver, silent=silent, waits=waits)
 
 
 def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
@@ -247,11 +241,9 @@ def _streamed(
     if frame.gaze is not None:
         stream[GAZE] = frame.gaze.yaw, frame.gaze.pitch
         turned = gaze_channels(cast.expressions, frame.gaze)
-        for unit in GAZE_UNITS:
-            if unit in columns.index:
-                stream[columns.index[unit]] = turned.get(unit, 0.0)
+        stream[columns.places(columns.eyes)] = [turned.get(unit, 0.0) for unit in columns.eyes]
     columns.rows(goal, "trust")[row] = 1.0
-    later = Layers(columns, goal, layers.first, layers.second, layers.settings, drivers, layers.held, calm=False)
+    later = with_fields(layers, goal=goal, drivers=drivers, calm=False)
     return later if _trust(later, layer) and not frame.direct else _from_there(later, row)
 
 
@@ -277,25 +269,24 @@ def _held_by(cast: HasExpressions, layers: Layers, held: Held) -> Layers:
         np.copyto(vector[hands], goal[hands], where=free)
         if layers.calm:
             vector[hold] = holds
-    return Layers(columns, goal, first, second, layers.settings, layers.drivers, held, layers.calm)
+    return with_fields(layers, goal=goal, first=first, second=second, held=held)
 
 
 def _hold_of(cast: HasExpressions, columns: Columns, held: Held) -> tuple[Values, Values]:
     holds, wanted = np.zeros(columns.width), np.zeros(columns.width)
     channels = effective_channels(cast.expressions, held.channels, held.gaze)
-    looks = [unit for unit in GAZE_UNITS if unit in columns.index] if held.gaze != STRAIGHT else []
-    places = [columns.index[name] for name in channels]
-    holds[[*places, *(columns.index[unit] for unit in looks)]] = 1.0
-    wanted[places] = list(channels.values())
+    places = columns.places(tuple(channels))
+    holds[places], wanted[places] = 1.0, list(channels.values())
     if held.head != UPRIGHT:
         holds[HEAD], wanted[HEAD] = 1.0, (held.head.yaw, held.head.pitch, held.head.roll)
     if held.gaze != STRAIGHT:
+        holds[columns.places(columns.eyes)] = 1.0
         holds[GAZE], wanted[GAZE] = 1.0, (held.gaze.yaw, held.gaze.pitch)
     return holds, wanted
 
 
 def _with_names(cast: HasExpressions, layers: Layers, names: Iterable[str]) -> Layers:
-    if all(name in layers.columns.index for name in names):
+    if layers.columns.index.keys() >= set(names):
         return layers
     return _under(layers, make_columns(cast, (*layers.columns.names, *names)))
 

@@ -550,7 +550,6 @@ class Scene:
                 self._standings[name] = replace(at, place=place, presence=presence)
         frames = {name: character.advance(dt) for name, character in self._characters.items()}
         self._let_go()
-        self._shown = {name: shown for name, shown in self._shown.items() if name in self._standings}
         light, call = axis.weights(self._light), axis.status(self._light)
         return SceneFrame(
             {n: self._frame(n, with_fields(frames[n], light=light, light_call=call)) for n in self._characters},
@@ -563,11 +562,15 @@ class Scene:
 
     def _let_go(self) -> None:
         """Forgets characters that were removed, once they have left and no shot holds them."""
+        gone = [name for name, at in self._standings.items() if at.leaves and at.presence == AWAY]
+        if not gone:
+            return
         held = {name for shot in axis_names(self._framing) for name in names_in(shot)}
-        for name, at in list(self._standings.items()):
-            if at.leaves and at.presence == AWAY and name not in held:
+        for name in gone:
+            if name not in held:
                 kept = CharacterSnapshot(self._characters.pop(name).snapshot(), self._standings.pop(name))
                 self._removals = with_kept(self._removals, name, kept)
+                self._shown.pop(name, None)
 
     def _refuse_one_more(self, name: str) -> None:
         if name in self._characters:

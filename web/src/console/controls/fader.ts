@@ -2,9 +2,9 @@
 
 import { html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
-import { type Drag, onArrows, onDrag, onWheel } from "../../ui/gestures";
+import { faderDrag, onArrows, onDrag, onWheel } from "../../ui/gestures";
 import { base } from "../../ui/theme";
-import { CHANNEL, fractionOf, stepped, travelOf, weightAt, within } from "../../ui/travel";
+import { CHANNEL, fractionOf, stepped, travelOf, weightAt } from "../../ui/travel";
 import type { Side } from "../store/channels";
 import type { Knob } from "../store/knob";
 import { AnimatedElement, StyleWriter } from "./console_element";
@@ -29,8 +29,6 @@ export class Fader extends AnimatedElement {
   @query(".other") private other!: HTMLElement;
   readonly #written = new StyleWriter();
   #shown: Knob | null = null;
-  #travel = 0;
-  #era = 0;
 
   static override styles = [base, faderStyle, channelFaderStyle, otherStyle];
 
@@ -59,37 +57,11 @@ export class Fader extends AnimatedElement {
   }
 
   override firstUpdated(): void {
-    onDrag(this.slotElement, this.#drag());
-    onWheel(this.slotElement, (steps) => this.#step(steps));
-    onArrows(
-      this.slotElement,
-      (dx, dy) => this.#step(dx + dy),
-      () => this.store.channel(this.channel).nudge(0),
-    );
-  }
-
-  #drag(): Drag {
     const knob = () => this.store.channel(this.channel);
-    const read = () => {
-      this.#travel = travelOf(knob().value(performance.now()));
-    };
-    return {
-      start: () => {
-        this.#era = this.store.era;
-        read();
-      },
-      move: (_dx, dy) => {
-        if (this.#era !== this.store.era || dy === 0) return;
-        if (!knob().gripped()) read(); // no hand is on it yet, or no more (a lost link, another's hand): from what is on air
-        this.#travel = within(this.#travel + dy * (CHANNEL.high - CHANNEL.low), CHANNEL);
-        knob().grip(weightAt(this.#travel));
-      },
-      end: () => knob().leave(),
-      double: () => {
-        knob().nudge(0);
-        this.#travel = 0;
-      },
-    };
+    const [era, rest] = [() => this.store.era, () => knob().nudge(0)];
+    onDrag(this.slotElement, faderDrag({ knob, era, range: CHANNEL, travelOf, valueAt: weightAt, rest }));
+    onWheel(this.slotElement, (steps) => this.#step(steps));
+    onArrows(this.slotElement, (dx, dy) => this.#step(dx + dy), rest);
   }
 
   #step(steps: number): void {

@@ -3,9 +3,9 @@
 import { css, html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { LAYER_PARTS } from "../../link/constants";
-import { type Drag, onArrows, onDrag, onWheel } from "../../ui/gestures";
+import { faderDrag, onArrows, onDrag, onWheel } from "../../ui/gestures";
 import { base } from "../../ui/theme";
-import { stepped, UNIT, within } from "../../ui/travel";
+import { stepped, UNIT } from "../../ui/travel";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
 import { faderStyle } from "../controls/fader_style";
 import { otherStyle, paintOther } from "../controls/other_hand";
@@ -27,8 +27,6 @@ export class LayerFader extends AnimatedElement {
   @query(".number") private number!: HTMLElement;
   @query(".other") private other!: HTMLElement;
   readonly #written = new StyleWriter();
-  #travel = 0;
-  #era = 0;
 
   static override styles = [
     base,
@@ -65,37 +63,14 @@ export class LayerFader extends AnimatedElement {
   }
 
   override firstUpdated(): void {
-    onDrag(this.slotElement, this.#drag());
+    const [knob, era, rest] = [() => this.#knob, () => this.store.era, () => this.#rest()];
+    onDrag(this.slotElement, faderDrag({ knob, era, range: UNIT, rest }));
     onWheel(this.slotElement, (steps) => this.#step(steps));
-    onArrows(
-      this.slotElement,
-      (dx, dy) => this.#step(dx + dy),
-      () => this.#rest(),
-    );
+    onArrows(this.slotElement, (dx, dy) => this.#step(dx + dy), rest);
   }
 
   get #knob(): Knob {
     return this.store.layer(this.layer, this.region);
-  }
-
-  #drag(): Drag {
-    const read = (): void => {
-      this.#travel = this.#knob.value(performance.now());
-    };
-    return {
-      start: () => {
-        this.#era = this.store.era;
-        read();
-      },
-      move: (_dx, dy) => {
-        if (this.#era !== this.store.era || dy === 0) return;
-        if (!this.#knob.gripped()) read();
-        this.#travel = within(this.#travel + dy, UNIT);
-        this.#knob.grip(this.#travel);
-      },
-      end: () => this.#knob.leave(),
-      double: () => this.#rest(),
-    };
   }
 
   #step(steps: number): void {

@@ -38,12 +38,20 @@ const geometries = new WeakMap<HairStrands, Map<string, THREE.InstancedBufferGeo
 /** The uniforms of a style in this colour; `strands` as `HAIR_VERTEX` reads it, four numbers a place. */
 export function styleUniforms({ hair, strands }: RibbonStyle, tint: THREE.IUniform<THREE.Color>): StyleUniforms {
   return {
-    strands: { value: texture(strands, hair.stations, hair.anchors.length, THREE.FloatType) },
+    strands: { value: strandsTexture({ hair, strands }, hair.anchors.length) },
     shape: { value: shapeOf(hair) },
     stations: { value: hair.stations },
     width: { value: hair.width },
     tint,
   };
+}
+
+/** A style's first `count` strands as a texture, a line each: what is not drawn is not handed over every frame. */
+export function strandsTexture(
+  { hair, strands }: Pick<RibbonStyle, "hair" | "strands">,
+  count: number,
+): THREE.DataTexture {
+  return texture(strands.subarray(0, 4 * hair.stations * count), hair.stations, count, THREE.FloatType);
 }
 
 function shapeOf(hair: HairStrands): THREE.DataTexture {
@@ -71,6 +79,9 @@ function texture(
   return made;
 }
 
+/** How much wider fewer ribbons are: to the power of 1 they would cover as much as all, but lie on the head like slats. */
+const WIDENED = 0.75;
+
 /** Fewer ribbons are wider, so that they cover the head as all of them do. */
 export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
   const kin = features.detail ? KIN.count : 1;
@@ -81,7 +92,7 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
     ...shared,
     ...own,
     pixel,
-    width: { value: (style.hair.width / 2) * share ** -0.6 * (features.detail ? KIN.width : 1) },
+    width: { value: (style.hair.width / 2) * share ** -WIDENED * (features.detail ? KIN.width : 1) },
   });
   look.defines = { ...definesOf(features), KIN: kin, ...(features.multisample ? { SOFT: "" } : {}) };
   look.side = THREE.DoubleSide;

@@ -1,0 +1,82 @@
+"""The CSV files of the app Live Link Face: one row a frame, found by its header, never by the place of a column.
+
+`Timecode` is `hours:minutes:seconds:frame.part` at 60 frames a second, whatever rate it was recorded at. Rows of
+dropped frames have no values; they are left out.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Mapping
+from itertools import pairwise
+
+from omote.inputs.takes.take import Take
+from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
+from omote.inputs.trackers.head_angles import HeadAngles, average_eyes, read_unreal_radians
+from omote.inputs.trackers.live_link_face import FRAME_RATE
+from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame
+
+TIME, COUNT = "Timecode", "BlendShapeCount"
+DAY = 86400.0
+MOST_ROWS = 1_000_000
+ANGLES = {who: tuple(f"{who}{axis}" for axis in ("Yaw", "Pitch", "Roll")) for who in ("Head", "LeftEye", "RightEye")}
+_TIME_CODE = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2})[:;](\d{1,3}(?:\.\d+)?)")
+
+
+def read_live_link_take(text: str) -> Take:
+    """The recording of a file's text; ValueError with the row and what is wrong."""
+    rows = csv.DictReader(io.StringIO(text.lstrip("\ufeff")))
+    columns = rows.fieldnames or []
+    names = {column: ARKIT_CHANNELS.find(column)[0] for column in columns if ARKIT_CHANNELS.find(column)}
+    if TIME not in columns or not names:
+        raise ValueError(f"the file has no column {TIME} or none of ARKit's; expected one of Live Link Face")
+    times, frames = list[float](), list[TrackerFrame]()
+    for number, row in enumerate(rows, 2):
+        if number > MOST_ROWS:
+            raise ValueError(f"the file has more than {MOST_ROWS} rows")
+        if all(row[column] for column in names):
+            try:
+                times.append(read_time_code(row[TIME] or ""))
+                frames.append(_read_row(row, names))
+            except (TrackerError, ValueError) as error:
+                raise ValueError(f"row {number}: {error}") from error
+    return _make_take(tuple(names.values()), times, frames)
+
+
+def read_time_code(text: str) -> float:
+    """The seconds of a time code; ValueError where it is none."""
+    found = _TIME_CODE.fullmatch(text.strip())
+    if found is None:
+        raise ValueError(f"{text[:40]!r} is no time code such as 13:13:04:31.652")
+    hours, minutes, seconds, frame = map(float, found.groups())
+    return 3600.0 * hours + 60.0 * minutes + seconds + frame / FRAME_RATE
+
+
+def _read_row(row: Mapping[str, str | None], names: Mapping[str, str]) -> TrackerFrame:
+    weights = {name: float(row[column] or 0.0) for column, name in names.items()}
+    head, left, right = (_read_angles(row, columns) for columns in ANGLES.values())
+    return TrackerFrame(weights, head, average_eyes((left[:2], right[:2])))
+
+
+def _read_angles(row: Mapping[str, str | None], columns: tuple[str, ...]) -> HeadAngles:
+    yaw, pitch, roll = (float(row.get(column) or 0.0) for column in columns)
+    return read_unreal_radians(yaw, pitch, roll)
+
+
+def _make_take(names: tuple[str, ...], times: list[float], frames: list[TrackerFrame]) -> Take:
+    """The recording; angles that are never other than 0 were not recorded."""
+    since = [0.0]
+    for before, now in pairwise(times):
+        step = now - before if now - before > -DAY / 2 else now - before + DAY  # over midnight
+        since.append(since[-1] + max(0.0, step))
+    heads = [frame.head or (0.0, 0.0, 0.0) for frame in frames]
+    gazes = [frame.gaze or (0.0, 0.0) for frame in frames]
+    return Take(
+        names,
+        since[: len(frames)],
+        [tuple(frame.weights.values()) for frame in frames],
+        heads if any(map(any, heads)) else (),
+        gazes if any(map(any, gazes)) else (),
+    )

@@ -1,0 +1,66 @@
+"""CSV files of Live Link Face: read by their header, over midnight, without dropped frames; real takes."""
+
+from pathlib import Path
+
+import pytest
+
+from omote.inputs.takes.live_link_take import read_live_link_take, read_time_code
+from omote.inputs.trackers.arkit_names import ARKIT_NAMES
+
+TAKES = Path(__file__).resolve().parents[4] / "shared" / "data" / "livelinkface"
+HEADER = "Timecode,BlendShapeCount,JawRight,JawLeft,JawOpen,HeadYaw,HeadPitch,HeadRoll,LeftEyeYaw,RightEyeYaw\n"
+
+
+def row(time: str, *values: float) -> str:
+    return f"{time},61,{','.join(map(str, values))}\n"
+
+
+def test_columns_are_found_by_their_names() -> None:
+    take = read_live_link_take(HEADER + row("13:00:00:00.0", 0.25, 0.5, 0.75, 0.1, 0.2, 0.3, 0.4, 0.2))
+    assert take.names == ("jawRight", "jawLeft", "jawOpen")
+    assert list(take.values) == [(0.25, 0.5, 0.75)]
+    assert take.head(0) == pytest.approx((-0.1, -0.2, 0.3))
+    assert take.gaze(0) == pytest.approx((-0.3, 0.0))
+
+
+def test_times_are_seconds_from_the_first_frame_over_midnight_too() -> None:
+    times = ("23:59:59:30.0", "23:59:59:45.5", "00:00:00:00.0", "00:00:01:00.0")
+    take = read_live_link_take(HEADER + "".join(row(time, *[0.1] * 8) for time in times))
+    assert list(take.times) == pytest.approx([0.0, 15.5 / 60, 0.5, 1.5])
+    assert read_time_code("1:02:03;04") == pytest.approx(3723 + 4 / 60)
+
+
+def test_dropped_frames_and_angles_that_were_not_recorded_are_left_out() -> None:
+    text = HEADER + row("00:00:00:00", *[0.5] * 3, *[0.0] * 5) + "00:00:00:01,0,,,,,,,,\n" + "00:00:00:02,0\n"
+    take = read_live_link_take("\ufeff" + text)
+    assert (len(take.times), take.head(0), take.gaze(0)) == (1, None, None)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("", "no column Timecode"),
+        ("a,b\n1,2\n", "no column Timecode"),
+        ("Timecode,HeadYaw\n00:00:00:00,1\n", "none of ARKit's"),
+        (HEADER, "no frames"),
+        (HEADER + row("now", *[0.0] * 8), "row 2: 'now' is no time code"),
+        (HEADER + row("00:00:00:00", 0.0, 0.0, 3.0, *[0.0] * 5), "row 2: jawOpen is 3"),
+        (HEADER + row("00:00:00:00", 0.0, 0.0, float("nan"), *[0.0] * 5), "row 2: jawOpen is no number"),
+        (HEADER + "00:00:00:00,61,a,b,c,0,0,0,0,0\n", "row 2: could not convert"),
+    ],
+)
+def test_what_cannot_be_read_is_said_with_its_row(text: str, why: str) -> None:
+    with pytest.raises(ValueError, match=why):
+        read_live_link_take(text)
+
+
+@pytest.mark.data
+@pytest.mark.parametrize(("name", "seconds"), [("alex_rom_3", 134.0), ("apfel", 64.0), ("S07-001", 67.0)])
+def test_real_takes_are_read(name: str, seconds: float) -> None:
+    if not TAKES.exists():
+        pytest.skip("needs ../shared/data")
+    take = read_live_link_take((TAKES / f"{name}.csv").read_text())
+    assert set(take.names) == set(ARKIT_NAMES)
+    assert take.seconds == pytest.approx(seconds, abs=2.0)
+    assert take.head(0) is None  # these were recorded without the head
+    assert take.gaze(0) is not None

@@ -1,0 +1,37 @@
+"""`omote play-take`: what it says of files and shows that are not there; played into a show in tests/server/client."""
+
+import socket
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from omote.cli import app
+from tests.inputs.takes.test_live_link_take import HEADER, row
+
+
+@pytest.mark.parametrize(
+    ("data", "said"), [(b"\xff\xfe", "no text"), (b"a,b\n", "no column Timecode"), (None, "not there")]
+)
+def test_a_file_that_is_no_take_is_said(tmp_path: Path, data: bytes | None, said: str) -> None:
+    path = tmp_path / "take.csv"
+    if data is not None:
+        path.write_bytes(data)
+    done = CliRunner().invoke(app, ["play-take", str(path)])
+    assert done.exit_code == 1
+    assert said in done.stderr
+    assert "take.csv" in done.stderr
+
+
+def test_a_show_that_is_not_there_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        "omote.server.client.connect.connect.__kwdefaults__",
+        {"name": "x", "timeout": 0.2, "token": None, "authority": None},
+    )
+    path = tmp_path / "take.csv"
+    path.write_text(HEADER + row("00:00:00:00", *[0.5] * 8))
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        done = CliRunner().invoke(app, ["play-take", str(path), "--show", f"http://127.0.0.1:{taken.getsockname()[1]}"])
+    assert done.exit_code == 1
+    assert "no show" in done.stderr
