@@ -118,8 +118,8 @@ def show(
     people, access = open_access(path, address, tls)
     stack = context.with_resource(contextlib.ExitStack())
     opened = partial(announce, host, port, browser=browser, osc=devices.osc, find=path.stem if find else None)
-    opened = partial(opened, heard=devices.heard, trackers=devices.advice, stack=stack, allow=allow)
-    opened = partial(opened, people=people, scheme=scheme)
+    opened = partial(opened, stack=stack, allow=allow, people=people, scheme=scheme)
+    opened = partial(opened, heard=devices.heard, trackers=devices.advice)
     words, handed = (*PROGRAM, *options.words, *access.words), devices.handed
     supervisor = Supervisor(
         listening, lock, path, report=say, opened=opened, program=words, notices=board.notices, handed=handed

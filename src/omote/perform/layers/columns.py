@@ -87,7 +87,7 @@ class Columns:
         found = vector[self.sections[section]]
         return found.reshape(self.shapes[section]) if section in self.shapes else found
 
-    def followed(self, smoothing: Mapping[int, float]) -> tuple[Values, Values]:
+    def stream_rates(self, smoothing: Mapping[int, float]) -> tuple[Values, Values]:
         """The rate and the haste of all followers where some streams are smoothed more: by row, in how many seconds.
         Never less than all are, so that nothing can jump."""
         slower = {row: STREAM_SECONDS / seconds for row, seconds in smoothing.items() if seconds > STREAM_SECONDS}

@@ -202,7 +202,7 @@ def _stepped(layers: Layers, dt: float) -> Layers:
         goal = goal.copy()
         columns.rows(goal, "trust")[:] = wanted
     settles = not any(driver.is_trusted for driver in drivers.values())  # while a source plays nothing comes to rest
-    rate, haste = columns.followed({DRIVEN.index(layer): driver.smoothing for layer, driver in drivers.items()})
+    rate, haste = columns.stream_rates({DRIVEN.index(layer): driver.smoothing for layer, driver in drivers.items()})
     first, second = follow(layers.first, layers.second, goal, rate, haste, dt, settles=settles)
     return with_fields(layers, goal=goal, first=first, second=second, drivers=drivers)
 

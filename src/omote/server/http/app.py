@@ -68,6 +68,7 @@ class ShowServer:
         self.uploads: Uploads | None = None
         self.long_requests = LongRequests(self._send_progress)
         self.sources: list[Source] = []
+        self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
         self._respond_to_trackers: Callable[[web.Request], Awaitable[web.StreamResponse]] | None = None
         self._surface_allowed: Callable[[str], bool] = lambda _: False
@@ -262,6 +263,8 @@ class ShowServer:
             await link.wait_turn(self.clock)
             if message.type is WSMsgType.BINARY:
                 self._deliver(self.session.receive_bytes(link.who, message.data, self.clock()))
+                if self.session.device_messages:
+                    self.device_spoke()
                 self._keep(self.session.take_keep_requests())
                 for each in self.session.take_cancelled():
                     self.long_requests.cancel(each)

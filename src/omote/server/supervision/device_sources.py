@@ -35,6 +35,7 @@ from omote.server.devices.tracker_listener import TrackerListener, TrackerSocket
 from omote.server.http.app import ShowServer
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.supervision.device_sockets import DeviceOptions
+from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.tracker_sockets import read_trackers
 
 Report = Callable[[str], None]
@@ -47,8 +48,12 @@ class Closable(Protocol):
         """Closes it."""
 
 
-async def start_devices(server: ShowServer, options: DeviceOptions, report: Report) -> list[Closable]:
-    """Hears all devices that a show was opened with; returns what is to be closed."""
+async def start_devices(
+    server: ShowServer, options: DeviceOptions, report: Report, early: EarlyTicks | None = None
+) -> list[Closable]:
+    """Hears all devices that a show was opened with; returns what is to be closed. early: is told when OSC comes; desks
+    of light send without end, and wait for the beat."""
+    early = early or EarlyTicks()
     allowed = read_senders(options.allow) if options.allow else THIS_MACHINE
     allowed = allowed.with_host(own_address())  # a desk's program here sends to groups by a network card
     log = RejectionLog(report)
@@ -57,7 +62,8 @@ async def start_devices(server: ShowServer, options: DeviceOptions, report: Repo
     if options.osc is not None:
         connections = None if options.osc_connections is None else _copy(options.osc_connections)
         sockets = OscSockets(_copy(options.osc), connections)
-        osc = OscListener(OscInput(lambda: server.session), sockets, log, allowed)
+        osc = OscListener(OscInput(lambda: server.session), sockets, log, allowed, spoke=early.note)
+        early.watch(sockets.datagrams)
         await osc.start()
         _tell_surfaces(osc, options, server.clock())
         server.enable_oscquery(sockets.datagrams.getsockname()[1], allowed.allows)
