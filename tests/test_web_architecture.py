@@ -62,7 +62,7 @@ USED: dict[str, str] = {
     "editor/session": "link ui face/pose face/gpu face editor/link",
     "editor/controls": "ui editor/session",
     "editor/panels": "link ui face/pose editor/session editor/controls",
-    "editor/page": "link ui editor/link editor/session editor/controls",
+    "editor/page": "link ui editor/session editor/controls",
     "editor/canvas/math": "link face/anatomy",
     "editor/canvas/model": "link face/pose face/anatomy editor/session editor/canvas/math",
     "editor/canvas/draw": (
