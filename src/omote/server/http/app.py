@@ -145,15 +145,19 @@ class ShowServer:
             self.close_revoked,
             lambda: self.authority,
         ).add_routes(application)
+        self._add_device_routes(application)
+        for path in (*PAGES, "/{page:.+}"):
+            application.router.add_get(path, self.page)
+        return application
+
+    def _add_device_routes(self, application: web.Application) -> None:
+        """Adds what surfaces read, and where trackers send."""
         layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)))
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
         if self._respond_to_trackers is not None:
             application.router.add_get(MEDIAPIPE_PATH, self._respond_to_trackers)
         if self.oscquery is not None:
             self.oscquery.add_routes(application, self.page)
-        for path in (*PAGES, "/{page:.+}"):
-            application.router.add_get(path, self.page)
-        return application
 
     def tick(self) -> None:
         """Advances the session by one tick and broadcasts the state."""

@@ -70,15 +70,7 @@ async def start_devices(
         started.append(osc)
     if options.sacn is not None or options.artnet is not None:
         started.append(_hear_dmx(bindings, options, log, allowed, report))
-    if options.trackers:
-        started.append(_hear_trackers(server, options, log, allowed))
-    if any(wish.protocol.port is None for wish in read_trackers(options.listen)):
-        link = MediapipeLink(lambda: server.session, log)
-        server.enable_trackers(link.respond)
-        started.append(link)
-    targets = read_targets(options.send)
-    if faces := [target for target in targets if target.protocol != SURFACE]:
-        started.append(FaceOutput(faces, lambda: server.session))
+    started += _open_trackers(server, options, log, allowed)
     probes = [probe for each in started for probe in each.probes]
     devices = PageDevices(lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()), probes)
     started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
@@ -99,6 +91,22 @@ def _hear_dmx(
     sacn, artnet = (None if each is None else _copy(each) for each in (options.sacn, options.artnet))
     dmx = DmxInput(options.universes)
     return DmxListener(dmx, bindings, log, sacn=sacn, artnet=artnet, allowed=allowed, report=report)
+
+
+def _open_trackers(
+    server: ShowServer, options: DeviceOptions, log: RejectionLog, allowed: AllowedSenders
+) -> list[TrackerListener | MediapipeLink | FaceOutput]:
+    """What hears trackers, and what sends faces to other programs."""
+    started: list[TrackerListener | MediapipeLink | FaceOutput] = []
+    if options.trackers:
+        started.append(_hear_trackers(server, options, log, allowed))
+    if any(wish.protocol.port is None for wish in read_trackers(options.listen)):
+        link = MediapipeLink(lambda: server.session, log)
+        server.enable_trackers(link.respond)
+        started.append(link)
+    if faces := [target for target in read_targets(options.send) if target.protocol != SURFACE]:
+        started.append(FaceOutput(faces, lambda: server.session))
+    return started
 
 
 def _hear_trackers(
